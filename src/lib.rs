@@ -1,0 +1,31 @@
+//! carrom: a terminal game that teaches glancing collisions.
+//!
+//! Aim a striker at a coin, set how far off-centre it hits, say first where both
+//! will go, then watch the exact collision explain itself.
+//!
+//! # The house
+//!
+//! Higher rooms may use lower ones, never the reverse; `tests/house.rs` holds
+//! every room to it.
+//!
+//! ```text
+//!   main.rs        parse the command line, run, print the error
+//!   cli/           one file a subcommand
+//!   ─────────────────────────────────────────────────────────────
+//!   shells/        what drives the app: terminal (crossterm), tape (headless script)
+//!   ─────────────────────────────────────────────────────────────
+//!   app/           App: the stack of screens, what every screen shares
+//!   screens/       one folder a screen: its state and update, its view beside it
+//!                  home · lab · quiz · levels
+//!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
+//!   messages/      what goes into the app and what comes out: keys, mouse, effects
+//!   ─────────────────────────────────────────────────────────────
+//!   quiz/          questions, grading, misconceptions
+//!   levels/        scene and level files: format, loading, checking  (data: levels/)
+//!   ─────────────────────────────────────────────────────────────
+//!   physics/       discs, one impact, closed forms, frames, scattering, the event-
+//!                  driven engine and the exact record of a shot. Knows no game, no
+//!                  terminal, no clock, no random numbers.
+//! ```
+
+pub mod physics;

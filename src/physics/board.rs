@@ -1,0 +1,54 @@
+//! The surface that discs slide on, its frame and its pockets.
+
+/// Standard acceleration of free fall in m/s².
+pub const G: f64 = 9.80665;
+
+/// A square board with a frame all round and a pocket in each corner.
+///
+/// The frame is a full square; each pocket is a circle tangent to both sides of
+/// its corner, and a disc falls when its centre comes within the pocket's radius
+/// of the pocket's centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Board {
+    /// Inner side of the frame in metres; infinite for an open sheet.
+    pub side: f64,
+    /// Diameter of a pocket in metres; 0 for none.
+    pub pocket_diameter: f64,
+    /// Coefficient of sliding friction between disc and board, at least 0.
+    pub friction: f64,
+    /// Restitution of disc on disc, 0 to 1.
+    pub restitution: f64,
+    /// Restitution of disc on cushion, 0 to 1.
+    pub cushion_restitution: f64,
+}
+
+impl Default for Board {
+    /// A tournament board on which the discs themselves lose nothing.
+    fn default() -> Self {
+        Self {
+            side: 0.740,
+            pocket_diameter: 0.0445,
+            friction: 0.12,
+            restitution: 1.0,
+            cushion_restitution: 0.8,
+        }
+    }
+}
+
+impl Board {
+    /// A frictionless sheet without frame or pockets: the board of the textbook.
+    pub const fn open(restitution: f64) -> Self {
+        Self {
+            side: f64::INFINITY,
+            pocket_diameter: 0.0,
+            friction: 0.0,
+            restitution,
+            cushion_restitution: 1.0,
+        }
+    }
+
+    /// Deceleration of a sliding disc in m/s²: a = μ g.
+    pub fn deceleration(&self) -> f64 {
+        self.friction * G
+    }
+}

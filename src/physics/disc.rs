@@ -1,0 +1,41 @@
+//! A disc and its motion.
+
+use glam::DVec2;
+
+/// A smooth rigid disc: what it is, not where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// Mass in kilograms, finite and positive.
+    pub mass: f64,
+    /// Radius in metres, finite and positive.
+    pub radius: f64,
+}
+
+impl Disc {
+    /// A disc from the units of the screen and of files: grams and millimetres.
+    pub const fn from_g_mm(mass_g: f64, radius_mm: f64) -> Self {
+        Self {
+            mass: mass_g / 1000.0,
+            radius: radius_mm / 1000.0,
+        }
+    }
+}
+
+/// Where the centre of a disc is and how it moves.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Motion {
+    /// Centre in metres, from the centre of the board, x to the right, y up.
+    pub position: DVec2,
+    /// Velocity in metres a second.
+    pub velocity: DVec2,
+}
+
+impl Motion {
+    /// A disc that lies still at `position`.
+    pub const fn at_rest(position: DVec2) -> Self {
+        Self {
+            position,
+            velocity: DVec2::ZERO,
+        }
+    }
+}
