@@ -28,4 +28,8 @@
 //!                  terminal, no clock, no random numbers.
 //! ```
 
+pub mod app;
+pub mod messages;
 pub mod physics;
+pub mod screens;
+pub mod widgets;

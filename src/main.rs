@@ -1,1 +1,3 @@
+//! The carrom command.
+
 fn main() {}

@@ -1,0 +1,188 @@
+//! The app: a stack of screens, and what is the same on every one of them.
+//!
+//! It is pure: [`App::update`] and [`App::advance`] return effects for a shell to
+//! carry out, [`App::wake`] says when it next needs time, and [`App::draw`] only
+//! looks. Nothing here knows a clock, a file, a thread or a global.
+
+mod chrome;
+
+use std::time::Duration;
+
+use ratatui::Frame;
+use ratatui::layout::Rect;
+
+use crate::messages::{Effect, Input, Key, Mouse};
+use crate::screens::{Context, Next, Place, Screen, Settings, home::Home};
+use crate::widgets::{Charset, Palette};
+
+/// The size below which nothing but a line of advice is drawn.
+pub const SMALLEST: (u16, u16) = (60, 20);
+
+/// The whole game, headless.
+pub struct App {
+    stack: Vec<Box<dyn Screen>>,
+    context: Context,
+    size: Rect,
+    /// Lines the help page is scrolled by, while it is open.
+    help: Option<usize>,
+}
+
+impl App {
+    /// An app that starts at `place`, with Home below it.
+    pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
+        let mut app = Self {
+            stack: vec![Box::new(Home::default())],
+            context: Context::new(settings, seed),
+            size: Rect::default(),
+            help: None,
+        };
+        if place != Place::Home {
+            app.open(place);
+        }
+        app
+    }
+
+    /// What the player has set.
+    pub fn settings(&self) -> &Settings {
+        &self.context.settings
+    }
+
+    /// Takes one input and says what the shell is to do about it.
+    pub fn update(&mut self, input: &Input) -> Vec<Effect> {
+        match input {
+            Input::Resize(columns, rows) => {
+                self.size = Rect::new(0, 0, *columns, *rows);
+                self.context.body = chrome::body(self.size);
+            }
+            Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
+            // Too small to see what a key would do.
+            _ if self.too_small() => {}
+            _ if self.help.is_some() => return self.update_help(input),
+            Input::Mouse(mouse) => {
+                if self.in_body(mouse) {
+                    return self.pass_on(input);
+                }
+            }
+            _ => return self.pass_on(input),
+        }
+        vec![]
+    }
+
+    /// Lets `passed` go by.
+    pub fn advance(&mut self, passed: Duration) -> Vec<Effect> {
+        if self.wake().is_none() {
+            return vec![];
+        }
+        let Some(screen) = self.stack.last_mut() else {
+            return vec![];
+        };
+        let next = screen.advance(passed, &mut self.context);
+        self.follow(next)
+    }
+
+    /// When the app next needs time; `None` while nothing moves.
+    pub fn wake(&self) -> Option<Duration> {
+        if self.help.is_some() || self.too_small() {
+            return None;
+        }
+        self.stack.last()?.wake(&self.context)
+    }
+
+    /// Draws the whole screen. The app must have been told the frame's size by
+    /// [`Input::Resize`] for the mouse to find what it points at.
+    pub fn draw(&self, frame: &mut Frame) {
+        let area = frame.area();
+        let buf = frame.buffer_mut();
+        chrome::draw(self, area, buf);
+    }
+
+    fn too_small(&self) -> bool {
+        self.size.width < SMALLEST.0 || self.size.height < SMALLEST.1
+    }
+
+    fn in_body(&self, mouse: &Mouse) -> bool {
+        self.context.body.contains((mouse.column, mouse.row).into())
+    }
+
+    fn pass_on(&mut self, input: &Input) -> Vec<Effect> {
+        let Some(screen) = self.stack.last_mut() else {
+            return vec![];
+        };
+        match screen.update(input, &mut self.context) {
+            Next::Ignored => self.shared_key(input),
+            next => self.follow(next),
+        }
+    }
+
+    /// Keys that mean the same on every screen that leaves them over.
+    fn shared_key(&mut self, input: &Input) -> Vec<Effect> {
+        let Input::Key(key) = input else {
+            return vec![];
+        };
+        let settings = &mut self.context.settings;
+        match key {
+            Key::Char('?') | Key::F(1) => self.help = Some(0),
+            Key::Char('U') | Key::F(2) => {
+                settings.charset = match settings.charset {
+                    Charset::Ascii => Charset::Unicode,
+                    Charset::Unicode => Charset::Ascii,
+                }
+            }
+            Key::Char('T') | Key::F(3) => {
+                settings.palette = match settings.palette {
+                    Palette::Dark => Palette::Light,
+                    Palette::Light => Palette::Mono,
+                    Palette::Mono => Palette::Dark,
+                }
+            }
+            Key::Char('M') | Key::F(4) => settings.reduced_motion = !settings.reduced_motion,
+            Key::Escape => return self.follow(Next::Back),
+            _ => {}
+        }
+        vec![]
+    }
+
+    fn update_help(&mut self, input: &Input) -> Vec<Effect> {
+        let Some(scrolled) = self.help else {
+            return vec![];
+        };
+        let most = chrome::help_overflow(self);
+        self.help = match input {
+            Input::Key(Key::Down) => Some(most.min(scrolled + 1)),
+            Input::Key(Key::PageDown) => Some(most.min(scrolled + 10)),
+            Input::Key(Key::Up) => Some(scrolled.saturating_sub(1)),
+            Input::Key(Key::PageUp) => Some(scrolled.saturating_sub(10)),
+            Input::Key(_) => None,
+            _ => self.help,
+        };
+        vec![]
+    }
+
+    fn follow(&mut self, next: Next) -> Vec<Effect> {
+        match next {
+            Next::Ignored | Next::Stay => {}
+            Next::Open(place) => self.open(place),
+            Next::Replace(place) => {
+                self.stack.pop();
+                self.open(place);
+            }
+            Next::Back => {
+                self.stack.pop();
+                if self.stack.is_empty() {
+                    self.stack.push(Box::new(Home::default()));
+                    return vec![Effect::Quit];
+                }
+            }
+            Next::Quit => return vec![Effect::Quit],
+        }
+        vec![]
+    }
+
+    fn open(&mut self, place: Place) {
+        let screen: Box<dyn Screen> = match place {
+            Place::Home => Box::new(Home::default()),
+            _ => Box::new(Home::default()),
+        };
+        self.stack.push(screen);
+    }
+}

@@ -1,0 +1,48 @@
+//! What a shell tells the app.
+
+use super::Key;
+
+/// One thing that happened outside.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Input {
+    /// A key was pressed.
+    Key(Key),
+    /// The mouse did something over a cell.
+    Mouse(Mouse),
+    /// Text was pasted.
+    Paste(String),
+    /// The screen now has this many columns and rows.
+    Resize(u16, u16),
+}
+
+impl From<Key> for Input {
+    fn from(key: Key) -> Self {
+        Self::Key(key)
+    }
+}
+
+/// The mouse over a cell, counted from 0 at the top left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mouse {
+    /// What it did.
+    pub kind: MouseKind,
+    /// Column of the cell.
+    pub column: u16,
+    /// Row of the cell.
+    pub row: u16,
+}
+
+/// What the mouse did; only the main button counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MouseKind {
+    /// The button went down.
+    Down,
+    /// It moved with the button down.
+    Drag,
+    /// The button went up.
+    Up,
+    /// The wheel turned away from the hand.
+    ScrollUp,
+    /// The wheel turned towards the hand.
+    ScrollDown,
+}

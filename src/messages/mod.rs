@@ -1,0 +1,13 @@
+//! What goes into the app and what comes out of it: keys, the mouse, the size of
+//! the screen; where to go next; what a shell shall do.
+//!
+//! Each shell translates its own world into these types, so that the app never
+//! learns which one drives it.
+
+mod effect;
+mod input;
+mod key;
+
+pub use effect::Effect;
+pub use input::{Input, Mouse, MouseKind};
+pub use key::Key;

@@ -1,0 +1,82 @@
+//! What all screens share: settings, the seed, the room there is to draw in.
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::SeedableRng;
+use ratatui::layout::Rect;
+
+use crate::widgets::{Charset, Depth, Palette, Theme};
+
+/// How the app looks and behaves for this player.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Glyphs to draw with.
+    pub charset: Charset,
+    /// Colours by purpose: dark, light.
+    pub palette: Palette,
+    /// How many colours the screen has.
+    pub depth: Depth,
+    /// Jump from before the contact to the contact to after it.
+    pub reduced_motion: bool,
+    /// Ask for a prediction before each shot in the lab and in levels.
+    pub predict: bool,
+    /// Name of the player, as shown.
+    pub player: String,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            charset: Charset::Ascii,
+            palette: Palette::Dark,
+            depth: Depth::None,
+            reduced_motion: false,
+            predict: true,
+            player: "player".into(),
+        }
+    }
+}
+
+impl Settings {
+    /// The styles that follow from palette and colour depth.
+    pub fn theme(&self) -> Theme {
+        Theme::new(self.palette, self.depth)
+    }
+}
+
+/// Shared state, lent to a screen for the length of a call.
+#[derive(Debug, Clone)]
+pub struct Context {
+    /// How things look and behave.
+    pub settings: Settings,
+    /// The part of the screen that belongs to the screen on top: all but the
+    /// title line and the line of keys.
+    pub body: Rect,
+    seed: u64,
+    rounds: u64,
+}
+
+impl Context {
+    /// A context whose every random choice follows from `seed`.
+    pub fn new(settings: Settings, seed: u64) -> Self {
+        Self {
+            settings,
+            body: Rect::default(),
+            seed,
+            rounds: 0,
+        }
+    }
+
+    /// The seed of the next round: the app's own seed first, then others that
+    /// follow from it.
+    pub fn next_seed(&mut self) -> u64 {
+        let seed = if self.rounds == 0 {
+            self.seed
+        } else {
+            use rand::Rng;
+            let mut generator = Pcg64Mcg::seed_from_u64(self.seed);
+            (0..self.rounds).fold(0, |_, _| generator.next_u64()) % 1_000_000
+        };
+        self.rounds += 1;
+        seed
+    }
+}

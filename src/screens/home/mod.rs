@@ -1,0 +1,103 @@
+//! The first screen: where to go.
+
+mod view;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Context, Help, Hint, Next, Place, Screen};
+use crate::messages::{Input, Key, MouseKind};
+
+/// The first screen.
+#[derive(Debug, Clone, Default)]
+pub struct Home {
+    chosen: usize,
+}
+
+/// A line of the menu.
+struct Choice {
+    key: char,
+    name: &'static str,
+    about: &'static str,
+    place: Place,
+}
+
+const CHOICES: [Choice; 3] = [
+    Choice {
+        key: 'l',
+        name: "Lab",
+        about: "set up a glancing hit, say where both will go, watch why",
+        place: Place::Lab,
+    },
+    Choice {
+        key: 'z',
+        name: "Quiz",
+        about: "ten hits to predict; find out what you really think",
+        place: Place::Quiz { seed: None },
+    },
+    Choice {
+        key: 'v',
+        name: "Levels",
+        about: "small puzzles on the board, solved by aiming",
+        place: Place::Levels,
+    },
+];
+
+impl Screen for Home {
+    fn title(&self) -> String {
+        "home".into()
+    }
+
+    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Key(Key::Up) => {
+                self.chosen = (self.chosen + CHOICES.len() - 1) % CHOICES.len();
+            }
+            Input::Key(Key::Down | Key::Tab) => self.chosen = (self.chosen + 1) % CHOICES.len(),
+            Input::Key(Key::Enter | Key::Char(' ')) => {
+                return Next::Open(CHOICES[self.chosen].place);
+            }
+            Input::Key(Key::Char('q')) => return Next::Quit,
+            // Nothing lies behind the first screen; leaving it takes a plain Q.
+            Input::Key(Key::Escape) => {}
+            Input::Key(Key::Char(c)) => {
+                let Some(i) = CHOICES.iter().position(|choice| choice.key == *c) else {
+                    return Next::Ignored;
+                };
+                self.chosen = i;
+                return Next::Open(CHOICES[i].place);
+            }
+            Input::Mouse(mouse) if mouse.kind == MouseKind::Down => {
+                if let Some(i) = view::choice_at(cx.body, mouse.column, mouse.row) {
+                    self.chosen = i;
+                    return Next::Open(CHOICES[i].place);
+                }
+            }
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(self, area, buf, cx);
+    }
+
+    fn keys(&self, _cx: &Context) -> Vec<Hint> {
+        vec![
+            Hint::new("Up Down", "choose"),
+            Hint::new("Enter", "open"),
+            Hint::new("q", "quit"),
+        ]
+    }
+
+    fn help(&self, _cx: &Context) -> Help {
+        Help {
+            text: vec![
+                "carrom teaches one thing well: what happens when one disc hits another off-centre.",
+                "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
+                "New here? Open the lab and press Enter.",
+            ],
+            keys: self.keys(_cx),
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Where one can go.
+
+/// A screen to open, with what it is to show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The first screen.
+    Home,
+    /// The lab.
+    Lab,
+    /// A round of the quiz; the code fixes its questions.
+    Quiz {
+        /// The code of the round; `None` takes the app's next.
+        seed: Option<u64>,
+    },
+    /// The list of levels.
+    Levels,
+}
