@@ -5,8 +5,14 @@
 //! SI throughout (m, s, kg, rad); x points right and y up. Body 1 is the striker,
 //! body 2 the target; u is a velocity before the impact, v after it.
 
+pub mod angle;
 mod board;
+pub mod capture;
+mod collision;
 mod disc;
+pub mod impact;
+pub mod units;
 
 pub use board::{Board, G};
+pub use collision::{Bond, Collision, Meeting, Outcome};
 pub use disc::{Disc, Motion};

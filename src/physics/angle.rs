@@ -1,0 +1,54 @@
+//! Angles between velocities, undefined where there is no velocity.
+
+use glam::DVec2;
+
+/// The angle that turns `from` into `to`, in radians, positive anticlockwise,
+/// in (−π, π]; `None` where either is zero.
+///
+/// What is rounding noise across `from` counts as nothing, so that straight on is
+/// 0 and straight back is +π.
+pub fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
+    let from = from.try_normalize()?;
+    let to = to.try_normalize()?;
+    let across = from.perp_dot(to);
+    let across = if across.abs() <= 16.0 * f64::EPSILON {
+        0.0
+    } else {
+        across
+    };
+    Some(across.atan2(from.dot(to)))
+}
+
+/// The angle between two velocities in radians, in [0, π]; `None` where either is
+/// zero.
+pub fn angle_between(a: DVec2, b: DVec2) -> Option<f64> {
+    signed_angle(a, b).map(f64::abs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    #[test]
+    fn quarter_turns_either_way() {
+        assert_eq!(signed_angle(DVec2::X, DVec2::Y), Some(FRAC_PI_2));
+        assert_eq!(signed_angle(DVec2::Y, DVec2::X), Some(-FRAC_PI_2));
+        assert_eq!(angle_between(DVec2::Y, DVec2::X), Some(FRAC_PI_2));
+    }
+
+    #[test]
+    fn straight_on_and_straight_back_are_exact() {
+        for step in 0..100 {
+            let v = 3.0 * DVec2::from_angle(f64::from(step));
+            assert_eq!(signed_angle(v, 0.3 * v), Some(0.0));
+            assert_eq!(signed_angle(v, -0.3 * v), Some(PI));
+        }
+    }
+
+    #[test]
+    fn nothing_at_rest_has_a_direction() {
+        assert_eq!(signed_angle(DVec2::ZERO, DVec2::X), None);
+        assert_eq!(angle_between(DVec2::X, DVec2::ZERO), None);
+    }
+}

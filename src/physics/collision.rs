@@ -1,0 +1,272 @@
+//! A collision as a problem, and its outcome.
+//!
+//! The problem is two discs, their velocities and the offset at which they meet.
+//! Where they touch, the line of impact and everything after the hit follow from
+//! that and are computed, never stored.
+
+use glam::DVec2;
+
+use super::Disc;
+use super::angle::{angle_between, signed_angle};
+use super::capture::capture;
+use super::impact::{Contact, kinetic_energy};
+
+/// What the two surfaces do at contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Bond {
+    /// Smooth discs: no force across the line of impact.
+    #[default]
+    Slip,
+    /// The discs stick where they touch and go on as one; restitution plays no part.
+    Stick,
+}
+
+/// Two discs about to meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Collision {
+    /// Body 1.
+    pub striker: Disc,
+    /// Body 2.
+    pub target: Disc,
+    /// Velocity of the striker before, in m/s.
+    pub u1: DVec2,
+    /// Velocity of the target before, in m/s.
+    pub u2: DVec2,
+    /// Impact parameter b in metres: how far the target's centre lies to the right
+    /// of the line along which the striker moves relative to it.
+    pub offset: f64,
+    /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
+    pub restitution: f64,
+    /// Whether the discs slip past each other or stick.
+    pub bond: Bond,
+}
+
+/// How the two met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meeting {
+    /// They pass without touching, or never come nearer.
+    Miss,
+    /// They touch at |b| = r₁ + r₂ and exchange nothing.
+    Graze,
+    /// They collide.
+    Hit,
+}
+
+/// What becomes of a [`Collision`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// How the two met.
+    pub meeting: Meeting,
+    /// Line of impact n, the unit vector from centre 1 to centre 2 at contact;
+    /// `None` for a miss.
+    pub normal: Option<DVec2>,
+    /// Tangent t, n turned anticlockwise by a right angle; `None` for a miss.
+    pub tangent: Option<DVec2>,
+    /// Velocity of the striker after, in m/s. For discs that stick, the velocity of
+    /// the pair's centre of mass.
+    pub v1: DVec2,
+    /// Velocity of the target after, in m/s. For discs that stick, the same as `v1`.
+    pub v2: DVec2,
+    /// Angular velocity of a pair that sticks, in rad/s, positive clockwise (the
+    /// sense it has for a positive offset); 0 for discs that slip.
+    pub spin: f64,
+    /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in
+    /// (−π, π]; `None` where either is zero.
+    pub theta1: Option<f64>,
+    /// Recoil angle θ₂ from u₁ to v₂ in radians, positive clockwise, in
+    /// (−π, π];
+    /// `None` where either is zero.
+    pub theta2: Option<f64>,
+    /// Angle between v₁ and v₂ in radians, in [0, π]; `None` where either is zero.
+    pub separation: Option<f64>,
+    /// Size of the impulse that each gave the other, in N·s.
+    pub impulse: f64,
+    /// Kinetic energy before, in joules.
+    pub energy_before: f64,
+    /// Kinetic energy after, in joules; for discs that stick it includes
+    /// [`energy_rotation`](Self::energy_rotation).
+    pub energy_after: f64,
+    /// The part of the energy after that is in the turning of a pair that sticks, in
+    /// joules; 0 for discs that slip.
+    pub energy_rotation: f64,
+    /// Kinetic energy that is gone, in joules.
+    pub energy_lost: f64,
+}
+
+impl Outcome {
+    /// Whether the discs touched, if only grazing.
+    pub fn hit(&self) -> bool {
+        self.meeting != Meeting::Miss
+    }
+}
+
+impl Collision {
+    /// A smooth, perfectly elastic hit at impact angle `alpha` radians on a target
+    /// at rest. For any other collision set the fields that differ; the angle stays
+    /// the same whatever the velocities, the masses and the restitution.
+    pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
+        Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)
+    }
+
+    /// A smooth, perfectly elastic hit at `offset` metres on a target at rest.
+    pub fn at_offset(striker: Disc, target: Disc, u1: DVec2, offset: f64) -> Self {
+        Self {
+            striker,
+            target,
+            u1,
+            u2: DVec2::ZERO,
+            offset,
+            restitution: 1.0,
+            bond: Bond::Slip,
+        }
+    }
+
+    /// The same collision at impact angle `alpha` radians, −π/2 to π/2:
+    /// b = (r₁ + r₂) sin α.
+    #[must_use]
+    pub fn with_alpha(self, alpha: f64) -> Self {
+        Self {
+            offset: self.reach() * alpha.sin(),
+            ..self
+        }
+    }
+
+    /// Distance of the centres at contact, r₁ + r₂, in metres.
+    pub fn reach(&self) -> f64 {
+        self.striker.radius + self.target.radius
+    }
+
+    /// Velocity of the striker relative to the target, w = u₁ − u₂, in m/s.
+    pub fn relative_velocity(&self) -> DVec2 {
+        self.u1 - self.u2
+    }
+
+    /// Impact angle α in radians, from the relative velocity to the line of impact,
+    /// positive when the target's centre lies to the right; `None` for a miss.
+    pub fn alpha(&self) -> Option<f64> {
+        self.relative_velocity().try_normalize()?;
+        self.sine().map(f64::asin)
+    }
+
+    /// Line of impact n at contact; `None` for a miss or without relative motion.
+    pub fn normal(&self) -> Option<DVec2> {
+        let along = self.relative_velocity().try_normalize()?;
+        let sine = self.sine()?;
+        Some(cosine(sine) * along - sine * along.perp())
+    }
+
+    /// The centres of striker and target when they touch, with the point of contact
+    /// at the origin. For a miss: when they are nearest, with the origin between
+    /// them; without relative motion: side by side, the target to the right.
+    pub fn placed_at_contact(&self) -> (DVec2, DVec2) {
+        let apart = match (self.normal(), self.relative_velocity().try_normalize()) {
+            (Some(normal), _) => self.reach() * normal,
+            (None, Some(along)) => -self.offset * along.perp(),
+            (None, None) => self.reach() * DVec2::X,
+        };
+        let share1 = self.striker.radius / self.reach();
+        (-share1 * apart, (1.0 - share1) * apart)
+    }
+
+    /// The centres of striker and target `time` seconds before they are
+    /// [placed at contact](Self::placed_at_contact).
+    pub fn positions_before(&self, time: f64) -> (DVec2, DVec2) {
+        let (centre1, centre2) = self.placed_at_contact();
+        (centre1 - time * self.u1, centre2 - time * self.u2)
+    }
+
+    /// What becomes of the two.
+    pub fn outcome(&self) -> Outcome {
+        let Some(normal) = self.normal() else {
+            return self.unchanged(Meeting::Miss, None);
+        };
+        let contact = Contact {
+            m1: self.striker.mass,
+            m2: self.target.mass,
+            u1: self.u1,
+            u2: self.u2,
+            normal,
+            restitution: self.restitution,
+        };
+        let grazes = self.sine().is_some_and(|sine| cosine(sine) <= 0.0);
+        match contact.resolve() {
+            Some(impact) if !grazes => match self.bond {
+                Bond::Slip => Outcome {
+                    impulse: impact.impulse,
+                    energy_lost: impact.energy_lost,
+                    ..self.after(Meeting::Hit, Some(normal), impact.v1, impact.v2)
+                },
+                Bond::Stick => self.captured(normal),
+            },
+            _ => self.unchanged(Meeting::Graze, Some(normal)),
+        }
+    }
+
+    /// Velocity of the common centre of mass, (m₁u₁ + m₂u₂) / (m₁ + m₂), in m/s.
+    pub fn centre_of_mass_velocity(&self) -> DVec2 {
+        let (m1, m2) = (self.striker.mass, self.target.mass);
+        self.u1 * (m1 / (m1 + m2)) + self.u2 * (m2 / (m1 + m2))
+    }
+
+    fn captured(&self, normal: DVec2) -> Outcome {
+        let shared = self.centre_of_mass_velocity();
+        let relative_speed = self.relative_velocity().length();
+        let pair = capture(self.striker, self.target, self.offset, relative_speed);
+        let free = self.after(Meeting::Hit, Some(normal), shared, shared);
+        Outcome {
+            spin: pair.spin,
+            impulse: self.striker.mass * (shared - self.u1).length(),
+            energy_after: free.energy_after + pair.rotation_energy,
+            energy_rotation: pair.rotation_energy,
+            energy_lost: pair.energy_lost,
+            ..free
+        }
+    }
+
+    fn unchanged(&self, meeting: Meeting, normal: Option<DVec2>) -> Outcome {
+        self.after(meeting, normal, self.u1, self.u2)
+    }
+
+    /// An outcome with these velocities and nothing lost or turning.
+    fn after(&self, meeting: Meeting, normal: Option<DVec2>, v1: DVec2, v2: DVec2) -> Outcome {
+        let energy = |a: DVec2, b: DVec2| {
+            kinetic_energy(self.striker.mass, a) + kinetic_energy(self.target.mass, b)
+        };
+        Outcome {
+            meeting,
+            normal,
+            tangent: normal.map(DVec2::perp),
+            v1,
+            v2,
+            spin: 0.0,
+            theta1: signed_angle(self.u1, v1),
+            // Measured the other way round: clockwise is positive.
+            theta2: signed_angle(v2, self.u1),
+            separation: angle_between(v1, v2),
+            impulse: 0.0,
+            energy_before: energy(self.u1, self.u2),
+            energy_after: energy(v1, v2),
+            energy_rotation: 0.0,
+            energy_lost: 0.0,
+        }
+    }
+
+    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1,
+    /// for b and the radii rarely add up to the last bit.
+    fn sine(&self) -> Option<f64> {
+        let sine = self.offset / self.reach();
+        let beyond = sine.abs() - 1.0;
+        if beyond.abs() <= 4.0 * f64::EPSILON {
+            Some(sine.signum())
+        } else if beyond < 0.0 {
+            Some(sine)
+        } else {
+            None
+        }
+    }
+}
+
+/// cos α from sin α for |α| ≤ π/2, exact at both ends.
+fn cosine(sine: f64) -> f64 {
+    ((1.0 - sine) * (1.0 + sine)).sqrt()
+}
