@@ -270,3 +270,226 @@ impl Collision {
 fn cosine(sine: f64) -> f64 {
     ((1.0 - sine) * (1.0 + sine)).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::units::{deg_from_rad, rad_from_deg};
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    fn carrom(alpha_deg: f64) -> Collision {
+        let piece = Disc::from_g_mm(15.0, 15.9);
+        let u1 = DVec2::new(4.0, 0.0);
+        Collision::at_angle(piece, piece, u1, rad_from_deg(alpha_deg))
+    }
+
+    fn deg(angle: Option<f64>) -> f64 {
+        deg_from_rad(angle.unwrap())
+    }
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() <= 1e-12, "{a} is not {b}");
+    }
+
+    #[test]
+    fn equal_pieces_at_30_degrees() {
+        let after = carrom(30.0).outcome();
+        assert_eq!(after.meeting, Meeting::Hit);
+        close(after.v1.length(), 2.0);
+        close(after.v2.length(), 2.0 * 3.0_f64.sqrt());
+        close(deg(after.theta1), 60.0);
+        close(deg(after.theta2), 30.0);
+        close(deg(after.separation), 90.0);
+        close(after.energy_after, after.energy_before);
+        close(after.energy_before, 0.12);
+    }
+
+    #[test]
+    fn marbles_of_20_and_40_grams() {
+        let after = Collision::at_angle(
+            Disc::from_g_mm(20.0, 8.0),
+            Disc::from_g_mm(40.0, 10.0),
+            DVec2::new(3.0, 0.0),
+            rad_from_deg(45.0),
+        )
+        .outcome();
+        assert!((after.v1 - DVec2::new(1.0, 2.0)).length() < 1e-12);
+        assert!((after.v2 - DVec2::new(1.0, -1.0)).length() < 1e-12);
+        close(deg(after.theta1), deg_from_rad(2.0_f64.atan()));
+        close(deg(after.theta2), 45.0);
+        close(deg(after.separation), 45.0 + deg_from_rad(2.0_f64.atan()));
+    }
+
+    #[test]
+    fn the_line_of_impact_lies_where_the_convention_says() {
+        let shot = carrom(30.0);
+        let normal = shot.normal().unwrap();
+        assert!((normal - DVec2::from_angle(rad_from_deg(-30.0))).length() < 1e-15);
+        let tangent = shot.outcome().tangent.unwrap();
+        assert!((tangent - DVec2::new(0.5, 0.75_f64.sqrt())).length() < 1e-15);
+        close(deg(shot.alpha()), 30.0);
+        close(shot.offset, shot.reach() / 2.0);
+    }
+
+    #[test]
+    fn a_negative_offset_is_the_mirror_image() {
+        let (right, left) = (carrom(30.0).outcome(), carrom(-30.0).outcome());
+        let mirrored = |v: DVec2| DVec2::new(v.x, -v.y);
+        assert!((mirrored(right.v1) - left.v1).length() < 1e-15);
+        assert!((mirrored(right.v2) - left.v2).length() < 1e-15);
+        close(deg(left.theta1), -60.0);
+        close(deg(left.theta2), -30.0);
+        close(deg(left.separation), 90.0);
+    }
+
+    #[test]
+    fn head_on_between_equals_leaves_the_striker_without_direction() {
+        for direction in 0..100 {
+            let u1 = 4.0 * DVec2::from_angle(f64::from(direction));
+            let after = Collision { u1, ..carrom(0.0) }.outcome();
+            assert_eq!(after.v1, DVec2::ZERO);
+            assert_eq!(after.theta1, None);
+            assert_eq!(after.theta2, Some(0.0));
+            assert_eq!(after.separation, None);
+        }
+    }
+
+    #[test]
+    fn head_on_a_light_striker_comes_straight_back() {
+        let after = Collision {
+            striker: Disc::from_g_mm(5.5, 15.9),
+            ..carrom(0.0)
+        }
+        .outcome();
+        assert_eq!(after.theta1, Some(PI));
+        assert_eq!(after.separation, Some(PI));
+    }
+
+    #[test]
+    fn a_miss_changes_nothing() {
+        let shot = Collision {
+            offset: 0.04,
+            ..carrom(0.0)
+        };
+        let after = shot.outcome();
+        assert_eq!(after.meeting, Meeting::Miss);
+        assert!(!after.hit());
+        assert_eq!((after.v1, after.v2), (shot.u1, shot.u2));
+        assert_eq!((after.normal, shot.alpha()), (None, None));
+        assert_eq!(after.theta1, Some(0.0));
+        assert_eq!((after.theta2, after.separation), (None, None));
+        close(after.impulse, 0.0);
+    }
+
+    #[test]
+    fn a_graze_touches_and_exchanges_nothing() {
+        // 20.65 + 15.9 mm is not 36.55 mm to the last bit once in metres.
+        for offset in [0.03655, -0.03655] {
+            for bond in [Bond::Slip, Bond::Stick] {
+                let shot = Collision {
+                    bond,
+                    ..Collision::at_offset(
+                        Disc::from_g_mm(15.0, 20.65),
+                        Disc::from_g_mm(5.5, 15.9),
+                        DVec2::new(1.7, 2.9),
+                        offset,
+                    )
+                };
+                let after = shot.outcome();
+                assert_eq!(after.meeting, Meeting::Graze);
+                assert!(after.hit());
+                assert_eq!((after.v1, after.v2), (shot.u1, DVec2::ZERO));
+                assert_eq!(shot.alpha(), Some(FRAC_PI_2.copysign(offset)));
+                assert_eq!(after.theta2, None);
+            }
+        }
+        assert_eq!(carrom(90.0).outcome().meeting, Meeting::Graze);
+    }
+
+    #[test]
+    fn without_relative_motion_they_never_meet() {
+        let shot = Collision {
+            u2: DVec2::new(4.0, 0.0),
+            ..carrom(30.0)
+        };
+        assert_eq!(shot.outcome().meeting, Meeting::Miss);
+        assert_eq!(shot.alpha(), None);
+        assert_eq!(shot.outcome().separation, Some(0.0));
+    }
+
+    #[test]
+    fn slip_without_restitution_is_not_sticking() {
+        let slip = Collision {
+            restitution: 0.0,
+            ..carrom(30.0)
+        };
+        let stick = Collision {
+            bond: Bond::Stick,
+            ..slip
+        };
+        let (slip, stick) = (slip.outcome(), stick.outcome());
+        let normal = slip.normal.unwrap();
+        close((slip.v1 - slip.v2).dot(normal), 0.0);
+        assert!((slip.v1 - slip.v2).length() > 1.0);
+        assert_eq!(stick.v1, stick.v2);
+        assert!((stick.v1 - DVec2::new(2.0, 0.0)).length() < 1e-15);
+        assert_eq!(stick.separation, Some(0.0));
+    }
+
+    #[test]
+    fn sticking_off_centre_keeps_angular_momentum_in_a_clockwise_turn() {
+        let shot = Collision {
+            bond: Bond::Stick,
+            u2: DVec2::new(-1.0, 0.5),
+            ..carrom(30.0)
+        };
+        let after = shot.outcome();
+        // About the common centre of mass, anticlockwise positive.
+        let (centre1, centre2) = shot.placed_at_contact();
+        let (m1, m2) = (shot.striker.mass, shot.target.mass);
+        let middle = (m1 * centre1 + m2 * centre2) / (m1 + m2);
+        let before = m1 * (centre1 - middle).perp_dot(shot.u1 - after.v1)
+            + m2 * (centre2 - middle).perp_dot(shot.u2 - after.v2);
+        let inertia = super::super::capture::moment_of_inertia(shot.striker, shot.target);
+        assert!((before + inertia * after.spin).abs() < 1e-18);
+        assert!(after.spin > 0.0);
+        close(after.energy_rotation, 0.5 * inertia * after.spin.powi(2));
+        let sum = after.energy_after + after.energy_lost;
+        close(sum, after.energy_before);
+    }
+
+    #[test]
+    fn they_touch_at_the_origin_and_were_apart_before() {
+        let shot = Collision {
+            u2: DVec2::new(-1.0, 0.5),
+            striker: Disc::from_g_mm(15.0, 20.65),
+            ..carrom(30.0)
+        };
+        let (centre1, centre2) = shot.placed_at_contact();
+        close(centre1.length(), shot.striker.radius);
+        close(centre2.length(), shot.target.radius);
+        close((centre2 - centre1).length(), shot.reach());
+        let (before1, before2) = shot.positions_before(0.1);
+        assert!((before1 + 0.1 * shot.u1 - centre1).length() < 1e-15);
+        assert!((before2 + 0.1 * shot.u2 - centre2).length() < 1e-15);
+        assert!((before2 - before1).length() > shot.reach());
+        // The offset is how far the target lies to the right of the relative path.
+        let along = shot.relative_velocity().normalize();
+        close((before2 - before1).perp_dot(along), shot.offset);
+    }
+
+    #[test]
+    fn a_miss_is_placed_where_the_two_are_nearest() {
+        let shot = Collision {
+            offset: -0.05,
+            u2: DVec2::new(-1.0, 0.5),
+            ..carrom(0.0)
+        };
+        let gap = |time| {
+            let (centre1, centre2) = shot.positions_before(time);
+            (centre2 - centre1).length()
+        };
+        close(gap(0.0), 0.05);
+        assert!(gap(0.01) > gap(0.0) && gap(-0.01) > gap(0.0));
+    }
+}

@@ -6,13 +6,19 @@
 //! body 2 the target; u is a velocity before the impact, v after it.
 
 pub mod angle;
+pub mod beam;
 mod board;
 pub mod capture;
 mod collision;
 mod disc;
+pub mod frames;
 pub mod impact;
+pub mod resting_target;
+pub mod rutherford;
 pub mod units;
 
 pub use board::{Board, G};
 pub use collision::{Bond, Collision, Meeting, Outcome};
 pub use disc::{Disc, Motion};
+pub use frames::Frame;
+pub use resting_target::RestingTarget;

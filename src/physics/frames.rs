@@ -1,0 +1,194 @@
+//! The same collision seen from other frames.
+//!
+//! A frame moves with a constant velocity; a velocity seen from it is the velocity
+//! less the frame's. Offset, impact angle, line of impact and impulse are the same in
+//! all of them; speeds, scattering angles and energies are not.
+
+use glam::DVec2;
+
+use super::Collision;
+
+/// From where velocities are looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Frame {
+    /// The board.
+    #[default]
+    Laboratory,
+    /// Moving with the common centre of mass: momentum is zero before and after.
+    CentreOfMass,
+    /// Moving as the target moved before the hit: it starts at rest.
+    Target,
+}
+
+impl Frame {
+    /// Velocity of the frame itself in the laboratory, in m/s.
+    pub fn velocity(self, collision: &Collision) -> DVec2 {
+        match self {
+            Self::Laboratory => DVec2::ZERO,
+            Self::CentreOfMass => collision.centre_of_mass_velocity(),
+            Self::Target => collision.u2,
+        }
+    }
+
+    /// The collision as seen from this frame; its [`outcome`](Collision::outcome) is
+    /// the laboratory's with this frame's velocity taken off, and its angles are
+    /// those seen here.
+    #[must_use]
+    pub fn view(self, collision: &Collision) -> Collision {
+        let frame = self.velocity(collision);
+        Collision {
+            u1: collision.u1 - frame,
+            u2: collision.u2 - frame,
+            ..*collision
+        }
+    }
+}
+
+/// Angle Θ in radians by which both velocities turn in the centre-of-mass frame, in
+/// (−π, π], positive anticlockwise, for smooth discs of restitution `restitution`.
+///
+/// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
+/// `None` where both stop (head-on at e = 0).
+pub fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
+    let (sin, cos) = alpha.sin_cos();
+    let along = sin * sin - restitution * cos * cos;
+    let across = (1.0 + restitution) * sin * cos;
+    (along.hypot(across) > 4.0 * f64::EPSILON).then(|| across.atan2(along))
+}
+
+/// Scattering angle θ₁ in the laboratory, where the target was at rest, from the
+/// angle Θ in the centre-of-mass frame at e = 1: θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
+/// `None` where the striker stops.
+pub fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
+    let (sin, cos) = cm_angle.sin_cos();
+    let along = m2 * cos + m1;
+    let across = m2 * sin;
+    (along.hypot(across) > 4.0 * f64::EPSILON * (m1 + m2)).then(|| across.atan2(along))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::{Disc, Outcome, RestingTarget, angle, impact::kinetic_energy};
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    fn both_moving() -> Collision {
+        Collision {
+            u2: DVec2::new(-1.0, 0.5),
+            ..Collision::at_angle(
+                Disc::from_g_mm(20.0, 12.0),
+                Disc::from_g_mm(40.0, 15.0),
+                DVec2::new(3.0, 1.0),
+                0.7,
+            )
+        }
+    }
+
+    #[test]
+    fn momentum_is_zero_in_the_centre_of_mass_frame() {
+        for e in [0.0, 0.6, 1.0] {
+            let lab = Collision {
+                restitution: e,
+                ..both_moving()
+            };
+            let cm = Frame::CentreOfMass.view(&lab);
+            let Outcome { v1, v2, .. } = cm.outcome();
+            let (m1, m2) = (lab.striker.mass, lab.target.mass);
+            assert!((m1 * cm.u1 + m2 * cm.u2).length() < 1e-16);
+            assert!((m1 * v1 + m2 * v2).length() < 1e-16);
+            assert!((angle::angle_between(cm.u1, cm.u2).unwrap() - PI).abs() < 1e-14);
+            assert!((cm.outcome().separation.unwrap() - PI).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn in_the_centre_of_mass_frame_each_keeps_its_speed_and_turns_alike() {
+        let lab = both_moving();
+        let cm = Frame::CentreOfMass.view(&lab);
+        let after = cm.outcome();
+        assert!((after.v1.length() - cm.u1.length()).abs() < 1e-14);
+        assert!((after.v2.length() - cm.u2.length()).abs() < 1e-14);
+        let turned1 = angle::signed_angle(cm.u1, after.v1).unwrap();
+        let turned2 = angle::signed_angle(cm.u2, after.v2).unwrap();
+        assert!((turned1 - (PI - 2.0 * 0.7)).abs() < 1e-14);
+        assert!((turned2 - turned1).abs() < 1e-14);
+        assert_eq!(
+            cm_scattering_angle(0.7, 1.0).map(|a| (a - turned1).abs() < 1e-14),
+            Some(true)
+        );
+    }
+
+    #[test]
+    fn the_turn_at_any_restitution() {
+        for e in [0.0, 0.3, 0.9] {
+            let lab = Collision {
+                restitution: e,
+                ..both_moving()
+            };
+            let turned = Frame::CentreOfMass.view(&lab).outcome().theta1.unwrap();
+            assert!((cm_scattering_angle(0.7, e).unwrap() - turned).abs() < 1e-13);
+        }
+        assert_eq!(cm_scattering_angle(0.0, 0.0), None);
+    }
+
+    /// V added back gives what was resolved in the laboratory.
+    #[test]
+    fn every_frame_sees_the_same_hit() {
+        let lab = both_moving();
+        let truth = lab.outcome();
+        for frame in [Frame::Laboratory, Frame::CentreOfMass, Frame::Target] {
+            let seen = frame.view(&lab).outcome();
+            let shift = frame.velocity(&lab);
+            assert!((seen.v1 + shift - truth.v1).length() < 1e-14);
+            assert!((seen.v2 + shift - truth.v2).length() < 1e-14);
+            assert!((seen.impulse - truth.impulse).abs() < 1e-15);
+            let change = |u: DVec2, v: DVec2| {
+                kinetic_energy(1.0, v - shift) - kinetic_energy(1.0, u - shift)
+            };
+            let gained1 = lab.striker.mass * change(lab.u1, truth.v1);
+            let gained2 = lab.target.mass * change(lab.u2, truth.v2);
+            assert!((gained1 + gained2).abs() < 1e-15);
+        }
+    }
+
+    /// The 90° result with both moving: v₁ − u₂ ⟂ v₂ − u₂ for equal masses.
+    #[test]
+    fn equal_masses_part_square_in_the_frame_where_one_was_at_rest() {
+        let lab = Collision {
+            target: Disc::from_g_mm(20.0, 15.0),
+            ..both_moving()
+        };
+        let Outcome {
+            v1, v2, separation, ..
+        } = lab.outcome();
+        assert!((v1 - lab.u2).dot(v2 - lab.u2).abs() < 1e-14);
+        let seen = Frame::Target.view(&lab).outcome();
+        assert!((seen.separation.unwrap() - FRAC_PI_2).abs() < 1e-14);
+        assert!(
+            (separation.unwrap() - FRAC_PI_2).abs() > 0.1,
+            "not in the laboratory"
+        );
+    }
+
+    #[test]
+    fn back_to_the_laboratory() {
+        for (m1, m2) in [(15.0, 15.0), (20.0, 40.0), (15.0, 5.5)] {
+            for step in 1..90 {
+                let alpha = f64::from(step).to_radians();
+                let cm = cm_scattering_angle(alpha, 1.0).unwrap();
+                let lab = lab_scattering_angle(cm, m1, m2).unwrap();
+                let closed = RestingTarget {
+                    m1,
+                    m2,
+                    restitution: 1.0,
+                };
+                assert!((lab - closed.theta1(alpha).unwrap()).abs() < 1e-13);
+                if m1.total_cmp(&m2).is_eq() {
+                    assert!((lab - cm / 2.0).abs() < 1e-14);
+                    assert!((alpha - (FRAC_PI_2 - cm / 2.0)).abs() < 1e-14);
+                }
+            }
+        }
+        assert_eq!(lab_scattering_angle(PI, 15.0, 15.0), None);
+    }
+}

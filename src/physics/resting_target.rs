@@ -1,0 +1,549 @@
+//! Closed forms for a smooth target at rest, and the same forms turned round.
+//!
+//! Everything hangs on one number, k = (1+e) m₂ / (m₁+m₂). In units of the
+//! striker's speed u, with α the impact angle:
+//!
+//! ```text
+//!   along u      v₁∥ = 1 − k cos²α          along n     v₁ₙ = (1 − k) cos α
+//!   across u     v₁⊥ = k sin α cos α        across n    v₁ₜ = sin α
+//!   target       v₂  = k (m₁/m₂) cos α, along n, so θ₂ = α
+//! ```
+//!
+//! As α goes from 90° to 0 the tip of v₁ walks half a circle of radius k/2 about
+//! 1 − k/2 on the line of u: v₁ = 1 − k/2 + (k/2)(cos Θ, sin Θ) with Θ = 180° − 2α.
+//! At e = 1 that is the circle of the centre-of-mass frame.
+//!
+//! Angles are in radians, speeds are shares of u, energies are shares of ½m₁u².
+//! Undefined is `None`: a body that does not move has no direction.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::Collision;
+use super::impact::reduced_mass;
+
+/// How far past its limit a sine or cosine may be by rounding alone. An angle made
+/// from such a number is off by no more than the rounding of what was asked.
+const ROUNDING: f64 = 1e-12;
+
+/// A striker, a smooth target at rest, and how lively their contact is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RestingTarget {
+    /// Mass of the striker in kilograms, positive.
+    pub m1: f64,
+    /// Mass of the target in kilograms, positive.
+    pub m2: f64,
+    /// Coefficient of restitution e, 0 to 1.
+    pub restitution: f64,
+}
+
+/// Where the striker's energy goes; the three add up to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergyShares {
+    /// The share the striker keeps.
+    pub kept: f64,
+    /// The share the target takes.
+    pub passed: f64,
+    /// The share that is lost.
+    pub lost: f64,
+}
+
+/// The most a striker can be turned by one hit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LargestDeflection {
+    /// k < 1: a true maximum.
+    Turned {
+        /// The largest θ₁, atan(k / (2√(1−k))); at e = 1 that is asin(m₂/m₁).
+        theta1: f64,
+        /// The impact angle that gives it, atan √(1−k).
+        alpha: f64,
+    },
+    /// k = 1: θ₁ = 90° − α comes as near to 90° as one likes, but at α = 0 the
+    /// striker stops and has no direction.
+    NearlyRight,
+    /// k > 1: head-on it comes straight back, θ₁ = 180°.
+    Reversed,
+}
+
+impl From<&Collision> for RestingTarget {
+    /// The masses and the restitution of a collision; its velocities are not asked.
+    fn from(collision: &Collision) -> Self {
+        Self {
+            m1: collision.striker.mass,
+            m2: collision.target.mass,
+            restitution: collision.restitution,
+        }
+    }
+}
+
+impl RestingTarget {
+    /// k = (1+e) m₂ / (m₁+m₂): the share of its normal velocity that the striker
+    /// gives up. Between 0 and 2.
+    pub fn k(&self) -> f64 {
+        (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
+    }
+
+    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 where m₁ = e m₂ but for rounding:
+    /// 12 g is 0.8 × 15 g in kilograms too.
+    fn normal_kept(&self) -> f64 {
+        let kept = self.m1 - self.restitution * self.m2;
+        if kept.abs() <= 4.0 * f64::EPSILON * self.m1 {
+            0.0
+        } else {
+            kept / (self.m1 + self.m2)
+        }
+    }
+
+    /// (1+e) m₁ / (m₁+m₂), the target's speed head-on.
+    fn normal_passed(&self) -> f64 {
+        (1.0 + self.restitution) * (self.m1 / (self.m1 + self.m2))
+    }
+
+    /// v₁ along and across u, v₁ = (1 − k cos²α, k sin α cos α); positive across is
+    /// the side away from the target when α > 0.
+    pub fn striker_velocity(&self, alpha: f64) -> (f64, f64) {
+        let (sin, cos) = sin_cos(alpha);
+        // 1 − k cos²α, written so that nothing cancels near k = 1.
+        let along = self.normal_kept() * cos * cos + sin * sin;
+        (along, self.k() * sin * cos)
+    }
+
+    /// v₁ / u = √(sin²α + (1−k)² cos²α).
+    pub fn striker_speed(&self, alpha: f64) -> f64 {
+        let (sin, cos) = sin_cos(alpha);
+        sin.hypot(self.normal_kept() * cos)
+    }
+
+    /// v₂ / u = (1+e) m₁/(m₁+m₂) cos α.
+    pub fn target_speed(&self, alpha: f64) -> f64 {
+        self.normal_passed() * sin_cos(alpha).1
+    }
+
+    /// Scattering angle θ₁ = atan2(k sin α cos α, 1 − k cos²α); `None` where the
+    /// striker stops.
+    pub fn theta1(&self, alpha: f64) -> Option<f64> {
+        let (along, across) = self.striker_velocity(alpha);
+        moves(along.hypot(across)).then(|| across.atan2(along))
+    }
+
+    /// Recoil angle θ₂ = α; `None` at ±90°, where the target stays at rest.
+    pub fn theta2(&self, alpha: f64) -> Option<f64> {
+        moves(sin_cos(alpha).1).then_some(alpha)
+    }
+
+    /// Angle between v₁ and v₂, atan2(sin|α|, (1−k) cos α); `None` where either is
+    /// at rest.
+    pub fn separation(&self, alpha: f64) -> Option<f64> {
+        self.theta1(alpha)?;
+        self.theta2(alpha)?;
+        let (sin, cos) = sin_cos(alpha);
+        Some(sin.abs().atan2(self.normal_kept() * cos))
+    }
+
+    /// Who has the energy after a hit at impact angle `alpha`. At e = 1 the target
+    /// takes 4m₁m₂/(m₁+m₂)² cos²α; between equal masses sin²α : cos²α.
+    pub fn energy_shares(&self, alpha: f64) -> EnergyShares {
+        let cos = sin_cos(alpha).1;
+        EnergyShares {
+            kept: self.striker_speed(alpha).powi(2),
+            passed: self.head_on_energy_passed() * cos * cos,
+            lost: self.head_on_energy_lost() * cos * cos,
+        }
+    }
+
+    /// m₂v₂² / m₁u² at α = 0.
+    fn head_on_energy_passed(&self) -> f64 {
+        self.k() * self.normal_passed()
+    }
+
+    /// (1−e²) μ / m₁, lost at α = 0.
+    fn head_on_energy_lost(&self) -> f64 {
+        let inelastic = (1.0 - self.restitution) * (1.0 + self.restitution);
+        inelastic * reduced_mass(self.m2, self.m1) / self.m1
+    }
+
+    /// The largest θ₁ that any α can give.
+    pub fn largest_deflection(&self) -> LargestDeflection {
+        let kept = self.normal_kept();
+        if kept > 0.0 {
+            LargestDeflection::Turned {
+                theta1: (self.k() / (2.0 * kept.sqrt())).atan(),
+                alpha: kept.sqrt().atan(),
+            }
+        } else if kept < 0.0 {
+            LargestDeflection::Reversed
+        } else {
+            LargestDeflection::NearlyRight
+        }
+    }
+
+    /// Every impact angle that turns the striker by `theta1`, the fuller hit first:
+    /// none, one or two (a striker with k < 1 is turned by the same angle by a full
+    /// and by a thin hit). Not turning at all includes the graze at 90°.
+    ///
+    /// From the circle of v₁: (1 − k/2) sin θ₁ = (k/2) sin(Θ − θ₁).
+    pub fn alphas_for_theta1(&self, theta1: f64) -> Vec<f64> {
+        let theta = theta1.abs();
+        if theta.is_nan() || theta > PI + ROUNDING {
+            return Vec::new();
+        }
+        let radius = self.k() / 2.0;
+        let centre = 1.0 - radius;
+        let Some(turn) = arcsine(centre / radius * theta.sin()) else {
+            return Vec::new();
+        };
+        let mut alphas: Vec<f64> = [PI - turn, turn]
+            .into_iter()
+            .filter(|turn| centre * theta.cos() + radius * turn.cos() > ROUNDING)
+            .map(|turn| (PI - theta - turn) / 2.0)
+            .filter(|alpha| (-ROUNDING..=FRAC_PI_2 + ROUNDING).contains(alpha))
+            .map(|alpha| alpha.clamp(0.0, FRAC_PI_2).copysign(theta1))
+            .collect();
+        alphas.dedup_by(|a, b| (*a - *b).abs() <= f64::EPSILON);
+        alphas
+    }
+
+    /// The impact angle, 0 to 90°, at which the two part at `separation`; `None`
+    /// where no hit does, or where every hit does (m₁ = e m₂).
+    ///
+    /// tan α = (1−k) tan(separation).
+    pub fn alpha_for_separation(&self, separation: f64) -> Option<f64> {
+        let kept = self.normal_kept();
+        let alpha = (kept.abs() * separation.sin()).atan2(kept.signum() * separation.cos());
+        let reachable = kept.abs() > 0.0 && (0.0..=PI).contains(&separation);
+        (reachable && alpha < FRAC_PI_2 - ROUNDING).then_some(alpha)
+    }
+
+    /// The impact angle, 0 to 90°, that leaves the striker with `share` of its
+    /// speed; `None` where none does.
+    pub fn alpha_for_striker_speed(&self, share: f64) -> Option<f64> {
+        if share.is_nan() || share < 0.0 {
+            return None;
+        }
+        let k = self.k();
+        arccosine_of_root((1.0 - share) * (1.0 + share) / (k * (2.0 - k)))
+    }
+
+    /// The impact angle, 0 to 90°, that gives the target `share` of the striker's
+    /// speed; `None` where none does.
+    pub fn alpha_for_target_speed(&self, share: f64) -> Option<f64> {
+        let cos = share / self.normal_passed();
+        (0.0..=1.0 + ROUNDING)
+            .contains(&cos)
+            .then(|| cos.min(1.0).acos())
+    }
+
+    /// The impact angle, 0 to 90°, that passes on `share` of the striker's energy;
+    /// `None` where none does.
+    pub fn alpha_for_energy_passed(&self, share: f64) -> Option<f64> {
+        arccosine_of_root(share / self.head_on_energy_passed())
+    }
+}
+
+/// k from the two angles after the hit alone; `None` where they cannot tell
+/// (a full head-on or a graze) or contradict a smooth hit on a target at rest.
+///
+/// k = sin θ₁ / (cos θ₂ sin(θ₁+θ₂)), which is
+/// tan θ₁ (1+T²) / (T + tan θ₁) with T = tan θ₂, without the poles.
+pub fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
+    let k = theta1.sin() / (theta2.cos() * (theta1 + theta2).sin());
+    let offset = theta2.sin().abs() > ROUNDING && theta2.cos() > ROUNDING;
+    let turned = theta1.sin().abs() > ROUNDING && (theta1 + theta2).sin().abs() > ROUNDING;
+    (offset && turned && k > 0.0 && k < 2.0).then_some(k)
+}
+
+/// Weighing by angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is
+/// sin(θ₁+2θ₂) / sin θ₁; `None` where the angles cannot tell.
+pub fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
+    let ratio = (1.0 + restitution) / k_from_angles(theta1, theta2)? - 1.0;
+    (ratio > 0.0).then_some(ratio)
+}
+
+/// The mass ratio m₁/m₂ at which the two part at 90° whatever the offset: e.
+/// `None` for e = 0, which would ask for a striker without mass.
+pub fn right_angle_mass_ratio(restitution: f64) -> Option<f64> {
+    (restitution > 0.0).then_some(restitution)
+}
+
+/// sin and cos of an impact angle, with the cosine of 90° exactly 0.
+fn sin_cos(alpha: f64) -> (f64, f64) {
+    let (sin, cos) = alpha.sin_cos();
+    let graze = alpha.abs() - FRAC_PI_2;
+    (sin, if graze >= 0.0 { 0.0 } else { cos })
+}
+
+/// Whether a share of the striker's speed is more than rounding noise.
+fn moves(share: f64) -> bool {
+    share > 4.0 * f64::EPSILON
+}
+
+/// asin, for an argument that rounding may have pushed past 1.
+fn arcsine(sine: f64) -> Option<f64> {
+    (sine.abs() <= 1.0 + ROUNDING).then(|| sine.clamp(-1.0, 1.0).asin())
+}
+
+/// The angle, 0 to 90°, whose squared cosine this is.
+fn arccosine_of_root(square: f64) -> Option<f64> {
+    (-ROUNDING..=1.0 + ROUNDING)
+        .contains(&square)
+        .then(|| square.clamp(0.0, 1.0).sqrt().acos())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::units::{deg_from_rad, rad_from_deg};
+
+    const PAIRS: [(f64, f64, f64); 7] = [
+        (15.0, 15.0, 1.0),
+        (20.0, 40.0, 1.0),
+        (15.0, 5.5, 1.0),
+        (15.0, 5.5, 0.3),
+        (5.5, 15.0, 0.8),
+        (12.0, 15.0, 0.8),
+        (1.0, 1000.0, 0.0),
+    ];
+
+    fn pairs() -> impl Iterator<Item = RestingTarget> {
+        PAIRS.into_iter().map(|(m1, m2, e)| pair(m1, m2, e))
+    }
+
+    fn pair(m1: f64, m2: f64, restitution: f64) -> RestingTarget {
+        RestingTarget {
+            m1: m1 / 1000.0,
+            m2: m2 / 1000.0,
+            restitution,
+        }
+    }
+
+    fn close(a: f64, b: f64, tolerance: f64) {
+        assert!((a - b).abs() <= tolerance, "{a} is not {b}");
+    }
+
+    fn alphas() -> impl Iterator<Item = f64> {
+        (1..90).map(|deg| rad_from_deg(f64::from(deg)))
+    }
+
+    #[test]
+    fn equal_masses_share_as_sine_and_cosine() {
+        let p = pair(15.0, 15.0, 1.0);
+        for alpha in alphas() {
+            close(p.theta1(alpha).unwrap(), FRAC_PI_2 - alpha, 1e-14);
+            close(p.striker_speed(alpha), alpha.sin(), 1e-15);
+            close(p.target_speed(alpha), alpha.cos(), 1e-15);
+            let shares = p.energy_shares(alpha);
+            close(shares.kept, alpha.sin().powi(2), 1e-15);
+            close(shares.passed, alpha.cos().powi(2), 1e-15);
+        }
+        assert_eq!(p.theta1(0.0), None);
+        assert_eq!(p.separation(0.0), None);
+        assert_eq!(p.theta2(0.0), Some(0.0));
+    }
+
+    #[test]
+    fn the_table_of_checks() {
+        let tournament = pair(15.0, 5.5, 1.0);
+        let alpha = rad_from_deg(30.0);
+        let separation = deg_from_rad(tournament.separation(alpha).unwrap());
+        close(separation, 51.247_462, 5e-7);
+        let marbles = pair(20.0, 40.0, 1.0);
+        let alpha = rad_from_deg(45.0);
+        let theta1 = deg_from_rad(marbles.theta1(alpha).unwrap());
+        close(theta1, deg_from_rad(2.0_f64.atan()), 1e-12);
+        let separation = deg_from_rad(marbles.separation(alpha).unwrap());
+        close(separation, 45.0 + deg_from_rad(2.0_f64.atan()), 1e-12);
+        close(3.0 * marbles.striker_speed(alpha), 5.0_f64.sqrt(), 1e-15);
+        close(3.0 * marbles.target_speed(alpha), 2.0_f64.sqrt(), 1e-15);
+    }
+
+    #[test]
+    fn separation_is_the_sum_of_the_angles() {
+        for p in pairs() {
+            for alpha in alphas() {
+                let sum = p.theta1(alpha).unwrap() + p.theta2(alpha).unwrap();
+                close(p.separation(alpha).unwrap(), sum, 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn a_right_angle_exactly_when_the_striker_weighs_e_targets() {
+        for e in [1.0, 0.8, 0.5, 0.1] {
+            let ratio = right_angle_mass_ratio(e).unwrap();
+            for alpha in alphas() {
+                let at = |factor| {
+                    let p = pair(15.0 * ratio * factor, 15.0, e);
+                    deg_from_rad(p.separation(alpha).unwrap())
+                };
+                close(at(1.0), 90.0, 1e-12);
+                assert!(at(0.999) > 90.0, "lighter: more than 90");
+                assert!(at(1.001) < 90.0, "heavier: less than 90");
+            }
+        }
+        assert_eq!(right_angle_mass_ratio(0.0), None);
+    }
+
+    #[test]
+    fn energy_shares_add_up() {
+        for p in pairs() {
+            for alpha in alphas() {
+                let EnergyShares { kept, passed, lost } = p.energy_shares(alpha);
+                close(kept + passed + lost, 1.0, 1e-14);
+                let from_speed = p.m2 / p.m1 * p.target_speed(alpha).powi(2);
+                close(passed, from_speed, 1e-14);
+                if p.restitution >= 1.0 {
+                    let most = 4.0 * p.m1 * p.m2 / (p.m1 + p.m2).powi(2);
+                    close(passed, most * alpha.cos().powi(2), 1e-15);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_largest_deflection_of_a_heavy_striker() {
+        let LargestDeflection::Turned { theta1, alpha } = pair(15.0, 5.5, 1.0).largest_deflection()
+        else {
+            panic!("15 g on 5.5 g has a largest deflection");
+        };
+        close(theta1, (5.5_f64 / 15.0).asin(), 1e-15);
+        close(deg_from_rad(theta1), 21.510, 5e-4);
+        let p = pair(15.0, 5.5, 0.3);
+        let LargestDeflection::Turned {
+            theta1: most,
+            alpha: at,
+        } = p.largest_deflection()
+        else {
+            panic!("so it has at any restitution");
+        };
+        close(p.theta1(at).unwrap(), most, 1e-15);
+        for other in alphas() {
+            assert!(p.theta1(other).unwrap() <= most);
+        }
+        close(pair(15.0, 5.5, 1.0).theta1(alpha).unwrap(), theta1, 1e-15);
+    }
+
+    #[test]
+    fn the_largest_deflection_of_light_and_equal_strikers() {
+        let light = pair(5.5, 15.0, 1.0);
+        assert_eq!(light.largest_deflection(), LargestDeflection::Reversed);
+        assert_eq!(light.theta1(0.0), Some(PI));
+        for (m1, m2, e) in [(15.0, 15.0, 1.0), (12.0, 15.0, 0.8)] {
+            let most = pair(m1, m2, e).largest_deflection();
+            assert_eq!(most, LargestDeflection::NearlyRight);
+        }
+    }
+
+    #[test]
+    fn every_form_turned_round_comes_back() {
+        for p in pairs() {
+            for alpha in alphas() {
+                let theta1 = p.theta1(alpha).unwrap();
+                let found = p.alphas_for_theta1(theta1);
+                assert!(
+                    found.iter().any(|a| (a - alpha).abs() < 1e-7),
+                    "{p:?} {alpha}: {found:?}"
+                );
+                for a in &found {
+                    close(p.theta1(*a).unwrap(), theta1, 1e-12);
+                }
+                let mirrored: Vec<f64> = found.iter().map(|a| -a).collect();
+                assert_eq!(p.alphas_for_theta1(-theta1), mirrored);
+
+                let speed = p.alpha_for_striker_speed(p.striker_speed(alpha));
+                close(speed.unwrap(), alpha, 1e-8);
+                let speed = p.alpha_for_target_speed(p.target_speed(alpha));
+                close(speed.unwrap(), alpha, 1e-12);
+                let passed = p.alpha_for_energy_passed(p.energy_shares(alpha).passed);
+                close(passed.unwrap(), alpha, 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn the_separation_turned_round_comes_back() {
+        for p in pairs().filter(|p| p.normal_kept().abs() > 1e-9) {
+            for alpha in alphas() {
+                let separation = p.separation(alpha).unwrap();
+                close(p.alpha_for_separation(separation).unwrap(), alpha, 1e-12);
+            }
+        }
+        let equal = pair(15.0, 15.0, 1.0);
+        assert_eq!(equal.alpha_for_separation(FRAC_PI_2), None);
+        let heavy = pair(15.0, 5.5, 1.0);
+        assert_eq!(heavy.alpha_for_separation(rad_from_deg(100.0)), None);
+        assert_eq!(heavy.alpha_for_separation(FRAC_PI_2), None);
+        let light = pair(5.5, 15.0, 1.0);
+        assert_eq!(light.alpha_for_separation(rad_from_deg(80.0)), None);
+        close(light.alpha_for_separation(PI).unwrap(), 0.0, 1e-15);
+    }
+
+    #[test]
+    fn a_heavy_striker_is_turned_by_the_same_angle_twice() {
+        let p = pair(15.0, 5.5, 1.0);
+        assert_eq!(p.alphas_for_theta1(rad_from_deg(15.0)).len(), 2);
+        assert!(p.alphas_for_theta1(rad_from_deg(22.0)).is_empty());
+        let most = (5.5_f64 / 15.0).asin();
+        for alpha in p.alphas_for_theta1(most) {
+            close(
+                deg_from_rad(alpha),
+                deg_from_rad((FRAC_PI_2 - most) / 2.0),
+                1e-5,
+            );
+        }
+        assert_eq!(p.alphas_for_theta1(0.0), [0.0, FRAC_PI_2]);
+    }
+
+    #[test]
+    fn equal_and_light_strikers_are_turned_by_one_angle_once() {
+        let equal = pair(15.0, 15.0, 1.0);
+        let found = equal.alphas_for_theta1(rad_from_deg(60.0));
+        assert_eq!(found.len(), 1);
+        close(found[0], rad_from_deg(30.0), 1e-15);
+        assert!(equal.alphas_for_theta1(rad_from_deg(100.0)).is_empty());
+        let light = pair(5.5, 15.0, 1.0);
+        assert_eq!(light.alphas_for_theta1(PI), [0.0]);
+        assert_eq!(light.alphas_for_theta1(rad_from_deg(120.0)).len(), 1);
+        assert!(light.alphas_for_theta1(f64::NAN).is_empty());
+    }
+
+    #[test]
+    fn out_of_reach_is_none() {
+        let p = pair(15.0, 5.5, 1.0);
+        assert_eq!(p.alpha_for_target_speed(1.5), None);
+        assert_eq!(p.alpha_for_striker_speed(0.1), None);
+        assert_eq!(p.alpha_for_striker_speed(-1.0), None);
+        assert_eq!(p.alpha_for_energy_passed(0.9), None);
+        assert_eq!(p.alpha_for_energy_passed(f64::NAN), None);
+    }
+
+    #[test]
+    fn weighing_by_angles() {
+        for p in pairs() {
+            for alpha in alphas() {
+                let theta1 = p.theta1(alpha).unwrap();
+                let ratio = mass_ratio_from_angles(theta1, alpha, p.restitution).unwrap();
+                let exact = p.m1 / p.m2;
+                close(ratio, exact, 1e-11 * (1.0 + exact));
+                let tan = (alpha.tan(), theta1.tan());
+                let k = tan.1 * (1.0 + tan.0 * tan.0) / (tan.0 + tan.1);
+                close(k_from_angles(theta1, alpha).unwrap(), p.k(), 1e-12);
+                if (theta1 - FRAC_PI_2).abs() > 0.01 {
+                    close(k, p.k(), 1e-10);
+                }
+                if p.restitution >= 1.0 {
+                    let sines = (theta1 + 2.0 * alpha).sin() / theta1.sin();
+                    close(ratio, sines, 1e-11 * (1.0 + exact));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn angles_that_cannot_weigh() {
+        assert_eq!(mass_ratio_from_angles(0.0, 0.0, 1.0), None);
+        assert_eq!(mass_ratio_from_angles(0.5, 0.0, 1.0), None);
+        assert_eq!(mass_ratio_from_angles(PI, 0.0, 1.0), None);
+        assert_eq!(mass_ratio_from_angles(-0.5, 0.3, 1.0), None);
+        // More than any target could do at e = 0.
+        assert_eq!(mass_ratio_from_angles(2.5, 0.3, 0.0), None);
+    }
+}
