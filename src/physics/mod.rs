@@ -10,9 +10,15 @@ mod board;
 pub mod capture;
 mod collision;
 mod disc;
+mod engine;
 pub mod impact;
+mod shot;
+mod slide;
 pub mod units;
 
 pub use board::{Board, G};
 pub use collision::{Bond, Collision, Meeting, Outcome};
 pub use disc::{Disc, Motion};
+pub use engine::{Engine, EngineError, Limits, play};
+pub use shot::{CaptureError, Event, EventKind, Leg, Sample, Shot, State};
+pub use slide::{Slide, speed_after, stopping_distance, stopping_time, time_to_cover};
