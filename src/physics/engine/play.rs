@@ -188,22 +188,27 @@ impl<R: Record> Play<'_, R> {
         }
     }
 
-    /// Adds the pairs that meet at the same time and share a disc with those given.
+    /// Adds the pairs that meet at the same time and share a disc with those given,
+    /// directly or through others.
     fn gather(&self, pairs: &mut Vec<[usize; 2]>, time: f64) {
-        let mut known = 0;
-        while known < pairs.len() {
-            known = pairs.len();
-            for disc in self.schedule.until(time + SAME_TIME) {
-                let Forecast::Meet { partner, version } = self.schedule.forecast(disc) else {
-                    continue;
-                };
-                let pair = [disc.min(partner), disc.max(partner)];
-                let shares = |other: &[usize; 2]| other.contains(&disc) || other.contains(&partner);
-                if self.bodies.version[partner] == version
+        // Whoever meets now is due now; most often these are just the two.
+        if self.schedule.until(time + SAME_TIME).count() <= 2 {
+            return;
+        }
+        let mut asked = 0;
+        let mut discs = pairs.concat();
+        while let Some(&disc) = discs.get(asked) {
+            asked += 1;
+            for k in 0..self.bodies.len() {
+                let pair = [disc.min(k), disc.max(k)];
+                if k != disc
                     && !pairs.contains(&pair)
-                    && pairs.iter().any(shares)
+                    && contact(self.bodies, disc, k, time, SAME_TIME).is_some()
                 {
                     pairs.push(pair);
+                    if !discs.contains(&k) {
+                        discs.push(k);
+                    }
                 }
             }
         }
