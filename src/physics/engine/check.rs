@@ -1,0 +1,97 @@
+//! What the engine asks of a shot before it plays it.
+
+use super::super::{Board, Disc, Motion};
+use super::{EngineError, Limits};
+
+/// How far, in metres, discs may overlap each other or the frame at the start:
+/// what rounding leaves of positions meant to touch.
+const ROUNDING: f64 = 1e-10;
+
+pub(super) fn check(
+    board: &Board,
+    discs: &[Disc],
+    start: &[Motion],
+    limits: Limits,
+) -> Result<(), EngineError> {
+    check_board(board, limits)?;
+    if discs.len() != start.len() {
+        return Err(EngineError::Count {
+            discs: discs.len(),
+            motions: start.len(),
+        });
+    }
+    for (i, (disc, motion)) in discs.iter().zip(start).enumerate() {
+        check_disc(i, disc, motion)?;
+        let reach = motion.position.abs().max_element() + disc.radius;
+        let beyond = reach - 0.5 * board.side;
+        if beyond > ROUNDING {
+            return Err(EngineError::OffBoard {
+                disc: i,
+                beyond_mm: beyond * 1000.0,
+            });
+        }
+    }
+    check_apart(discs, start)
+}
+
+fn check_board(board: &Board, limits: Limits) -> Result<(), EngineError> {
+    let unit = 0.0..=1.0;
+    let size = 0.0..f64::INFINITY;
+    if board.side.is_nan() || board.side <= 0.0 {
+        Err(EngineError::Board("side must be greater than 0"))
+    } else if !size.contains(&board.pocket_diameter) {
+        Err(EngineError::Board(
+            "pocket diameter must be finite and at least 0",
+        ))
+    } else if board.pocket_diameter > board.side {
+        Err(EngineError::Board(
+            "pockets must not be wider than its side",
+        ))
+    } else if !size.contains(&board.friction) {
+        Err(EngineError::Board("friction must be finite and at least 0"))
+    } else if !unit.contains(&board.restitution) {
+        Err(EngineError::Board("restitution must be from 0 to 1"))
+    } else if !unit.contains(&board.cushion_restitution) {
+        Err(EngineError::Board(
+            "cushion restitution must be from 0 to 1",
+        ))
+    } else if limits.horizon.is_nan() || limits.horizon < 0.0 {
+        Err(EngineError::Horizon)
+    } else if board.friction == 0.0 && board.side.is_finite() && limits.horizon.is_infinite() {
+        Err(EngineError::Endless)
+    } else {
+        Ok(())
+    }
+}
+
+fn check_disc(i: usize, disc: &Disc, motion: &Motion) -> Result<(), EngineError> {
+    let expected = if !(disc.mass.is_finite() && disc.mass > 0.0) {
+        "mass must be finite and greater than 0"
+    } else if !(disc.radius.is_finite() && disc.radius > 0.0) {
+        "radius must be finite and greater than 0"
+    } else if !motion.position.is_finite() {
+        "position must be finite"
+    } else if !motion.velocity.is_finite() {
+        "velocity must be finite"
+    } else {
+        return Ok(());
+    };
+    Err(EngineError::Disc { disc: i, expected })
+}
+
+fn check_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
+    for (second, (b, at_b)) in discs.iter().zip(start).enumerate() {
+        for (first, (a, at_a)) in discs.iter().zip(start).take(second).enumerate() {
+            let apart = at_b.position - at_a.position;
+            let least = a.radius + b.radius - ROUNDING;
+            if apart.length_squared() < least * least {
+                return Err(EngineError::Overlap {
+                    first,
+                    second,
+                    depth_mm: (a.radius + b.radius - apart.length()) * 1000.0,
+                });
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,118 @@
+//! The engine: plays a whole shot exactly, from event to event.
+//!
+//! Friction slows every disc at the same constant rate along its straight path, so
+//! between events each place is a parabola in time and the next event is the root of
+//! a polynomial: linear for a stop, quadratic for cushions, pockets and discs at
+//! rest, quartic for two moving discs. There are no time steps, so nothing is missed
+//! and nothing overlaps.
+//!
+//! Only + − × ÷ and √ are used, which IEEE 754 rounds the same way everywhere: every
+//! machine and every build plays the same shot bit for bit.
+
+mod bodies;
+mod check;
+mod contact;
+mod error;
+mod frame;
+mod impulse;
+mod play;
+mod quartic;
+mod record;
+mod schedule;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::EngineError;
+
+use super::{Board, Disc, Motion, Shot};
+use bodies::Bodies;
+use play::Play;
+use schedule::Schedule;
+
+/// How far to play a shot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Stop after this many seconds; may be infinite where the shot ends by itself.
+    pub horizon: f64,
+    /// Give up with an error after this many events.
+    pub events: usize,
+}
+
+impl Default for Limits {
+    /// To the end, and up to 200,000 events.
+    fn default() -> Self {
+        Self {
+            horizon: f64::INFINITY,
+            events: 200_000,
+        }
+    }
+}
+
+/// Plays a shot and returns its record.
+///
+/// The discs start with the motions `start`, in the same order. On a board with
+/// friction the shot ends when all discs lie still. Without friction it ends at the
+/// horizon, or when nothing more can happen on an open sheet.
+///
+/// # Errors
+///
+/// If a number is unusable, a disc is off the board or overlaps another, the shot
+/// would have no end, or there are too many events.
+pub fn play(
+    board: &Board,
+    discs: &[Disc],
+    start: &[Motion],
+    limits: Limits,
+) -> Result<Shot, EngineError> {
+    let mut shot = Shot::new();
+    Engine::new().play_into(&mut shot, board, discs, start, limits)?;
+    Ok(shot)
+}
+
+/// An engine that keeps its working memory from shot to shot.
+#[derive(Debug, Default, Clone)]
+pub struct Engine {
+    bodies: Bodies,
+    schedule: Schedule,
+}
+
+impl Engine {
+    /// An engine that has not played yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Plays a shot into a record whose memory is used again: what a search through
+    /// many shots needs. See [`play`].
+    ///
+    /// # Errors
+    ///
+    /// As [`play`]. The record then holds what had been played up to there.
+    pub fn play_into(
+        &mut self,
+        shot: &mut Shot,
+        board: &Board,
+        discs: &[Disc],
+        start: &[Motion],
+        limits: Limits,
+    ) -> Result<(), EngineError> {
+        check::check(board, discs, start, limits)?;
+        shot.begin(board, discs, start);
+        let deceleration = board.deceleration();
+        self.bodies.begin(discs, start, deceleration);
+        self.schedule.begin(discs.len());
+        let duration = Play {
+            board,
+            limits,
+            bodies: &mut self.bodies,
+            schedule: &mut self.schedule,
+            record: shot,
+            deceleration,
+            events: 0,
+        }
+        .run()?;
+        shot.end(duration);
+        Ok(())
+    }
+}

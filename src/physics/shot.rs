@@ -1,0 +1,306 @@
+//! The exact record of a shot: what happened, and where everything was at any time.
+
+use glam::DVec2;
+
+use super::{Board, Disc, Motion, Slide};
+
+mod capture;
+
+use capture::Capture;
+pub use capture::CaptureError;
+
+/// Something that happened during a shot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// Seconds since the start of the shot.
+    pub time: f64,
+    /// What happened.
+    pub kind: EventKind,
+}
+
+/// The kinds of event. Velocities are in m/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EventKind {
+    /// Two discs met. Contacts at the very same instant are listed one after
+    /// another; each takes up the velocities the one before it left.
+    Impact {
+        /// The two discs.
+        discs: [usize; 2],
+        /// The line of impact: the unit vector from the first centre to the second.
+        normal: DVec2,
+        /// Their velocities before, in the order of `discs`.
+        before: [DVec2; 2],
+        /// Their velocities after.
+        after: [DVec2; 2],
+    },
+    /// A disc met the frame.
+    Cushion {
+        /// The disc.
+        disc: usize,
+        /// The unit vector into the cushion.
+        normal: DVec2,
+        /// Its velocity before.
+        before: DVec2,
+        /// Its velocity after.
+        after: DVec2,
+    },
+    /// A disc fell into a pocket.
+    Pocket {
+        /// The disc.
+        disc: usize,
+        /// The corner: 0 lower left, 1 lower right, 2 upper left, 3 upper right.
+        corner: usize,
+    },
+    /// A disc came to rest.
+    Rest {
+        /// The disc.
+        disc: usize,
+    },
+}
+
+impl EventKind {
+    /// The disc the event is about and, for an impact, its partner.
+    pub fn discs(&self) -> (usize, Option<usize>) {
+        match *self {
+            Self::Impact { discs: [a, b], .. } => (a, Some(b)),
+            Self::Cushion { disc, .. } | Self::Pocket { disc, .. } | Self::Rest { disc } => {
+                (disc, None)
+            }
+        }
+    }
+
+    /// Whether the event is about this disc.
+    pub fn involves(&self, disc: usize) -> bool {
+        let (a, b) = self.discs();
+        a == disc || b == Some(disc)
+    }
+}
+
+/// What a disc is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// It moves.
+    Moving,
+    /// It lies still on the board.
+    Resting,
+    /// It has fallen into a pocket; its position is where it fell.
+    Pocketed,
+}
+
+/// A disc at one moment of a shot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Centre in metres.
+    pub position: DVec2,
+    /// Velocity in m/s; zero unless moving.
+    pub velocity: DVec2,
+    /// What it is doing.
+    pub state: State,
+}
+
+/// A stretch of a disc's way: straight, from one event of this disc to its next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// When it begins, in seconds since the start of the shot.
+    pub start: f64,
+    /// When it ends.
+    pub end: f64,
+    /// Centre at the start, in metres.
+    pub from: DVec2,
+    /// Centre at the end.
+    pub to: DVec2,
+}
+
+/// Where a disc takes up a new motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Turn {
+    /// When, in seconds since the start of the shot.
+    pub(super) time: f64,
+    /// The motion from here on.
+    pub(super) motion: Motion,
+    /// Whether it left the board here.
+    pub(super) pocketed: bool,
+}
+
+/// The exact record of a shot.
+///
+/// Between its own events each disc slides on a parabola in time, so a few numbers
+/// an event give its place at every moment: [`Shot::at`]. Pause, slow motion and
+/// rewind are only other values of the time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shot {
+    board: Board,
+    discs: Vec<Disc>,
+    turns: Vec<Vec<Turn>>,
+    events: Vec<Event>,
+    duration: f64,
+    capture: Option<Capture>,
+}
+
+impl Shot {
+    /// A shot in which nothing has happened yet: something for
+    /// [`Engine::play_into`](super::Engine::play_into) to fill.
+    pub fn new() -> Self {
+        Self {
+            board: Board::default(),
+            discs: Vec::new(),
+            turns: Vec::new(),
+            events: Vec::new(),
+            duration: 0.0,
+            capture: None,
+        }
+    }
+
+    /// Wipes the record and writes down how the next shot starts. Keeps the memory.
+    pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
+        self.board = *board;
+        self.discs.clear();
+        self.discs.extend_from_slice(discs);
+        self.events.clear();
+        self.turns.resize_with(discs.len(), Vec::new);
+        for (turns, &motion) in self.turns.iter_mut().zip(start) {
+            turns.clear();
+            turns.push(Turn {
+                time: 0.0,
+                motion,
+                pocketed: false,
+            });
+        }
+        self.duration = 0.0;
+        self.capture = None;
+    }
+
+    pub(super) fn push_turn(&mut self, disc: usize, turn: Turn) {
+        self.turns[disc].push(turn);
+    }
+
+    pub(super) fn push_event(&mut self, event: Event) {
+        self.events.push(event);
+    }
+
+    pub(super) fn end(&mut self, duration: f64) {
+        self.duration = duration;
+    }
+
+    /// The board it was played on.
+    pub fn board(&self) -> &Board {
+        &self.board
+    }
+
+    /// The discs, in the order of their numbers.
+    pub fn discs(&self) -> &[Disc] {
+        &self.discs
+    }
+
+    /// Seconds until everything is at rest. Where nothing slows the discs it is the
+    /// horizon asked for, or the time of the last event if none was.
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// All events in the order in which they happened.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// How a disc started.
+    pub fn start(&self, disc: usize) -> Motion {
+        self.turns[disc][0].motion
+    }
+
+    /// Where a disc is at a time in seconds. Times before 0 count as the start,
+    /// times after [`Shot::duration`] as the end; at the time of an event the disc
+    /// is as the event left it.
+    pub fn at(&self, disc: usize, time: f64) -> Sample {
+        if time < 0.0 {
+            let motion = self.start(disc);
+            return sample(motion, false);
+        }
+        let time = time.min(self.duration);
+        if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time()) {
+            return sample(capture.at(disc, time), false);
+        }
+        let turns = &self.turns[disc];
+        let next = turns.partition_point(|turn| turn.time <= time);
+        let turn = &turns[next.saturating_sub(1)];
+        let slide = Slide::new(turn.motion, self.board.deceleration());
+        sample(slide.at(time - turn.time), turn.pocketed)
+    }
+
+    /// The way of a disc as straight legs, for drawing its trail; none for a disc
+    /// that never moves. The turning of a pair that stuck together is cut into
+    /// chords of a few degrees.
+    pub fn path(&self, disc: usize) -> impl Iterator<Item = Leg> + '_ {
+        let turns = &self.turns[disc];
+        let free_until = self.capture.as_ref().map_or(self.duration, Capture::time);
+        let slides = turns.iter().enumerate().filter_map(move |(i, turn)| {
+            let end = turns.get(i + 1).map_or(free_until, |next| next.time);
+            let moves = turn.motion.velocity != DVec2::ZERO && end > turn.time;
+            moves.then(|| Leg {
+                start: turn.time,
+                end,
+                from: turn.motion.position,
+                to: Slide::new(turn.motion, self.board.deceleration())
+                    .at(end - turn.time)
+                    .position,
+            })
+        });
+        let chords = self
+            .capture
+            .iter()
+            .flat_map(move |capture| capture.chords(disc, self.duration));
+        slides.chain(chords)
+    }
+
+    /// How each disc ends.
+    pub fn final_states(&self) -> impl Iterator<Item = Sample> + '_ {
+        (0..self.discs.len()).map(|disc| self.at(disc, self.duration))
+    }
+
+    /// Kinetic energy of all discs on the board at a time, in joules.
+    pub fn energy_at(&self, time: f64) -> f64 {
+        match self.capture.as_ref().filter(|c| time >= c.time()) {
+            Some(capture) => capture.energy(),
+            None => self.sum_energy(|disc| self.at(disc, time).velocity),
+        }
+    }
+
+    /// Kinetic energy at the start, before anything has happened, in joules.
+    pub fn energy_before(&self) -> f64 {
+        self.sum_energy(|disc| self.start(disc).velocity)
+    }
+
+    /// Kinetic energy left at the end, in joules.
+    pub fn energy_after(&self) -> f64 {
+        self.energy_at(self.duration)
+    }
+
+    fn sum_energy(&self, velocity: impl Fn(usize) -> DVec2) -> f64 {
+        self.discs
+            .iter()
+            .enumerate()
+            .map(|(i, disc)| 0.5 * disc.mass * velocity(i).length_squared())
+            .sum()
+    }
+}
+
+impl Default for Shot {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+fn sample(motion: Motion, pocketed: bool) -> Sample {
+    let state = if pocketed {
+        State::Pocketed
+    } else if motion.velocity == DVec2::ZERO {
+        State::Resting
+    } else {
+        State::Moving
+    };
+    Sample {
+        position: motion.position,
+        velocity: motion.velocity,
+        state,
+    }
+}

@@ -1,0 +1,272 @@
+//! The record of two discs that meet and stick.
+//!
+//! Sticking is not e = 0. The pair becomes one body: its centre of mass keeps the
+//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, if they met off-centre, it turns with
+//! ω = μ b w / (½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²), w the relative speed, b the impact
+//! parameter, μ the reduced mass: angular momentum about the centre of mass is kept.
+
+use glam::DVec2;
+use thiserror::Error;
+
+use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot, Turn};
+
+/// Why two discs cannot be set off to stick.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum CaptureError {
+    /// A number is not finite, or a mass or radius is not positive.
+    #[error("disc {disc}: {expected}")]
+    Unusable {
+        /// The disc, 0 or 1.
+        disc: usize,
+        /// What was expected.
+        expected: &'static str,
+    },
+    /// The discs overlap at the start.
+    #[error("the discs overlap: their centres must be at least the sum of the radii apart")]
+    Overlap,
+    /// The time to watch is not a number of seconds.
+    #[error("the time to watch must be a finite number of seconds, at least 0")]
+    Duration,
+}
+
+/// Two discs stuck together, turning about their centre of mass without friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Capture {
+    time: f64,
+    centre: DVec2,
+    velocity: DVec2,
+    /// From the centre of mass to either disc's centre at the contact.
+    arms: [DVec2; 2],
+    /// Angular velocity in rad/s, positive anticlockwise.
+    omega: f64,
+    energy: f64,
+}
+
+impl Capture {
+    /// The pair formed at `time` by two discs that touch.
+    fn new(time: f64, discs: &[Disc; 2], at: &[Motion; 2]) -> Self {
+        let [m1, m2] = discs.map(|disc| disc.mass);
+        let total = m1 + m2;
+        let reduced = m1 * m2 / total;
+        let apart = at[1].position - at[0].position;
+        let relative = at[1].velocity - at[0].velocity;
+        let velocity = (at[0].velocity * m1 + at[1].velocity * m2) / total;
+        let own = |disc: &Disc| 0.5 * disc.mass * disc.radius * disc.radius;
+        let inertia = own(&discs[0]) + own(&discs[1]) + reduced * apart.length_squared();
+        let omega = reduced * apart.perp_dot(relative) / inertia;
+        Self {
+            time,
+            centre: (at[0].position * m1 + at[1].position * m2) / total,
+            velocity,
+            arms: [apart * (-m2 / total), apart * (m1 / total)],
+            omega,
+            energy: 0.5 * total * velocity.length_squared() + 0.5 * inertia * omega * omega,
+        }
+    }
+
+    pub(super) fn time(&self) -> f64 {
+        self.time
+    }
+
+    pub(super) fn energy(&self) -> f64 {
+        self.energy
+    }
+
+    /// Motion of the centre of one of the discs at a time after the contact.
+    pub(super) fn at(&self, disc: usize, time: f64) -> Motion {
+        let since = time - self.time;
+        let arm = DVec2::from_angle(self.omega * since).rotate(self.arms[disc]);
+        Motion {
+            position: self.centre + self.velocity * since + arm,
+            velocity: self.velocity + arm.perp() * self.omega,
+        }
+    }
+
+    /// The way of a disc from the contact to `end` in chords of at most 3°.
+    pub(super) fn chords(&self, disc: usize, end: f64) -> impl Iterator<Item = Leg> + use<> {
+        let pair = *self;
+        let turned = (pair.omega * (end - pair.time)).abs();
+        // A pair left spinning for hours still has a drawable trail.
+        let count = (turned / 3_f64.to_radians()).ceil().clamp(1.0, 100_000.0);
+        let step = (end - pair.time) / count;
+        let place = move |i: f64| pair.at(disc, pair.time + i * step).position;
+        (0..count as u32)
+            .map(f64::from)
+            .map(move |i| Leg {
+                start: pair.time + i * step,
+                end: pair.time + (i + 1.0) * step,
+                from: place(i),
+                to: place(i + 1.0),
+            })
+            .filter(|leg| leg.end > leg.start && leg.from != leg.to)
+    }
+}
+
+impl Shot {
+    /// The record of two discs on a frictionless open sheet that stick to each other
+    /// where they meet, followed for `duration` seconds. If they miss, it is the
+    /// record of the miss.
+    ///
+    /// # Errors
+    ///
+    /// If a number is unusable or the discs overlap at the start.
+    pub fn captured(
+        discs: [Disc; 2],
+        start: [Motion; 2],
+        duration: f64,
+    ) -> Result<Self, CaptureError> {
+        for (disc, (Disc { mass, radius }, motion)) in discs.iter().zip(&start).enumerate() {
+            let expected = if !(mass.is_finite() && *mass > 0.0) {
+                "the mass must be finite and greater than 0"
+            } else if !(radius.is_finite() && *radius > 0.0) {
+                "the radius must be finite and greater than 0"
+            } else if !(motion.position.is_finite() && motion.velocity.is_finite()) {
+                "position and velocity must be finite"
+            } else {
+                continue;
+            };
+            return Err(CaptureError::Unusable { disc, expected });
+        }
+        if !(duration.is_finite() && duration >= 0.0) {
+            return Err(CaptureError::Duration);
+        }
+        let reach = discs[0].radius + discs[1].radius;
+        let apart = start[1].position - start[0].position;
+        if apart.length() < reach * (1.0 - 1e-9) {
+            return Err(CaptureError::Overlap);
+        }
+        let mut shot = Self::new();
+        shot.begin(&Board::open(0.0), &discs, &start);
+        shot.end(duration);
+        let relative = start[1].velocity - start[0].velocity;
+        if let Some(time) = meeting_time(apart, relative, reach).filter(|&t| t <= duration) {
+            let met = start.map(|motion| Motion {
+                position: motion.position + motion.velocity * time,
+                velocity: motion.velocity,
+            });
+            let pair = Capture::new(time, &discs, &met);
+            let after = [pair.at(0, time), pair.at(1, time)];
+            for (disc, motion) in after.into_iter().enumerate() {
+                let pocketed = false;
+                shot.push_turn(
+                    disc,
+                    Turn {
+                        time,
+                        motion,
+                        pocketed,
+                    },
+                );
+            }
+            shot.push_event(Event {
+                time,
+                kind: EventKind::Impact {
+                    discs: [0, 1],
+                    normal: (met[1].position - met[0].position).normalize(),
+                    before: start.map(|motion| motion.velocity),
+                    after: after.map(|motion| motion.velocity),
+                },
+            });
+            shot.capture = Some(pair);
+        }
+        Ok(shot)
+    }
+}
+
+/// When |d + w t| first comes down to `reach`: the smaller root of the quadratic,
+/// in the form that keeps its digits. `None` for a miss.
+fn meeting_time(apart: DVec2, relative: DVec2, reach: f64) -> Option<f64> {
+    let closing = -apart.dot(relative);
+    let speed = relative.length();
+    let offset = apart.perp_dot(relative) / speed;
+    let gap = (apart.length_squared() - reach * reach).max(0.0);
+    if closing <= 0.0 || offset.abs() >= reach {
+        return None;
+    }
+    let depth = ((reach - offset) * (reach + offset)).sqrt();
+    Some(gap / (closing + speed * depth))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair(offset: f64) -> Shot {
+        let discs = [Disc::from_g_mm(15.0, 20.0), Disc::from_g_mm(5.0, 16.0)];
+        let striker = Motion {
+            position: DVec2::new(-0.2, 0.0),
+            velocity: DVec2::new(2.0, 0.0),
+        };
+        let target = Motion::at_rest(DVec2::new(0.0, -offset));
+        Shot::captured(discs, [striker, target], 1.0).expect("a usable pair")
+    }
+
+    fn moments(shot: &Shot, time: f64) -> (DVec2, DVec2) {
+        let mut momentum = DVec2::ZERO;
+        let mut weighted = DVec2::ZERO;
+        for (i, disc) in shot.discs().iter().enumerate() {
+            let now = shot.at(i, time);
+            momentum += disc.mass * now.velocity;
+            weighted += disc.mass * now.position;
+        }
+        (momentum, weighted)
+    }
+
+    #[test]
+    fn the_centre_of_mass_goes_straight_on_and_the_discs_stay_together() {
+        for offset in [0.0, 0.01, -0.03] {
+            let shot = pair(offset);
+            assert_eq!(shot.events().len(), 1);
+            let contact = shot.events()[0].time;
+            let (momentum, weighted) = moments(&shot, 0.0);
+            for time in [contact, 0.3, 0.7, 1.0] {
+                let (p, w) = moments(&shot, time);
+                assert!(p.distance(momentum) < 1e-15);
+                assert!(w.distance(weighted + momentum * time) < 1e-15);
+                let apart = shot
+                    .at(0, time)
+                    .position
+                    .distance(shot.at(1, time).position);
+                assert!((apart - 0.036).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn off_centre_it_turns_as_angular_momentum_says() {
+        // μ = 3.75 g, b = 10 mm, w = 2 m/s; I = ½·15·20² + ½·5·16² + 3.75·36² g mm².
+        let shot = pair(0.01);
+        let omega = 3.75e-3 * 0.01 * 2.0 / ((3000.0 + 640.0 + 4860.0) * 1e-9);
+        let time = shot.events()[0].time;
+        let spin = shot.at(1, time).velocity - shot.at(0, time).velocity;
+        assert!((spin.length() / 0.036 - omega).abs() < 1e-12);
+        // The target lies to the right, so the pair turns clockwise.
+        let arm = shot.at(1, time).position - shot.at(0, time).position;
+        assert!(arm.perp_dot(spin) < 0.0);
+        let centre = 0.5 * 0.020 * 1.5 * 1.5;
+        let turning = 0.5 * 8500e-9 * omega * omega;
+        assert!((shot.energy_after() - centre - turning).abs() < 1e-12);
+        assert!(shot.energy_after() < shot.energy_before());
+    }
+
+    #[test]
+    fn head_on_it_does_not_turn_and_a_miss_stays_a_miss() {
+        let straight = pair(0.0);
+        assert_eq!(straight.at(1, 1.0).velocity, DVec2::new(1.5, 0.0));
+        let miss = pair(0.0361);
+        assert!(miss.events().is_empty());
+        assert_eq!(miss.at(0, 1.0).position, DVec2::new(1.8, 0.0));
+    }
+
+    #[test]
+    fn its_trail_is_unbroken() {
+        let shot = pair(0.02);
+        for disc in 0..2 {
+            let mut at = shot.start(disc).position;
+            for leg in shot.path(disc) {
+                assert!(leg.from.distance(at) < 1e-12);
+                at = leg.to;
+            }
+            assert!(at.distance(shot.at(disc, 1.0).position) < 1e-12);
+        }
+    }
+}

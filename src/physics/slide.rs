@@ -1,0 +1,176 @@
+//! One disc that slides until friction stops it, in closed form.
+//!
+//! Friction μ takes speed away at the constant rate a = μ g, against the motion,
+//! so the path is straight and s(t) = v t − ½ a t² until t = v/a.
+
+use glam::DVec2;
+
+use super::Motion;
+
+/// Time in seconds until a disc of this speed (m/s) stops: v / a.
+///
+/// 0 for a disc at rest; infinite for a moving disc without friction.
+pub fn stopping_time(speed: f64, deceleration: f64) -> f64 {
+    if speed <= 0.0 {
+        0.0
+    } else {
+        speed / deceleration
+    }
+}
+
+/// Distance in metres a disc of this speed (m/s) covers before it stops: v² / 2a.
+///
+/// 0 for a disc at rest; infinite for a moving disc without friction.
+pub fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
+    if speed <= 0.0 {
+        0.0
+    } else {
+        speed * speed / (2.0 * deceleration)
+    }
+}
+
+/// Time in seconds to cover `distance` (m, at least 0): 2s / (v + √(v² − 2as)).
+///
+/// `None` if the disc stops before it gets there. This form of the root of
+/// s = v t − ½ a t² loses no digits however short the distance, and holds at a = 0.
+pub fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
+    let left = speed * speed - 2.0 * deceleration * distance;
+    if distance == 0.0 {
+        Some(0.0)
+    } else if left < 0.0 || speed <= 0.0 {
+        None
+    } else {
+        Some(2.0 * distance / (speed + left.sqrt()))
+    }
+}
+
+/// Speed in m/s that is left after `distance` (m): √(v² − 2as).
+///
+/// `None` if the disc stops before it gets there.
+pub fn speed_after(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
+    let left = speed * speed - 2.0 * deceleration * distance;
+    (left >= 0.0).then(|| left.sqrt())
+}
+
+/// A disc left to itself: where it starts and what slows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slide {
+    start: Motion,
+    acceleration: DVec2,
+    stopping_time: f64,
+}
+
+impl Slide {
+    /// The slide that begins with `start` under a deceleration in m/s², at least 0.
+    pub fn new(start: Motion, deceleration: f64) -> Self {
+        let DVec2 { x, y } = start.velocity;
+        let speed = (x * x + y * y).sqrt();
+        if speed == 0.0 {
+            return Self {
+                start,
+                acceleration: DVec2::ZERO,
+                stopping_time: 0.0,
+            };
+        }
+        let slowing = -deceleration / speed;
+        Self {
+            start,
+            acceleration: DVec2::new(slowing * x, slowing * y),
+            stopping_time: speed / deceleration,
+        }
+    }
+
+    /// How the slide begins.
+    pub fn start(&self) -> Motion {
+        self.start
+    }
+
+    /// The constant acceleration in m/s² while the disc moves; zero at rest.
+    pub fn acceleration(&self) -> DVec2 {
+        self.acceleration
+    }
+
+    /// Seconds from the start until the disc stops: 0 if it lies still, infinite
+    /// if nothing slows it.
+    pub fn stopping_time(&self) -> f64 {
+        self.stopping_time
+    }
+
+    /// Position and velocity `time` seconds after the start: a parabola in time
+    /// until the disc stops, rest from then on. Times before 0 count as 0.
+    pub fn at(&self, time: f64) -> Motion {
+        let Motion { position, velocity } = self.start;
+        if self.stopping_time == 0.0 || time <= 0.0 {
+            self.start
+        } else if time >= self.stopping_time {
+            Motion::at_rest(position + velocity * (0.5 * self.stopping_time))
+        } else {
+            Motion {
+                position: position + (velocity + self.acceleration * (0.5 * time)) * time,
+                velocity: velocity + self.acceleration * time,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: f64 = 0.12 * crate::physics::G;
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() <= 1e-13 * (1.0 + a.abs()), "{a} and {b}");
+    }
+
+    #[test]
+    fn the_forms_agree_with_one_another() {
+        for v in [1e-3, 0.5, 2.5, 4.0] {
+            close(stopping_distance(v, A), 0.5 * v * stopping_time(v, A));
+            for part in [0.0, 1e-9, 0.3, 0.75, 0.999_999] {
+                let s = part * stopping_distance(v, A);
+                let t = time_to_cover(s, v, A).expect("it gets there");
+                close(v * t - 0.5 * A * t * t, s);
+                close(speed_after(s, v, A).expect("it gets there"), v - A * t);
+            }
+            let beyond = stopping_distance(v, A) * 1.000_001;
+            assert_eq!(time_to_cover(beyond, v, A), None);
+            assert_eq!(speed_after(beyond, v, A), None);
+        }
+    }
+
+    #[test]
+    fn a_slide_is_a_straight_parabola_and_then_rest() {
+        let start = Motion {
+            position: DVec2::new(0.1, -0.2),
+            velocity: DVec2::new(3.0, -4.0),
+        };
+        let slide = Slide::new(start, A);
+        close(slide.stopping_time(), 5.0 / A);
+        let along = DVec2::new(0.6, -0.8);
+        for t in [0.0, 0.1, 1.0, 4.0] {
+            let s = 5.0 * t - 0.5 * A * t * t;
+            assert!(slide.at(t).position.distance(start.position + along * s) < 1e-12);
+            assert!(slide.at(t).velocity.distance(along * (5.0 - A * t)) < 1e-12);
+        }
+        let end = slide.at(100.0);
+        assert_eq!(end.velocity, DVec2::ZERO);
+        let way = along * stopping_distance(5.0, A);
+        assert!(end.position.distance(start.position + way) < 1e-12);
+    }
+
+    #[test]
+    fn without_friction_nothing_stops() {
+        let slide = Slide::new(
+            Motion {
+                position: DVec2::ZERO,
+                velocity: DVec2::X,
+            },
+            0.0,
+        );
+        assert!(slide.stopping_time().is_infinite());
+        assert_eq!(slide.at(1e6).position, DVec2::new(1e6, 0.0));
+        assert_eq!(time_to_cover(3.0, 1.5, 0.0), Some(2.0));
+        assert_eq!(time_to_cover(3.0, 0.0, 0.0), None);
+    }
+}
