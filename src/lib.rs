@@ -31,5 +31,6 @@
 pub mod app;
 pub mod messages;
 pub mod physics;
+pub mod quiz;
 pub mod screens;
 pub mod widgets;

@@ -1,0 +1,259 @@
+//! The kinds of question a round is made of, from easy to hard.
+
+use crate::physics::units::deg_from_rad;
+
+use super::dice::Dice;
+use super::misconceptions::is_clear;
+use super::words::tenths;
+use super::{Given, Pieces, Question};
+
+/// A kind of question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Equal masses, α given.
+    EqualAngle,
+    /// Equal masses, offset given.
+    EqualOffset,
+    /// Heavier striker, α given.
+    TournamentAngle,
+    /// Heavier target, α given.
+    MarblesAngle,
+    /// Equal masses and e < 1, α given.
+    LossyAngle,
+    /// Head-on, with any pieces.
+    HeadOn,
+    /// Heavier striker, offset given.
+    TournamentOffset,
+    /// Heavier target, offset given.
+    MarblesOffset,
+    /// Heavier target and e < 1, α given.
+    LossyMarbles,
+}
+
+/// How hard a question of a round is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Difficulty {
+    /// One idea, the striker always from the left.
+    Easy,
+    /// Another idea each, the striker from any of the four sides.
+    Middle,
+    /// Two ideas at once, the striker from anywhere.
+    Hard,
+}
+
+impl Difficulty {
+    /// The three, rising.
+    pub const ALL: [Self; 3] = [Self::Easy, Self::Middle, Self::Hard];
+
+    /// The kinds that a round asks at this difficulty, each as often as it stands
+    /// here.
+    pub const fn kinds(self) -> &'static [Kind] {
+        match self {
+            Self::Easy => &[Kind::EqualAngle, Kind::EqualAngle, Kind::EqualOffset],
+            Self::Middle => &[
+                Kind::TournamentAngle,
+                Kind::MarblesAngle,
+                Kind::LossyAngle,
+                Kind::HeadOn,
+            ],
+            Self::Hard => &[
+                Kind::TournamentOffset,
+                Kind::MarblesOffset,
+                Kind::LossyMarbles,
+            ],
+        }
+    }
+
+    /// The striker's directions are multiples of this, in degrees.
+    const fn turn_deg(self) -> u32 {
+        match self {
+            Self::Easy => 360,
+            Self::Middle => 90,
+            Self::Hard => 30,
+        }
+    }
+}
+
+impl Kind {
+    /// All questions of this kind that are good to ask, in a fixed order, with the
+    /// target on the right and the striker moving to the right at 1 m/s.
+    pub fn candidates(self) -> Vec<Question> {
+        let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
+            let given = steps
+                .map(|i| Given::Angle {
+                    alpha_deg: f64::from(i * step),
+                })
+                .collect::<Vec<_>>();
+            every(pieces, &given, losses)
+        };
+        let offsets = |pieces: Pieces| {
+            let head_on = plain(pieces, Given::Angle { alpha_deg: 0.0 }, 1.0);
+            let given = (1..=(10.0 * head_on.reach_mm()) as u32)
+                .map(|tenths| Given::Offset {
+                    offset_mm: f64::from(tenths) / 10.0,
+                })
+                .collect::<Vec<_>>();
+            every(pieces, &given, &[1.0])
+        };
+        let all = match self {
+            Self::EqualAngle => angles(Pieces::Equal, 3..=15, 5, &[1.0]),
+            Self::EqualOffset => offsets(Pieces::Equal),
+            Self::TournamentAngle => angles(Pieces::Tournament, 10..=80, 1, &[1.0]),
+            Self::MarblesAngle => angles(Pieces::Marbles, 10..=80, 1, &[1.0]),
+            Self::LossyAngle => angles(Pieces::Equal, 3..=15, 5, &[0.4, 0.5, 0.6, 0.7, 0.8]),
+            Self::HeadOn => [Pieces::Equal, Pieces::Tournament, Pieces::Marbles]
+                .into_iter()
+                .flat_map(|pieces| angles(pieces, 0..=0, 1, &[1.0]))
+                .collect(),
+            Self::TournamentOffset => offsets(Pieces::Tournament),
+            Self::MarblesOffset => offsets(Pieces::Marbles),
+            Self::LossyMarbles => angles(Pieces::Marbles, 3..=15, 5, &[0.4, 0.5, 0.6]),
+        };
+        all.into_iter()
+            .filter(|question| within_reason(question) && adds_up(question) && is_clear(question))
+            .collect()
+    }
+
+    /// Draws a question of this kind, none of `asked` again; `None` only if all have
+    /// been asked.
+    pub fn draw(
+        self,
+        difficulty: Difficulty,
+        asked: &[Question],
+        dice: &mut Dice,
+    ) -> Option<Question> {
+        let fresh: Vec<Question> = self
+            .candidates()
+            .into_iter()
+            .filter(|candidate| !asked.iter().any(|old| same_hit(old, candidate)))
+            .collect();
+        let question = *dice.pick(&fresh)?;
+        let left = dice.coin();
+        let speed = f64::from(2 + dice.below(3));
+        let turn = difficulty.turn_deg();
+        let direction_deg = f64::from(turn * dice.below(360 / turn));
+        Some(Question {
+            given: if left {
+                mirrored(question.given)
+            } else {
+                question.given
+            },
+            speed,
+            direction_deg,
+            ..question
+        })
+    }
+}
+
+/// A question with the target on the right and nothing else about it.
+fn plain(pieces: Pieces, given: Given, restitution: f64) -> Question {
+    Question {
+        pieces,
+        given,
+        restitution,
+        speed: 1.0,
+        direction_deg: 0.0,
+    }
+}
+
+fn every(pieces: Pieces, given: &[Given], losses: &[f64]) -> Vec<Question> {
+    given
+        .iter()
+        .flat_map(|&given| losses.iter().map(move |&e| plain(pieces, given, e)))
+        .collect()
+}
+
+fn mirrored(given: Given) -> Given {
+    match given {
+        // 0.0 - x, not -x: a head-on hit has no side.
+        Given::Angle { alpha_deg } => Given::Angle {
+            alpha_deg: 0.0 - alpha_deg,
+        },
+        Given::Offset { offset_mm } => Given::Offset {
+            offset_mm: 0.0 - offset_mm,
+        },
+    }
+}
+
+/// Whether two questions ask about the same hit, but for side, speed and direction.
+fn same_hit(a: &Question, b: &Question) -> bool {
+    let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
+    a.pieces == b.pieces
+        && close(a.restitution, b.restitution)
+        && close(a.alpha().abs(), b.alpha().abs())
+}
+
+/// Head-on, or far enough from both head-on and a graze to be drawn. Not at 45°
+/// either, where "half and half" and a copied angle would be right by accident.
+fn within_reason(question: &Question) -> bool {
+    let alpha_deg = deg_from_rad(question.alpha());
+    let drawable = (9.5..80.5).contains(&alpha_deg) && (alpha_deg - 45.0).abs() > 0.5;
+    question.head_on() || drawable
+}
+
+/// Whether the angles that are printed add up to the printed separation, to the last
+/// place.
+fn adds_up(question: &Question) -> bool {
+    let outcome = question.outcome();
+    match (outcome.theta1, outcome.theta2, outcome.separation) {
+        (Some(theta1), Some(theta2), Some(separation)) => {
+            tenths(theta1) + tenths(theta2) == tenths(separation)
+        }
+        _ => true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::misconceptions::{ALL, CLEAR_DEG};
+    use super::*;
+
+    const KINDS: [Kind; 9] = [
+        Kind::EqualAngle,
+        Kind::EqualOffset,
+        Kind::TournamentAngle,
+        Kind::MarblesAngle,
+        Kind::LossyAngle,
+        Kind::HeadOn,
+        Kind::TournamentOffset,
+        Kind::MarblesOffset,
+        Kind::LossyMarbles,
+    ];
+
+    #[test]
+    fn every_kind_has_questions_enough() {
+        for kind in KINDS {
+            let least = if kind == Kind::HeadOn { 3 } else { 8 };
+            let n = kind.candidates().len();
+            assert!(n >= least, "{kind:?}: {n}");
+        }
+    }
+
+    /// Machines may differ in the last bit of a sine. No question may hang on it.
+    #[test]
+    fn no_choice_hangs_on_the_last_bit() {
+        let near_tie = |angle: f64| {
+            let tenths = angle.to_degrees() * 10.0;
+            (tenths - tenths.floor() - 0.5).abs() < 1e-7
+        };
+        for kind in KINDS {
+            for question in kind.candidates() {
+                let outcome = question.outcome();
+                let printed = [outcome.theta1, outcome.theta2, outcome.separation];
+                assert!(!printed.into_iter().flatten().any(near_tie), "{question:?}");
+                let mut rays: Vec<_> = ALL
+                    .into_iter()
+                    .filter_map(|m| m.predict(&question))
+                    .map(|prediction| prediction.rays)
+                    .collect();
+                rays.push(question.truth());
+                for (i, a) in rays.iter().enumerate() {
+                    for b in &rays[i + 1..] {
+                        let margin = a.gap(b).to_degrees() - CLEAR_DEG;
+                        assert!(margin > 1e-7, "{question:?}");
+                    }
+                }
+            }
+        }
+    }
+}

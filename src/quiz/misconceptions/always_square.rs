@@ -1,0 +1,34 @@
+//! 90° between the two, whatever the masses and the loss.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::super::words;
+use super::{Misconception, Prediction, on_usual_sides};
+
+/// The right angle of equal masses is taken to hold for all.
+pub static ALWAYS_SQUARE: Misconception = Misconception {
+    id: "always-square",
+    name: "always 90°",
+    advice: "In the lab, set a right angle with equal masses, then change one mass or e and \
+             watch it open or close.",
+    predicts: |question| {
+        let alpha = question.alpha().abs();
+        (!question.head_on()).then(|| Prediction {
+            rays: on_usual_sides(question, FRAC_PI_2 - alpha, alpha),
+            telltale: None,
+        })
+    },
+    says: |question, _| {
+        let reason = if question.restitution < 1.0 {
+            "with energy lost"
+        } else {
+            "with unequal masses"
+        };
+        let alpha = question.alpha().abs();
+        format!(
+            "You opened a right angle, {} + {}. That is not so {reason}.",
+            words::bare_degrees(FRAC_PI_2 - alpha),
+            words::degrees(alpha),
+        )
+    },
+};

@@ -1,0 +1,21 @@
+//! Head-on, the striker stops, whatever the masses.
+
+use super::super::{Ray, Rays};
+use super::{Misconception, Prediction};
+
+/// What equal masses do head-on is taken to hold for all.
+pub static ALWAYS_STOPS: Misconception = Misconception {
+    id: "always-stops",
+    name: "the striker always stops",
+    advice: "In the lab, hit head-on with a heavier striker and then with a lighter one.",
+    predicts: |question| {
+        question.head_on().then(|| Prediction {
+            rays: Rays {
+                striker: None,
+                ..question.truth()
+            },
+            telltale: Some(Ray::Striker),
+        })
+    },
+    says: |_, _| "You stopped the striker. That takes equal masses and no loss.".into(),
+};

@@ -1,0 +1,26 @@
+//! θ₁ = α: the striker leaves at the impact angle.
+
+use super::super::{Ray, words};
+use super::{Misconception, Prediction, on_usual_sides};
+
+/// The scattering angle is taken to be the impact angle.
+pub static COPIED_ANGLE: Misconception = Misconception {
+    id: "copied-angle",
+    name: "the angle was copied",
+    advice: "In the lab, step the offset and watch both angles: as the coin's grows, the \
+             striker's shrinks.",
+    predicts: |question| {
+        let alpha = question.alpha().abs();
+        (!question.head_on()).then(|| Prediction {
+            rays: on_usual_sides(question, alpha, alpha),
+            telltale: Some(Ray::Striker),
+        })
+    },
+    says: |question, _| {
+        format!(
+            "You sent the striker off at the impact angle, {}. That is the {}'s angle.",
+            words::degrees(question.alpha().abs()),
+            question.pieces.target_name()
+        )
+    },
+};

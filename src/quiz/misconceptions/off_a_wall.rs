@@ -1,0 +1,28 @@
+//! The striker bounces as light does off a mirror.
+
+use std::f64::consts::PI;
+
+use super::super::{Ray, words};
+use super::{Misconception, Prediction, on_usual_sides};
+
+/// The target is taken to throw the striker back as a wall would.
+pub static OFF_A_WALL: Misconception = Misconception {
+    id: "off-a-wall",
+    name: "bounced as off a wall",
+    advice: "In the lab, make the target heavier and heavier: only then does the striker bounce \
+             as off a wall.",
+    predicts: |question| {
+        let alpha = question.alpha().abs();
+        Some(Prediction {
+            rays: on_usual_sides(question, PI - 2.0 * alpha, alpha),
+            telltale: Some(Ray::Striker),
+        })
+    },
+    says: |question, _| {
+        format!(
+            "You bounced the striker by {}, as off a wall. But the {} gives way.",
+            words::degrees(PI - 2.0 * question.alpha().abs()),
+            question.pieces.target_name()
+        )
+    },
+};

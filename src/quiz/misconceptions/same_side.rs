@@ -1,0 +1,29 @@
+//! Both leave to the same side.
+
+use super::super::Rays;
+use super::{Misconception, Prediction};
+
+/// The striker is taken to be drawn after the target.
+pub static SAME_SIDE: Misconception = Misconception {
+    id: "same-side",
+    name: "both to one side",
+    advice: "Before you answer, ask what moves sideways before the hit. Nothing: so afterwards \
+             the two must balance.",
+    predicts: |question| {
+        let truth = question.truth();
+        Some(Prediction {
+            rays: Rays {
+                striker: truth.striker.map(|theta1| -theta1),
+                ..truth
+            },
+            telltale: None,
+        })
+    },
+    says: |question, _| {
+        format!(
+            "You sent both to the {}. Nothing moved sideways before, so sideways the two must \
+             balance.",
+            question.side_name()
+        )
+    },
+};

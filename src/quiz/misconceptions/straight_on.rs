@@ -1,0 +1,26 @@
+//! The striker goes on as if nothing had happened.
+
+use super::super::Ray;
+use super::{Misconception, Prediction, on_usual_sides};
+
+/// The striker is taken to keep its direction, though it is not the heavier one
+/// (that is another belief).
+pub static STRAIGHT_ON: Misconception = Misconception {
+    id: "straight-on",
+    name: "the striker goes straight on",
+    advice: "In the lab, watch the striker alone: only a hit that barely grazes leaves it on \
+             its path.",
+    predicts: |question| {
+        (question.mass_ratio() <= 1.0).then(|| Prediction {
+            rays: on_usual_sides(question, 0.0, question.alpha().abs()),
+            telltale: Some(Ray::Striker),
+        })
+    },
+    says: |question, _| {
+        format!(
+            "You let the striker go straight on. But it pushes the {name}, and the {name} \
+             pushes it back as hard.",
+            name = question.pieces.target_name()
+        )
+    },
+};

@@ -1,0 +1,35 @@
+//! Both angles right, each given to the other disc.
+
+use super::super::{Rays, words};
+use super::{Misconception, Prediction};
+
+/// The striker's angle is given to the target and the target's to the striker.
+pub static SWAPPED: Misconception = Misconception {
+    id: "swapped",
+    name: "the two were swapped",
+    advice: "Before you answer, find the line through the two centres: it is the coin's way out.",
+    predicts: |question| {
+        let truth = question.truth();
+        Some(Prediction {
+            rays: Rays {
+                striker: truth.target,
+                target: truth.striker,
+            },
+            telltale: None,
+        })
+    },
+    says: |question, _| {
+        let name = question.pieces.target_name();
+        match question.truth() {
+            Rays {
+                striker: Some(theta1),
+                target: Some(theta2),
+            } if !question.head_on() => format!(
+                "Your figures are right, but swapped: {} is the {name}'s, {} the striker's.",
+                words::degrees(theta2.abs()),
+                words::degrees(theta1.abs())
+            ),
+            _ => format!("You had it the other way round: you gave the {name} the striker's part."),
+        }
+    },
+};

@@ -1,0 +1,43 @@
+//! The sets of pieces that questions are asked with.
+
+use crate::physics::Disc;
+
+/// A striker and its target.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Pieces {
+    /// Two alike, 15 g each.
+    Equal,
+    /// The heaviest striker and the heaviest coin that tournaments allow, 15 g on
+    /// 5.5 g.
+    Tournament,
+    /// Two glass marbles, 20 g on 40 g.
+    Marbles,
+}
+
+impl Pieces {
+    /// Body 1.
+    pub const fn striker(self) -> Disc {
+        match self {
+            Self::Equal => Disc::from_g_mm(15.0, 15.0),
+            Self::Tournament => Disc::from_g_mm(15.0, 20.65),
+            Self::Marbles => Disc::from_g_mm(20.0, 12.4),
+        }
+    }
+
+    /// Body 2.
+    pub const fn target(self) -> Disc {
+        match self {
+            Self::Equal => Disc::from_g_mm(15.0, 15.0),
+            Self::Tournament => Disc::from_g_mm(5.5, 15.9),
+            Self::Marbles => Disc::from_g_mm(40.0, 15.6),
+        }
+    }
+
+    /// What body 2 is called; body 1 is always "striker".
+    pub const fn target_name(self) -> &'static str {
+        match self {
+            Self::Equal | Self::Tournament => "coin",
+            Self::Marbles => "marble",
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! A look back over a round.
+
+use crate::physics::units::deg_from_rad;
+
+use super::misconceptions::ALL;
+use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, diagnose};
+
+/// A round that has been answered, or as much of it as has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// One line a question, in order.
+    pub lines: Vec<SummaryLine>,
+}
+
+/// What became of one question.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummaryLine {
+    /// What it was about: "equal masses, by offset".
+    pub topic: String,
+    /// How good the answer was.
+    pub grade: Grade,
+    /// The misconception it fitted.
+    pub diagnosis: Option<Diagnosis>,
+}
+
+impl Summary {
+    /// Looks back over these answers.
+    pub fn new<'a>(answered: impl IntoIterator<Item = (&'a Question, &'a Answer)>) -> Self {
+        let lines = answered
+            .into_iter()
+            .map(|(question, answer)| SummaryLine {
+                topic: question.topic(),
+                grade: Grade::new(question, answer),
+                diagnosis: diagnose(question, answer),
+            })
+            .collect();
+        Self { lines }
+    }
+
+    /// Points of the round, never below 0.
+    pub fn points(&self) -> f64 {
+        let sum: f64 = self.lines.iter().map(|line| line.grade.points()).sum();
+        sum.max(0.0)
+    }
+
+    /// Points the round could have brought.
+    pub fn most(&self) -> f64 {
+        Grade::MOST * self.lines.len() as f64
+    }
+
+    /// How many answers were right.
+    pub fn right(&self) -> usize {
+        self.lines
+            .iter()
+            .filter(|line| line.grade.is_right())
+            .count()
+    }
+
+    /// Mean error of all rays that have one, in radians; `None` if none has.
+    pub fn mean_error(&self) -> Option<f64> {
+        let errors: Vec<f64> = self
+            .lines
+            .iter()
+            .flat_map(|line| [line.grade.striker.error, line.grade.target.error])
+            .flatten()
+            .collect();
+        (!errors.is_empty()).then(|| errors.iter().sum::<f64>() / errors.len() as f64)
+    }
+
+    /// How many answers had this confidence, and how many of those were right.
+    pub fn calibration(&self, confidence: Confidence) -> (usize, usize) {
+        let right: Vec<bool> = self
+            .lines
+            .iter()
+            .filter(|line| line.grade.confidence == confidence)
+            .map(|line| line.grade.is_right())
+            .collect();
+        (right.len(), right.iter().filter(|right| **right).count())
+    }
+
+    /// How well confidence and answers went together, in words; empty if nothing was
+    /// answered.
+    pub fn calibration_words(&self) -> String {
+        let (sure, sure_right) = self.calibration(Confidence::Sure);
+        let (guesses, guesses_right) = self.calibration(Confidence::Guess);
+        let counted = match sure {
+            _ if self.lines.is_empty() => return String::new(),
+            0 => "You were never sure.".into(),
+            1 if sure_right == 1 => "Sure once, and right.".into(),
+            1 => "Sure once, and not right.".into(),
+            _ => format!("Sure {sure} times, right {sure_right} of them."),
+        };
+        // "Sure" pays from four right in five on, "guess" up to one in two.
+        let verdict = if 5 * sure_right < 4 * sure {
+            "What you were sure of and missed is worth most: look at it again."
+        } else if 2 * guesses_right > guesses
+            || sure == 0 && 5 * self.right() >= 4 * self.lines.len()
+        {
+            "You know more than you trust yourself to."
+        } else {
+            "You judge well what you know."
+        };
+        format!("{counted} {verdict}")
+    }
+
+    /// The misconception that most answers fitted and how many did; of several the
+    /// first in [`ALL`].
+    pub fn most_held(&self) -> Option<(&'static Misconception, usize)> {
+        let held = |misconception: &Misconception| {
+            self.lines
+                .iter()
+                .filter_map(|line| line.diagnosis)
+                .filter(|diagnosis| diagnosis.misconception == misconception)
+                .count()
+        };
+        ALL.into_iter()
+            .map(|misconception| (misconception, held(misconception)))
+            .rev()
+            .max_by_key(|(_, count)| *count)
+            .filter(|(_, count)| *count > 0)
+    }
+
+    /// One piece of advice on what to try next.
+    pub fn advice(&self) -> String {
+        if let Some((misconception, _)) = self.most_held() {
+            return misconception.advice.into();
+        }
+        match self.mean_error().map(deg_from_rad) {
+            _ if self.lines.is_empty() => "Answer a question first.".into(),
+            Some(error) if error <= super::grade::RIGHT_DEG => {
+                "You have this. Try a new round, or a level that needs an exact cut.".into()
+            }
+            _ => "In the lab, take one hit at a time: first the line of impact, then the \
+                  striker's part across it."
+                .into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Given, Pieces, Rays};
+    use super::*;
+
+    const QUESTION: Question = Question {
+        pieces: Pieces::Equal,
+        given: Given::Angle { alpha_deg: 30.0 },
+        restitution: 1.0,
+        speed: 4.0,
+        direction_deg: 0.0,
+    };
+
+    /// A summary of right (`true`) and wrong answers.
+    fn summary(answers: &[(Confidence, bool)]) -> Summary {
+        let answers: Vec<Answer> = answers
+            .iter()
+            .map(|&(confidence, right)| Answer {
+                rays: if right {
+                    QUESTION.truth()
+                } else {
+                    Rays::new(-3.0, 3.0)
+                },
+                confidence,
+            })
+            .collect();
+        Summary::new(answers.iter().map(|answer| (&QUESTION, answer)))
+    }
+
+    #[test]
+    fn calibration_in_words() {
+        use Confidence::{Guess, Sure, ThinkSo};
+        for (answers, words) in [
+            (
+                vec![(Sure, true)],
+                "Sure once, and right. You judge well what you know.",
+            ),
+            (
+                vec![(Sure, true), (Sure, false), (Guess, false)],
+                "Sure 2 times, right 1 of them. What you were sure of and missed is worth most: \
+                 look at it again.",
+            ),
+            (
+                vec![(ThinkSo, true), (Guess, true)],
+                "You were never sure. You know more than you trust yourself to.",
+            ),
+            (
+                vec![(ThinkSo, false), (Guess, false)],
+                "You were never sure. You judge well what you know.",
+            ),
+        ] {
+            assert_eq!(summary(&answers).calibration_words(), words);
+        }
+    }
+
+    #[test]
+    fn points_never_fall_below_zero() {
+        let summary = summary(&[(Confidence::Sure, false); 3]);
+        assert!(summary.points().abs() < 1e-12);
+        assert!((summary.most() - 30.0).abs() < 1e-12);
+        assert_eq!(summary.right(), 0);
+    }
+}
