@@ -37,6 +37,7 @@ fn by_impulse(question: &Question) -> Rays {
         Pieces::Equal => (15.0, 15.0, 15.0, 15.0),
         Pieces::Tournament => (15.0, 20.65, 5.5, 15.9),
         Pieces::Marbles => (20.0, 12.4, 40.0, 15.6),
+        Pieces::Own { .. } => unreachable!("no round asks about own pieces"),
     };
     let u = question.speed * DVec2::from_angle(question.direction_deg.to_radians());
     let sine = match question.given {

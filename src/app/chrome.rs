@@ -6,7 +6,8 @@ use ratatui::layout::{Margin, Rect};
 
 use super::{App, SMALLEST};
 use crate::screens::{Help, Hint, Screen};
-use crate::widgets::{Charset, Role, Theme, panel, text};
+use crate::widgets::panel::draw_panel;
+use crate::widgets::{Charset, Role, Theme, text};
 
 /// Keys that every screen shares, for the help page.
 const SHARED: [Hint; 6] = [
@@ -32,7 +33,7 @@ pub(super) fn body(size: Rect) -> Rect {
 pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     let settings = app.settings();
     let theme = settings.theme();
-    buf.set_style(area, theme.style(Role::Text));
+    buf.set_style(area, theme.base());
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
         return ask_for_room(area, buf, &theme);
     }
@@ -82,7 +83,8 @@ fn ask_for_room(area: Rect, buf: &mut Buffer, theme: &Theme) {
 fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let charset = app.settings().charset;
     let name = format!(" carrom : {}", screen.title());
-    let status = charset.text(&screen.status(&app.context));
+    let status = screen.status(&app.context);
+    let status = charset.text(&status);
     let (end, _) = buf.set_stringn(
         0,
         0,
@@ -100,8 +102,9 @@ fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, them
 fn key_line(hints: &[Hint], area: Rect, buf: &mut Buffer, theme: &Theme, charset: Charset) {
     let row = area.bottom() - 1;
     let last = Hint::new("?", "help");
-    let width =
-        |hint: &Hint| (text::width(hint.key) + 1 + text::width(&charset.text(hint.does))) as u16;
+    let width = |hint: &Hint| {
+        (text::width(&charset.text(hint.key)) + 1 + text::width(&charset.text(hint.does))) as u16
+    };
     let mut column = 1;
     let limit = area.width.saturating_sub(width(&last) + 1);
     let fitting = hints.iter().scan(1, |used, hint| {
@@ -110,7 +113,13 @@ fn key_line(hints: &[Hint], area: Rect, buf: &mut Buffer, theme: &Theme, charset
     });
     for hint in fitting.chain(std::iter::once(&last)) {
         let room = area.width.saturating_sub(column).into();
-        (column, _) = buf.set_stringn(column, row, hint.key, room, theme.style(Role::Key));
+        (column, _) = buf.set_stringn(
+            column,
+            row,
+            charset.text(hint.key),
+            room,
+            theme.style(Role::Key),
+        );
         let room = area.width.saturating_sub(column + 1).into();
         let does = charset.text(hint.does);
         (column, _) = buf.set_stringn(column + 1, row, does, room, theme.style(Role::Dim));
@@ -168,13 +177,8 @@ fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &
             theme.style(Role::Text),
         );
     }
-    panel(
-        area,
-        buf,
-        &format!("help: {}", screen.title()),
-        settings.charset,
-        &theme,
-    );
+    let title = format!("help: {}", screen.title());
+    draw_panel(buf, area, &title, settings.charset, &theme);
     let inner = area.inner(Margin::new(2, 1));
     let lines = help_lines(&screen.help(&app.context), inner.width.into());
     for (row, (line, role)) in inner.rows().zip(lines.iter().skip(scrolled)) {

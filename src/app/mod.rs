@@ -12,8 +12,9 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Effect, Input, Key, Mouse};
-use crate::screens::{Context, Next, Place, Screen, Settings, home::Home};
-use crate::widgets::{Charset, Palette};
+use crate::screens::home::Home;
+use crate::screens::lab::Lab;
+use crate::screens::{Context, Next, Place, Screen, Settings};
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -123,17 +124,10 @@ impl App {
         match key {
             Key::Char('?') | Key::F(1) => self.help = Some(0),
             Key::Char('U') | Key::F(2) => {
-                settings.charset = match settings.charset {
-                    Charset::Ascii => Charset::Unicode,
-                    Charset::Unicode => Charset::Ascii,
-                }
+                settings.charset = settings.charset.other();
             }
             Key::Char('T') | Key::F(3) => {
-                settings.palette = match settings.palette {
-                    Palette::Dark => Palette::Light,
-                    Palette::Light => Palette::Mono,
-                    Palette::Mono => Palette::Dark,
-                }
+                settings.palette = settings.palette.next();
             }
             Key::Char('M') | Key::F(4) => settings.reduced_motion = !settings.reduced_motion,
             Key::Escape => return self.follow(Next::Back),
@@ -181,6 +175,7 @@ impl App {
     fn open(&mut self, place: Place) {
         let screen: Box<dyn Screen> = match place {
             Place::Home => Box::new(Home::default()),
+            Place::Lab => Box::new(Lab::default()),
             _ => Box::new(Home::default()),
         };
         self.stack.push(screen);

@@ -10,6 +10,7 @@ pub mod beam;
 mod board;
 pub mod capture;
 mod collision;
+mod collision_shot;
 mod disc;
 mod engine;
 pub mod frames;

@@ -79,7 +79,7 @@ fn off(question: &Question, answer: &Answer, ray: Ray, grade: &RayGrade) -> Stri
 }
 
 /// Why the two go where they go, on the question's own figures.
-fn reasoning(question: &Question) -> String {
+pub fn reasoning(question: &Question) -> String {
     let outcome = question.outcome();
     if question.head_on() {
         return head_on(question, &outcome);

@@ -22,7 +22,7 @@ mod summary;
 pub mod words;
 
 pub use answer::{Answer, Confidence};
-pub use explain::{Explanation, explain};
+pub use explain::{Explanation, explain, reasoning};
 pub use family::Family;
 pub use grade::{Grade, RayGrade};
 pub use misconceptions::{Diagnosis, Fit, Misconception, diagnose};

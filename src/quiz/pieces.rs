@@ -3,7 +3,7 @@
 use crate::physics::Disc;
 
 /// A striker and its target.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pieces {
     /// Two alike, 15 g each.
     Equal,
@@ -12,6 +12,13 @@ pub enum Pieces {
     Tournament,
     /// Two glass marbles, 20 g on 40 g.
     Marbles,
+    /// Any two discs, as the lab puts them together.
+    Own {
+        /// Body 1.
+        striker: Disc,
+        /// Body 2.
+        target: Disc,
+    },
 }
 
 impl Pieces {
@@ -21,6 +28,7 @@ impl Pieces {
             Self::Equal => Disc::from_g_mm(15.0, 15.0),
             Self::Tournament => Disc::from_g_mm(15.0, 20.65),
             Self::Marbles => Disc::from_g_mm(20.0, 12.4),
+            Self::Own { striker, .. } => striker,
         }
     }
 
@@ -30,13 +38,14 @@ impl Pieces {
             Self::Equal => Disc::from_g_mm(15.0, 15.0),
             Self::Tournament => Disc::from_g_mm(5.5, 15.9),
             Self::Marbles => Disc::from_g_mm(40.0, 15.6),
+            Self::Own { target, .. } => target,
         }
     }
 
     /// What body 2 is called; body 1 is always "striker".
     pub const fn target_name(self) -> &'static str {
         match self {
-            Self::Equal | Self::Tournament => "coin",
+            Self::Equal | Self::Tournament | Self::Own { .. } => "coin",
             Self::Marbles => "marble",
         }
     }

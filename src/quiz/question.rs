@@ -112,10 +112,13 @@ impl Question {
 
     /// What it is about, in a few words: "equal masses, by offset".
     pub fn topic(&self) -> String {
-        let pieces = match self.pieces {
-            Pieces::Equal => "equal masses",
-            Pieces::Tournament => "heavier striker",
-            Pieces::Marbles => "heavier target",
+        let ratio = self.mass_ratio();
+        let pieces = if ratio > 1.0 {
+            "heavier striker"
+        } else if ratio < 1.0 {
+            "heavier target"
+        } else {
+            "equal masses"
         };
         let place = match self.given {
             _ if self.head_on() => ", head-on",

@@ -4,7 +4,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
-use crate::widgets::{Charset, Depth, Palette, Theme};
+use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +40,14 @@ impl Settings {
     /// The styles that follow from palette and colour depth.
     pub fn theme(&self) -> Theme {
         Theme::new(self.palette, self.depth)
+    }
+
+    /// Glyphs and styles together.
+    pub fn look(&self) -> Look {
+        Look {
+            charset: self.charset,
+            theme: self.theme(),
+        }
     }
 }
 

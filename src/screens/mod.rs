@@ -4,6 +4,7 @@ mod context;
 mod place;
 
 pub mod home;
+pub mod lab;
 
 use std::time::Duration;
 
@@ -52,7 +53,7 @@ pub trait Screen {
 }
 
 /// What follows from an input or from time that passed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Next {
     /// The input meant nothing here; the app may use it.
     Ignored,

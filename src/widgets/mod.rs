@@ -1,10 +1,26 @@
-//! The drawn things: ink, discs, vectors, panels, prompts; charset and theme.
+//! The drawn things: everything between a number and a cell of the screen.
+//!
+//! A widget knows how to look, never what a screen or the app is doing. Two
+//! choices of the player reach every one of them: the [`Charset`] (which glyphs)
+//! and the [`Theme`] (which colours).
 
-mod charset;
-mod panel;
+pub mod bar;
+pub mod charset;
+pub mod ink;
+pub mod keys;
+pub mod panel;
+pub mod theme;
+
+mod entry;
+pub mod hit;
+mod lines;
+mod look;
+mod ray_input;
 pub mod text;
-mod theme;
 
 pub use charset::Charset;
-pub use panel::panel;
+pub use entry::{NumberEntry, Typed};
+pub use lines::Lines;
+pub use look::Look;
+pub use ray_input::{RayInput, Turned, shown};
 pub use theme::{Depth, Palette, Role, Theme};

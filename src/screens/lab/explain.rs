@@ -1,0 +1,71 @@
+//! Why the shot went as it did, starting from what the player said.
+
+use super::Setup;
+use crate::physics::{Bond, Meeting};
+use crate::quiz::{self, Answer, Confidence};
+use crate::widgets::hit::Watch;
+
+/// A title and a text for the panel.
+pub(super) fn explain(setup: &Setup, watch: &Watch) -> (String, String) {
+    let outcome = watch.outcome();
+    let collision = watch.collision();
+    let plain = |text: String| (String::new(), text);
+    match outcome.meeting {
+        Meeting::Miss if collision.relative_velocity().length() == 0.0 => {
+            plain("Both move alike, so the gap between them never closes: no hit.".into())
+        }
+        Meeting::Miss => plain(format!(
+            "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so nothing touches: the striker goes straight on and the coin is left as it was.",
+            setup.offset_mm.abs(),
+            setup.reach_mm()
+        )),
+        Meeting::Graze => plain(
+            "They just brush: at an offset of exactly r₁ + r₂ the line of impact is square to the motion, nothing is pushed, and the striker goes straight on.".into(),
+        ),
+        Meeting::Hit if setup.bond == Bond::Stick => plain(stuck(watch)),
+        Meeting::Hit if setup.target_speed > 0.0 => plain(both_moving(watch)),
+        Meeting::Hit => match watch.said() {
+            Some(said) => {
+                let question = setup.question();
+                let answer = Answer {
+                    rays: *said,
+                    confidence: Confidence::ThinkSo,
+                };
+                let explanation = quiz::explain(&question, &answer);
+                (explanation.title.into(), explanation.text)
+            }
+            None => plain(quiz::reasoning(&setup.question())),
+        },
+    }
+}
+
+fn stuck(watch: &Watch) -> String {
+    let outcome = watch.outcome();
+    let turns = outcome.spin.abs() / std::f64::consts::TAU;
+    let turning = if turns > 0.005 {
+        format!(" Hit off-centre, the pair also turns, {turns:.1} times a second.")
+    } else {
+        " Hit head-on, the pair does not turn.".into()
+    };
+    format!(
+        "They stick and share one velocity, that of the centre of mass: {:.2} m/s.{turning} Sticking is not the same as e = 0: smooth discs would still slip past each other.",
+        outcome.v1.length()
+    )
+}
+
+fn both_moving(watch: &Watch) -> String {
+    let collision = watch.collision();
+    let outcome = watch.outcome();
+    let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
+        return String::new();
+    };
+    format!(
+        "Both move, but the rule is the same. Along n: {:.2} and {:.2} m/s become {:.2} and {:.2}. Across, along t, both keep what they had: {:.2} and {:.2}. Press f for the coin's own frame.",
+        collision.u1.dot(n),
+        collision.u2.dot(n),
+        outcome.v1.dot(n),
+        outcome.v2.dot(n),
+        collision.u1.dot(t) + 0.0,
+        collision.u2.dot(t) + 0.0,
+    )
+}

@@ -1,0 +1,271 @@
+//! The panel beside the lab's picture: settings, the prediction, the shot in numbers.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::explain::explain;
+use super::{Field, Lab};
+use crate::physics::Frame;
+use crate::physics::frames::cm_scattering_angle;
+use crate::quiz::{Ray, Rays};
+use crate::screens::Context;
+use crate::widgets::hit::{Watch, degrees};
+use crate::widgets::{Lines, RayInput, Role, shown};
+
+/// The setting whose row is at this cell.
+pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> {
+    if !panel.contains((column, row).into()) {
+        return None;
+    }
+    let field = usize::from(row - panel.y);
+    (field < Field::ALL.len()).then_some(field)
+}
+
+/// The settings, and what follows from them.
+pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
+    let mut lines = Lines::new(area, buf, cx.settings.look());
+    for (i, field) in Field::ALL.into_iter().enumerate() {
+        let chosen = i == lab.field;
+        let value = if chosen && lab.entry.is_open() {
+            format!("{}_", lab.entry.text())
+        } else {
+            field.shown(&lab.setup)
+        };
+        let (name_role, value_role) = if chosen {
+            (Role::Selected, Role::Selected)
+        } else {
+            (Role::Dim, Role::Text)
+        };
+        let mark = if chosen { ">" } else { " " };
+        let name = format!("{mark} {}", field.name(&lab.setup));
+        lines.pair(&name, &value, name_role, value_role);
+    }
+    lines.gap();
+    geometry(lab, &mut lines);
+    lines.gap();
+    let next = if cx.settings.predict {
+        "Enter: now say where both will go."
+    } else {
+        "Enter: shoot. (p: predict first)"
+    };
+    lines.paragraph(next, Role::Key);
+}
+
+/// b/(r₁+r₂) and α, or that they miss.
+fn geometry(lab: &Lab, lines: &mut Lines) {
+    let collision = lab.setup.collision();
+    let ratio = lab.setup.offset_mm.abs() / lab.setup.reach_mm();
+    lines.pair("b / (r₁+r₂)", &format!("{ratio:.3}"), Role::Dim, Role::Text);
+    match collision.alpha() {
+        Some(alpha) => {
+            let alpha = format!("{:.1}°", alpha.to_degrees().abs());
+            lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
+        }
+        None if ratio > 1.0 => lines.line("more than 1: they will miss", Role::Warn),
+        None => lines.line("they move alike: no hit", Role::Warn),
+    }
+}
+
+/// The two rays being said.
+pub(super) fn draw_prediction(
+    lab: &Lab,
+    rays: &RayInput,
+    area: Rect,
+    buf: &mut Buffer,
+    cx: &Context,
+) {
+    let mut lines = Lines::new(area, buf, cx.settings.look());
+    given(lab, &mut lines);
+    for (field, name) in [(Field::StrikerMass, "striker"), (Field::CoinMass, "coin")] {
+        lines.pair(name, &field.shown(&lab.setup), Role::Dim, Role::Text);
+    }
+    lines.gap();
+    lines.line("Where will they go?", Role::Title);
+    for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, "coin")] {
+        let turning = ray == rays.turning();
+        let (mark, role) = if turning {
+            (">", Role::Selected)
+        } else {
+            (" ", Role::Text)
+        };
+        lines.pair(&format!("{mark} {name}"), &rays.shown(ray), role, role);
+    }
+    lines.gap();
+    let about = match rays.turning() {
+        Ray::Striker => {
+            "The striker: degrees from its old direction, to the side away from the coin."
+        }
+        Ray::Target => {
+            "The coin: degrees from the striker's old direction, to the coin's own side."
+        }
+    };
+    lines.paragraph(about, Role::Text);
+    lines.gap();
+    let next = match rays.turning() {
+        Ray::Striker => "Enter: then the coin.",
+        Ray::Target => "Enter: shoot!",
+    };
+    lines.paragraph(next, Role::Key);
+}
+
+/// The shot in numbers, what was said of it, and why it went as it did. The
+/// explanation comes whole; where there is not room for all, numbers that the
+/// player set and knows give way first.
+pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, cx: &Context) {
+    let mut lines = Lines::new(area, buf, cx.settings.look());
+    if !watch.is_told() {
+        given(lab, &mut lines);
+        lines.gap();
+        lines.paragraph(telling(watch), Role::Text);
+        return;
+    }
+    if watch.frame() != Frame::Laboratory {
+        given(lab, &mut lines);
+        lines.gap();
+        match watch.frame() {
+            Frame::Target => from_target(watch, &mut lines),
+            _ => from_centre_of_mass(watch, &mut lines),
+        }
+        return;
+    }
+    let (title, text) = explain(&lab.setup, watch);
+    let needed = lines.rows_of(&text) + u16::from(!title.is_empty()) + ANSWER_ROWS;
+    if needed + GIVEN_ROWS + 2 <= lines.left() {
+        given(lab, &mut lines);
+        lines.gap();
+    }
+    answers(watch, &mut lines);
+    if needed < lines.left() + ANSWER_ROWS {
+        lines.gap();
+    }
+    if !title.is_empty() {
+        lines.line(&title, Role::Title);
+    }
+    lines.paragraph(&text, Role::Text);
+}
+
+/// Rows that [`given`] takes.
+const GIVEN_ROWS: u16 = 3;
+/// Rows that [`answers`] takes at most.
+const ANSWER_ROWS: u16 = 5;
+
+/// Where they meet.
+fn given(lab: &Lab, lines: &mut Lines) {
+    lines.pair(
+        "offset b",
+        &Field::Offset.shown(&lab.setup),
+        Role::Dim,
+        Role::Text,
+    );
+    geometry(lab, lines);
+}
+
+/// What the picture is just showing.
+fn telling(watch: &Watch) -> &'static str {
+    match watch.clock().beats() {
+        1 => {
+            "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
+        }
+        2 => "So split u: uₙ along n takes part in the hit, uₜ along t does not notice it.",
+        _ => "Watch the contact …",
+    }
+}
+
+fn answers(watch: &Watch, lines: &mut Lines) {
+    let outcome = watch.outcome();
+    let truth = degrees(watch.collision(), &Rays::from(outcome));
+    match watch.said() {
+        Some(said) => {
+            let said = degrees(watch.collision(), said);
+            lines.triple(["degrees", "you said", "truth"], [Role::Dim; 3]);
+            for (i, name) in ["striker", "coin"].into_iter().enumerate() {
+                lines.triple(
+                    [name, &brief(said[i]), &brief(truth[i])],
+                    [
+                        Role::Dim,
+                        Role::Predicted,
+                        [Role::StrikerOut, Role::CoinOut][i],
+                    ],
+                );
+            }
+        }
+        None => {
+            for (i, name) in ["striker θ₁", "coin θ₂"].into_iter().enumerate() {
+                let role = [Role::StrikerOut, Role::CoinOut][i];
+                lines.pair(name, &shown(truth[i]), Role::Dim, role);
+            }
+        }
+    }
+    let separation = outcome.separation.map_or("none".into(), |separation| {
+        format!("{:.1}°", separation.to_degrees())
+    });
+    lines.pair("separation", &separation, Role::Dim, Role::Text);
+    if outcome.energy_before > 0.0 {
+        let kept = 100.0 * outcome.energy_after / outcome.energy_before;
+        lines.pair(
+            "energy kept",
+            &format!("{kept:.1} %"),
+            Role::Dim,
+            Role::Text,
+        );
+    }
+}
+
+fn brief(angle_deg: Option<f64>) -> String {
+    angle_deg.map_or("still".into(), |angle| format!("{angle:.1}"))
+}
+
+fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
+    let collision = watch.collision();
+    let outcome = watch.outcome();
+    let drift = Frame::CentreOfMass.velocity(collision);
+    lines.line("Seen from the centre of mass", Role::Title);
+    lines.pair(
+        "V",
+        &format!("{:.2} m/s", drift.length()),
+        Role::Dim,
+        Role::Text,
+    );
+    let speeds = [
+        ("striker before", collision.u1 - drift),
+        ("striker after", outcome.v1 - drift),
+        ("coin before", collision.u2 - drift),
+        ("coin after", outcome.v2 - drift),
+    ];
+    for (name, v) in speeds {
+        lines.pair(
+            name,
+            &format!("{:.2} m/s", v.length()),
+            Role::Dim,
+            Role::Text,
+        );
+    }
+    let turned = collision
+        .alpha()
+        .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
+    if let Some(turned) = turned
+        && collision.bond == crate::physics::Bond::Slip
+    {
+        let turned = format!("{:.1}°", turned.to_degrees().abs());
+        lines.pair("turned by Θ", &turned, Role::Dim, Role::Text);
+    }
+    lines.gap();
+    lines.paragraph(
+        "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.",
+        Role::Text,
+    );
+}
+
+fn from_target(watch: &Watch, lines: &mut Lines) {
+    let seen = Frame::Target.view(watch.collision()).outcome();
+    let separation = seen.separation.map_or("none".into(), |separation| {
+        format!("{:.1}°", separation.to_degrees())
+    });
+    lines.line("Seen riding with the coin", Role::Title);
+    lines.pair("separation here", &separation, Role::Dim, Role::Text);
+    lines.gap();
+    lines.paragraph(
+        "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
+        Role::Text,
+    );
+}

@@ -1,0 +1,198 @@
+//! What the lab is set to: two discs, how they move, how far off-centre they meet.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::DVec2;
+
+use crate::physics::{Bond, Collision, Disc};
+use crate::quiz::{Given, Pieces, Question};
+
+/// A named pair of discs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PieceSet {
+    /// Its name.
+    pub name: &'static str,
+    /// Mass and radius of the striker, in g and mm.
+    pub striker: (f64, f64),
+    /// Mass and radius of the target, in g and mm.
+    pub target: (f64, f64),
+}
+
+/// The pairs one key goes through.
+pub const PIECE_SETS: [PieceSet; 3] = [
+    PieceSet {
+        name: "equal masses",
+        striker: (15.0, 15.0),
+        target: (15.0, 15.0),
+    },
+    PieceSet {
+        name: "tournament set",
+        striker: (15.0, 20.65),
+        target: (5.5, 15.9),
+    },
+    PieceSet {
+        name: "marbles",
+        striker: (20.0, 12.4),
+        target: (40.0, 15.6),
+    },
+];
+
+/// The setting, in the units of the screen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setup {
+    /// Impact parameter b in mm, positive when the coin lies to the right.
+    pub offset_mm: f64,
+    /// Direction of the striker in degrees from +x, anticlockwise.
+    pub aim_deg: f64,
+    /// Speed of the striker at contact in m/s.
+    pub speed: f64,
+    /// Restitution, 0 to 1.
+    pub restitution: f64,
+    /// Slip or stick.
+    pub bond: Bond,
+    /// Mass of the striker in g.
+    pub m1_g: f64,
+    /// Mass of the target in g.
+    pub m2_g: f64,
+    /// Radius of the striker in mm.
+    pub r1_mm: f64,
+    /// Radius of the target in mm.
+    pub r2_mm: f64,
+    /// Speed of the target before the contact in m/s.
+    pub target_speed: f64,
+    /// Direction of the target before the contact in degrees from +x.
+    pub target_deg: f64,
+}
+
+impl Default for Setup {
+    /// The worked shot: 15 g on 15 g at 4 m/s, half-way off-centre, α = 30°.
+    fn default() -> Self {
+        let mut setup = Self {
+            offset_mm: 0.0,
+            aim_deg: 0.0,
+            speed: 4.0,
+            restitution: 1.0,
+            bond: Bond::Slip,
+            m1_g: 0.0,
+            m2_g: 0.0,
+            r1_mm: 0.0,
+            r2_mm: 0.0,
+            target_speed: 0.0,
+            target_deg: 90.0,
+        };
+        setup.put_out(&PIECE_SETS[0]);
+        setup.offset_mm = setup.reach_mm() / 2.0;
+        setup
+    }
+}
+
+impl Setup {
+    /// Distance of the centres at contact in mm.
+    pub fn reach_mm(&self) -> f64 {
+        self.r1_mm + self.r2_mm
+    }
+
+    /// The set these pieces are, if they are one.
+    pub fn piece_set(&self) -> Option<usize> {
+        let pieces = ((self.m1_g, self.r1_mm), (self.m2_g, self.r2_mm));
+        PIECE_SETS
+            .iter()
+            .position(|set| (set.striker, set.target) == pieces)
+    }
+
+    /// Puts out the pieces of a set and keeps the ratio b/(r₁+r₂).
+    pub fn put_out(&mut self, set: &PieceSet) {
+        let reach = self.reach_mm();
+        let ratio = if reach > 0.0 {
+            self.offset_mm / reach
+        } else {
+            0.0
+        };
+        (self.m1_g, self.r1_mm) = set.striker;
+        (self.m2_g, self.r2_mm) = set.target;
+        self.offset_mm = ratio * self.reach_mm();
+    }
+
+    /// Puts out the set after the present one.
+    pub fn next_set(&mut self) {
+        let next = self.piece_set().map_or(0, |i| (i + 1) % PIECE_SETS.len());
+        self.put_out(&PIECE_SETS[next]);
+    }
+
+    /// The question this poses, where the target is at rest and the discs slip.
+    pub fn question(&self) -> Question {
+        let collision = self.collision();
+        Question {
+            pieces: Pieces::Own {
+                striker: collision.striker,
+                target: collision.target,
+            },
+            given: Given::Offset {
+                offset_mm: self.offset_mm,
+            },
+            restitution: self.restitution,
+            speed: self.speed,
+            direction_deg: self.aim_deg,
+        }
+    }
+
+    /// The collision this sets up.
+    pub fn collision(&self) -> Collision {
+        let striker = Disc::from_g_mm(self.m1_g, self.r1_mm);
+        let target = Disc::from_g_mm(self.m2_g, self.r2_mm);
+        Collision {
+            u2: velocity(self.target_speed, self.target_deg),
+            restitution: self.restitution,
+            bond: self.bond,
+            ..Collision::at_offset(
+                striker,
+                target,
+                velocity(self.speed, self.aim_deg),
+                self.offset_mm / 1000.0,
+            )
+        }
+    }
+}
+
+/// A velocity from speed and direction, exact along the axes.
+fn velocity(speed: f64, direction_deg: f64) -> DVec2 {
+    let quarters = direction_deg / 90.0;
+    let direction = if quarters.fract() == 0.0 {
+        [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][quarters.rem_euclid(4.0) as usize]
+    } else {
+        DVec2::from_angle(quarters * FRAC_PI_2)
+    };
+    speed * direction
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_setting_is_the_worked_shot() {
+        let outcome = Setup::default().collision().outcome();
+        assert!((outcome.v1.length() - 2.0).abs() < 1e-12);
+        assert!((outcome.v2.length() - 12.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn velocities_along_the_axes_are_exact() {
+        assert_eq!(velocity(3.0, 90.0), DVec2::new(0.0, 3.0));
+        assert_eq!(velocity(3.0, -90.0), DVec2::new(0.0, -3.0));
+        assert_eq!(velocity(3.0, 180.0), DVec2::new(-3.0, 0.0));
+        assert_eq!(velocity(3.0, -180.0), DVec2::new(-3.0, 0.0));
+    }
+
+    #[test]
+    fn changing_pieces_keeps_the_shape_of_the_hit() {
+        let mut setup = Setup::default();
+        let alpha = setup.collision().alpha();
+        for expected in [1, 2, 0] {
+            setup.next_set();
+            assert_eq!(setup.piece_set(), Some(expected));
+            let now = setup.collision().alpha();
+            assert!((now.unwrap() - alpha.unwrap()).abs() < 1e-12);
+        }
+    }
+}

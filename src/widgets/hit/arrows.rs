@@ -1,0 +1,119 @@
+//! Velocities as arrows, all to one scale.
+
+use glam::DVec2;
+
+use super::stage::Stage;
+use crate::widgets::Role;
+use crate::widgets::ink::{Pen, Sheet};
+
+/// Longest arrow, in radii of the larger disc.
+const LONGEST: f64 = 2.8;
+
+/// A share of the greatest speed below which a disc counts as standing still.
+const STILL: f64 = 1e-9;
+
+/// The scale of the arrows and what they start from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arrows {
+    /// Metres on the picture for each m/s.
+    pub(super) per_speed: f64,
+    /// The greatest speed in the picture.
+    pub(super) fastest: f64,
+}
+
+impl Arrows {
+    /// The largest scale at which arrows for `after`, drawn outwards from the rims
+    /// at contact, stay within the picture.
+    pub(super) fn fit(stage: &Stage, before: [DVec2; 2], after: [DVec2; 2]) -> Self {
+        let fastest = before
+            .iter()
+            .chain(&after)
+            .map(|v| v.length())
+            .fold(0.0, f64::max);
+        let longest = LONGEST * stage.unit();
+        let room = after.iter().enumerate().filter_map(|(body, v)| {
+            let direction = v.try_normalize()?;
+            let room = stage.room(stage.centres[body], direction) - stage.radius(body);
+            Some(room.max(0.0) * fastest / v.length())
+        });
+        let longest = room.fold(longest, f64::min);
+        Self {
+            per_speed: if fastest > 0.0 {
+                longest / fastest
+            } else {
+                0.0
+            },
+            fastest,
+        }
+    }
+
+    /// Whether `v` is nothing beside the other speeds.
+    pub(super) fn is_still(&self, v: DVec2) -> bool {
+        v.length() <= STILL * self.fastest
+    }
+
+    /// An arrow away from the rim of a disc, and where its tip is.
+    pub(super) fn outwards(
+        &self,
+        sheet: &mut Sheet,
+        centre: DVec2,
+        radius: f64,
+        v: DVec2,
+        role: Role,
+    ) -> Option<DVec2> {
+        if self.is_still(v) {
+            return None;
+        }
+        let direction = v.try_normalize()?;
+        let from = centre + radius * direction;
+        let to = from + self.per_speed * v;
+        sheet.arrow(from, to, Pen::new(role).bold());
+        Some(to)
+    }
+
+    /// An arrow up to the rim of a disc, and where it starts.
+    pub(super) fn inwards(
+        &self,
+        sheet: &mut Sheet,
+        centre: DVec2,
+        radius: f64,
+        v: DVec2,
+        role: Role,
+    ) -> Option<DVec2> {
+        if self.is_still(v) {
+            return None;
+        }
+        let direction = v.try_normalize()?;
+        let to = centre - radius * direction;
+        let from = to - self.per_speed * v;
+        sheet.arrow(from, to, Pen::new(role).bold());
+        Some(from)
+    }
+}
+
+/// The striker's velocity and its parts along n and t, drawn from its centre, with
+/// the sides that close the rectangle.
+pub(super) fn split(
+    sheet: &mut Sheet,
+    stage: &Stage,
+    arrows: &Arrows,
+    u: DVec2,
+    n: DVec2,
+    t: DVec2,
+) {
+    let from = stage.centres[0];
+    let scale = arrows.per_speed;
+    let along = from + scale * u.dot(n) * n;
+    let across = from + scale * u.dot(t) * t;
+    let whole = from + scale * u;
+    let closing = Pen::new(Role::TangentLine).dotted();
+    sheet.line(along, whole, closing);
+    sheet.line(across, whole, closing);
+    sheet.arrow(from, whole, Pen::new(Role::Incoming));
+    if !arrows.is_still(u.dot(n) * n) {
+        sheet.arrow(from, along, Pen::new(Role::NormalPart).bold());
+    }
+    if !arrows.is_still(u.dot(t) * t) {
+        sheet.arrow(from, across, Pen::new(Role::TangentPart).bold());
+    }
+}

@@ -1,0 +1,75 @@
+//! What is drawn on top of a hit, to be switched on and off.
+
+/// One layer of the explanation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layer {
+    /// Line of impact n and tangent t through the contact.
+    Lines,
+    /// The striker's velocity split along n and t.
+    Split,
+    /// Velocities before and after.
+    Velocities,
+    /// Arcs of θ₁ and θ₂, and the square corner.
+    Angles,
+    /// The triangle of momenta.
+    Triangle,
+    /// Where the discs came from and have gone.
+    Trails,
+    /// What the player said.
+    Prediction,
+}
+
+impl Layer {
+    /// All layers, in the order of their keys.
+    pub const ALL: [Self; 7] = [
+        Self::Lines,
+        Self::Split,
+        Self::Velocities,
+        Self::Angles,
+        Self::Triangle,
+        Self::Trails,
+        Self::Prediction,
+    ];
+
+    /// What it shows, in a few words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lines => "line of impact",
+            Self::Split => "split of u",
+            Self::Velocities => "velocities",
+            Self::Angles => "angles",
+            Self::Triangle => "momentum triangle",
+            Self::Trails => "trails",
+            Self::Prediction => "what you said",
+        }
+    }
+}
+
+/// Which layers are on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layers {
+    on: [bool; Layer::ALL.len()],
+}
+
+impl Default for Layers {
+    /// All but the split: it would stand in the way of the departures.
+    fn default() -> Self {
+        let mut layers = Self {
+            on: [true; Layer::ALL.len()],
+        };
+        layers.toggle(Layer::Split);
+        layers
+    }
+}
+
+impl Layers {
+    /// Whether `layer` is on.
+    pub fn shows(self, layer: Layer) -> bool {
+        self.on[layer as usize]
+    }
+
+    /// Switches `layer`.
+    pub fn toggle(&mut self, layer: Layer) {
+        self.on[layer as usize] ^= true;
+    }
+}

@@ -1,0 +1,19 @@
+//! The hit: two discs that meet off-centre, shown so that one sees why they part
+//! as they do. The lab, the quiz and every zoomed-in impact show this one picture.
+
+mod angles;
+mod arrows;
+mod inset;
+mod labels;
+mod layers;
+mod picture;
+mod playback;
+mod setup;
+mod stage;
+mod watch;
+
+pub use layers::{Layer, Layers};
+pub use playback::{FRAME, Playback};
+pub use setup::{Given, drag_offset, draw_setup, point_at};
+pub use stage::{Stage, degrees, side};
+pub use watch::Watch;

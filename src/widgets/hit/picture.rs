@@ -1,0 +1,235 @@
+//! The picture of a hit at one moment.
+
+use glam::DVec2;
+use ratatui::buffer::Buffer;
+
+use super::arrows::{Arrows, split};
+use super::labels::Labels;
+use super::layers::{Layer, Layers};
+use super::playback::Playback;
+use super::stage::Stage;
+use super::{angles, inset};
+use crate::physics::{Bond, Frame, Outcome, Shot};
+use crate::quiz::{Ray, Rays};
+use crate::widgets::ink::{Pen, Sheet, Side};
+use crate::widgets::{Look, Role};
+
+/// What a moment of a hit is drawn from.
+pub(super) struct Moment<'a> {
+    pub(super) stage: Stage,
+    pub(super) outcome: &'a Outcome,
+    pub(super) shot: Option<&'a Shot>,
+    pub(super) clock: &'a Playback,
+    pub(super) contact: f64,
+    pub(super) frame: Frame,
+    pub(super) layers: Layers,
+    pub(super) said: Option<&'a Rays>,
+}
+
+impl Moment<'_> {
+    /// Velocity of the frame it is seen from.
+    fn drift(&self) -> DVec2 {
+        self.frame.velocity(&self.stage.collision)
+    }
+
+    /// Where a disc is at a time of the shot, as seen from the frame.
+    fn place(&self, body: usize, time: f64) -> DVec2 {
+        let position = match self.shot {
+            Some(shot) => shot.at(body, time).position,
+            // Two that move alike never make a shot; each goes its way.
+            None => {
+                let (p1, p2) = self.stage.collision.positions_before(self.contact - time);
+                [p1, p2][body]
+            }
+        };
+        position - self.drift() * (time - self.contact)
+    }
+
+    fn shows(&self, layer: Layer) -> bool {
+        self.layers.shows(layer)
+    }
+
+    /// Draws it.
+    pub(super) fn draw(&self, buf: &mut Buffer, look: &Look) {
+        let mut sheet = Sheet::new(self.stage.view, look.charset);
+        let mut labels = Labels::default();
+        let time = self.clock.time();
+        let met = self.clock.has_met();
+        let now = [self.place(0, time), self.place(1, time)];
+        if self.shows(Layer::Trails) {
+            self.trails(&mut sheet, time);
+        }
+        for (body, role, letter) in [(0, Role::Striker, 'S'), (1, Role::Coin, 'C')] {
+            sheet.disc(now[body], self.stage.radius(body), role, letter);
+        }
+        let collision = &self.stage.collision;
+        let before = [collision.u1 - self.drift(), collision.u2 - self.drift()];
+        let after = [
+            self.outcome.v1 - self.drift(),
+            self.outcome.v2 - self.drift(),
+        ];
+        let arrows = Arrows::fit(&self.stage, before, after);
+        let beats = self.clock.beats();
+        if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
+            if beats >= 1 && self.shows(Layer::Lines) {
+                self.lines(&mut sheet, &mut labels, n, t);
+            }
+            let telling = beats == 2 && self.clock.at_contact();
+            if beats >= 2 && (telling || self.shows(Layer::Split)) {
+                split(&mut sheet, &self.stage, &arrows, before[0], n, t);
+                labels.split(&self.stage, &arrows, before[0], n, t);
+            }
+        }
+        if self.shows(Layer::Velocities) {
+            let at = if met { self.stage.centres } else { now };
+            self.incoming(&mut sheet, &mut labels, &arrows, before, at);
+        }
+        if met && beats >= 3 {
+            if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {
+                self.prediction(&mut sheet, &mut labels);
+            }
+            if self.shows(Layer::Angles) && self.outcome.hit() {
+                self.angles(&mut sheet, &mut labels, after);
+            }
+            if self.shows(Layer::Velocities) {
+                self.outgoing(&mut sheet, &mut labels, &arrows, after, now);
+            }
+            if self.shows(Layer::Triangle) && self.outcome.hit() {
+                self.triangle(&mut sheet, before, after);
+            }
+        }
+        if met && self.outcome.hit() {
+            sheet.reserve(DVec2::ZERO);
+        }
+        labels.write(&mut sheet);
+        sheet.draw(buf, &look.theme);
+    }
+
+    /// Where the discs came from and, after the contact, have gone.
+    fn trails(&self, sheet: &mut Sheet, time: f64) {
+        for body in 0..2 {
+            let until = time.min(self.contact);
+            let old = Pen::new(Role::Trail).dotted().aged(0.6);
+            sheet.line(self.place(body, 0.0), self.place(body, until), old);
+            if time <= self.contact {
+                continue;
+            }
+            let fresh = Pen::new(Role::Trail);
+            // A pair that sticks turns, so its trail is a curve.
+            let pieces = if self.stage.collision.bond == Bond::Stick {
+                48
+            } else {
+                1
+            };
+            let point = |i: usize| {
+                let share = i as f64 / f64::from(pieces);
+                self.place(body, self.contact + share * (time - self.contact))
+            };
+            sheet.polyline((0..=pieces as usize).map(point), fresh);
+            let ghost = Pen::new(Role::Trail).dotted();
+            sheet.circle(self.stage.centres[body], self.stage.radius(body), ghost);
+        }
+    }
+
+    /// Line of impact and tangent.
+    fn lines(&self, sheet: &mut Sheet, labels: &mut Labels, n: DVec2, t: DVec2) {
+        let unit = self.stage.unit();
+        let ends = [
+            self.stage.centres[0] - 1.5 * unit * n,
+            self.stage.centres[1] + 1.5 * unit * n,
+        ];
+        sheet.line(ends[0], ends[1], Pen::new(Role::LineOfImpact).dashed());
+        let top = 1.7 * unit * t;
+        sheet.line(-top, top, Pen::new(Role::TangentLine).dotted());
+        labels.add("n", ends[0], Side::towards(-n), Role::LineOfImpact);
+        labels.add("t", top, Side::towards(t), Role::TangentLine);
+    }
+
+    fn incoming(
+        &self,
+        sheet: &mut Sheet,
+        labels: &mut Labels,
+        arrows: &Arrows,
+        before: [DVec2; 2],
+        at: [DVec2; 2],
+    ) {
+        let names = if self.stage.collision.u2 == DVec2::ZERO && self.frame == Frame::Laboratory {
+            ["u", "u₂"]
+        } else {
+            ["u₁", "u₂"]
+        };
+        for body in 0..2 {
+            let radius = self.stage.radius(body);
+            let v = before[body];
+            if arrows
+                .inwards(sheet, at[body], radius, v, Role::Incoming)
+                .is_some()
+            {
+                labels.incoming(&self.stage, names[body], at[body], radius, v);
+            }
+        }
+    }
+
+    fn outgoing(
+        &self,
+        sheet: &mut Sheet,
+        labels: &mut Labels,
+        arrows: &Arrows,
+        after: [DVec2; 2],
+        now: [DVec2; 2],
+    ) {
+        let bodies = [("v₁", Role::StrikerOut), ("v₂", Role::CoinOut)];
+        for (body, (name, role)) in bodies.into_iter().enumerate() {
+            let radius = self.stage.radius(body);
+            let tip = arrows.outwards(sheet, now[body], radius, after[body], role);
+            labels.outgoing(name, tip, now[body], radius, after[body], role);
+        }
+    }
+
+    fn angles(&self, sheet: &mut Sheet, labels: &mut Labels, after: [DVec2; 2]) {
+        if self.frame == Frame::Laboratory {
+            for (body, v) in after.into_iter().enumerate() {
+                if let Some(middle) = angles::arc(sheet, &self.stage, body, v) {
+                    let turn = self.stage.heading().angle_to(v).to_degrees();
+                    let outwards = middle - self.stage.centres[body];
+                    labels.angle(turn.abs(), middle, outwards);
+                }
+            }
+            if self.stage.collision.u2 == DVec2::ZERO {
+                angles::square_corner(sheet, &self.stage, after[0], after[1]);
+            }
+        }
+    }
+
+    fn prediction(&self, sheet: &mut Sheet, labels: &mut Labels) {
+        let Some(said) = self.said else {
+            return;
+        };
+        for (index, ray) in Ray::BOTH.into_iter().enumerate() {
+            let Some(angle) = said.get(ray) else {
+                continue;
+            };
+            let direction = self.stage.direction(ray, angle);
+            let centre = self.stage.centres[index];
+            let from = centre + self.stage.radius(index) * direction;
+            let reach = self
+                .stage
+                .room(centre, direction)
+                .min(2.9 * self.stage.unit());
+            let to = centre + reach * direction;
+            sheet.line(from, to, Pen::new(Role::Predicted).dashed());
+            labels.add("you", to, Side::towards(direction), Role::Predicted);
+        }
+    }
+
+    fn triangle(&self, sheet: &mut Sheet, before: [DVec2; 2], after: [DVec2; 2]) {
+        let collision = &self.stage.collision;
+        let p1 = collision.striker.mass * after[0];
+        let p2 = collision.target.mass * after[1];
+        let mut busy = vec![-before[0], -before[1], after[0], after[1]];
+        if let Some(n) = self.outcome.normal {
+            busy.extend([n, -n]);
+        }
+        inset::triangle(sheet, &self.stage, p1, p2, &busy);
+    }
+}

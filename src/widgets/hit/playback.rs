@@ -1,0 +1,276 @@
+//! How time runs while a hit is shown: up to the contact, a hold there, and on.
+
+use std::time::Duration;
+
+/// One frame at most every sixtieth of a second.
+pub const FRAME: Duration = Duration::from_micros(16_667);
+
+/// Time the approach takes on the screen, without the slowing down, in seconds.
+const APPROACH: f64 = 1.1;
+/// Time it takes to ease into the contact, and out of it, in seconds.
+const EASE: f64 = 0.35;
+/// Time between one layer of the explanation and the next, in seconds.
+const BEAT: f64 = 0.9;
+/// Layers that come one after the other at the contact.
+pub const BEATS: usize = 3;
+
+/// Where in its telling a hit is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stage {
+    /// Running towards the contact; seconds on the screen so far.
+    Approach(f64),
+    /// Held at the contact; seconds on the screen so far, until the last layer.
+    Contact(f64),
+    /// Running on from the contact; seconds on the screen so far.
+    Departure(f64),
+    /// Halted by hand at this time of the shot.
+    Halted(f64),
+}
+
+/// The clock of a hit.
+///
+/// `contact` and `end` are times of the shot, in its own seconds; what it shows
+/// is always derived from the stage, so that steps, scrubbing and slow motion are
+/// only other values of one number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Playback {
+    contact: f64,
+    end: f64,
+    stage: Stage,
+}
+
+impl Playback {
+    /// A clock at the start of a shot whose discs meet at `contact` and that is
+    /// shown until `end`. With `reduced` motion it begins at the contact.
+    pub fn new(contact: f64, end: f64, reduced: bool) -> Self {
+        Self {
+            contact,
+            end,
+            stage: if reduced {
+                Stage::Contact(BEAT * BEATS as f64)
+            } else {
+                Stage::Approach(0.0)
+            },
+        }
+    }
+
+    /// Time of the shot to show, in its own seconds.
+    pub fn time(&self) -> f64 {
+        match self.stage {
+            Stage::Approach(s) => {
+                // Constant rate, then a rate that falls to 0 evenly over EASE.
+                let coasting = s.min(self.coasting());
+                let easing = (s - coasting).min(EASE);
+                let time = self.rate() * (coasting + easing - easing * easing / (2.0 * EASE));
+                time.min(self.contact)
+            }
+            Stage::Contact(_) => self.contact,
+            Stage::Departure(s) => {
+                let easing = s.min(EASE);
+                let time = self.rate() * (easing * easing / (2.0 * EASE) + s - easing);
+                (self.contact + time).min(self.end)
+            }
+            Stage::Halted(time) => time,
+        }
+    }
+
+    /// Seconds of the shot that pass in a second on the screen, where it runs evenly.
+    pub fn rate(&self) -> f64 {
+        self.contact / APPROACH
+    }
+
+    /// How much slower than life the hit is shown.
+    pub fn slowed(&self) -> f64 {
+        1.0 / self.rate()
+    }
+
+    /// Seconds on the screen before the slowing down begins.
+    fn coasting(&self) -> f64 {
+        APPROACH - EASE / 2.0
+    }
+
+    /// Whether time runs.
+    pub fn is_running(&self) -> bool {
+        match self.stage {
+            Stage::Approach(_) => true,
+            Stage::Contact(s) => s < BEAT * BEATS as f64,
+            Stage::Departure(_) => self.time() < self.end,
+            Stage::Halted(_) => false,
+        }
+    }
+
+    /// Whether the shot stands at, or is past, the contact.
+    pub fn has_met(&self) -> bool {
+        self.time() >= self.contact
+    }
+
+    /// Whether the shot stands exactly at the contact.
+    pub fn at_contact(&self) -> bool {
+        self.has_met() && self.time() <= self.contact
+    }
+
+    /// Whether there is nothing more to show.
+    pub fn is_over(&self) -> bool {
+        self.time() >= self.end
+    }
+
+    /// How many of the [`BEATS`] layers are to be seen: they come one by one at
+    /// the contact and stay.
+    pub fn beats(&self) -> usize {
+        match self.stage {
+            Stage::Contact(s) => ((s / BEAT) as usize + 1).min(BEATS),
+            _ if self.has_met() => BEATS,
+            _ => 0,
+        }
+    }
+
+    /// Lets `passed` go by on the screen.
+    pub fn advance(&mut self, passed: Duration) {
+        if !self.is_running() {
+            return;
+        }
+        let passed = passed.as_secs_f64();
+        self.stage = match self.stage {
+            Stage::Approach(s) => {
+                let left = self.coasting() + EASE - s;
+                if passed < left {
+                    Stage::Approach(s + passed)
+                } else {
+                    Stage::Contact(passed - left)
+                }
+            }
+            Stage::Contact(s) => Stage::Contact(s + passed),
+            Stage::Departure(s) => Stage::Departure(s + passed),
+            halted @ Stage::Halted(_) => halted,
+        };
+    }
+
+    /// Goes on: to the contact at once while still approaching, to all the layers
+    /// while they are coming, and from a halt or from the contact on to the end.
+    pub fn go_on(&mut self) {
+        self.stage = match self.stage {
+            Stage::Approach(_) => Stage::Contact(0.0),
+            Stage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => {
+                Stage::Contact(BEAT * BEATS as f64)
+            }
+            Stage::Contact(_) => Stage::Departure(0.0),
+            Stage::Departure(_) => Stage::Halted(self.end),
+            Stage::Halted(time) if time < self.contact => {
+                Stage::Approach(self.screen_time_before(time))
+            }
+            Stage::Halted(time) if time < self.end => {
+                Stage::Departure(self.screen_time_after(time))
+            }
+            Stage::Halted(_) => Stage::Halted(self.end),
+        };
+    }
+
+    /// Plays the whole again.
+    pub fn rewind(&mut self) {
+        self.stage = Stage::Approach(0.0);
+    }
+
+    /// Halts, and moves by this share of the whole. A step that would leap over
+    /// the contact lands on it.
+    pub fn scrub(&mut self, share: f64) {
+        let from = self.time();
+        let to = (from + share * self.end).clamp(0.0, self.end);
+        let leaps = (from < self.contact && to > self.contact)
+            || (from > self.contact && to < self.contact);
+        self.stage = Stage::Halted(if leaps { self.contact } else { to });
+    }
+
+    /// Inverse of the approach in [`Playback::time`].
+    fn screen_time_before(&self, time: f64) -> f64 {
+        let s = time / self.rate();
+        if s <= self.coasting() {
+            return s;
+        }
+        let left = (APPROACH - s).max(0.0);
+        self.coasting() + EASE - (2.0 * EASE * left).sqrt()
+    }
+
+    /// Inverse of the departure in [`Playback::time`].
+    fn screen_time_after(&self, time: f64) -> f64 {
+        let s = (time - self.contact) / self.rate();
+        if s <= EASE / 2.0 {
+            (2.0 * EASE * s).sqrt()
+        } else {
+            s + EASE / 2.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(clock: &mut Playback, seconds: f64) {
+        let frames = (seconds / FRAME.as_secs_f64()).round() as usize;
+        for _ in 0..frames {
+            clock.advance(FRAME);
+        }
+    }
+
+    #[test]
+    fn it_slows_into_the_contact_and_holds_there() {
+        let mut clock = Playback::new(0.03, 0.06, false);
+        let mut last = -1.0;
+        while !clock.has_met() {
+            assert!(clock.time() > last, "time always runs on");
+            last = clock.time();
+            clock.advance(FRAME);
+        }
+        assert!(clock.at_contact());
+        assert_eq!(clock.beats(), 1);
+        run(&mut clock, 10.0);
+        assert!(clock.at_contact() && !clock.is_running());
+        assert_eq!(clock.beats(), BEATS);
+    }
+
+    #[test]
+    fn from_the_contact_it_goes_on_to_the_end() {
+        let mut clock = Playback::new(0.03, 0.06, true);
+        assert!(clock.at_contact() && !clock.is_running());
+        clock.go_on();
+        assert!(clock.is_running());
+        run(&mut clock, 10.0);
+        assert!(clock.is_over() && !clock.is_running());
+    }
+
+    #[test]
+    fn scrubbing_never_leaps_over_the_contact() {
+        let mut clock = Playback::new(0.031, 0.06, true);
+        clock.scrub(0.05);
+        assert!(clock.has_met() && !clock.at_contact());
+        clock.scrub(-0.2);
+        assert!(clock.at_contact());
+        clock.scrub(-0.2);
+        assert!(!clock.has_met());
+        clock.scrub(-9.0);
+        assert!(clock.time() == 0.0);
+        clock.scrub(0.9);
+        assert!(clock.at_contact());
+        clock.scrub(9.0);
+        assert!(clock.is_over());
+    }
+
+    #[test]
+    fn going_on_after_a_halt_starts_where_it_stood() {
+        for share in [0.1, 0.3, 0.45, 0.49] {
+            let mut clock = Playback::new(0.03, 0.06, false);
+            clock.scrub(share);
+            let before = clock.time();
+            clock.go_on();
+            assert!((clock.time() - before).abs() < 1e-12);
+            assert!(clock.is_running());
+        }
+        for share in [0.01, 0.1, 0.3, 0.45] {
+            let mut clock = Playback::new(0.03, 0.06, true);
+            clock.scrub(share);
+            let before = clock.time();
+            clock.go_on();
+            assert!((clock.time() - before).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! The picture before the hit: what is given, and the rays that are turned.
+
+use glam::DVec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::labels::Labels;
+use super::stage::Stage;
+use crate::physics::Collision;
+use crate::quiz::Ray;
+use crate::widgets::ink::{Pen, Sheet, Side};
+use crate::widgets::{Look, RayInput, Role};
+
+/// What of the geometry is drawn in, besides the discs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Given {
+    /// The impact parameter, between the two centre lines.
+    pub offset: bool,
+    /// The striker's place at contact, the line of impact and α.
+    pub angle: bool,
+}
+
+/// Draws two discs about to meet, and the rays being turned.
+pub fn draw_setup(
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    collision: &Collision,
+    given: Given,
+    rays: Option<&RayInput>,
+) {
+    let stage = Stage::new(area, collision);
+    let mut sheet = Sheet::new(stage.view, look.charset);
+    let mut labels = Labels::default();
+    let [c1, c2] = stage.centres;
+    let (p1, p2) = before(&stage);
+    let along = collision.relative_velocity().try_normalize();
+    if let Some(along) = along {
+        let line = |from: DVec2| {
+            let ahead = from + stage.room(from, along) * along;
+            (from, ahead)
+        };
+        let (from, to) = line(p1);
+        sheet.line(from, to, Pen::new(Role::Aim).dotted());
+        if given.offset {
+            offset(&mut sheet, &mut labels, &stage, along);
+        }
+    }
+    for (place, body, role, letter) in [(p1, 0, Role::Striker, 'S'), (p2, 1, Role::Coin, 'C')] {
+        sheet.disc(place, stage.radius(body), role, letter);
+    }
+    if collision.alpha().is_some() {
+        sheet.circle(c1, stage.radius(0), Pen::new(Role::Trail).dotted());
+        if p2 != c2 {
+            sheet.circle(c2, stage.radius(1), Pen::new(Role::Trail).dotted());
+        }
+        if given.angle {
+            impact_angle(&mut sheet, &mut labels, &stage);
+        }
+    }
+    moving(&mut sheet, &mut labels, &stage, [p1, p2]);
+    if let Some(rays) = rays {
+        turned(&mut sheet, &mut labels, &stage, rays);
+    }
+    labels.write(&mut sheet);
+    sheet.draw(buf, &look.theme);
+}
+
+/// Where the two are drawn before the hit: far enough apart to see both whole, near
+/// enough that both are in the picture.
+fn before(stage: &Stage) -> (DVec2, DVec2) {
+    let speed = stage.collision.relative_velocity().length();
+    if speed > 0.0 {
+        let time = 1.35 * stage.unit() / speed;
+        stage.collision.positions_before(time)
+    } else {
+        (stage.centres[0], stage.centres[1])
+    }
+}
+
+/// The impact parameter: the line through the coin's centre beside the striker's,
+/// and the distance between them.
+fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2) {
+    let [c1, c2] = stage.centres;
+    let ahead = c2 + stage.room(c2, along) * along;
+    sheet.line(c2, ahead, Pen::new(Role::Aim).dotted());
+    let across = along.perp() * (c2 - c1).dot(along.perp());
+    if across.length() < 0.7 * stage.view.per_row() {
+        return;
+    }
+    // Measured ahead of the coin, where nothing else is.
+    let foot = c2 + (1.35 * stage.radius(1)) * along;
+    sheet.line(foot, foot - across, Role::Arc);
+    let text = format!("b = {:.1} mm", stage.collision.offset.abs() * 1000.0);
+    labels.add(&text, foot - 0.5 * across, Side::towards(along), Role::Arc);
+}
+
+/// The line of impact where the two will meet, and the angle to it.
+fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage) {
+    let [c1, c2] = stage.centres;
+    let (Some(n), Some(alpha)) = (stage.collision.normal(), stage.collision.alpha()) else {
+        return;
+    };
+    let end = c2 + 1.5 * stage.radius(1) * n;
+    sheet.line(c1, end, Pen::new(Role::LineOfImpact).dashed());
+    let Some(along) = stage.collision.relative_velocity().try_normalize() else {
+        return;
+    };
+    if alpha.abs() > 0.05 {
+        let radius = 0.8 * stage.radius(0);
+        let start = along.to_angle();
+        sheet.arc(c1, radius, start, start - alpha, Role::Arc);
+    }
+    let text = format!("α = {:.1}°", alpha.to_degrees().abs());
+    labels.add(&text, end, Side::towards(n), Role::LineOfImpact);
+}
+
+/// An arrow ahead of each disc that moves.
+fn moving(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, places: [DVec2; 2]) {
+    let collision = &stage.collision;
+    let speeds = [collision.u1, collision.u2];
+    let fastest = speeds[0].length().max(speeds[1].length());
+    for (body, name) in ["u", "u₂"].into_iter().enumerate() {
+        let v = speeds[body];
+        let Some(direction) = v.try_normalize() else {
+            continue;
+        };
+        let length = 1.1 * stage.unit() * v.length() / fastest;
+        let from = places[body] + stage.radius(body) * direction;
+        sheet.arrow(
+            from,
+            from + length * direction,
+            Pen::new(Role::Incoming).bold(),
+        );
+        let text = format!("{name} = {:.2} m/s", v.length());
+        let away = direction.perp() * stage.side();
+        let anchor = places[body] + stage.radius(body) * away;
+        labels.add(&text, anchor, Side::towards(away), Role::Incoming);
+    }
+}
+
+/// The rays as said so far, from where the discs will meet.
+fn turned(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, rays: &RayInput) {
+    let said = rays.said();
+    for (body, ray) in Ray::BOTH.into_iter().enumerate() {
+        let name = match ray {
+            Ray::Striker => "S",
+            Ray::Target => "C",
+        };
+        let centre = stage.centres[body];
+        let Some(angle) = said.get(ray) else {
+            let text = format!("{name} stays still");
+            labels.add(&text, centre, Side::towards(DVec2::Y), Role::Predicted);
+            continue;
+        };
+        let direction = stage.direction(ray, angle);
+        let tip = centre + ray_length(stage, centre, direction) * direction;
+        let pen = Pen::new(Role::Predicted);
+        let active = ray == rays.turning();
+        sheet.arrow(
+            centre + stage.radius(body) * direction,
+            tip,
+            if active { pen.bold() } else { pen.dashed() },
+        );
+        let text = format!("{name} {}", rays.shown(ray));
+        labels.add(&text, tip, Side::towards(direction), Role::Predicted);
+    }
+}
+
+/// How far from a centre a ray that is being turned reaches.
+fn ray_length(stage: &Stage, centre: DVec2, direction: DVec2) -> f64 {
+    stage.room(centre, direction).min(2.9 * stage.unit())
+}
+
+/// Points the ray at a cell of the picture: the one whose tip is nearer when the
+/// button goes down (`choose`), else the one being turned.
+pub fn point_at(
+    area: Rect,
+    collision: &Collision,
+    rays: &mut RayInput,
+    cell: (u16, u16),
+    choose: bool,
+) {
+    let stage = Stage::new(area, collision);
+    let at = stage.view.world_at(cell.0, cell.1);
+    let said = rays.said();
+    let distance = |body: usize, ray: Ray| {
+        let centre = stage.centres[body];
+        let tip = match said.get(ray) {
+            Some(angle) => {
+                let direction = stage.direction(ray, angle);
+                centre + ray_length(&stage, centre, direction) * direction
+            }
+            None => centre,
+        };
+        tip.distance(at)
+    };
+    let ray = if !choose {
+        rays.turning()
+    } else if distance(0, Ray::Striker) <= distance(1, Ray::Target) {
+        Ray::Striker
+    } else {
+        Ray::Target
+    };
+    let body = usize::from(ray == Ray::Target);
+    if let Some(direction) = (at - stage.centres[body]).try_normalize() {
+        rays.point(ray, stage.angle_deg_of(ray, direction));
+    }
+}
+
+/// The offset in metres that puts the coin beside the striker's way where a cell
+/// of the picture is.
+pub fn drag_offset(area: Rect, collision: &Collision, cell: (u16, u16)) -> f64 {
+    let stage = Stage::new(area, collision);
+    let at = stage.view.world_at(cell.0, cell.1);
+    let Some(along) = collision.relative_velocity().try_normalize() else {
+        return collision.offset;
+    };
+    // To the right of the way counts as positive. The contact point is in the
+    // middle, so the coin's centre has but its own share of the offset.
+    -at.dot(along.perp()) * collision.reach() / collision.target.radius
+}

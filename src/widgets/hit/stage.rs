@@ -1,0 +1,116 @@
+//! Where everything stands at the contact, and how large it is drawn.
+
+use glam::DVec2;
+use ratatui::layout::Rect;
+
+use crate::physics::Collision;
+use crate::quiz::{Ray, Rays};
+use crate::widgets::ink::View;
+
+/// Half of the picture's shorter side, in radii of the larger disc.
+const HALF_HEIGHT: f64 = 3.3;
+
+/// The geometry of a hit as drawn: the contact point is in the middle.
+#[derive(Debug, Clone, Copy)]
+pub struct Stage {
+    /// Where the world is on the screen.
+    pub view: View,
+    /// The collision.
+    pub collision: Collision,
+    /// The centres at contact, or where the two pass nearest.
+    pub centres: [DVec2; 2],
+}
+
+impl Stage {
+    /// The stage of `collision` in `area`.
+    pub fn new(area: Rect, collision: &Collision) -> Self {
+        let (c1, c2) = collision.placed_at_contact();
+        let largest = collision.striker.radius.max(collision.target.radius);
+        let half = HALF_HEIGHT * largest;
+        let columns = f64::from(area.width.min(area.height.saturating_mul(2)).max(1));
+        Self {
+            view: View::new(area, DVec2::ZERO, 2.0 * half / columns),
+            collision: *collision,
+            centres: [c1, c2],
+        }
+    }
+
+    /// Radius of the larger disc: the picture's own unit of length.
+    pub fn unit(&self) -> f64 {
+        self.radius(0).max(self.radius(1))
+    }
+
+    /// Radius of the striker (0) or the target (1).
+    pub fn radius(&self, body: usize) -> f64 {
+        [self.collision.striker, self.collision.target][body].radius
+    }
+
+    /// The direction that angles are measured from: that of the striker.
+    pub fn heading(&self) -> DVec2 {
+        self.collision.u1.try_normalize().unwrap_or(DVec2::X)
+    }
+
+    /// +1 where the coin lies to the right of the striker's way, −1 where to the left.
+    pub fn side(&self) -> f64 {
+        side(&self.collision)
+    }
+
+    /// The direction of a ray at an angle in radians, with the signs of physics.
+    pub fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
+        DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
+    }
+
+    /// The angle in degrees that a player gives a ray in this direction: positive
+    /// away from the coin for the striker, to the coin's side for the coin.
+    pub fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
+        self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()
+    }
+
+    /// Half the width and height of the picture, less a margin for arrow tips.
+    pub fn half_extent(&self) -> DVec2 {
+        let area = self.view.area();
+        let half = |cells: u16, per_cell: f64| (f64::from(cells) / 2.0 - 1.5).max(0.5) * per_cell;
+        DVec2::new(
+            half(area.width, self.view.per_column()),
+            half(area.height, self.view.per_row()),
+        )
+    }
+
+    /// How far one can go from `from` along `direction` inside the picture.
+    pub fn room(&self, from: DVec2, direction: DVec2) -> f64 {
+        let half = self.half_extent();
+        let along = |from: f64, step: f64, half: f64| {
+            if step.abs() < 1e-9 {
+                f64::INFINITY
+            } else {
+                (half.copysign(step) - from) / step
+            }
+        };
+        along(from.x, direction.x, half.x)
+            .min(along(from.y, direction.y, half.y))
+            .max(0.0)
+    }
+}
+
+/// +1 where the coin lies to the right of the striker's way, −1 where to the left;
+/// a player's angles count from the coin's side.
+pub fn side(collision: &Collision) -> f64 {
+    if collision.offset < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// The sense in which a ray's angle counts: the scattering angle anticlockwise, the
+/// recoil angle clockwise.
+fn turn(ray: Ray) -> f64 {
+    match ray {
+        Ray::Striker => 1.0,
+        Ray::Target => -1.0,
+    }
+}
+
+/// Where both discs go or are said to go, in the degrees of the screen.
+pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
+    Ray::BOTH.map(|ray| {
+        let angle = rays.get(ray)?;
+        Some(side(collision) * angle.to_degrees() + 0.0)
+    })
+}

@@ -1,0 +1,162 @@
+//! Watching a hit: its clock, its layers and the frame it is seen from, with the
+//! keys that work them.
+
+use std::time::Duration;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::layers::{Layer, Layers};
+use super::picture::Moment;
+use super::playback::{FRAME, Playback};
+use super::stage::Stage;
+use crate::messages::Key;
+use crate::physics::{Collision, Frame, Outcome, Shot};
+use crate::quiz::Rays;
+use crate::widgets::Look;
+
+/// Share of the whole that `,` and `.` step by.
+const STEP: f64 = 1.0 / 96.0;
+/// Share of the whole that `<` and `>` scrub by.
+const SCRUB: f64 = 1.0 / 16.0;
+
+/// A hit being watched.
+#[derive(Debug, Clone)]
+pub struct Watch {
+    collision: Collision,
+    outcome: Outcome,
+    shot: Option<Shot>,
+    clock: Playback,
+    contact: f64,
+    layers: Layers,
+    frame: Frame,
+    said: Option<Rays>,
+}
+
+impl Watch {
+    /// The hit from its start, with what the player said of it. With `reduced`
+    /// motion it begins at the contact.
+    pub fn new(collision: Collision, said: Option<Rays>, reduced: bool) -> Self {
+        let (contact, end) = times(&collision);
+        Self {
+            collision,
+            outcome: collision.outcome(),
+            shot: collision.shot(contact, end),
+            clock: Playback::new(contact, end, reduced),
+            contact,
+            layers: Layers::default(),
+            frame: Frame::Laboratory,
+            said,
+        }
+    }
+
+    /// The collision that is watched.
+    pub fn collision(&self) -> &Collision {
+        &self.collision
+    }
+
+    /// What becomes of it.
+    pub fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+
+    /// Its clock.
+    pub fn clock(&self) -> &Playback {
+        &self.clock
+    }
+
+    /// What is drawn on top.
+    pub fn layers(&self) -> Layers {
+        self.layers
+    }
+
+    /// From where it is seen.
+    pub fn frame(&self) -> Frame {
+        self.frame
+    }
+
+    /// What the player said.
+    pub fn said(&self) -> Option<&Rays> {
+        self.said.as_ref()
+    }
+
+    /// Whether it may be told what happened: once the contact is reached and the
+    /// departures are drawn.
+    pub fn is_told(&self) -> bool {
+        self.clock.beats() == super::playback::BEATS
+    }
+
+    /// Takes a key: step, scrub, frame and layers. Says whether it was one of them.
+    pub fn update(&mut self, key: Key) -> bool {
+        match key {
+            Key::Char(' ') if !self.clock.is_over() => self.clock.go_on(),
+            Key::Char(',') | Key::Left => self.clock.scrub(-STEP),
+            Key::Char('.') | Key::Right => self.clock.scrub(STEP),
+            Key::Char('<') => self.clock.scrub(-SCRUB),
+            Key::Char('>') => self.clock.scrub(SCRUB),
+            Key::Home => self.clock.scrub(-1.0),
+            Key::End => {
+                self.clock.scrub(1.0);
+                self.clock.scrub(1.0);
+            }
+            Key::Char('a' | 'A') => self.clock.rewind(),
+            Key::Char('f' | 'F') => {
+                self.frame = match self.frame {
+                    Frame::Laboratory => Frame::CentreOfMass,
+                    Frame::CentreOfMass if self.collision.u2 != glam::DVec2::ZERO => Frame::Target,
+                    _ => Frame::Laboratory,
+                }
+            }
+            Key::Char(digit @ '1'..='7') => {
+                let layer = Layer::ALL[usize::from(digit as u8 - b'1')];
+                self.layers.toggle(layer);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Lets time pass on the screen.
+    pub fn advance(&mut self, passed: Duration) {
+        self.clock.advance(passed);
+    }
+
+    /// When it next needs time.
+    pub fn wake(&self) -> Option<Duration> {
+        self.clock.is_running().then_some(FRAME)
+    }
+
+    /// Draws it.
+    pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+        let moment = Moment {
+            stage: Stage::new(area, &self.collision),
+            outcome: &self.outcome,
+            shot: self.shot.as_ref(),
+            clock: &self.clock,
+            contact: self.contact,
+            frame: self.frame,
+            layers: self.layers,
+            said: self.said.as_ref(),
+        };
+        moment.draw(buf, look);
+    }
+}
+
+/// When the discs meet and until when they are followed, in the shot's seconds: so
+/// that they come from the picture's edge and go to it, whatever their speeds.
+fn times(collision: &Collision) -> (f64, f64) {
+    let largest = collision.striker.radius.max(collision.target.radius);
+    let relative = collision.relative_velocity().length();
+    let fastest = collision
+        .u1
+        .length()
+        .max(collision.u2.length())
+        .max(relative);
+    let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
+    if lead.is_finite() && lead > 0.0 {
+        (lead, 2.1 * lead)
+    } else {
+        // They move alike, or not at all: nothing ever happens.
+        (1.0, 2.0)
+    }
+}
