@@ -5,6 +5,7 @@
 //! and the [`Theme`] (which colours).
 
 pub mod bar;
+pub mod board;
 pub mod charset;
 pub mod ink;
 pub mod keys;

@@ -1,0 +1,109 @@
+//! The board seen from above: its pockets and lines, and the discs on it.
+
+use glam::DVec2;
+use ratatui::layout::Rect;
+
+use super::Role;
+use super::ink::{Pen, Sheet, View};
+use crate::physics::Board;
+
+/// Length of a base line in metres.
+const BASE_LENGTH: f64 = 0.470;
+/// From the frame to the outer line of a pair of base lines, in metres.
+const BASE_FROM_FRAME: f64 = 0.1015;
+/// Between the two lines of a pair, and the diameter of the circles that close
+/// them, in metres.
+const BASE_WIDTH: f64 = 0.0318;
+/// Radius of the outer circle in metres.
+const OUTER_CIRCLE: f64 = 0.085;
+/// Radius of the centre circle in metres.
+const CENTRE_CIRCLE: f64 = 0.0159;
+
+/// The largest part of `area` on which a board is square, as a cell is twice as
+/// high as wide; at its left, in the middle of its height.
+pub fn square(area: Rect) -> Rect {
+    // One column less than twice the rows: the board's edges run through the middles
+    // of the outermost cells.
+    let height = area.height.min(area.width.div_ceil(2));
+    Rect {
+        x: area.x,
+        y: area.y + (area.height - height) / 2,
+        width: (2 * height).saturating_sub(1),
+        height,
+    }
+}
+
+/// The view of a whole board on a [`square`] area. An open sheet shows as large as
+/// a tournament board.
+pub fn view(area: Rect, board: &Board) -> View {
+    let half = DVec2::splat(side(board) / 2.0);
+    View::stretch(area, -half, half)
+}
+
+fn side(board: &Board) -> f64 {
+    if board.side.is_finite() {
+        board.side
+    } else {
+        Board::default().side
+    }
+}
+
+/// Draws pockets and lines.
+pub fn ground(sheet: &mut Sheet, board: &Board) {
+    let half = side(board) / 2.0;
+    let radius = board.pocket_diameter / 2.0;
+    if radius <= 0.0 || !board.side.is_finite() {
+        return;
+    }
+    for corner in [DVec2::ONE, DVec2::NEG_ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0)] {
+        sheet.circle(corner * (half - radius), radius, Role::Pocket);
+    }
+    // Lines belong to a board of carrom's own size; on another they scale with it.
+    let scale = board.side / Board::default().side;
+    for quarter in 0..4 {
+        base_lines(sheet, half, scale, f64::from(quarter));
+    }
+    sheet.circle(DVec2::ZERO, OUTER_CIRCLE * scale, Role::BoardLine);
+    if CENTRE_CIRCLE * scale > 1.5 * sheet.view().per_column() {
+        sheet.circle(DVec2::ZERO, CENTRE_CIRCLE * scale, Role::BoardLine);
+    }
+}
+
+/// One pair of base lines, turned by so many quarters from the bottom.
+fn base_lines(sheet: &mut Sheet, half: f64, scale: f64, quarter: f64) {
+    let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
+    let place = |across: f64, from_frame: f64| {
+        axis.rotate(DVec2::new(across * scale, from_frame * scale - half))
+    };
+    let end = (BASE_LENGTH - BASE_WIDTH) / 2.0;
+    let middle = BASE_FROM_FRAME + BASE_WIDTH / 2.0;
+    let pen = Pen::new(Role::BoardLine);
+    // Too near to each other to be told apart, the two lines become one.
+    if BASE_WIDTH * scale < 1.6 * sheet.view().per_row() {
+        sheet.line(place(-end, middle), place(end, middle), pen);
+        return;
+    }
+    for from_frame in [BASE_FROM_FRAME, BASE_FROM_FRAME + BASE_WIDTH] {
+        sheet.line(place(-end, from_frame), place(end, from_frame), pen);
+    }
+    for across in [-end, end] {
+        sheet.circle(place(across, middle), BASE_WIDTH * scale / 2.0, pen);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_board_is_square_on_every_area() {
+        for (width, height) in [(80, 22), (44, 20), (30, 38), (5, 5), (1, 1), (0, 0)] {
+            let area = square(Rect::new(3, 1, width, height));
+            assert!(area.width <= width && area.height <= height);
+            if area.height > 1 {
+                let view = view(area, &Board::default());
+                assert!((view.per_row() - 2.0 * view.per_column()).abs() < 1e-12);
+            }
+        }
+    }
+}
