@@ -16,6 +16,7 @@
 //! | `score` | points, boards, games, the match |
 //! | `play` | one board, from the break to its end |
 //! | `table` | a whole game at the table |
+//! | `validity` | what no game can be |
 
 pub mod free_place;
 pub mod laws;
@@ -27,6 +28,7 @@ mod score;
 mod seat;
 mod stroke;
 mod table;
+mod validity;
 
 pub use laws::{BoardWon, Effect, Law, Rules, Ruling};
 pub use pieces::{Coin, Colour, Piece, PieceSet};
@@ -35,4 +37,5 @@ pub use play::Play;
 pub use score::Score;
 pub use seat::{ByTeam, Hands, Seat, Team};
 pub use stroke::{Stroke, StrokeError};
-pub use table::{Game, GameError, Setup, Stage};
+pub use table::{Game, Setup, Stage};
+pub use validity::GameError;

@@ -2,20 +2,17 @@
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
 use super::laws::{self, BoardWon, Effect, Law, Rules, Ruling, Verdict};
 use super::pack::{jittered_pack, pack};
-use super::pieces::{COINS_EACH, Coin, Colour, Piece, PieceSet, count};
+use super::pieces::{Coin, Colour, PieceSet};
 use super::placing::{BaseLines, Misplaced, check_anywhere};
 use super::play::{Play, Terms};
 use super::score::Score;
 use super::seat::{Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
+use super::validity::{GameError, check_coins};
 use crate::physics::Board;
-
-/// Overlap that rounding may leave between coins at rest, in metres.
-const SLACK: f64 = 1e-6;
 
 /// What is agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -47,54 +44,6 @@ pub enum Stage {
     MatchOver(Team),
 }
 
-/// Why a game cannot be what it is said to be, or do what it is asked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum GameError {
-    /// The board has not ended yet.
-    #[error("this board has not ended yet")]
-    StillPlaying,
-    /// The match is over.
-    #[error("the match is over; start a new one")]
-    MatchOver,
-    /// Coins may be laid out freely only in practice.
-    #[error("coins may be laid out freely only in practice")]
-    NotInPractice,
-    /// There are more coins than a set holds.
-    #[error("there are {found} pieces of this kind ({piece}) on the board, and a set has {most}")]
-    TooMany {
-        /// The kind of piece.
-        piece: Piece,
-        /// How many lie there.
-        found: u8,
-        /// How many there can be.
-        most: u8,
-    },
-    /// Two coins overlap.
-    #[error("two coins overlap")]
-    Overlap,
-    /// A coin lies off the board.
-    #[error("a coin lies off the board")]
-    OffTheBoard,
-    /// Nobody sits where the turn is.
-    #[error("nobody sits where the turn is")]
-    EmptySeat,
-    /// The queen is covered and on the board at once.
-    #[error("the queen cannot be covered while she lies on the board")]
-    QueenTwice,
-    /// A coin is owed though there is one to pay with.
-    #[error("a coin is owed although there is one in the pockets to pay with")]
-    UnpaidDue,
-    /// All coins of a colour are pocketed, yet the board goes on.
-    #[error("a colour has no coins left, yet the board has not ended")]
-    NotEnded,
-    /// A board brings at most 12 points (28).
-    #[error("a board cannot bring {0} points; 12 is the most")]
-    Points(u8),
-    /// A board follows the end of the match.
-    #[error("a board was played after the match had ended")]
-    AfterTheMatch,
-}
-
 /// A game of carrom: what was agreed, the boards finished and the one in play.
 ///
 /// Everything else is worked out from these. Cloning a game and keeping the
@@ -102,7 +51,7 @@ pub enum GameError {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Game {
-    setup: Setup,
+    pub(super) setup: Setup,
     pub(super) finished: Vec<BoardWon>,
     pub(super) play: Play,
 }
@@ -290,45 +239,6 @@ impl Game {
         Ok(())
     }
 
-    /// Whether this can be a game at all: what to ask of one that was read from
-    /// a file.
-    ///
-    /// # Errors
-    /// The first thing that is wrong.
-    pub fn check(&self) -> Result<(), GameError> {
-        let play = &self.play;
-        let over = play.won.is_some();
-        check_coins(self.coins(), self.setup.set)?;
-        if !(self.setup.hands.plays(play.seat) && self.setup.hands.plays(self.setup.first_breaker))
-        {
-            return Err(GameError::EmptySeat);
-        }
-        if play.queen_on_board() && play.queen_covered_by.is_some() {
-            return Err(GameError::QueenTwice);
-        }
-        for team in Team::BOTH {
-            let colour = self.colour(team);
-            if play.owed(team) > 0 && play.in_pockets(colour) > 0 {
-                return Err(GameError::UnpaidDue);
-            }
-            let cleared = play.on_board(colour) == 0;
-            if cleared && !over && self.setup.rules != Rules::Practice {
-                return Err(GameError::NotEnded);
-            }
-        }
-        let boards = || self.finished.iter().chain(play.won.as_ref());
-        if let Some(won) = boards().find(|won| won.points > laws::MOST_POINTS) {
-            return Err(GameError::Points(won.points));
-        }
-        for played in 1..=self.finished.len() {
-            let score = Score::after(self.setup.rules, self.finished.iter().take(played));
-            if score.match_winner(self.setup.rules).is_some() {
-                return Err(GameError::AfterTheMatch);
-            }
-        }
-        Ok(())
-    }
-
     /// Carries a verdict out and announces the end of a game or match with it.
     fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
         let mut rulings = self.play.carry_out(terms, verdict);
@@ -419,32 +329,4 @@ fn break_board(setup: &Setup, board: u64, breaker: Seat) -> Play {
         None => pack(setup.set, breaker),
     };
     Play::new(coins, breaker)
-}
-
-/// Whether coins can lie like this.
-fn check_coins(coins: &[Coin], set: PieceSet) -> Result<(), GameError> {
-    for (piece, most) in [
-        (Piece::White, COINS_EACH),
-        (Piece::Black, COINS_EACH),
-        (Piece::Queen, 1),
-        (Piece::Striker, 0),
-    ] {
-        let found = count(coins, piece);
-        if found > most {
-            return Err(GameError::TooMany { piece, found, most });
-        }
-    }
-    let reach = Board::default().side / 2.0 - set.coin_radius() + SLACK;
-    let inside = |coin: &Coin| coin.at.is_finite() && coin.at.abs().max_element() <= reach;
-    if !coins.iter().all(inside) {
-        return Err(GameError::OffTheBoard);
-    }
-    let apart = 2.0 * set.coin_radius() - SLACK;
-    for (i, coin) in coins.iter().enumerate() {
-        let overlaps = |other: &Coin| other.at.distance(coin.at) < apart;
-        if coins.iter().skip(i + 1).any(overlaps) {
-            return Err(GameError::Overlap);
-        }
-    }
-    Ok(())
 }

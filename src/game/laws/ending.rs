@@ -1,6 +1,6 @@
 //! Last coins: who wins the board, and by how much (25 to 28, 75 to 85).
 
-use super::case::{BoardEnd, Case, QueenBefore, Verdict, points};
+use super::case::{BoardEnd, Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
 /// The most points a board can bring (28).
@@ -8,11 +8,18 @@ pub const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if it goes on.
 ///
-/// Two things the Laws leave open are read in the spirit of their neighbours.
-/// When both last coins fall properly with the queen covered long before, the
-/// player wins by the queen, or by 1 where she is worth nothing or is the
-/// opponent's (as 75a). When the striker falls along with both last coins while
-/// the queen is to be covered or still on the board, the board is lost as in 82a.
+/// What the Laws leave open is read in the spirit of their neighbours:
+///
+/// - Both last coins fall properly, with the queen covered before: the player
+///   wins by the queen, or by 1 where she is worth nothing or is the opponent's
+///   (as 75a).
+/// - The striker falls with both last coins while the queen is to be covered:
+///   the board is lost as in 82a; with the queen on the board, as in 78a and by
+///   a point more.
+/// - The striker falls with the opponent's last coin while the queen is to be
+///   covered: a point more than in 76a, as 84a adds to 79a.
+/// - The queen falls with the opponent's last coin: nobody has covered her, so
+///   she counts as in 79a.
 pub(super) fn judge(case: &Case) -> Option<Verdict> {
     match (case.own_left(), case.other_left()) {
         (0, 0) => Some(both_finished(case)),
@@ -54,11 +61,11 @@ fn both_finished(case: &Case) -> Verdict {
         }
         (ToCover, false) => {
             let why = format!("{player} covered the queen with both last coins");
-            won(case, Law::clause(75, 'a'), win, why)
+            won(case, Law::clause(75, 'a'), win, why).queen(QueenFate::Covered)
         }
         (OnBoard, false) if case.queen_fell => {
             let why = format!("{player} pocketed the queen and both last coins in one stroke");
-            won(case, Law::clause(77, 'a'), win, why)
+            won(case, Law::clause(77, 'a'), win, why).queen(QueenFate::Covered)
         }
         (OnBoard, _) if !case.queen_fell => {
             let why =
@@ -105,7 +112,7 @@ fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
 /// that coin back.
 fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     let player = case.colour;
-    let covered_by = match case.queen {
+    let (covered_by, fate) = match case.queen {
         QueenBefore::OnBoard if !case.queen_fell => {
             let loss = worth_at_least_one(case.queen_for_other()) + u8::from(case.striker_fell);
             let number = if case.striker_fell { 81 } else { 80 };
@@ -113,8 +120,8 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
             return Some(lost(case, Law::clause(number, 'a'), loss, why));
         }
         _ if case.striker_fell => return None,
-        QueenBefore::Covered(by) => by,
-        QueenBefore::OnBoard | QueenBefore::ToCover => player,
+        QueenBefore::Covered(by) => (by, QueenFate::Stays),
+        QueenBefore::OnBoard | QueenBefore::ToCover => (player, QueenFate::Covered),
     };
     let queen = if covered_by == player {
         case.queen_for_own()
@@ -122,7 +129,7 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
         0
     };
     let why = format!("{player} has pocketed all nine coins");
-    Some(won(case, Law::clause(25, 'a'), other_left + queen, why))
+    Some(won(case, Law::clause(25, 'a'), other_left + queen, why).queen(fate))
 }
 
 /// What a board brings that is decided by the queen alone: her points, or 1

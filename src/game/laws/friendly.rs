@@ -7,8 +7,8 @@
 //! - The queen may be taken at any time and must be covered: an own coin in the
 //!   same stroke or the next. Otherwise she goes back to the centre.
 //! - First to clear their coins wins the game: a point for each coin the other
-//!   has left, and 3 for the queen if they covered her. Clear your coins with
-//!   the queen on the board and she is simply left.
+//!   has left, at least 1, and 3 for the queen if they covered her. Clear your
+//!   coins with the queen on the board and she is simply left.
 //! - A break that touches nothing passes the turn like any other miss.
 
 use crate::game::pieces::COINS_EACH;
@@ -29,44 +29,39 @@ pub(super) fn judge(case: &Case) -> Verdict {
 /// The end of the board, if a colour is cleared. A striker that falls along
 /// brings one own coin back, so with it the player cannot be the one who cleared.
 fn ending(case: &Case) -> Option<Verdict> {
-    let player_cleared = case.own_left() == 0 && !case.striker_fell;
-    if !player_cleared && case.other_left() > 0 {
+    let won = case.own_left() == 0 && !case.striker_fell;
+    if !won && case.other_left() > 0 {
         return None;
     }
-    let player = case.colour;
-    let winner = if player_cleared {
-        player
+    let (winner, left) = if won {
+        (case.colour, case.other_left())
     } else {
-        player.other()
+        (case.colour.other(), case.own_left())
     };
-    let left = if player_cleared {
-        case.other_left()
+    let covers = won && (case.queen == QueenBefore::ToCover || case.queen_fell);
+    let queen = if covers || case.queen == QueenBefore::Covered(winner) {
+        QUEEN_POINTS
     } else {
-        case.own_left().max(1)
+        0
     };
-    let has_queen = match case.queen {
-        QueenBefore::Covered(by) => by == winner,
-        QueenBefore::ToCover => player_cleared,
-        QueenBefore::OnBoard => player_cleared && case.queen_fell,
-    };
-    let by = left + if has_queen { QUEEN_POINTS } else { 0 };
+    // Both colours may be cleared at once; to win is worth a point even then.
+    let by = (left + queen).max(1);
     let text = format!(
         "All {} coins are down, so {winner} wins by {}.",
         winner.adjective(),
         points(by)
     );
-    let end = BoardEnd {
-        won: player_cleared,
-        points: by,
-    };
-    Some(Verdict::ends(None, text, end))
+    let verdict = Verdict::ends(None, text, BoardEnd { won, points: by });
+    Some(if covers {
+        verdict.queen(QueenFate::Covered)
+    } else {
+        verdict
+    })
 }
 
 fn striker_fell(case: &Case) -> Verdict {
     let player = case.colour;
     let verdict = Verdict {
-        // The coin comes from those in the pockets, so it can be owed for no
-        // longer than this stroke.
         own_back: u8::from(case.own_left() < COINS_EACH),
         ..Verdict::passes(
             None,

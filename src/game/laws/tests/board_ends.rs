@@ -3,7 +3,8 @@ use crate::game::laws::{BoardWon, Effect, Ruling};
 use crate::game::pieces::{Colour, Piece};
 use crate::game::seat::Team::{self, First as White, Second as Black};
 use crate::game::stroke::StrokeError;
-use crate::game::table::{GameError, Stage};
+use crate::game::table::Stage;
+use crate::game::validity::GameError;
 
 const QUEEN: Piece = Piece::Queen;
 const OWN: Piece = Piece::White;
@@ -28,6 +29,7 @@ fn law_25b_the_winners_queen_is_worth_three() {
 fn law_25b_the_queen_may_be_covered_by_the_last_coin_in_the_same_stroke_or_the_next() {
     let mut together = table(1, 4, Queen::OnBoard);
     expect_end(&together.pocket(&[OWN, QUEEN]), "25a", White, 7);
+    assert_eq!(together.0.play().queen_covered_by(), Some(White));
     let mut next = table(1, 4, Queen::ToCover);
     expect_end(&next.pocket(&[OWN]), "25a", White, 7);
 }
@@ -265,4 +267,23 @@ fn both_last_coins_with_the_queen_covered_win_as_in_law_75a() {
     let fallen = [OWN, OTHER];
     ends(|| table(1, 1, Queen::White), &fallen, "25a", White, 3, 1);
     ends(|| table(1, 1, Queen::Black), &fallen, "25a", White, 1, 1);
+}
+
+#[test]
+fn the_striker_with_both_last_coins_before_the_queen_is_covered_loses_as_in_78a_and_82a() {
+    let fallen = [OWN, OTHER, STRIKER];
+    ends(|| table(1, 1, Queen::OnBoard), &fallen, "78a", Black, 4, 2);
+    ends(|| table(1, 1, Queen::ToCover), &fallen, "82a", Black, 4, 2);
+}
+
+#[test]
+fn the_striker_with_the_opponents_last_coin_instead_of_a_cover_costs_a_point_more() {
+    let fallen = [OTHER, STRIKER];
+    ends(|| table(4, 1, Queen::ToCover), &fallen, "76a", Black, 8, 5);
+}
+
+#[test]
+fn law_79a_counts_the_queen_too_when_she_falls_with_the_opponents_last_coin() {
+    let fallen = [OTHER, QUEEN];
+    ends(|| table(4, 1, Queen::OnBoard), &fallen, "79a", Black, 7, 4);
 }

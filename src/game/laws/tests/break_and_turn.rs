@@ -3,7 +3,8 @@ use crate::game::laws::Effect;
 use crate::game::pieces::{Colour, Piece};
 use crate::game::seat::{Hands, Seat, Team};
 use crate::game::stroke::StrokeError;
-use crate::game::table::{Game, GameError, Setup, Stage};
+use crate::game::table::{Game, Setup, Stage};
+use crate::game::validity::GameError;
 
 fn unbroken() -> Table {
     Table(Game::new(Setup::default()))

@@ -4,7 +4,8 @@ use super::laying::{Queen, Table, expect, expect_end, lay};
 use crate::game::laws::{Effect, Rules};
 use crate::game::pieces::{Coin, Colour, Piece};
 use crate::game::seat::{Seat, Team};
-use crate::game::table::{Game, GameError, Setup, Stage};
+use crate::game::table::{Game, Setup, Stage};
+use crate::game::validity::GameError;
 use crate::physics::Board;
 
 use Piece::{Black, Striker, White};
@@ -74,6 +75,14 @@ fn friendly_first_to_clear_wins_the_game() {
         Team::First,
         7,
     );
+}
+
+#[test]
+fn friendly_clearing_both_colours_at_once_wins_by_a_point() {
+    let mut table = friendly(1, 1, Queen::OnBoard);
+    let rulings = table.pocket(&[White, Black]);
+    expect_end(&rulings, "house", Team::First, 1);
+    assert_eq!(table.0.stage(), Stage::GameOver(Team::First));
 }
 
 #[test]
