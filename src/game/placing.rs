@@ -15,8 +15,9 @@ use super::pieces::{
 use super::seat::Seat;
 use crate::physics::Board;
 
-/// Rounding allowed when a place is checked, in metres.
-const SLACK: f64 = 1e-9;
+/// Rounding allowed when a place is checked, in metres: as much as the engine
+/// allows discs to overlap.
+const SLACK: f64 = 1e-10;
 
 /// Why the striker may not stand where it was put.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]

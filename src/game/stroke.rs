@@ -1,10 +1,10 @@
 //! What the laws need to know of a stroke.
 
-use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::pieces::{Coin, Piece, count};
+use crate::physics::{EventKind, Shot, State};
 
 /// A stroke as the referee sees it: what was touched, what fell and what lies
 /// where afterwards. How it came about is the engine's business.
@@ -43,48 +43,56 @@ pub enum StrokeError {
     /// A coin is said to lie off the board.
     #[error("a coin cannot come to rest off the board")]
     OffTheBoard,
-    /// A disc number has no disc.
-    #[error("there is no disc {0} on this board")]
-    NoSuchDisc(usize),
+    /// The shot was not played with the discs of this board.
+    #[error("the shot has {found} discs, and this board {expected}")]
+    OtherDiscs {
+        /// The coins on the board and the striker.
+        expected: usize,
+        /// The discs of the shot.
+        found: usize,
+    },
     /// The board or the match has ended.
     #[error("this board has ended; start the next one")]
     Ended,
 }
 
 impl Stroke {
-    /// The stroke from the end of a shot in which disc 0 was the striker and
-    /// disc i + 1 was `coins[i]`.
-    ///
-    /// `pocketed` lists the discs that fell, in order; `ends` gives the final
-    /// centre of every disc in metres.
+    /// The stroke that `shot` was: its disc 0 the striker, its disc i + 1 the
+    /// coin `coins[i]`, as [`Game::discs`](super::Game::discs) lays them.
     ///
     /// # Errors
-    /// [`StrokeError::NoSuchDisc`] if a number or a position is missing.
-    pub fn from_discs(
-        coins: &[Coin],
-        touched: bool,
-        pocketed: &[usize],
-        ends: &[DVec2],
-    ) -> Result<Self, StrokeError> {
-        let piece = |disc: &usize| match disc.checked_sub(1) {
-            None => Ok(Piece::Striker),
-            Some(i) => coins
-                .get(i)
-                .map(|coin| coin.piece)
-                .ok_or(StrokeError::NoSuchDisc(*disc)),
-        };
-        let fallen = pocketed.iter().map(piece).collect::<Result<_, _>>()?;
-        let mut left = Vec::with_capacity(coins.len());
-        for (disc, coin) in (1..).zip(coins) {
-            if !pocketed.contains(&disc) {
-                let at = *ends.get(disc).ok_or(StrokeError::NoSuchDisc(disc))?;
-                left.push(Coin { at, ..*coin });
-            }
+    /// [`StrokeError::OtherDiscs`] if the shot has more or fewer discs.
+    pub fn from_shot(coins: &[Coin], shot: &Shot) -> Result<Self, StrokeError> {
+        if shot.discs().len() != coins.len() + 1 {
+            return Err(StrokeError::OtherDiscs {
+                expected: coins.len() + 1,
+                found: shot.discs().len(),
+            });
         }
+        let piece = |disc: usize| match disc.checked_sub(1) {
+            None => Some(Piece::Striker),
+            Some(i) => coins.get(i).map(|coin| coin.piece),
+        };
+        let pocketed = shot.events().iter().filter_map(|event| match event.kind {
+            EventKind::Pocket { disc, .. } => piece(disc),
+            _ => None,
+        });
+        let touched = shot
+            .events()
+            .iter()
+            .any(|event| matches!(event.kind, EventKind::Impact { .. }) && event.kind.involves(0));
+        let left = coins
+            .iter()
+            .zip(shot.final_states().skip(1))
+            .filter(|(_, end)| end.state != State::Pocketed)
+            .map(|(coin, end)| Coin {
+                at: end.position,
+                ..*coin
+            });
         Ok(Self {
             touched,
-            pocketed: fallen,
-            left,
+            pocketed: pocketed.collect(),
+            left: left.collect(),
         })
     }
 
@@ -130,28 +138,52 @@ mod tests {
     use super::super::pack::pack;
     use super::super::pieces::PieceSet;
     use super::super::seat::Seat;
+    use super::super::{Game, Rules, Setup};
     use super::*;
+    use crate::physics::{self, Board, Limits, Motion};
+    use glam::DVec2;
 
     const SIDE: f64 = 0.740;
 
     #[test]
-    fn discs_become_pieces_in_the_order_they_fell() {
-        let coins = pack(PieceSet::Tournament, Seat::South);
-        let ends = vec![DVec2::new(0.1, 0.1); 20];
-        let stroke = Stroke::from_discs(&coins, true, &[1, 0, 3], &ends).unwrap();
+    fn a_shot_becomes_what_fell_and_what_lies_where() {
+        let coin = |piece, x: f64, y: f64| Coin {
+            piece,
+            at: DVec2::new(x, y),
+        };
+        let mut game = Game::new(Setup {
+            rules: Rules::Practice,
+            ..Setup::default()
+        });
+        // The black coin stands before the right upper pocket, in line with it.
+        let coins = vec![
+            coin(Piece::Queen, -0.2, 0.0),
+            coin(Piece::Black, 0.25, 0.25),
+        ];
+        game.lay_out(coins.clone()).unwrap();
+        let play = |velocity| {
+            let (discs, motions) = game.discs(Motion {
+                position: DVec2::ZERO,
+                velocity,
+            });
+            let shot = physics::play(&Board::default(), &discs, &motions, Limits::default());
+            Stroke::from_shot(&coins, &shot.unwrap())
+        };
+        let hit = play(DVec2::splat(1.1)).unwrap();
+        assert!(hit.touched);
+        assert_eq!(hit.pocketed[0], Piece::Black);
+        assert_eq!(hit.left, coins[..1]);
+        assert_eq!(hit.check(&coins, SIDE), Ok(()));
+
+        let miss = play(DVec2::new(0.3, 0.0)).unwrap();
+        assert!(!miss.touched);
+        assert_eq!(miss.left, coins);
         assert_eq!(
-            stroke.pocketed,
-            [Piece::Queen, Piece::Striker, coins[2].piece]
-        );
-        assert_eq!(stroke.left.len(), 17);
-        assert_eq!(stroke.check(&coins, SIDE), Ok(()));
-        assert_eq!(
-            Stroke::from_discs(&coins, true, &[20], &ends),
-            Err(StrokeError::NoSuchDisc(20))
-        );
-        assert_eq!(
-            Stroke::from_discs(&coins, true, &[], &ends[..5]),
-            Err(StrokeError::NoSuchDisc(5))
+            Stroke::from_shot(&coins, &Shot::new()),
+            Err(StrokeError::OtherDiscs {
+                expected: 3,
+                found: 0
+            })
         );
     }
 

@@ -5,14 +5,14 @@ use serde::{Deserialize, Serialize};
 
 use super::laws::{self, BoardWon, Effect, Law, Rules, Ruling, Verdict};
 use super::pack::{jittered_pack, pack};
-use super::pieces::{Coin, Colour, PieceSet};
+use super::pieces::{Coin, Colour, Piece, PieceSet};
 use super::placing::{BaseLines, Misplaced, check_anywhere};
 use super::play::{Play, Terms};
 use super::score::Score;
 use super::seat::{Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
-use crate::physics::Board;
+use crate::physics::{Board, Disc, Motion};
 
 /// What is agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -149,6 +149,17 @@ impl Game {
             Rules::Practice => check_anywhere(board, self.setup.set, self.coins(), at),
             Rules::Tournament | Rules::Friendly => self.base_lines(board).check(at),
         }
+    }
+
+    /// The discs and motions of the next stroke, for the engine: the striker with
+    /// its motion first, then the coins at rest in their order.
+    pub fn discs(&self, striker: Motion) -> (Vec<Disc>, Vec<Motion>) {
+        let striker = (self.setup.set.disc(Piece::Striker), striker);
+        let coins = self
+            .coins()
+            .iter()
+            .map(|coin| (self.setup.set.disc(coin.piece), Motion::at_rest(coin.at)));
+        std::iter::once(striker).chain(coins).unzip()
     }
 
     /// Applies the rules to a stroke of the player whose turn it is, and returns

@@ -10,8 +10,9 @@ use super::seat::Team;
 use super::table::Game;
 use crate::physics::Board;
 
-/// Overlap that rounding may leave between coins at rest, in metres.
-const SLACK: f64 = 1e-6;
+/// Overlap that rounding may leave between coins at rest, in metres: as much as
+/// the engine allows.
+const SLACK: f64 = 1e-10;
 
 /// Why a game cannot be what it is said to be, or do what it is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]

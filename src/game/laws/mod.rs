@@ -20,7 +20,13 @@
 //! "by an improper stroke" (49, 50 and the second half of 71 to 85). The striker
 //! cannot be struck from an illegal place because it cannot be put there. One
 //! foul remains: taking longer than the stroke clock allows (23), if one runs.
-//! Where the Laws grant a point "if demanded", it is always demanded.
+//! Where the Laws grant a point "if demanded", it is always demanded, and a due
+//! is never forgone (53, 60). Sides are not changed (31 to 34): on a screen all are
+//! alike.
+//!
+//! Carrying a verdict out, from dues that wait (45b, 51) to the place where a piece
+//! is laid (62b, 66, 67) and the order of turns (22), is for `play`, `free_place`
+//! and `seat` next door.
 
 mod case;
 mod coins;

@@ -11,6 +11,7 @@ use crate::game::pieces::{Coin, Piece, count};
 use crate::game::seat::{Hands, Seat};
 use crate::game::stroke::Stroke;
 use crate::game::table::{Game, Setup, Stage};
+use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
 /// A stroke after which the coins lie anywhere, each fallen with some chance.
 fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
@@ -119,5 +120,48 @@ proptest! {
         let text = toml::to_string(&game).unwrap();
         let read: Game = toml::from_str(&text).unwrap();
         prop_assert_eq!(read, game);
+    }
+}
+
+/// The pieces of both rooms together: boards played with the engine by someone
+/// who strikes hard and at random, from a legal place.
+#[test]
+fn boards_played_on_the_engine_stay_valid_and_end() {
+    let board = Board::default();
+    let mut engine = Engine::new();
+    let mut shot = Shot::new();
+    for seed in 0..4_u64 {
+        let mut hand = Pcg64::seed_from_u64(seed);
+        let mut game = Game::new(Setup {
+            hands: if seed % 2 == 0 {
+                Hands::Two
+            } else {
+                Hands::Four
+            },
+            seed: Some(seed),
+            ..Setup::default()
+        });
+        for _ in 0..20_000 {
+            let lines = game.base_lines(&board);
+            let wanted = lines.at(hand.random_range(-0.2..0.2));
+            let rulings = if let Some(position) = lines.nearest(wanted) {
+                let way = DVec2::from_angle(hand.random_range(0.0..std::f64::consts::PI));
+                let velocity = game.seat().turn(way) * hand.random_range(1.0..5.0);
+                let (discs, motions) = game.discs(Motion { position, velocity });
+                engine
+                    .play_into(&mut shot, &board, &discs, &motions, Limits::default())
+                    .unwrap();
+                let stroke = Stroke::from_shot(game.coins(), &shot).unwrap();
+                game.apply(&stroke).unwrap()
+            } else {
+                game.no_place().unwrap()
+            };
+            assert!(!rulings.is_empty());
+            assert_eq!(game.check(), Ok(()));
+            if game.play().won().is_some() {
+                break;
+            }
+        }
+        assert!(game.play().won().is_some(), "seed {seed}");
     }
 }
