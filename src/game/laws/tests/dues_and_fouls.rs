@@ -22,6 +22,15 @@ fn law_37_a_foul_later_in_the_turn_costs_a_coin_and_the_turn() {
 }
 
 #[test]
+fn law_36_and_37_a_stroke_makes_the_difference_and_each_turn_begins_anew() {
+    let mut table = table(5, 5, Queen::OnBoard);
+    table.0.play.struck = false;
+    table.pocket(&[White]);
+    assert_eq!(cited(&table.0.foul().unwrap()), ["37a"]);
+    assert_eq!(cited(&table.0.foul().unwrap()), ["36a"]);
+}
+
+#[test]
 fn law_37_the_turn_lost_with_the_queen_uncovered_brings_her_back() {
     let mut table = table(5, 5, Queen::ToCover);
     let rulings = table.0.foul().unwrap();

@@ -66,6 +66,14 @@ fn law_68b_with_the_striker_another_due_is_added() {
 }
 
 #[test]
+fn law_68b_own_coins_that_fell_with_queen_and_striker_come_back_and_pay_nothing() {
+    let mut table = table(9, 9, Queen::OnBoard).white_owes(1);
+    let rulings = table.pocket(&[QUEEN, White, Striker]);
+    expect(&table, &rulings, "68b", &[QUEEN, White], false);
+    assert_eq!(table.0.play().owed(Team::First), 2);
+}
+
+#[test]
 fn law_68c_all_nine_back_after_a_due_was_paid_still_gives_the_right_to_the_queen() {
     let mut table = table(9, 9, Queen::OnBoard).white_has_pocketed_before();
     let rulings = table.pocket(&[QUEEN]);
