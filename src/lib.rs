@@ -21,6 +21,7 @@
 //!   messages/      what goes into the app and what comes out: keys, mouse, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions
+//!   game/          carrom itself: pieces, the pack, placing, the laws, the score
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
 //!   ─────────────────────────────────────────────────────────────
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-
@@ -29,6 +30,7 @@
 //! ```
 
 pub mod app;
+pub mod game;
 pub mod messages;
 pub mod physics;
 pub mod quiz;

@@ -1,0 +1,192 @@
+//! Where a coin that is put back comes to lie.
+//!
+//! The place is the free one nearest to where it is wanted, found exactly: it is
+//! either the wanted place itself, or touches one circle that bars the way at
+//! the point nearest to it, or lies where two such circles cross.
+
+use glam::DVec2;
+
+use super::pieces::{CENTRE_CIRCLE_RADIUS, Coin, GAP, OUTER_CIRCLE_RADIUS, PieceSet};
+use super::seat::Seat;
+
+/// Rounding allowed when a place is checked, in metres: far less than the gap
+/// that is left between coins.
+const SLACK: f64 = 1e-9;
+
+/// A circle that a centre may touch but not cross.
+struct Circle {
+    centre: DVec2,
+    radius: f64,
+}
+
+/// The place for a coin that the player at `seat` gives back: inside the outer
+/// circle, off the centre circle (62b), as far from that player as can be, as an
+/// opponent would put it.
+///
+/// Should the outer circle be full, the coin goes to the free place nearest to
+/// that one instead of waiting for room (52a).
+pub fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
+    let radius = set.coin_radius();
+    let rim = OUTER_CIRCLE_RADIUS - radius;
+    let wanted = seat.turn(DVec2::new(0.0, rim));
+    let hole = CENTRE_CIRCLE_RADIUS + radius;
+    nearest(set, coins, wanted, hole, rim)
+        .or_else(|| nearest(set, coins, wanted, hole, f64::INFINITY))
+        .unwrap_or(wanted)
+}
+
+/// The place for the queen when she goes back: the centre (66), or the free
+/// place nearest to it (67).
+pub fn for_the_queen(set: PieceSet, coins: &[Coin]) -> DVec2 {
+    nearest(set, coins, DVec2::ZERO, 0.0, f64::INFINITY).unwrap_or(DVec2::ZERO)
+}
+
+/// The free place nearest to `wanted` at a distance between `hole` and `rim`
+/// from the centre of the board; `None` if there is none.
+fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) -> Option<DVec2> {
+    let spacing = 2.0 * set.coin_radius() + GAP;
+    let mut circles: Vec<Circle> = coins
+        .iter()
+        .map(|coin| Circle {
+            centre: coin.at,
+            radius: spacing,
+        })
+        .collect();
+    circles.extend(
+        [hole, rim]
+            .into_iter()
+            .filter(|radius| *radius > 0.0 && radius.is_finite())
+            .map(|radius| Circle {
+                centre: DVec2::ZERO,
+                radius,
+            }),
+    );
+
+    let free = |at: &DVec2| {
+        (hole - SLACK..=rim + SLACK).contains(&at.length())
+            && coins
+                .iter()
+                .all(|coin| coin.at.distance(*at) >= spacing - SLACK)
+    };
+    let mut places = vec![wanted];
+    for (i, circle) in circles.iter().enumerate() {
+        places.push(closest_on(circle, wanted));
+        for other in circles.iter().skip(i + 1) {
+            places.extend(crossings(circle, other).into_iter().flatten());
+        }
+    }
+    places.into_iter().filter(free).min_by(|a, b| {
+        a.distance_squared(wanted)
+            .total_cmp(&b.distance_squared(wanted))
+    })
+}
+
+/// The point of a circle nearest to `to`; straight up from the centre where
+/// every point is as near.
+fn closest_on(circle: &Circle, to: DVec2) -> DVec2 {
+    let way = (to - circle.centre).try_normalize().unwrap_or(DVec2::Y);
+    circle.centre + way * circle.radius
+}
+
+/// The two points in which two circles cross, if they do.
+fn crossings(a: &Circle, b: &Circle) -> Option<[DVec2; 2]> {
+    let between = b.centre - a.centre;
+    let distance_squared = between.length_squared();
+    if distance_squared <= 0.0 {
+        return None;
+    }
+    // The chord through the crossings meets the line of centres at this share.
+    let share = 0.5 * (1.0 + (a.radius * a.radius - b.radius * b.radius) / distance_squared);
+    let half_chord_squared = a.radius * a.radius / distance_squared - share * share;
+    if half_chord_squared < 0.0 {
+        return None;
+    }
+    let foot = a.centre + between * share;
+    let half_chord = between.perp() * half_chord_squared.sqrt();
+    Some([foot + half_chord, foot - half_chord])
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::pack::pack;
+    use super::super::pieces::Piece;
+    use super::*;
+
+    const SET: PieceSet = PieceSet::Tournament;
+
+    fn coin(x_mm: f64, y_mm: f64) -> Coin {
+        Coin {
+            piece: Piece::White,
+            at: DVec2::new(x_mm, y_mm) / 1000.0,
+        }
+    }
+
+    fn least_distance(coins: &[Coin], at: DVec2) -> f64 {
+        coins
+            .iter()
+            .map(|coin| coin.at.distance(at))
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn law_66_the_queen_goes_to_the_centre_when_it_is_free() {
+        assert_eq!(for_the_queen(SET, &[]), DVec2::ZERO);
+        assert_eq!(for_the_queen(SET, &[coin(32.0, 0.0)]), DVec2::ZERO);
+    }
+
+    #[test]
+    fn law_67_the_queen_goes_as_near_the_centre_as_the_coins_allow() {
+        let coins = [coin(10.0, 0.0)];
+        let at = for_the_queen(SET, &coins);
+        let spacing = 2.0 * SET.coin_radius() + GAP;
+        assert!(at.distance(DVec2::new(0.010 - spacing, 0.0)) < 1e-12);
+
+        let pair = [coin(10.0, 0.0), coin(-25.0, 0.0)];
+        let at = for_the_queen(SET, &pair);
+        for coin in &pair {
+            assert!((coin.at.distance(at) - spacing).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_due_lies_at_the_far_rim_of_the_outer_circle() {
+        let rim = OUTER_CIRCLE_RADIUS - SET.coin_radius();
+        assert_eq!(for_a_due(SET, &[], Seat::South), DVec2::new(0.0, rim));
+        assert_eq!(for_a_due(SET, &[], Seat::East), DVec2::new(-rim, 0.0));
+    }
+
+    #[test]
+    fn law_52a_a_full_outer_circle_sends_the_coin_to_the_nearest_place_outside() {
+        let coins = pack(SET, Seat::South);
+        let at = for_a_due(SET, &coins, Seat::South);
+        let spacing = 2.0 * SET.coin_radius() + GAP;
+        assert!((least_distance(&coins, at) - spacing).abs() < 2.0 * SLACK);
+        assert!(at.length() < OUTER_CIRCLE_RADIUS + 2.0 * SET.coin_radius());
+    }
+
+    proptest! {
+        #[test]
+        fn a_place_is_free_and_none_on_a_fine_grid_is_nearer(
+            spots in prop::collection::vec((-110.0..110.0_f64, -110.0..110.0_f64), 0..18)
+        ) {
+            let coins: Vec<Coin> = spots.iter().map(|(x, y)| coin(*x, *y)).collect();
+            let spacing = 2.0 * SET.coin_radius() + GAP;
+            let at = for_the_queen(SET, &coins);
+            prop_assert!(least_distance(&coins, at) >= spacing - SLACK);
+            let reach = (at.length() - 1e-6).max(0.0);
+            // A sunflower of points over all that is nearer to the centre.
+            for step in 1..2000_i32 {
+                let turn = f64::from(step) * 2.399_963;
+                let out = reach * (f64::from(step) / 2000.0).sqrt();
+                let grid = DVec2::from_angle(turn) * out;
+                prop_assert!(reach == 0.0 || least_distance(&coins, grid) < spacing);
+            }
+
+            let due = for_a_due(SET, &coins, Seat::West);
+            prop_assert!(least_distance(&coins, due) >= spacing - SLACK);
+            prop_assert!(due.length() >= CENTRE_CIRCLE_RADIUS + SET.coin_radius() - SLACK);
+        }
+    }
+}

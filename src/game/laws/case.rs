@@ -1,0 +1,209 @@
+//! All that the rules look at, and what they can decide.
+
+use serde::{Deserialize, Serialize};
+
+use super::Law;
+use crate::game::pieces::{COINS_EACH, Colour};
+
+/// Points for the queen, to a winner whose score allows it (25b).
+pub(super) const QUEEN_POINTS: u8 = 3;
+/// From this score on the queen brings nothing (27).
+pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
+
+/// The queen just before a stroke.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum QueenBefore {
+    /// On the board.
+    OnBoard,
+    /// Pocketed by the player's last stroke, and to be covered by this one.
+    ToCover,
+    /// Pocketed and covered by this colour.
+    Covered(Colour),
+}
+
+/// A stroke in numbers: what lay on the board before it, what fell, and what
+/// the score and the debts were.
+///
+/// "Own" is the colour of the player who struck.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Case {
+    /// The colour of the player who struck.
+    pub colour: Colour,
+    /// Own coins on the board before the stroke.
+    pub own_before: u8,
+    /// Own coins that fell.
+    pub own_fell: u8,
+    /// The opponent's coins on the board before the stroke.
+    pub other_before: u8,
+    /// The opponent's coins that fell.
+    pub other_fell: u8,
+    /// The queen before the stroke.
+    pub queen: QueenBefore,
+    /// Whether the queen fell.
+    pub queen_fell: bool,
+    /// Whether the striker fell.
+    pub striker_fell: bool,
+    /// Whether the striker touched any piece.
+    pub touched: bool,
+    /// While the pack is unbroken: how many strokes this player has already
+    /// spent on it. `None` once the break is made.
+    pub break_tries: Option<u8>,
+    /// Whether the player owes a coin.
+    pub owes: bool,
+    /// Whether a coin of the player's colour had been pocketed in this board
+    /// before this stroke, which gives the right to the queen (65).
+    pub may_take_queen: bool,
+    /// The player's score in the game before this board.
+    pub own_score: u8,
+    /// The opponent's score in the game before this board.
+    pub other_score: u8,
+}
+
+impl Case {
+    /// Own coins left on the board.
+    pub(super) const fn own_left(&self) -> u8 {
+        self.own_before.saturating_sub(self.own_fell)
+    }
+
+    /// The opponent's coins left on the board.
+    pub(super) const fn other_left(&self) -> u8 {
+        self.other_before.saturating_sub(self.other_fell)
+    }
+
+    /// Whether all nine own coins lay on the board before the stroke.
+    pub(super) const fn all_own_on_board(&self) -> bool {
+        self.own_before == COINS_EACH
+    }
+
+    /// What the queen is worth to the player, should the board be won (25b, 27).
+    pub(super) const fn queen_for_own(&self) -> u8 {
+        queen_worth(self.own_score)
+    }
+
+    /// What the queen is worth to the opponent (25b, 27).
+    pub(super) const fn queen_for_other(&self) -> u8 {
+        queen_worth(self.other_score)
+    }
+}
+
+const fn queen_worth(score: u8) -> u8 {
+    if score < QUEEN_WORTHLESS_FROM {
+        QUEEN_POINTS
+    } else {
+        0
+    }
+}
+
+/// What becomes of the queen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum QueenFate {
+    /// As the stroke left her: on the board, covered, or just pocketed and to
+    /// be covered next.
+    Stays,
+    /// She goes back to the centre.
+    GoesBack,
+    /// She is covered by the player.
+    Covered,
+}
+
+/// Who strikes next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TurnFate {
+    /// The same player.
+    Continues,
+    /// The next.
+    Passes,
+}
+
+/// The end of a board, seen from the player who struck.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BoardEnd {
+    /// Whether that player won it.
+    pub won: bool,
+    /// Points to the winner.
+    pub points: u8,
+}
+
+/// What the rules decide.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verdict {
+    /// The law that decides; `None` for a rule of the house.
+    pub law: Option<Law>,
+    /// What happened and what it means, in one sentence.
+    pub text: String,
+    /// Own coins that are put back at once.
+    pub own_back: u8,
+    /// Dues: further own coins to put back, now or as soon as there are any.
+    pub dues: u8,
+    /// What becomes of the queen.
+    pub queen: QueenFate,
+    /// Who strikes next, if the board goes on.
+    pub turn: TurnFate,
+    /// The end of the board, if this is it.
+    pub end: Option<BoardEnd>,
+}
+
+impl Verdict {
+    fn new(law: Option<Law>, text: String, turn: TurnFate) -> Self {
+        Self {
+            law,
+            text,
+            own_back: 0,
+            dues: 0,
+            queen: QueenFate::Stays,
+            turn,
+            end: None,
+        }
+    }
+
+    /// The player strikes again.
+    pub(super) fn continues(law: impl Into<Option<Law>>, text: String) -> Self {
+        Self::new(law.into(), text, TurnFate::Continues)
+    }
+
+    /// The turn passes.
+    pub(super) fn passes(law: impl Into<Option<Law>>, text: String) -> Self {
+        Self::new(law.into(), text, TurnFate::Passes)
+    }
+
+    /// The board is over.
+    pub(super) fn ends(law: impl Into<Option<Law>>, text: String, end: BoardEnd) -> Self {
+        Self {
+            end: Some(end),
+            ..Self::new(law.into(), text, TurnFate::Passes)
+        }
+    }
+
+    /// That many own coins are put back at once.
+    pub(super) fn own_back(self, own_back: u8) -> Self {
+        Self { own_back, ..self }
+    }
+
+    /// One coin is due.
+    pub(super) fn one_due(self) -> Self {
+        Self { dues: 1, ..self }
+    }
+
+    /// What becomes of the queen.
+    pub(super) fn queen(self, queen: QueenFate) -> Self {
+        Self { queen, ..self }
+    }
+}
+
+/// A number of coins in words: "one white coin", "2 black coins".
+pub(super) fn coins(number: u8, colour: Colour) -> String {
+    let adjective = colour.adjective();
+    match number {
+        1 => format!("one {adjective} coin"),
+        _ => format!("{number} {adjective} coins"),
+    }
+}
+
+/// A number of points in words.
+pub(super) fn points(number: u8) -> String {
+    match number {
+        1 => "1 point".to_owned(),
+        _ => format!("{number} points"),
+    }
+}

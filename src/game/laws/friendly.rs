@@ -1,0 +1,112 @@
+//! The simple rules of most families.
+//!
+//! - Pocket one of your coins, or the queen, and you play on.
+//! - An opponent's coin stays down and helps the opponent.
+//! - Pocket the striker and one of your coins goes back, if you have one to
+//!   give; the turn passes. Nothing stays owed.
+//! - The queen may be taken at any time and must be covered: an own coin in the
+//!   same stroke or the next. Otherwise she goes back to the centre.
+//! - First to clear their coins wins the game: a point for each coin the other
+//!   has left, at least 1, and 3 for the queen if they covered her. Clear your
+//!   coins with the queen on the board and she is simply left.
+//! - A break that touches nothing passes the turn like any other miss.
+
+use crate::game::pieces::COINS_EACH;
+
+use super::case::{BoardEnd, Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, points};
+
+/// The verdict on a stroke in the friendly game.
+pub(super) fn judge(case: &Case) -> Verdict {
+    ending(case).unwrap_or_else(|| {
+        if case.striker_fell {
+            striker_fell(case)
+        } else {
+            proper(case)
+        }
+    })
+}
+
+/// The end of the board, if a colour is cleared. A striker that falls along
+/// brings one own coin back, so with it the player cannot be the one who cleared.
+fn ending(case: &Case) -> Option<Verdict> {
+    let won = case.own_left() == 0 && !case.striker_fell;
+    if !won && case.other_left() > 0 {
+        return None;
+    }
+    let (winner, left) = if won {
+        (case.colour, case.other_left())
+    } else {
+        (case.colour.other(), case.own_left())
+    };
+    let covers = won && (case.queen == QueenBefore::ToCover || case.queen_fell);
+    let queen = if covers || case.queen == QueenBefore::Covered(winner) {
+        QUEEN_POINTS
+    } else {
+        0
+    };
+    // Both colours may be cleared at once; to win is worth a point even then.
+    let by = (left + queen).max(1);
+    let text = format!(
+        "All {} coins are down, so {winner} wins by {}.",
+        winner.adjective(),
+        points(by)
+    );
+    let verdict = Verdict::ends(None, text, BoardEnd { won, points: by });
+    Some(if covers {
+        verdict.queen(QueenFate::Covered)
+    } else {
+        verdict
+    })
+}
+
+fn striker_fell(case: &Case) -> Verdict {
+    let player = case.colour;
+    let verdict = Verdict {
+        own_back: u8::from(case.own_left() < COINS_EACH),
+        ..Verdict::passes(
+            None,
+            format!(
+                "The striker fell, so one of {player}'s coins goes back, if there is one, and the turn passes."
+            ),
+        )
+    };
+    if case.queen_fell || case.queen == QueenBefore::ToCover {
+        verdict.queen(QueenFate::GoesBack)
+    } else {
+        verdict
+    }
+}
+
+fn proper(case: &Case) -> Verdict {
+    let player = case.colour;
+    let own = coins(case.own_fell, player);
+    let queen_open = case.queen_fell || case.queen == QueenBefore::ToCover;
+    match (case.own_fell, queen_open) {
+        (0, true) if case.queen_fell => Verdict::continues(
+            None,
+            format!(
+                "{player} pocketed the queen and must cover her with an own coin in the next stroke."
+            ),
+        ),
+        (0, true) => Verdict::passes(
+            None,
+            format!(
+                "No coin of {player} fell to cover the queen, so she goes back and the turn passes."
+            ),
+        )
+        .queen(QueenFate::GoesBack),
+        (0, false) => Verdict::passes(
+            None,
+            format!("{player} pocketed no own coin, so the turn passes."),
+        ),
+        (_, true) => Verdict::continues(
+            None,
+            format!("{player} pocketed {own}: the queen is covered and the turn continues."),
+        )
+        .queen(QueenFate::Covered),
+        (_, false) => Verdict::continues(
+            None,
+            format!("{player} pocketed {own}, so the turn continues."),
+        ),
+    }
+}

@@ -1,0 +1,73 @@
+//! The referee: what the rules say of a stroke.
+//!
+//! A [`Case`] is all that the rules look at, in numbers of coins; a [`Verdict`]
+//! is what follows from it. Neither knows where anything lies. Each file holds
+//! one chapter of the Laws of Carrom of the International Carrom Federation:
+//!
+//! | file | laws |
+//! |---|---|
+//! | `opening` | 17, 18: when the break counts |
+//! | `ending` | 25 to 28, 75 to 85: last coins, who wins the board and by how much |
+//! | `queen` | 65 to 74: the queen and her cover |
+//! | `coins` | 21, 45 to 48: own coins, the opponent's, the striker |
+//! | `fouls` | 36, 37 |
+//! | `friendly` | the rules of most families |
+//! | `practice` | no rules at all |
+//!
+//! What cannot happen on a screen is left out: pushing, touching coins, the
+//! hand beyond the arrows, jumping coins (38, 39), coins on edge or on top of
+//! each other (40 to 43), playing out of turn (24), and so every law that begins
+//! "by an improper stroke" (49, 50 and the second half of 71 to 85). The striker
+//! cannot be struck from an illegal place because it cannot be put there. One
+//! foul remains: taking longer than the stroke clock allows (23), if one runs.
+//! Where the Laws grant a point "if demanded", it is always demanded, and a due
+//! is never forgone (53, 60). Sides are not changed (31 to 34): on a screen all are
+//! alike.
+//!
+//! Carrying a verdict out, from dues that wait (45b, 51) to the place where a piece
+//! is laid (62b, 66, 67) and the order of turns (22), is for `play`, `free_place`
+//! and `seat` next door.
+
+mod case;
+mod coins;
+mod ending;
+mod fouls;
+mod friendly;
+mod opening;
+mod practice;
+mod queen;
+mod ruling;
+#[cfg(test)]
+mod tests;
+
+pub use case::{BoardEnd, Case, QueenBefore, QueenFate, TurnFate, Verdict};
+pub use ending::MOST_POINTS;
+pub use fouls::{foul, no_place};
+pub use ruling::{BoardWon, Effect, Law, Ruling};
+
+use serde::{Deserialize, Serialize};
+
+/// Which rules are played.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Rules {
+    /// The Laws of Carrom, in singles or doubles, as a match of three games.
+    #[default]
+    Tournament,
+    /// The simple rules of most families: first to clear wins the game.
+    Friendly,
+    /// No turns, no dues: place the striker anywhere and try again.
+    Practice,
+}
+
+/// What the rules say of a stroke.
+pub fn judge(rules: Rules, case: &Case) -> Verdict {
+    match rules {
+        Rules::Tournament => opening::judge(case)
+            .or_else(|| ending::judge(case))
+            .or_else(|| queen::judge(case))
+            .unwrap_or_else(|| coins::judge(case)),
+        Rules::Friendly => friendly::judge(case),
+        Rules::Practice => practice::judge(case),
+    }
+}

@@ -1,0 +1,97 @@
+//! What the referee announces.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::game::pieces::{Coin, Colour};
+use crate::game::seat::{Seat, Team};
+
+/// The number of a law, as in "70b".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Law {
+    /// Number of the law.
+    pub number: u8,
+    /// Its clause, if it has several.
+    pub clause: Option<char>,
+}
+
+impl Law {
+    pub(super) const fn new(number: u8) -> Self {
+        Self {
+            number,
+            clause: None,
+        }
+    }
+
+    pub(super) const fn clause(number: u8, clause: char) -> Self {
+        Self {
+            number,
+            clause: Some(clause),
+        }
+    }
+
+    /// A due waits until a coin is there to pay it.
+    pub(in crate::game) const DUE_WAITS: Self = Self::clause(45, 'b');
+    /// A due is paid as soon as a coin is there.
+    pub(in crate::game) const DUE_IS_PAID: Self = Self::clause(51, 'a');
+    /// A game is 25 points or eight boards.
+    pub(in crate::game) const GAME: Self = Self::clause(29, 'a');
+    /// An extra board decides a tie.
+    pub(in crate::game) const EXTRA_BOARD: Self = Self::clause(29, 'b');
+    /// A match is the best of three games.
+    pub(in crate::game) const MATCH: Self = Self::new(30);
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.number)?;
+        self.clause.map_or(Ok(()), |clause| write!(f, "{clause}"))
+    }
+}
+
+/// One decision of the referee: under which law, why, and what follows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Ruling {
+    /// The law; `None` for a rule of the friendly or practice game.
+    pub law: Option<Law>,
+    /// What happened and why it counts so, in one plain sentence.
+    pub text: String,
+    /// What was done on the board and in the score, in that order.
+    pub effects: Vec<Effect>,
+}
+
+/// Something that a ruling changes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Effect {
+    /// A coin or the queen was put back here.
+    PutBack(Coin),
+    /// That many coins are still owed, for want of a pocketed one.
+    StillOwed(Colour, u8),
+    /// The queen is covered and belongs to this colour.
+    QueenCovered(Colour),
+    /// The queen must be covered by the next stroke.
+    MustCover,
+    /// The same player strikes again.
+    TurnContinues(Seat),
+    /// This player strikes next.
+    TurnPasses(Seat),
+    /// The board has ended.
+    BoardWon(BoardWon),
+    /// The game has ended.
+    GameWon(Team),
+    /// The game is tied after its last board; one more decides.
+    ExtraBoard,
+    /// The match has ended.
+    MatchWon(Team),
+}
+
+/// How a board ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BoardWon {
+    /// Who won it.
+    pub winner: Team,
+    /// The points it brings, at most 12 (28).
+    pub points: u8,
+}

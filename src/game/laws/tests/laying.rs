@@ -1,0 +1,171 @@
+//! A table laid for one law, and a stroke on it.
+
+use glam::DVec2;
+
+use crate::game::laws::{BoardWon, Effect, MOST_POINTS, Rules, Ruling};
+use crate::game::pieces::{Coin, Colour, Piece};
+use crate::game::seat::{Hands, Seat, Team};
+use crate::game::stroke::Stroke;
+use crate::game::table::{Game, Setup};
+
+/// Where the queen is when a test begins.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Queen {
+    OnBoard,
+    ToCover,
+    White,
+    Black,
+}
+
+/// A table at which South has white and the turn.
+pub(super) struct Table(pub(super) Game);
+
+/// Lays a board of singles in play: the break is made, so many coins are left
+/// (and the others in the pockets), South has the turn and white.
+pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
+    lay(Rules::Tournament, white, black, queen)
+}
+
+/// The same under other rules.
+pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
+    let mut game = Game::new(Setup {
+        rules,
+        hands: Hands::Two,
+        ..Setup::default()
+    });
+    let play = &mut game.play;
+    play.break_tries = None;
+    play.struck = true;
+    let mut left = [
+        (Piece::White, white),
+        (Piece::Black, black),
+        (Piece::Queen, u8::from(queen == Queen::OnBoard)),
+    ];
+    play.coins.retain(|coin| {
+        left.iter_mut()
+            .find(|(piece, more)| *piece == coin.piece && *more > 0)
+            .map(|(_, more)| *more -= 1)
+            .is_some()
+    });
+    spread(&mut play.coins);
+    play.pocketed_before[Team::First] = white < 9;
+    play.pocketed_before[Team::Second] = black < 9;
+    play.queen_covered_by = match queen {
+        Queen::White => Some(Team::First),
+        Queen::Black => Some(Team::Second),
+        Queen::OnBoard | Queen::ToCover => None,
+    };
+    assert_eq!(game.check(), Ok(()));
+    Table(game)
+}
+
+/// Moves coins out of the outer circle, two rows of them.
+pub(super) fn spread(coins: &mut [Coin]) {
+    for (i, coin) in (0_i32..).zip(coins) {
+        let (column, row) = (f64::from(i % 10), f64::from(i / 10));
+        coin.at = DVec2::new(0.05 * column - 0.225, 0.15 + 0.05 * row);
+    }
+}
+
+impl Table {
+    /// South and North come to this board with these points.
+    pub(super) fn score(mut self, south: u8, north: u8) -> Self {
+        // Four boards, so that the break is South's again.
+        for (winner, points) in [(Team::First, south), (Team::Second, north)] {
+            let most = points.min(MOST_POINTS);
+            for points in [most, points - most] {
+                self.0.finished.push(BoardWon { winner, points });
+            }
+        }
+        self
+    }
+
+    /// White owes so many coins.
+    pub(super) fn white_owes(mut self, dues: u8) -> Self {
+        self.0.play.owed[Team::First] = dues;
+        self
+    }
+
+    /// All white coins are back on the board after some were pocketed.
+    pub(super) fn white_has_pocketed_before(mut self) -> Self {
+        self.0.play.pocketed_before[Team::First] = true;
+        self
+    }
+
+    /// A stroke that touches something and pockets `fallen`.
+    pub(super) fn pocket(&mut self, fallen: &[Piece]) -> Vec<Ruling> {
+        self.strike(true, fallen)
+    }
+
+    pub(super) fn strike(&mut self, touched: bool, fallen: &[Piece]) -> Vec<Ruling> {
+        let stroke = stroke(self.0.coins(), touched, fallen);
+        let rulings = self.0.apply(&stroke).unwrap();
+        assert_eq!(self.0.check(), Ok(()));
+        rulings
+    }
+
+    pub(super) fn on_board(&self, colour: Colour) -> u8 {
+        self.0.play().on_board(colour)
+    }
+
+    pub(super) fn turn_continues(&self) -> bool {
+        self.0.seat() == Seat::South
+    }
+}
+
+/// A stroke after which `fallen` are gone and the rest lie as before.
+pub(super) fn stroke(coins: &[Coin], touched: bool, fallen: &[Piece]) -> Stroke {
+    let mut left = coins.to_vec();
+    for piece in fallen.iter().filter(|piece| **piece != Piece::Striker) {
+        let i = left.iter().position(|coin| coin.piece == *piece).unwrap();
+        left.remove(i);
+    }
+    Stroke {
+        touched,
+        pocketed: fallen.to_vec(),
+        left,
+    }
+}
+
+/// The numbers of the laws that were announced.
+pub(super) fn cited(rulings: &[Ruling]) -> Vec<String> {
+    rulings
+        .iter()
+        .map(|ruling| ruling.law.map_or("house".to_owned(), |law| law.to_string()))
+        .collect()
+}
+
+/// The pieces that were put back.
+pub(super) fn put_back(rulings: &[Ruling]) -> Vec<Piece> {
+    rulings
+        .iter()
+        .flat_map(|ruling| &ruling.effects)
+        .filter_map(|effect| match effect {
+            Effect::PutBack(coin) => Some(coin.piece),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Asserts the law that decided, what came back and who strikes next.
+#[track_caller]
+pub(super) fn expect(
+    table: &Table,
+    rulings: &[Ruling],
+    law: &str,
+    back: &[Piece],
+    turn_continues: bool,
+) {
+    assert_eq!(cited(rulings)[0], law, "{}", rulings[0].text);
+    assert_eq!(put_back(rulings), back);
+    assert_eq!(table.turn_continues(), turn_continues);
+    assert_eq!(table.0.play().won(), None);
+}
+
+/// Asserts the law that decided the board, who won it and by how much.
+#[track_caller]
+pub(super) fn expect_end(rulings: &[Ruling], law: &str, winner: Team, points: u8) {
+    assert_eq!(cited(rulings)[0], law, "{}", rulings[0].text);
+    let won = BoardWon { winner, points };
+    assert_eq!(rulings[0].effects.last(), Some(&Effect::BoardWon(won)));
+}

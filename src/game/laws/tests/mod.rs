@@ -1,0 +1,10 @@
+//! The laws, one by one: each test is named after the law it holds the referee
+//! to, and plays a stroke at a table laid for it.
+
+mod board_ends;
+mod break_and_turn;
+mod dues_and_fouls;
+mod house_rules;
+mod laying;
+mod queen_and_cover;
+mod whole_games;

@@ -1,0 +1,167 @@
+//! Whole games of random strokes: whatever falls, the game stays a game.
+
+use glam::DVec2;
+use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use super::laying::put_back;
+use crate::game::laws::{MOST_POINTS, Rules, Ruling};
+use crate::game::pieces::{Coin, Piece, count};
+use crate::game::seat::{Hands, Seat};
+use crate::game::stroke::Stroke;
+use crate::game::table::{Game, Setup, Stage};
+use crate::physics::{Board, Engine, Limits, Motion, Shot};
+
+/// A stroke after which the coins lie anywhere, each fallen with some chance.
+fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
+    let touched = hand.random_bool(0.9);
+    let mut spots: Vec<DVec2> = (0..256_i32)
+        .map(|i| DVec2::new(f64::from(i % 16), f64::from(i / 16)) * 0.04 - 0.3)
+        .collect();
+    let mut pocketed = Vec::new();
+    let mut left: Vec<Coin> = Vec::new();
+    for coin in game.coins() {
+        if touched && hand.random_bool(luck) {
+            pocketed.push(coin.piece);
+        } else if touched {
+            let at = spots.swap_remove(hand.random_range(0..spots.len()));
+            left.push(Coin { at, ..*coin });
+        } else {
+            left.push(*coin);
+        }
+    }
+    if hand.random_bool(0.15) {
+        pocketed.push(Piece::Striker);
+    }
+    Stroke {
+        touched,
+        pocketed,
+        left,
+    }
+}
+
+/// Plays until match, friendly game or practice board is over, checking the game after
+/// every stroke.
+fn play_out(setup: Setup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
+    let mut hand = Pcg64::seed_from_u64(seed);
+    let mut game = Game::new(setup);
+    let mut announced = Vec::new();
+    for _ in 0..100_000 {
+        let before = game.clone();
+        let stroke = random_stroke(&game, luck, &mut hand);
+        let rulings = if hand.random_bool(0.02) {
+            game.foul().unwrap()
+        } else {
+            let rulings = game.apply(&stroke).unwrap();
+            let back = put_back(&rulings);
+            for piece in [Piece::White, Piece::Black, Piece::Queen] {
+                let returned = back.iter().filter(|p| **p == piece).count();
+                assert_eq!(
+                    usize::from(count(game.coins(), piece) + stroke.fallen(piece)),
+                    usize::from(count(before.coins(), piece)) + returned
+                );
+            }
+            rulings
+        };
+        assert_eq!(game.check(), Ok(()));
+        assert!(!rulings.is_empty() && rulings.iter().all(|r| r.text.ends_with('.')));
+        assert_eq!(
+            rulings.iter().all(|r| r.law.is_none()),
+            setup.rules != Rules::Tournament
+        );
+        announced.extend(rulings);
+        if let Some(won) = game.play().won() {
+            assert!(won.points <= MOST_POINTS);
+            match game.stage() {
+                Stage::BoardOver(_) if setup.rules == Rules::Tournament => {
+                    game.next_board().unwrap();
+                }
+                Stage::GameOver(_) if setup.rules == Rules::Tournament => {
+                    game.next_board().unwrap();
+                }
+                _ => return (game, announced),
+            }
+        }
+    }
+    panic!("the game never ended");
+}
+
+fn setups() -> impl Strategy<Value = Setup> {
+    let rules = prop_oneof![
+        4 => Just(Rules::Tournament),
+        1 => Just(Rules::Friendly),
+        1 => Just(Rules::Practice)
+    ];
+    let hands = prop_oneof![Just(Hands::Two), Just(Hands::Four)];
+    (rules, hands, 0..4_usize, any::<Option<u64>>()).prop_map(|(rules, hands, seat, seed)| Setup {
+        rules,
+        hands,
+        first_breaker: Seat::ALL[seat],
+        seed,
+        ..Setup::default()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn random_strokes_leave_a_valid_game_and_every_match_ends(
+        setup in setups(),
+        luck in 0.05..0.6_f64,
+        seed in any::<u64>(),
+    ) {
+        let (game, announced) = play_out(setup, luck, seed);
+        let (again, announced_again) = play_out(setup, luck, seed);
+        prop_assert_eq!(&game, &again);
+        prop_assert_eq!(announced, announced_again);
+
+        let text = toml::to_string(&game).unwrap();
+        let read: Game = toml::from_str(&text).unwrap();
+        prop_assert_eq!(read, game);
+    }
+}
+
+/// The pieces of both rooms together: boards played with the engine by someone
+/// who strikes hard and at random, from a legal place.
+#[test]
+fn boards_played_on_the_engine_stay_valid_and_end() {
+    let board = Board::default();
+    let mut engine = Engine::new();
+    let mut shot = Shot::new();
+    for seed in 0..4_u64 {
+        let mut hand = Pcg64::seed_from_u64(seed);
+        let mut game = Game::new(Setup {
+            hands: if seed % 2 == 0 {
+                Hands::Two
+            } else {
+                Hands::Four
+            },
+            seed: Some(seed),
+            ..Setup::default()
+        });
+        for _ in 0..20_000 {
+            let lines = game.base_lines(&board);
+            let wanted = lines.at(hand.random_range(-0.2..0.2));
+            let rulings = if let Some(position) = lines.nearest(wanted) {
+                let way = DVec2::from_angle(hand.random_range(0.0..std::f64::consts::PI));
+                let velocity = game.seat().turn(way) * hand.random_range(1.0..5.0);
+                let (discs, motions) = game.discs(Motion { position, velocity });
+                engine
+                    .play_into(&mut shot, &board, &discs, &motions, Limits::default())
+                    .unwrap();
+                let stroke = Stroke::from_shot(game.coins(), &shot).unwrap();
+                game.apply(&stroke).unwrap()
+            } else {
+                game.no_place().unwrap()
+            };
+            assert!(!rulings.is_empty());
+            assert_eq!(game.check(), Ok(()));
+            if game.play().won().is_some() {
+                break;
+            }
+        }
+        assert!(game.play().won().is_some(), "seed {seed}");
+    }
+}

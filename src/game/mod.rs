@@ -1,0 +1,41 @@
+//! Carrom itself: pieces, the pack, placing the striker, the laws, the score.
+//!
+//! A pure room: no screen, no clock, no engine. A [`Stroke`] comes in as data,
+//! [`Game::apply`] answers with [`Ruling`]s, and a game is a plain value: keep
+//! the old one and you can undo.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `pieces` | pieces, sets, the lines on the board |
+//! | `pack` | the opening pack |
+//! | `seat` | seats, teams, the order of turns |
+//! | `placing` | where the striker may stand |
+//! | `free_place` | where a coin that comes back is laid |
+//! | `stroke` | what the laws need to know of a stroke |
+//! | `laws` | the referee's decisions |
+//! | `score` | points, boards, games, the match |
+//! | `play` | one board, from the break to its end |
+//! | `table` | a whole game at the table |
+//! | `validity` | what no game can be |
+
+pub mod free_place;
+pub mod laws;
+pub mod pack;
+pub mod pieces;
+pub mod placing;
+mod play;
+mod score;
+mod seat;
+mod stroke;
+mod table;
+mod validity;
+
+pub use laws::{BoardWon, Effect, Law, Rules, Ruling};
+pub use pieces::{Coin, Colour, Piece, PieceSet};
+pub use placing::{BaseLines, Misplaced};
+pub use play::Play;
+pub use score::Score;
+pub use seat::{ByTeam, Hands, Seat, Team};
+pub use stroke::{Stroke, StrokeError};
+pub use table::{Game, Setup, Stage};
+pub use validity::GameError;

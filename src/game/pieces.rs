@@ -1,0 +1,190 @@
+//! The pieces, the sets they come in, and the lines drawn on the board.
+//!
+//! Dimensions are metres and kilograms. Where the Laws of Carrom give a range for
+//! a piece, its upper end is taken. Base circles, centre circle and outer circle
+//! have their customary sizes. Side, pockets and friction are those of the default
+//! [`Board`](crate::physics::Board).
+
+use std::fmt;
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use crate::physics::Disc;
+
+/// Coins of each colour on a full board.
+pub const COINS_EACH: u8 = 9;
+
+/// Distance from the frame to the outer base line: 10.15 cm.
+pub const BASE_LINE_FROM_FRAME: f64 = 0.1015;
+/// Distance between the two base lines of a side: 3.18 cm.
+pub const BASE_LINE_GAP: f64 = 0.0318;
+/// Length of a pair of base lines with the circles that close it: 47 cm.
+pub const BASE_LINE_LENGTH: f64 = 0.470;
+/// Radius of a base circle, 1.59 cm: as wide as the lines are apart.
+pub const BASE_CIRCLE_RADIUS: f64 = 0.0159;
+/// Radius of the centre circle, 1.59 cm: it holds the queen.
+pub const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
+/// Radius of the outer circle, 8.5 cm: it holds the pack (14) and receives the
+/// coins that are put back.
+pub const OUTER_CIRCLE_RADIUS: f64 = 0.085;
+/// Air left between coins that are laid out, 0.1 mm. Discs that touch exactly
+/// make an impact with no single answer.
+pub const GAP: f64 = 0.0001;
+
+/// One of the four kinds of piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Piece {
+    /// The disc that is struck.
+    Striker,
+    /// A coin of the side that breaks (16).
+    White,
+    /// A coin of the other side (16).
+    Black,
+    /// The red coin, common to both sides (16).
+    Queen,
+}
+
+impl fmt::Display for Piece {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Striker => "striker",
+            Self::White => "white coin",
+            Self::Black => "black coin",
+            Self::Queen => "queen",
+        })
+    }
+}
+
+/// The colour a team plays in a board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Colour {
+    /// Breaks, and so has the white coins (16).
+    White,
+    /// Has the black coins.
+    Black,
+}
+
+impl Colour {
+    /// The other colour.
+    pub const fn other(self) -> Self {
+        match self {
+            Self::White => Self::Black,
+            Self::Black => Self::White,
+        }
+    }
+
+    /// The coin of this colour.
+    pub const fn piece(self) -> Piece {
+        match self {
+            Self::White => Piece::White,
+            Self::Black => Piece::Black,
+        }
+    }
+
+    /// The colour as an adjective: "white".
+    pub const fn adjective(self) -> &'static str {
+        match self {
+            Self::White => "white",
+            Self::Black => "black",
+        }
+    }
+}
+
+impl fmt::Display for Colour {
+    /// The colour as a name for those who play it: "White".
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::White => "White",
+            Self::Black => "Black",
+        })
+    }
+}
+
+/// A coin or the queen, lying on the board.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Coin {
+    /// What it is; never the striker.
+    pub piece: Piece,
+    /// Its centre in metres from the centre of the board.
+    #[serde(rename = "at_m", with = "metres")]
+    pub at: DVec2,
+}
+
+/// How many of `piece` lie among `coins`.
+pub fn count(coins: &[Coin], piece: Piece) -> u8 {
+    let found = coins.iter().filter(|coin| coin.piece == piece).count();
+    u8::try_from(found).unwrap_or(u8::MAX)
+}
+
+/// A point as a pair of metres, so that it reads back to the same bits.
+mod metres {
+    use glam::DVec2;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(at: &DVec2, to: S) -> Result<S::Ok, S::Error> {
+        at.to_array().serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<DVec2, D::Error> {
+        <[f64; 2]>::deserialize(from).map(DVec2::from_array)
+    }
+}
+
+/// Which discs a game is played with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PieceSet {
+    /// Full weight, as in a tournament: striker 15 g and 41.3 mm across, coins
+    /// 5.5 g and 31.8 mm across.
+    #[default]
+    Tournament,
+    /// Tournament sizes with every piece 15 g, so that striker and coin part at
+    /// a right angle.
+    EqualMass,
+}
+
+impl PieceSet {
+    /// The disc a piece is in this set.
+    pub const fn disc(self, piece: Piece) -> Disc {
+        match (piece, self) {
+            (Piece::Striker, _) => Disc::from_g_mm(15.0, 20.65),
+            (_, Self::Tournament) => Disc::from_g_mm(5.5, 15.9),
+            (_, Self::EqualMass) => Disc::from_g_mm(15.0, 15.9),
+        }
+    }
+
+    /// Radius of the striker in metres.
+    pub const fn striker_radius(self) -> f64 {
+        self.disc(Piece::Striker).radius
+    }
+
+    /// Radius of a coin in metres; the queen has it too.
+    pub const fn coin_radius(self) -> f64 {
+        self.disc(Piece::White).radius
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_striker_on_the_middle_of_the_base_lines_touches_both_and_covers_a_base_circle() {
+        for set in [PieceSet::Tournament, PieceSet::EqualMass] {
+            assert!(set.striker_radius() > BASE_LINE_GAP / 2.0);
+            assert!(set.striker_radius() > BASE_CIRCLE_RADIUS);
+        }
+    }
+
+    #[test]
+    fn sizes_and_masses_are_within_the_laws() {
+        let striker = PieceSet::Tournament.disc(Piece::Striker);
+        assert!(striker.mass <= 0.015 && 2.0 * striker.radius <= 0.0413);
+        let coin = PieceSet::Tournament.disc(Piece::Queen);
+        assert!((0.00525..=0.0055).contains(&coin.mass));
+        assert!((0.0302..=0.0318).contains(&(2.0 * coin.radius)));
+    }
+}

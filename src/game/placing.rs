@@ -1,0 +1,338 @@
+//! Where the striker may stand.
+//!
+//! Seen from its own side, the striker stands between the two base lines and
+//! touches both, clear of the base circles; or it covers a base circle fully. To
+//! stand partly on a base circle ("cutting the moon") is not allowed, nor is
+//! touching a coin.
+
+use glam::DVec2;
+use thiserror::Error;
+
+use super::pieces::{
+    BASE_CIRCLE_RADIUS, BASE_LINE_FROM_FRAME, BASE_LINE_GAP, BASE_LINE_LENGTH, Coin, GAP, Piece,
+    PieceSet,
+};
+use super::seat::Seat;
+use crate::physics::Board;
+
+/// Rounding allowed when a place is checked, in metres: as much as the engine
+/// allows discs to overlap.
+const SLACK: f64 = 1e-10;
+
+/// Why the striker may not stand where it was put.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum Misplaced {
+    /// It misses one of the base lines.
+    #[error("the striker must touch both of your base lines")]
+    OffTheBaseLines,
+    /// It covers part of a base circle.
+    #[error("the striker may cover a base circle fully or keep off it, not cut it")]
+    CutsBaseCircle,
+    /// It would lie on a coin.
+    #[error("the striker may not touch the {0}")]
+    OnACoin(Piece),
+    /// It would stand in the frame or beyond it.
+    #[error("the striker must stand inside the frame")]
+    OutsideTheFrame,
+    /// It would fall straight into a pocket.
+    #[error("the striker may not stand over a pocket")]
+    OverAPocket,
+}
+
+/// A side's base lines, with all that limits the striker there.
+#[derive(Debug, Clone, Copy)]
+pub struct BaseLines<'a> {
+    board: &'a Board,
+    set: PieceSet,
+    seat: Seat,
+    coins: &'a [Coin],
+}
+
+impl<'a> BaseLines<'a> {
+    /// The base lines of the player at `seat`, with `coins` on the board.
+    pub const fn new(board: &'a Board, set: PieceSet, seat: Seat, coins: &'a [Coin]) -> Self {
+        Self {
+            board,
+            set,
+            seat,
+            coins,
+        }
+    }
+
+    /// The place `along` metres to the player's right of the middle, halfway
+    /// between the base lines. It need not be a legal one.
+    pub fn at(&self, along: f64) -> DVec2 {
+        let from_frame = BASE_LINE_FROM_FRAME + BASE_LINE_GAP / 2.0;
+        let line = -self.board.side / 2.0 + from_frame;
+        self.seat.turn(DVec2::new(along, line))
+    }
+
+    /// How far to the player's right of the middle `at` lies, in metres.
+    pub fn along(&self, at: DVec2) -> f64 {
+        self.seat.turn_back(at).x
+    }
+
+    /// Distance from the middle of the base lines to the centre of a base
+    /// circle, in metres.
+    pub const fn base_circle_along() -> f64 {
+        BASE_LINE_LENGTH / 2.0 - BASE_CIRCLE_RADIUS
+    }
+
+    /// Whether the striker may stand at `at`.
+    ///
+    /// # Errors
+    /// The first reason why not.
+    pub fn check(&self, at: DVec2) -> Result<(), Misplaced> {
+        let here = self.seat.turn_back(at);
+        let middle = self.seat.turn_back(self.at(0.0)).y;
+        let striker = self.set.striker_radius();
+        let circle = DVec2::new(Self::base_circle_along(), middle);
+        let from_circle = DVec2::new(here.x.abs(), here.y).distance(circle);
+
+        let covers = from_circle <= striker - BASE_CIRCLE_RADIUS + SLACK;
+        if !covers && from_circle < striker + BASE_CIRCLE_RADIUS - SLACK {
+            return Err(Misplaced::CutsBaseCircle);
+        }
+        let off_middle = (here.y - middle).abs();
+        let touches_both = off_middle <= striker - BASE_LINE_GAP / 2.0 + SLACK;
+        let between = touches_both && here.x.abs() < Self::base_circle_along();
+        // Written so that a place that is not a number is refused too.
+        if !(covers || between) {
+            return Err(Misplaced::OffTheBaseLines);
+        }
+        clear_of_coins(self.set, self.coins, at)
+    }
+
+    /// The legal place nearest to `at`, measured along the base lines and
+    /// halfway between them.
+    ///
+    /// `None` if coins bar the whole length, which takes at least seven of them
+    /// on the base lines.
+    pub fn nearest(&self, at: DVec2) -> Option<DVec2> {
+        let wanted = self.along(at);
+        let end = self.end_of_the_lines();
+        let mut places = vec![
+            wanted.clamp(-end, end),
+            Self::base_circle_along(),
+            -Self::base_circle_along(),
+        ];
+        places.extend(self.barred().flat_map(|(from, to)| [from, to]));
+        places
+            .into_iter()
+            .filter(|along| self.check(self.at(*along)).is_ok())
+            .min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs()))
+            .map(|along| self.at(along))
+    }
+
+    /// Legal places from left to right: `steps` of them spread evenly between
+    /// the base circles and the two that cover a circle, less those that coins
+    /// bar.
+    pub fn candidates(&self, steps: u16) -> Vec<DVec2> {
+        let end = self.end_of_the_lines();
+        let spread = (0..steps).map(|i| {
+            let share = (f64::from(i) + 0.5) / f64::from(steps);
+            end * (2.0 * share - 1.0)
+        });
+        std::iter::once(-Self::base_circle_along())
+            .chain(spread)
+            .chain(std::iter::once(Self::base_circle_along()))
+            .map(|along| self.at(along))
+            .filter(|at| self.check(*at).is_ok())
+            .collect()
+    }
+
+    /// How far from the middle the striker may stand without touching a circle.
+    fn end_of_the_lines(&self) -> f64 {
+        Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
+    }
+
+    /// The open stretches of the middle line that coins bar, as distances along.
+    fn barred(&self) -> impl Iterator<Item = (f64, f64)> {
+        let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
+        let middle = self.seat.turn_back(self.at(0.0)).y;
+        self.coins.iter().filter_map(move |coin| {
+            let coin = self.seat.turn_back(coin.at);
+            let off = coin.y - middle;
+            let half = reach * reach - off * off;
+            (half > 0.0).then(|| (coin.x - half.sqrt(), coin.x + half.sqrt()))
+        })
+    }
+}
+
+/// Whether the striker may stand at `at` when it may be placed anywhere.
+///
+/// # Errors
+/// The first reason why not.
+pub fn check_anywhere(
+    board: &Board,
+    set: PieceSet,
+    coins: &[Coin],
+    at: DVec2,
+) -> Result<(), Misplaced> {
+    let room = board.side / 2.0 - set.striker_radius();
+    let corner = at.abs();
+    if !corner.cmple(DVec2::splat(room + SLACK)).all() {
+        return Err(Misplaced::OutsideTheFrame);
+    }
+    let pocket = board.pocket_diameter / 2.0;
+    let centre = DVec2::splat(board.side / 2.0 - pocket);
+    if corner.distance(centre) <= pocket {
+        return Err(Misplaced::OverAPocket);
+    }
+    clear_of_coins(set, coins, at)
+}
+
+fn clear_of_coins(set: PieceSet, coins: &[Coin], at: DVec2) -> Result<(), Misplaced> {
+    let reach = set.striker_radius() + set.coin_radius() - SLACK;
+    match coins.iter().find(|coin| coin.at.distance(at) < reach) {
+        Some(coin) => Err(Misplaced::OnACoin(coin.piece)),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SET: PieceSet = PieceSet::Tournament;
+
+    fn black(at: DVec2) -> Coin {
+        Coin {
+            piece: Piece::Black,
+            at,
+        }
+    }
+
+    #[test]
+    fn every_seat_has_the_same_places() {
+        let board = Board::default();
+        for seat in Seat::ALL {
+            let lines = BaseLines::new(&board, SET, seat, &[]);
+            assert_eq!(lines.check(lines.at(0.0)), Ok(()));
+            assert_eq!(lines.check(lines.at(0.18)), Ok(()));
+            assert_eq!(
+                lines.check(lines.at(BaseLines::base_circle_along())),
+                Ok(())
+            );
+            assert_eq!(lines.check(lines.at(0.20)), Err(Misplaced::CutsBaseCircle));
+            assert_eq!(lines.check(lines.at(0.30)), Err(Misplaced::OffTheBaseLines));
+            for other in Seat::ALL {
+                let same = other == seat;
+                let there = BaseLines::new(&board, SET, other, &[]).at(0.0);
+                assert_eq!(lines.check(there).is_ok(), same);
+            }
+        }
+    }
+
+    #[test]
+    fn both_lines_must_be_touched() {
+        let board = Board::default();
+        let lines = BaseLines::new(&board, SET, Seat::South, &[]);
+        let play = SET.striker_radius() - BASE_LINE_GAP / 2.0;
+        let shifted = |by| lines.at(0.0) + DVec2::new(0.0, by);
+        assert_eq!(lines.check(shifted(play)), Ok(()));
+        assert_eq!(lines.check(shifted(-play)), Ok(()));
+        assert_eq!(
+            lines.check(shifted(play + 1e-6)),
+            Err(Misplaced::OffTheBaseLines)
+        );
+    }
+
+    #[test]
+    fn a_base_circle_is_covered_fully_or_not_at_all() {
+        let board = Board::default();
+        let lines = BaseLines::new(&board, SET, Seat::North, &[]);
+        let circle = BaseLines::base_circle_along();
+        let spare = SET.striker_radius() - BASE_CIRCLE_RADIUS;
+        let touching = SET.striker_radius() + BASE_CIRCLE_RADIUS;
+        for (off, legal) in [
+            (spare, true),
+            (spare + 1e-6, false),
+            (touching - 1e-6, false),
+            (touching, true),
+        ] {
+            for side in [1.0, -1.0] {
+                let at = lines.at(side * (circle - off));
+                assert_eq!(lines.check(at).is_ok(), legal, "{off} m from the circle");
+            }
+        }
+    }
+
+    #[test]
+    fn a_coin_bars_its_place_and_the_nearest_free_one_touches_nothing() {
+        let board = Board::default();
+        let coins = [black(DVec2::new(0.01, -0.26))];
+        let lines = BaseLines::new(&board, SET, Seat::South, &coins);
+        let wanted = lines.at(0.0);
+        assert_eq!(lines.check(wanted), Err(Misplaced::OnACoin(Piece::Black)));
+        let free = lines.nearest(wanted).unwrap();
+        assert_eq!(lines.check(free), Ok(()));
+        let touching = SET.striker_radius() + SET.coin_radius() + GAP;
+        assert!((free.distance(coins[0].at) - touching).abs() < 1e-12);
+        assert!(lines.along(free) < 0.0, "the shorter way is to the left");
+    }
+
+    #[test]
+    fn the_nearest_place_to_a_cut_circle_is_on_it_or_beside_it() {
+        let board = Board::default();
+        let lines = BaseLines::new(&board, SET, Seat::East, &[]);
+        let circle = BaseLines::base_circle_along();
+        let beside = circle - SET.striker_radius() - BASE_CIRCLE_RADIUS;
+        let nearest = |along| lines.along(lines.nearest(lines.at(along)).unwrap());
+        assert!((nearest(circle - 0.01) - circle).abs() < 1e-12);
+        assert!((nearest(beside + 0.01) - beside).abs() < 1e-12);
+        assert!((nearest(-0.5) + circle).abs() < 1e-12);
+        assert!((nearest(0.0123) - 0.0123).abs() < 1e-12);
+    }
+
+    #[test]
+    fn nothing_is_offered_when_coins_bar_the_whole_length() {
+        let board = Board::default();
+        let empty = BaseLines::new(&board, SET, Seat::South, &[]);
+        let coins: Vec<Coin> = (-4..=4)
+            .map(|i| black(empty.at(f64::from(i) * 0.055)))
+            .collect();
+        let lines = BaseLines::new(&board, SET, Seat::South, &coins);
+        assert_eq!(lines.nearest(lines.at(0.0)), None);
+        assert!(lines.candidates(40).is_empty());
+    }
+
+    #[test]
+    fn every_candidate_is_legal_and_they_go_from_left_to_right() {
+        let board = Board::default();
+        let coins = [black(DVec2::new(0.26, 0.05)), black(DVec2::new(0.25, -0.1))];
+        let lines = BaseLines::new(&board, SET, Seat::East, &coins);
+        let places = lines.candidates(30);
+        assert!(places.len() > 10 && places.len() < 32);
+        assert!(places.iter().all(|at| lines.check(*at).is_ok()));
+        assert!(
+            places
+                .windows(2)
+                .all(|p| lines.along(p[0]) < lines.along(p[1]))
+        );
+    }
+
+    #[test]
+    fn free_placing_keeps_to_the_board() {
+        let board = Board::default();
+        let coins = [black(DVec2::ZERO)];
+        let check = |x, y| check_anywhere(&board, SET, &coins, DVec2::new(x, y));
+        assert_eq!(check(0.1, 0.1), Ok(()));
+        assert_eq!(check(0.01, 0.02), Err(Misplaced::OnACoin(Piece::Black)));
+        assert_eq!(check(0.36, 0.0), Err(Misplaced::OutsideTheFrame));
+        assert_eq!(check(0.345, -0.345), Err(Misplaced::OverAPocket));
+        assert_eq!(check(f64::NAN, 0.0), Err(Misplaced::OutsideTheFrame));
+    }
+
+    #[test]
+    fn a_place_that_is_not_a_number_is_refused() {
+        let board = Board::default();
+        let lines = BaseLines::new(&board, SET, Seat::South, &[]);
+        assert!(lines.check(DVec2::new(f64::NAN, -0.25)).is_err());
+        assert!(
+            lines
+                .nearest(DVec2::new(f64::NAN, 0.0))
+                .is_none_or(|at| lines.check(at).is_ok())
+        );
+    }
+}

@@ -1,0 +1,291 @@
+//! One board, from the break to its end.
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use super::free_place;
+use super::laws::{BoardWon, Case, Effect, Law, QueenBefore, QueenFate, Ruling, TurnFate, Verdict};
+use super::pieces::{COINS_EACH, Coin, Colour, Piece, PieceSet, count};
+use super::score::Score;
+use super::seat::{ByTeam, Hands, Seat, Team};
+use super::stroke::Stroke;
+
+/// A board in play: what lies where, whose turn it is, what is owed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Play {
+    /// The coins on the board; the striker is never among them.
+    pub(super) coins: Vec<Coin>,
+    /// Whose turn it is.
+    pub(super) seat: Seat,
+    /// Whether that player has struck in this turn already.
+    pub(super) struck: bool,
+    /// Strokes spent on the unbroken pack in this turn; `None` once the break is
+    /// made.
+    pub(super) break_tries: Option<u8>,
+    /// Coins owed for want of a pocketed one.
+    pub(super) owed: ByTeam<u8>,
+    /// Whose coins have been pocketed at all, be they put back since.
+    pub(super) pocketed_before: ByTeam<bool>,
+    /// Who has pocketed and covered the queen.
+    pub(super) queen_covered_by: Option<Team>,
+    /// How the board ended, once it has.
+    pub(super) won: Option<BoardWon>,
+}
+
+/// What stays the same while a board is played.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Terms {
+    pub(super) hands: Hands,
+    pub(super) set: PieceSet,
+    /// The team that broke, and so plays white (16).
+    pub(super) white: Team,
+    /// The score before this board.
+    pub(super) score: Score,
+}
+
+impl Terms {
+    pub(super) fn colour(&self, team: Team) -> Colour {
+        if team == self.white {
+            Colour::White
+        } else {
+            Colour::Black
+        }
+    }
+
+    fn team(&self, colour: Colour) -> Team {
+        match colour {
+            Colour::White => self.white,
+            Colour::Black => self.white.other(),
+        }
+    }
+}
+
+impl Play {
+    /// A board about to be broken by the player at `breaker`.
+    pub(super) fn new(coins: Vec<Coin>, breaker: Seat) -> Self {
+        Self {
+            coins,
+            seat: breaker,
+            struck: false,
+            break_tries: Some(0),
+            owed: ByTeam::default(),
+            pocketed_before: ByTeam::default(),
+            queen_covered_by: None,
+            won: None,
+        }
+    }
+
+    /// The coins on the board.
+    pub fn coins(&self) -> &[Coin] {
+        &self.coins
+    }
+
+    /// Whose turn it is; once the board has ended, who struck last.
+    pub fn seat(&self) -> Seat {
+        self.seat
+    }
+
+    /// Whether the pack is still unbroken (17).
+    pub fn is_unbroken(&self) -> bool {
+        self.break_tries.is_some()
+    }
+
+    /// Coins of `colour` on the board.
+    pub fn on_board(&self, colour: Colour) -> u8 {
+        count(&self.coins, colour.piece())
+    }
+
+    /// Coins of `colour` in the pockets.
+    pub fn in_pockets(&self, colour: Colour) -> u8 {
+        COINS_EACH.saturating_sub(self.on_board(colour))
+    }
+
+    /// Coins `team` still owes, for want of a pocketed one to give (45b).
+    pub fn owed(&self, team: Team) -> u8 {
+        self.owed[team]
+    }
+
+    /// Whether the queen lies on the board.
+    pub fn queen_on_board(&self) -> bool {
+        count(&self.coins, Piece::Queen) > 0
+    }
+
+    /// Whether the player whose turn it is must cover the queen now.
+    pub fn queen_to_cover(&self) -> bool {
+        self.won.is_none() && !self.queen_on_board() && self.queen_covered_by.is_none()
+    }
+
+    /// Who has pocketed and covered the queen.
+    pub fn queen_covered_by(&self) -> Option<Team> {
+        self.queen_covered_by
+    }
+
+    /// How the board ended, once it has.
+    pub fn won(&self) -> Option<BoardWon> {
+        self.won
+    }
+
+    /// The numbers the rules look at.
+    pub(super) fn case(&self, terms: &Terms, stroke: &Stroke) -> Case {
+        let team = terms.hands.team(self.seat);
+        let colour = terms.colour(team);
+        let other = colour.other();
+        Case {
+            colour,
+            own_before: self.on_board(colour),
+            own_fell: stroke.fallen(colour.piece()),
+            other_before: self.on_board(other),
+            other_fell: stroke.fallen(other.piece()),
+            queen: match self.queen_covered_by {
+                Some(by) => QueenBefore::Covered(terms.colour(by)),
+                None if self.queen_on_board() => QueenBefore::OnBoard,
+                None => QueenBefore::ToCover,
+            },
+            queen_fell: stroke.fallen(Piece::Queen) > 0,
+            striker_fell: stroke.fallen(Piece::Striker) > 0,
+            touched: stroke.touched,
+            break_tries: self.break_tries,
+            owes: self.owed[team] > 0,
+            may_take_queen: self.pocketed_before[team],
+            own_score: terms.score.points[team],
+            other_score: terms.score.points[team.other()],
+        }
+    }
+
+    /// Takes in what lies where after a stroke, before the referee speaks.
+    pub(super) fn take_in(&mut self, terms: &Terms, stroke: &Stroke) {
+        self.coins.clone_from(&stroke.left);
+        self.struck = true;
+        self.break_tries = self
+            .break_tries
+            .filter(|_| !stroke.touched)
+            .map(|tries| tries.saturating_add(1));
+        for colour in [Colour::White, Colour::Black] {
+            self.pocketed_before[terms.team(colour)] |= stroke.fallen(colour.piece()) > 0;
+        }
+    }
+
+    /// Carries a verdict out: puts back what comes back, passes the turn or ends
+    /// the board.
+    pub(super) fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
+        let team = terms.hands.team(self.seat);
+        let colour = terms.colour(team);
+        let mut main = Ruling {
+            law: verdict.law,
+            text: verdict.text,
+            effects: Vec::new(),
+        };
+        if verdict.queen == QueenFate::Covered {
+            self.queen_covered_by = Some(team);
+            main.effects.push(Effect::QueenCovered(colour));
+        }
+        if let Some(end) = verdict.end {
+            let won = BoardWon {
+                winner: if end.won { team } else { team.other() },
+                points: end.points,
+            };
+            self.won = Some(won);
+            // Whatever is owed is written off (28).
+            self.owed = ByTeam::default();
+            main.effects.push(Effect::BoardWon(won));
+            return vec![main];
+        }
+
+        if verdict.queen == QueenFate::GoesBack && !self.queen_on_board() {
+            let at = free_place::for_the_queen(terms.set, &self.coins);
+            self.put_back(Piece::Queen, at, &mut main);
+        }
+        for _ in 0..verdict.own_back {
+            self.give_back(terms, team, &mut main);
+        }
+        let old_dues = self.pay_old_dues(terms);
+        for _ in 0..verdict.dues {
+            if !self.give_back(terms, team, &mut main) {
+                self.owed[team] = self.owed[team].saturating_add(1);
+            }
+        }
+        if verdict.turn == TurnFate::Passes {
+            self.pass_turn(terms.hands);
+            main.effects.push(Effect::TurnPasses(self.seat));
+        } else {
+            main.effects.push(Effect::TurnContinues(self.seat));
+            if self.queen_to_cover() {
+                main.effects.push(Effect::MustCover);
+            }
+        }
+
+        let mut rulings = vec![main];
+        rulings.extend(old_dues);
+        if verdict.dues > 0 && self.owed[team] > 0 {
+            rulings.push(Ruling {
+                law: Some(Law::DUE_WAITS),
+                text: format!(
+                    "{colour} has no coin in the pockets to give back, so the due waits until there is one."
+                ),
+                effects: vec![Effect::StillOwed(colour, self.owed[team])],
+            });
+        }
+        rulings
+    }
+
+    /// Pays what was owed before, as far as there are coins to pay with (51a).
+    fn pay_old_dues(&mut self, terms: &Terms) -> Vec<Ruling> {
+        let mut rulings = Vec::new();
+        for team in Team::BOTH {
+            let colour = terms.colour(team);
+            let mut ruling = Ruling {
+                law: Some(Law::DUE_IS_PAID),
+                text: format!(
+                    "Now that a {} coin has been pocketed, {colour} pays what was owed.",
+                    colour.adjective()
+                ),
+                effects: Vec::new(),
+            };
+            while self.owed[team] > 0 && self.give_back(terms, team, &mut ruling) {
+                self.owed[team] -= 1;
+            }
+            if !ruling.effects.is_empty() {
+                if self.owed[team] > 0 {
+                    let still = Effect::StillOwed(colour, self.owed[team]);
+                    ruling.effects.push(still);
+                }
+                rulings.push(ruling);
+            }
+        }
+        rulings
+    }
+
+    /// Puts a pocketed coin of `team` back into the outer circle, if there is one.
+    fn give_back(&mut self, terms: &Terms, team: Team, ruling: &mut Ruling) -> bool {
+        let colour = terms.colour(team);
+        let can = self.in_pockets(colour) > 0;
+        if can {
+            let at = free_place::for_a_due(terms.set, &self.coins, self.owner_seat(terms, team));
+            self.put_back(colour.piece(), at, ruling);
+        }
+        can
+    }
+
+    /// The seat a coin of `team` is laid away from: the player who struck, or
+    /// for the other team the one across or to the right.
+    fn owner_seat(&self, terms: &Terms, team: Team) -> Seat {
+        if terms.hands.team(self.seat) == team {
+            self.seat
+        } else {
+            terms.hands.next(self.seat)
+        }
+    }
+
+    fn put_back(&mut self, piece: Piece, at: DVec2, ruling: &mut Ruling) {
+        let coin = Coin { piece, at };
+        self.coins.push(coin);
+        ruling.effects.push(Effect::PutBack(coin));
+    }
+
+    fn pass_turn(&mut self, hands: Hands) {
+        self.seat = hands.next(self.seat);
+        self.struck = false;
+        self.break_tries = self.break_tries.map(|_| 0);
+    }
+}

@@ -1,0 +1,156 @@
+//! Points, boards, games and the match (25, 29, 30).
+
+use super::laws::{BoardWon, Rules};
+use super::seat::{ByTeam, Team};
+
+/// Points that win a game (29a).
+const GAME_POINTS: u8 = 25;
+/// Boards after which the leader wins a game (29a).
+const GAME_BOARDS: u8 = 8;
+/// Games that win a match: the best of three (30).
+const MATCH_GAMES: u8 = 2;
+
+/// The score, worked out from the boards played.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Score {
+    /// Points in the present game.
+    pub points: ByTeam<u8>,
+    /// Boards finished in the present game.
+    pub boards: u8,
+    /// Earlier games won.
+    pub games: ByTeam<u8>,
+}
+
+impl Score {
+    /// The score after `boards`, the last of them just finished: a game it
+    /// decided still shows its points.
+    pub fn after<'a>(rules: Rules, boards: impl IntoIterator<Item = &'a BoardWon>) -> Self {
+        boards.into_iter().fold(Self::default(), |score, board| {
+            let mut score = score.before_next_board(rules);
+            let points = &mut score.points[board.winner];
+            *points = points.saturating_add(board.points);
+            score.boards = score.boards.saturating_add(1);
+            score
+        })
+    }
+
+    /// The score with which the next board starts: a game that has been won is
+    /// put away.
+    pub fn before_next_board(mut self, rules: Rules) -> Self {
+        if let Some(winner) = self.game_winner(rules) {
+            self.points = ByTeam::default();
+            self.boards = 0;
+            let games = &mut self.games[winner];
+            *games = games.saturating_add(1);
+        }
+        self
+    }
+
+    /// Who has won the present game, if anybody has.
+    ///
+    /// In a tournament that is who reaches 25 points or leads after the eighth
+    /// board; at a tie one more board is played, and another (29). Friendly, it is
+    /// who won the board. Practice has no winner.
+    pub fn game_winner(&self, rules: Rules) -> Option<Team> {
+        let [first, second] = Team::BOTH.map(|team| self.points[team]);
+        let decided = match rules {
+            Rules::Tournament => first.max(second) >= GAME_POINTS || self.boards >= GAME_BOARDS,
+            Rules::Friendly => self.boards > 0,
+            Rules::Practice => false,
+        };
+        match first.cmp(&second) {
+            _ if !decided => None,
+            std::cmp::Ordering::Greater => Some(Team::First),
+            std::cmp::Ordering::Less => Some(Team::Second),
+            std::cmp::Ordering::Equal => None,
+        }
+    }
+
+    /// Whether the present game is tied with its last board played, so that one
+    /// more is needed (29b).
+    pub fn is_tied(&self, rules: Rules) -> bool {
+        rules == Rules::Tournament
+            && self.boards >= GAME_BOARDS
+            && self.game_winner(rules).is_none()
+    }
+
+    /// Who has won the match, if anybody has: the first to win two games of a
+    /// tournament (30). A friendly evening has no end.
+    pub fn match_winner(&self, rules: Rules) -> Option<Team> {
+        let winner = self.game_winner(rules)?;
+        (rules == Rules::Tournament && self.games[winner] + 1 >= MATCH_GAMES).then_some(winner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn boards(list: &[(Team, u8)]) -> Vec<BoardWon> {
+        list.iter()
+            .map(|(winner, points)| BoardWon {
+                winner: *winner,
+                points: *points,
+            })
+            .collect()
+    }
+
+    fn score(list: &[(Team, u8)]) -> Score {
+        Score::after(Rules::Tournament, &boards(list))
+    }
+
+    use Team::{First, Second};
+
+    #[test]
+    fn law_29a_a_game_is_won_at_25_points() {
+        let score = score(&[(First, 12), (First, 12), (Second, 5), (First, 1)]);
+        assert_eq!(score.points[First], 25);
+        assert_eq!(score.game_winner(Rules::Tournament), Some(First));
+        let next = score.before_next_board(Rules::Tournament);
+        assert_eq!(next.games[First], 1);
+        assert_eq!((next.points[First], next.boards), (0, 0));
+    }
+
+    #[test]
+    fn law_29a_the_leader_after_eight_boards_wins() {
+        let seven = [(First, 1); 7];
+        assert_eq!(score(&seven).game_winner(Rules::Tournament), None);
+        let eight = score(&[(First, 1); 8]);
+        assert_eq!(eight.game_winner(Rules::Tournament), Some(First));
+    }
+
+    #[test]
+    fn law_29b_a_tie_after_eight_boards_is_decided_by_an_extra_board() {
+        let mut list = vec![(First, 2); 4];
+        list.extend([(Second, 2); 4]);
+        let tied = score(&list);
+        assert!(tied.is_tied(Rules::Tournament));
+        assert_eq!(tied.game_winner(Rules::Tournament), None);
+        list.push((Second, 1));
+        let decided = score(&list);
+        assert_eq!(decided.boards, 9);
+        assert_eq!(decided.game_winner(Rules::Tournament), Some(Second));
+    }
+
+    #[test]
+    fn law_30_a_match_is_the_best_of_three_games() {
+        let game = |team| [(team, 12), (team, 12), (team, 1)];
+        let one_all = [game(First), game(Second)].concat();
+        assert_eq!(score(&one_all).match_winner(Rules::Tournament), None);
+        let won = score(&[game(First), game(Second), game(First)].concat());
+        assert_eq!(won.match_winner(Rules::Tournament), Some(First));
+        assert_eq!(
+            score(&[game(Second), game(Second)].concat()).match_winner(Rules::Tournament),
+            Some(Second)
+        );
+    }
+
+    #[test]
+    fn a_friendly_board_is_a_game_and_the_evening_goes_on() {
+        let list = boards(&[(First, 4), (Second, 1), (First, 2)]);
+        let score = Score::after(Rules::Friendly, &list);
+        assert_eq!(score.game_winner(Rules::Friendly), Some(First));
+        assert_eq!((score.games[First], score.games[Second]), (1, 1));
+        assert_eq!(score.match_winner(Rules::Friendly), None);
+    }
+}

@@ -1,0 +1,221 @@
+//! What the laws need to know of a stroke.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::pieces::{Coin, Piece, count};
+use crate::physics::{EventKind, Shot, State};
+
+/// A stroke as the referee sees it: what was touched, what fell and what lies
+/// where afterwards. How it came about is the engine's business.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Stroke {
+    /// Whether the striker touched any piece.
+    pub touched: bool,
+    /// The pieces that fell into pockets, in order; the striker among them if
+    /// it fell too.
+    pub pocketed: Vec<Piece>,
+    /// The coins left on the board, where they came to rest.
+    pub left: Vec<Coin>,
+}
+
+/// Why a stroke cannot be one of this board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum StrokeError {
+    /// Pieces appeared or vanished.
+    #[error(
+        "before the stroke there were {before} pieces of this kind ({piece}), after it {after}"
+    )]
+    Miscounted {
+        /// The kind of piece.
+        piece: Piece,
+        /// How many lay on the board.
+        before: u8,
+        /// How many lie there now or were pocketed.
+        after: u8,
+    },
+    /// The striker was pocketed more than once, or left lying as a coin.
+    #[error("there is only one striker, and it is lifted after the stroke")]
+    Striker,
+    /// A coin fell though the striker is said to have touched none.
+    #[error("a coin cannot fall when the striker touched none")]
+    Untouched,
+    /// A coin is said to lie off the board.
+    #[error("a coin cannot come to rest off the board")]
+    OffTheBoard,
+    /// The shot was not played with the discs of this board.
+    #[error("the shot has {found} discs, and this board {expected}")]
+    OtherDiscs {
+        /// The coins on the board and the striker.
+        expected: usize,
+        /// The discs of the shot.
+        found: usize,
+    },
+    /// The board or the match has ended.
+    #[error("this board has ended; start the next one")]
+    Ended,
+}
+
+impl Stroke {
+    /// The stroke that `shot` was: its disc 0 the striker, its disc i + 1 the
+    /// coin `coins[i]`, as [`Game::discs`](super::Game::discs) lays them.
+    ///
+    /// # Errors
+    /// [`StrokeError::OtherDiscs`] if the shot has more or fewer discs.
+    pub fn from_shot(coins: &[Coin], shot: &Shot) -> Result<Self, StrokeError> {
+        if shot.discs().len() != coins.len() + 1 {
+            return Err(StrokeError::OtherDiscs {
+                expected: coins.len() + 1,
+                found: shot.discs().len(),
+            });
+        }
+        let piece = |disc: usize| match disc.checked_sub(1) {
+            None => Some(Piece::Striker),
+            Some(i) => coins.get(i).map(|coin| coin.piece),
+        };
+        let pocketed = shot.events().iter().filter_map(|event| match event.kind {
+            EventKind::Pocket { disc, .. } => piece(disc),
+            _ => None,
+        });
+        let touched = shot
+            .events()
+            .iter()
+            .any(|event| matches!(event.kind, EventKind::Impact { .. }) && event.kind.involves(0));
+        let left = coins
+            .iter()
+            .zip(shot.final_states().skip(1))
+            .filter(|(_, end)| end.state != State::Pocketed)
+            .map(|(coin, end)| Coin {
+                at: end.position,
+                ..*coin
+            });
+        Ok(Self {
+            touched,
+            pocketed: pocketed.collect(),
+            left: left.collect(),
+        })
+    }
+
+    /// How many of `piece` fell.
+    pub fn fallen(&self, piece: Piece) -> u8 {
+        let found = self.pocketed.iter().filter(|p| **p == piece).count();
+        u8::try_from(found).unwrap_or(u8::MAX)
+    }
+
+    /// Whether this stroke could have been played on `before`, on a board
+    /// whose frame is `side` metres.
+    ///
+    /// # Errors
+    /// What does not fit.
+    pub fn check(&self, before: &[Coin], side: f64) -> Result<(), StrokeError> {
+        if self.fallen(Piece::Striker) > 1 || count(&self.left, Piece::Striker) > 0 {
+            return Err(StrokeError::Striker);
+        }
+        for piece in [Piece::White, Piece::Black, Piece::Queen] {
+            let was = count(before, piece);
+            let after = count(&self.left, piece).saturating_add(self.fallen(piece));
+            if was != after {
+                return Err(StrokeError::Miscounted {
+                    piece,
+                    before: was,
+                    after,
+                });
+            }
+        }
+        if !self.touched && self.pocketed.iter().any(|p| *p != Piece::Striker) {
+            return Err(StrokeError::Untouched);
+        }
+        let inside = |coin: &Coin| coin.at.abs().max_element() <= side / 2.0 && coin.at.is_finite();
+        if !self.left.iter().all(inside) {
+            return Err(StrokeError::OffTheBoard);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pack::pack;
+    use super::super::pieces::PieceSet;
+    use super::super::seat::Seat;
+    use super::super::{Game, Rules, Setup};
+    use super::*;
+    use crate::physics::{self, Board, Limits, Motion};
+    use glam::DVec2;
+
+    const SIDE: f64 = 0.740;
+
+    #[test]
+    fn a_shot_becomes_what_fell_and_what_lies_where() {
+        let coin = |piece, x: f64, y: f64| Coin {
+            piece,
+            at: DVec2::new(x, y),
+        };
+        let mut game = Game::new(Setup {
+            rules: Rules::Practice,
+            ..Setup::default()
+        });
+        // The black coin stands before the right upper pocket, in line with it.
+        let coins = vec![
+            coin(Piece::Queen, -0.2, 0.0),
+            coin(Piece::Black, 0.25, 0.25),
+        ];
+        game.lay_out(coins.clone()).unwrap();
+        let play = |velocity| {
+            let (discs, motions) = game.discs(Motion {
+                position: DVec2::ZERO,
+                velocity,
+            });
+            let shot = physics::play(&Board::default(), &discs, &motions, Limits::default());
+            Stroke::from_shot(&coins, &shot.unwrap())
+        };
+        let hit = play(DVec2::splat(1.1)).unwrap();
+        assert!(hit.touched);
+        assert_eq!(hit.pocketed[0], Piece::Black);
+        assert_eq!(hit.left, coins[..1]);
+        assert_eq!(hit.check(&coins, SIDE), Ok(()));
+
+        let miss = play(DVec2::new(0.3, 0.0)).unwrap();
+        assert!(!miss.touched);
+        assert_eq!(miss.left, coins);
+        assert_eq!(
+            Stroke::from_shot(&coins, &Shot::new()),
+            Err(StrokeError::OtherDiscs {
+                expected: 3,
+                found: 0
+            })
+        );
+    }
+
+    #[test]
+    fn a_stroke_that_cannot_be_is_refused_with_the_reason() {
+        let coins = pack(PieceSet::Tournament, Seat::South);
+        let missed = Stroke {
+            touched: false,
+            pocketed: vec![],
+            left: coins.clone(),
+        };
+        assert_eq!(missed.check(&coins, SIDE), Ok(()));
+
+        let mut lost = missed.clone();
+        lost.left.pop();
+        assert_eq!(
+            lost.check(&coins, SIDE),
+            Err(StrokeError::Miscounted {
+                piece: Piece::Black,
+                before: 9,
+                after: 8
+            })
+        );
+        lost.pocketed.push(Piece::Black);
+        assert_eq!(lost.check(&coins, SIDE), Err(StrokeError::Untouched));
+
+        let mut away = missed.clone();
+        away.left[3].at.x = f64::NAN;
+        assert_eq!(away.check(&coins, SIDE), Err(StrokeError::OffTheBoard));
+
+        let mut twice = missed;
+        twice.pocketed = vec![Piece::Striker; 2];
+        assert_eq!(twice.check(&coins, SIDE), Err(StrokeError::Striker));
+    }
+}

@@ -1,0 +1,343 @@
+//! A whole game at the table: boards one after another, and the score.
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use super::laws::{self, BoardWon, Effect, Law, Rules, Ruling, Verdict};
+use super::pack::{jittered_pack, pack};
+use super::pieces::{Coin, Colour, Piece, PieceSet};
+use super::placing::{BaseLines, Misplaced, check_anywhere};
+use super::play::{Play, Terms};
+use super::score::Score;
+use super::seat::{Hands, Seat, Team};
+use super::stroke::{Stroke, StrokeError};
+use super::validity::{GameError, check_coins};
+use crate::physics::{Board, Disc, Motion};
+
+/// What is agreed before the first break.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Setup {
+    /// The rules.
+    pub rules: Rules,
+    /// Singles or doubles.
+    pub hands: Hands,
+    /// The pieces.
+    pub set: PieceSet,
+    /// Who won the toss and breaks first (13, 15).
+    pub first_breaker: Seat,
+    /// Seed of the small irregularities of each pack; `None` for a pack that is
+    /// exact and the same every time.
+    pub seed: Option<u64>,
+}
+
+/// Where a game stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// A board is being played.
+    Playing,
+    /// A board has ended, and the game goes on with the next.
+    BoardOver(BoardWon),
+    /// The game has been won, and another may follow.
+    GameOver(Team),
+    /// The match has been won.
+    MatchOver(Team),
+}
+
+/// A game of carrom: what was agreed, the boards finished and the one in play.
+///
+/// Everything else is worked out from these. Cloning a game and keeping the
+/// clone is all there is to undo.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Game {
+    pub(super) setup: Setup,
+    pub(super) finished: Vec<BoardWon>,
+    pub(super) play: Play,
+}
+
+impl Game {
+    /// A new game with the pack laid out. In singles South breaks first unless it
+    /// is North: nobody sits at the other sides.
+    pub fn new(setup: Setup) -> Self {
+        let first_breaker = match setup.hands {
+            Hands::Two if !setup.hands.plays(setup.first_breaker) => Seat::South,
+            _ => setup.first_breaker,
+        };
+        let setup = Setup {
+            first_breaker,
+            ..setup
+        };
+        Self {
+            setup,
+            finished: Vec::new(),
+            play: break_board(&setup, 0, first_breaker),
+        }
+    }
+
+    /// What was agreed before the first break.
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The board in play.
+    pub fn play(&self) -> &Play {
+        &self.play
+    }
+
+    /// The coins on the board.
+    pub fn coins(&self) -> &[Coin] {
+        self.play.coins()
+    }
+
+    /// Whose turn it is.
+    pub fn seat(&self) -> Seat {
+        self.play.seat()
+    }
+
+    /// The team of a seat.
+    pub fn team(&self, seat: Seat) -> Team {
+        self.setup.hands.team(seat)
+    }
+
+    /// The colour a team has in this board (16).
+    pub fn colour(&self, team: Team) -> Colour {
+        self.terms().colour(team)
+    }
+
+    /// The number of this board in its game, from 1.
+    pub fn board_number(&self) -> u8 {
+        self.score_before().boards.saturating_add(1)
+    }
+
+    /// The score, this board included once it has ended.
+    pub fn score(&self) -> Score {
+        match &self.play.won {
+            Some(won) => Score::after(self.setup.rules, self.finished.iter().chain([won])),
+            None => self.score_before(),
+        }
+    }
+
+    /// Where the game stands.
+    pub fn stage(&self) -> Stage {
+        let rules = self.setup.rules;
+        let score = self.score();
+        match (
+            self.play.won,
+            score.match_winner(rules),
+            score.game_winner(rules),
+        ) {
+            (None, ..) => Stage::Playing,
+            (Some(_), Some(team), _) => Stage::MatchOver(team),
+            (Some(_), None, Some(team)) => Stage::GameOver(team),
+            (Some(won), None, None) => Stage::BoardOver(won),
+        }
+    }
+
+    /// The base lines of the player whose turn it is.
+    pub fn base_lines<'a>(&'a self, board: &'a Board) -> BaseLines<'a> {
+        BaseLines::new(board, self.setup.set, self.seat(), self.coins())
+    }
+
+    /// Whether the striker may stand at `at` for the next stroke: within the
+    /// base lines, or anywhere free in practice.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn check_place(&self, board: &Board, at: DVec2) -> Result<(), Misplaced> {
+        match self.setup.rules {
+            Rules::Practice => check_anywhere(board, self.setup.set, self.coins(), at),
+            Rules::Tournament | Rules::Friendly => self.base_lines(board).check(at),
+        }
+    }
+
+    /// The discs and motions of the next stroke, for the engine: the striker with
+    /// its motion first, then the coins at rest in their order.
+    pub fn discs(&self, striker: Motion) -> (Vec<Disc>, Vec<Motion>) {
+        let striker = (self.setup.set.disc(Piece::Striker), striker);
+        let coins = self
+            .coins()
+            .iter()
+            .map(|coin| (self.setup.set.disc(coin.piece), Motion::at_rest(coin.at)));
+        std::iter::once(striker).chain(coins).unzip()
+    }
+
+    /// Applies the rules to a stroke of the player whose turn it is, and returns
+    /// what the referee announces, the decisive ruling first.
+    ///
+    /// # Errors
+    /// If the board has ended or the stroke cannot be one of this board; the
+    /// game is then unchanged.
+    pub fn apply(&mut self, stroke: &Stroke) -> Result<Vec<Ruling>, StrokeError> {
+        if self.play.won.is_some() {
+            return Err(StrokeError::Ended);
+        }
+        stroke.check(self.coins(), Board::default().side)?;
+        let terms = self.terms();
+        let verdict = laws::judge(self.setup.rules, &self.play.case(&terms, stroke));
+        self.play.take_in(&terms, stroke);
+        Ok(self.carry_out(&terms, verdict))
+    }
+
+    /// The player whose turn it is commits a foul: on a screen, lets the stroke
+    /// clock run out (23, 36, 37).
+    ///
+    /// # Errors
+    /// If the board has ended.
+    pub fn foul(&mut self) -> Result<Vec<Ruling>, StrokeError> {
+        self.without_stroke(|game, player| {
+            let (struck, to_cover) = (game.play.struck, game.play.queen_to_cover());
+            laws::foul(game.setup.rules, player, struck, to_cover)
+        })
+    }
+
+    /// The player whose turn it is finds no place for the striker, because coins
+    /// bar them all.
+    ///
+    /// # Errors
+    /// If the board has ended.
+    pub fn no_place(&mut self) -> Result<Vec<Ruling>, StrokeError> {
+        self.without_stroke(|game, player| laws::no_place(player, game.play.queen_to_cover()))
+    }
+
+    fn without_stroke(
+        &mut self,
+        verdict: impl FnOnce(&Self, Colour) -> Verdict,
+    ) -> Result<Vec<Ruling>, StrokeError> {
+        if self.play.won.is_some() {
+            return Err(StrokeError::Ended);
+        }
+        let terms = self.terms();
+        let player = terms.colour(self.team(self.seat()));
+        let verdict = verdict(self, player);
+        Ok(self.carry_out(&terms, verdict))
+    }
+
+    /// Lays the pack for the next board, and for the next game when one has been
+    /// won.
+    ///
+    /// # Errors
+    /// If this board has not ended, or the match has.
+    pub fn next_board(&mut self) -> Result<(), GameError> {
+        let Some(won) = self.play.won else {
+            return Err(GameError::StillPlaying);
+        };
+        if let Stage::MatchOver(_) = self.stage() {
+            return Err(GameError::MatchOver);
+        }
+        self.finished.push(won);
+        let breaker = self.breaker();
+        let board = u64::try_from(self.finished.len()).unwrap_or(u64::MAX);
+        self.play = break_board(&self.setup, board, breaker);
+        Ok(())
+    }
+
+    /// Lays `coins` out as they are, in practice.
+    ///
+    /// # Errors
+    /// If this is no practice, or the coins cannot lie so; the game is then
+    /// unchanged.
+    pub fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
+        if self.setup.rules != Rules::Practice {
+            return Err(GameError::NotInPractice);
+        }
+        check_coins(&coins, self.setup.set)?;
+        let mut play = Play::new(coins, self.seat());
+        if !play.queen_on_board() {
+            play.queen_covered_by = Some(self.team(self.seat()));
+        }
+        self.play = play;
+        Ok(())
+    }
+
+    /// Carries a verdict out and announces the end of a game or match with it.
+    fn carry_out(&mut self, terms: &Terms, verdict: Verdict) -> Vec<Ruling> {
+        let mut rulings = self.play.carry_out(terms, verdict);
+        if self.play.won.is_some() {
+            rulings.extend(self.announce_end());
+        }
+        rulings
+    }
+
+    /// What a finished board means for game and match.
+    fn announce_end(&self) -> Vec<Ruling> {
+        let rules = self.setup.rules;
+        let score = self.score();
+        let law = |law| (rules == Rules::Tournament).then_some(law);
+        let ruling = |law, text: String, effect| Ruling {
+            law,
+            text,
+            effects: vec![effect],
+        };
+        let mut rulings = Vec::new();
+        if score.is_tied(rules) {
+            rulings.push(ruling(
+                law(Law::EXTRA_BOARD),
+                "The score is level after the last board, so one more decides.".to_owned(),
+                Effect::ExtraBoard,
+            ));
+        }
+        if let Some(team) = score.game_winner(rules) {
+            rulings.push(ruling(
+                law(Law::GAME),
+                format!(
+                    "{} wins the game by {} to {}.",
+                    self.colour(team),
+                    score.points[team],
+                    score.points[team.other()]
+                ),
+                Effect::GameWon(team),
+            ));
+        }
+        if let Some(team) = score.match_winner(rules) {
+            rulings.push(ruling(
+                law(Law::MATCH),
+                format!(
+                    "That makes two games for {}, who wins the match.",
+                    self.colour(team)
+                ),
+                Effect::MatchWon(team),
+            ));
+        }
+        rulings
+    }
+
+    fn score_before(&self) -> Score {
+        Score::after(self.setup.rules, &self.finished).before_next_board(self.setup.rules)
+    }
+
+    /// Who breaks this board: the break goes round from board to board (22), and
+    /// each game begins one place further (22a). An extra board keeps the
+    /// order in place of a toss (29b).
+    fn breaker(&self) -> Seat {
+        let score = self.score_before();
+        let turns = match self.setup.rules {
+            Rules::Practice => 0,
+            Rules::Tournament | Rules::Friendly => {
+                let games = score.games[Team::First] + score.games[Team::Second];
+                games.saturating_add(score.boards)
+            }
+        };
+        // Four turns lead back to where they began, in doubles and in singles.
+        (0..turns % 4).fold(self.setup.first_breaker, |seat, _| {
+            self.setup.hands.next(seat)
+        })
+    }
+
+    fn terms(&self) -> Terms {
+        Terms {
+            hands: self.setup.hands,
+            set: self.setup.set,
+            white: self.team(self.breaker()),
+            score: self.score_before(),
+        }
+    }
+}
+
+fn break_board(setup: &Setup, board: u64, breaker: Seat) -> Play {
+    let coins = match setup.seed {
+        Some(seed) => jittered_pack(setup.set, breaker, seed.wrapping_add(board)),
+        None => pack(setup.set, breaker),
+    };
+    Play::new(coins, breaker)
+}
