@@ -5,20 +5,35 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::lab::Setup;
 use super::{Context, Help, Hint, Next, Place, Screen};
 use crate::messages::{Input, Key, MouseKind};
+use crate::widgets::hit::{Layer, Layers, Watch};
 
 /// The first screen.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Home {
     chosen: usize,
+    picture: Watch,
+}
+
+impl Default for Home {
+    /// The first choice, beside the shot that the lab opens with, at its contact.
+    fn default() -> Self {
+        let mut layers = Layers::default();
+        layers.toggle(Layer::Triangle);
+        Self {
+            chosen: 0,
+            picture: Watch::new(Setup::default().collision(), None, true).with_layers(layers),
+        }
+    }
 }
 
 /// A line of the menu.
 struct Choice {
     key: char,
     name: &'static str,
-    about: &'static str,
+    about: [&'static str; 2],
     place: Place,
 }
 
@@ -26,19 +41,19 @@ const CHOICES: [Choice; 3] = [
     Choice {
         key: 'l',
         name: "Lab",
-        about: "set up a glancing hit, say where both will go, watch why",
+        about: ["set up a hit, say where they", "go, watch it slowed, see why"],
         place: Place::Lab,
     },
     Choice {
         key: 'z',
         name: "Quiz",
-        about: "ten hits to predict; find out what you really think",
+        about: ["ten hits to predict; find out", "what you really think"],
         place: Place::Quiz { seed: None },
     },
     Choice {
         key: 'v',
         name: "Levels",
-        about: "small puzzles on the board, solved by aiming",
+        about: ["small puzzles on the board,", "solved by aiming"],
         place: Place::Levels,
     },
 ];

@@ -5,30 +5,73 @@ use ratatui::layout::Rect;
 
 use super::{CHOICES, Home};
 use crate::screens::Context;
-use crate::widgets::Role;
+use crate::widgets::panel::draw_panel;
+use crate::widgets::{Lines, Role};
 
-/// Which line of the menu stands at this cell.
-pub(super) fn choice_at(area: Rect, _column: u16, row: u16) -> Option<usize> {
-    let i = usize::from(row.checked_sub(area.y + 2)?);
-    (i < CHOICES.len()).then_some(i)
+/// Columns of the menu.
+const MENU: u16 = 36;
+/// Rows of a choice, with the empty one after it.
+const CHOICE_ROWS: u16 = 4;
+/// Rows above the first choice.
+const HEAD_ROWS: u16 = 3;
+
+/// Where the picture's frame and the menu are.
+fn layout(area: Rect) -> (Rect, Rect) {
+    let menu = MENU.min(area.width);
+    let picture = Rect {
+        width: area.width - menu,
+        ..area
+    };
+    let menu = Rect {
+        x: picture.right(),
+        width: menu,
+        ..area
+    };
+    (picture, menu)
 }
 
-/// Draws the menu.
+/// Which line of the menu stands at this cell.
+pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
+    let (_, menu) = layout(area);
+    if !menu.contains((column, row).into()) {
+        return None;
+    }
+    let choice = usize::from(row.checked_sub(menu.y + HEAD_ROWS)? / rows_of_a_choice(menu));
+    (choice < CHOICES.len()).then_some(choice)
+}
+
+/// Where there is not room for all choices with what they are about, each takes
+/// a row.
+fn rows_of_a_choice(menu: Rect) -> u16 {
+    let roomy = HEAD_ROWS + CHOICE_ROWS * CHOICES.len() as u16;
+    if roomy <= menu.height { CHOICE_ROWS } else { 1 }
+}
+
+/// Draws the menu beside a hit.
 pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
-    let theme = cx.settings.theme();
+    let look = cx.settings.look();
+    let (picture, menu) = layout(area);
+    let title = "a glancing hit";
+    let inside = draw_panel(buf, picture, title, look.charset, &look.theme);
+    home.picture.draw(inside, buf, &look);
+    let mut lines = Lines::new(menu, buf, look);
+    lines.line("Aim. Say where both will go.", Role::Text);
+    lines.line("Then watch the exact hit, and why.", Role::Text);
+    lines.line("", Role::Text);
+    let rows = rows_of_a_choice(menu);
     for (i, choice) in CHOICES.iter().enumerate() {
-        let role = if i == home.chosen {
-            Role::Selected
+        let chosen = i == home.chosen;
+        let (mark, role) = if chosen {
+            (">", Role::Selected)
         } else {
-            Role::Text
+            (" ", Role::Text)
         };
-        let line = format!(" {}  {:8}{}", choice.key, choice.name, choice.about);
-        buf.set_stringn(
-            area.x + 2,
-            area.y + 2 + i as u16,
-            line,
-            area.width.saturating_sub(4).into(),
-            theme.style(role),
-        );
+        lines.line(&format!("{mark} {}  {} ", choice.key, choice.name), role);
+        if rows > 1 {
+            for about in choice.about {
+                lines.line(&format!("     {about}"), Role::Dim);
+            }
+            lines.line("", Role::Text);
+        }
     }
 }

@@ -50,6 +50,12 @@ impl Watch {
         }
     }
 
+    /// The same with these layers.
+    #[must_use]
+    pub fn with_layers(self, layers: Layers) -> Self {
+        Self { layers, ..self }
+    }
+
     /// The collision that is watched.
     pub fn collision(&self) -> &Collision {
         &self.collision
