@@ -55,7 +55,12 @@ pub fn ground(sheet: &mut Sheet, board: &Board) {
     if radius <= 0.0 || !board.side.is_finite() {
         return;
     }
-    for corner in [DVec2::ONE, DVec2::NEG_ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0)] {
+    for corner in [
+        DVec2::ONE,
+        DVec2::NEG_ONE,
+        DVec2::new(1.0, -1.0),
+        DVec2::new(-1.0, 1.0),
+    ] {
         sheet.circle(corner * (half - radius), radius, Role::Pocket);
     }
     // Lines belong to a board of carrom's own size; on another they scale with it.

@@ -2,12 +2,13 @@
 
 mod view;
 
+use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::lab::Setup;
 use super::{Context, Help, Hint, Next, Place, Screen};
 use crate::messages::{Input, Key, MouseKind};
+use crate::physics::{Collision, Disc};
 use crate::widgets::hit::{Layer, Layers, Watch};
 
 /// The first screen.
@@ -18,15 +19,21 @@ pub struct Home {
 }
 
 impl Default for Home {
-    /// The first choice, beside the shot that the lab opens with, at its contact.
+    /// The first choice, beside a hit at its contact.
     fn default() -> Self {
         let mut layers = Layers::default();
         layers.toggle(Layer::Triangle);
         Self {
             chosen: 0,
-            picture: Watch::new(Setup::default().collision(), None, true).with_layers(layers),
+            picture: Watch::new(worked_shot(), None, true).with_layers(layers),
         }
     }
+}
+
+/// 15 g on 15 g at 4 m/s and 30°: the shot that everything here is explained on.
+fn worked_shot() -> Collision {
+    let disc = Disc::from_g_mm(15.0, 15.0);
+    Collision::at_angle(disc, disc, DVec2::new(4.0, 0.0), 30_f64.to_radians())
 }
 
 /// A line of the menu.
@@ -41,7 +48,10 @@ const CHOICES: [Choice; 3] = [
     Choice {
         key: 'l',
         name: "Lab",
-        about: ["set up a hit, say where they", "go, watch it slowed, see why"],
+        about: [
+            "set up a hit, say where they",
+            "go, watch it slowed, see why",
+        ],
         place: Place::Lab,
     },
     Choice {
