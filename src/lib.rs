@@ -29,7 +29,9 @@
 //! ```
 
 pub mod app;
+pub mod cli;
 pub mod messages;
 pub mod physics;
 pub mod screens;
+pub mod shells;
 pub mod widgets;

@@ -52,7 +52,7 @@ pub trait Screen {
 }
 
 /// What follows from an input or from time that passed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
     /// The input meant nothing here; the app may use it.
     Ignored,
