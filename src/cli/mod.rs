@@ -20,7 +20,7 @@ use crate::app::App;
 use crate::screens::Place;
 use options::Look;
 
-/// carrom: a terminal game that teaches glancing collisions.
+/// A terminal game that teaches glancing collisions.
 ///
 /// Aim a striker at a coin, set how far off-centre it hits, say first where both
 /// will go, then watch the exact collision explain itself. Without a command the

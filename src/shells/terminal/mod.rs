@@ -22,6 +22,8 @@ use crossterm::queue;
 use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
+#[cfg(unix)]
+use ratatui::layout::{Position, Rect};
 use thiserror::Error;
 
 pub use crash::report_crashes;
@@ -160,8 +162,11 @@ impl Run {
             #[cfg(unix)]
             Message::Continue => {
                 self.guard.take_again().map_err(TerminalError::SetUp)?;
-                self.screen.clear().map_err(TerminalError::Write)?;
                 let size = self.screen.size().map_err(TerminalError::SetUp)?;
+                // Everything is to be drawn afresh. Not by `clear`: that asks the
+                // terminal where its cursor is, and the answer goes to the reader.
+                let area = Rect::from((Position::ORIGIN, size));
+                self.screen.resize(area).map_err(TerminalError::Write)?;
                 self.app.update(&Input::Resize(size.width, size.height));
                 self.pace = Pace::new(Instant::now());
             }

@@ -12,12 +12,12 @@ use crate::widgets::{Charset, Depth};
 pub enum Unusable {
     /// Standard input or output is a file, a pipe or nothing.
     #[error(
-        "carrom needs a terminal, and {0} is not one; for use without one see carrom solve and carrom tape"
+        "a terminal is needed, and {0} is not one; for use without one see carrom solve and carrom tape"
     )]
     NoTerminal(&'static str),
     /// The terminal cannot place text.
     #[error(
-        "carrom needs a terminal that can place text, and TERM is {0}; for use without one see carrom solve and carrom tape"
+        "a terminal that can place text is needed, and TERM is {0}; for use without one see carrom solve and carrom tape"
     )]
     Dumb(String),
 }
