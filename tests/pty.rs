@@ -2,6 +2,7 @@
 //! terminal as it was, however it ends.
 
 #![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod common;
 
@@ -141,7 +142,7 @@ fn it_can_be_stopped_and_continued() {
     pty.assert_taken();
     let process = process_in(&pty.bytes());
     let stops: [&dyn Fn(&mut Pty); 2] = [&|pty| pty.press("\x1a"), &|_| {
-        kill_process(process, Signal::TSTP).unwrap()
+        kill_process(process, Signal::TSTP).unwrap();
     }];
     for (i, stop) in stops.iter().enumerate() {
         stop(&mut pty);

@@ -19,7 +19,7 @@ pub struct Options {
     #[arg(long, global = true, value_enum, default_value_t, value_name = "DEPTH")]
     color: ColorChoice,
     /// Fix everything that is left to chance, such as the questions of a quiz
-    #[arg(long, global = true, value_name = "N")]
+    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
     /// Name of the player
     #[arg(long, global = true, value_name = "NAME", value_parser = player)]

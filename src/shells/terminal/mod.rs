@@ -2,7 +2,7 @@
 //!
 //! Three threads: one reads the keyboard and the mouse, one waits for signals,
 //! and the one that called [`run`] holds the app and draws. The first two only
-//! send [`Message`]s; while nothing moves, all three are blocked.
+//! send messages; while nothing moves, all three are blocked.
 
 mod crash;
 mod guard;
