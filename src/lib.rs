@@ -30,9 +30,11 @@
 //! ```
 
 pub mod app;
+pub mod cli;
 pub mod game;
 pub mod messages;
 pub mod physics;
 pub mod quiz;
 pub mod screens;
+pub mod shells;
 pub mod widgets;

@@ -43,9 +43,21 @@ impl App {
         app
     }
 
+    /// An app on a screen of the caller's own, with Home below it.
+    pub fn on(screen: Box<dyn Screen>, settings: Settings, seed: u64) -> Self {
+        let mut app = Self::new(Place::Home, settings, seed);
+        app.stack.push(screen);
+        app
+    }
+
     /// What the player has set.
     pub fn settings(&self) -> &Settings {
         &self.context.settings
+    }
+
+    /// What the player has set, to be changed.
+    pub fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.context.settings
     }
 
     /// Takes one input and says what the shell is to do about it.

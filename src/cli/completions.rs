@@ -1,0 +1,24 @@
+//! `carrom completions`: what a shell needs to complete carrom's arguments.
+
+use std::process::ExitCode;
+
+use clap::Command;
+use clap_complete::Shell;
+
+use super::Failure;
+
+/// Print the completions for a shell.
+///
+/// For example: carrom completions bash > ~/.local/share/bash-completion/completions/carrom
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The shell
+    shell: Shell,
+}
+
+pub(super) fn run(args: &Args, mut command: Command) -> Result<ExitCode, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut command, "carrom", &mut script);
+    super::print(&script)?;
+    Ok(ExitCode::SUCCESS)
+}

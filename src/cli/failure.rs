@@ -1,0 +1,36 @@
+//! How a command fails.
+
+use anyhow::Error;
+
+/// Why a command did not do its work, and what that means for the exit status.
+#[derive(Debug)]
+pub enum Failure {
+    /// The work failed: exit status 1.
+    Work(Error),
+    /// The arguments or the input cannot be used: exit status 2.
+    Input(Error),
+}
+
+impl Failure {
+    /// The exit status.
+    pub fn status(&self) -> u8 {
+        match self {
+            Self::Work(_) => 1,
+            Self::Input(_) => 2,
+        }
+    }
+
+    /// What to say.
+    pub fn error(&self) -> &Error {
+        match self {
+            Self::Work(error) | Self::Input(error) => error,
+        }
+    }
+}
+
+/// Where nothing else is said, it is the work that failed.
+impl<E: Into<Error>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::Work(error.into())
+    }
+}

@@ -1,0 +1,170 @@
+//! The command line: one file a subcommand.
+
+mod completions;
+mod failure;
+mod man;
+mod options;
+mod play;
+mod tape;
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+pub use failure::Failure;
+pub use options::Options;
+
+use crate::app::App;
+use crate::screens::Place;
+use options::Look;
+
+/// A terminal game that teaches glancing collisions.
+///
+/// Aim a striker at a coin, set how far off-centre it hits, say first where both
+/// will go, then watch the exact collision explain itself. Without a command the
+/// game opens at its first screen; `?` explains every screen.
+#[derive(Debug, Parser)]
+#[command(name = "carrom", version, after_help = EXAMPLES)]
+pub struct Cli {
+    #[command(flatten)]
+    options: Options,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  carrom                       open the game
+  carrom lab                   go straight to the lab
+  carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
+  carrom --charset ascii       for terminals and fonts that know nothing else
+  carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
+
+Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    #[command(flatten)]
+    Open(Screen),
+    Tape(tape::Args),
+    Completions(completions::Args),
+    /// Print the manual page (carrom man | man -l -)
+    Man,
+}
+
+/// Commands that open the game at a screen.
+#[derive(Debug, Subcommand)]
+enum Screen {
+    /// Open the lab: set up a glancing hit, say where both will go, watch why
+    Lab,
+    /// Open the quiz: ten hits to predict (with --seed N always the same ten)
+    Quiz,
+    /// Open the levels: small puzzles on the board, solved by aiming
+    Levels,
+}
+
+impl Screen {
+    fn place(&self) -> Place {
+        match self {
+            Self::Lab => Place::Lab,
+            // The first round takes the app's own seed.
+            Self::Quiz => Place::Quiz { seed: None },
+            Self::Levels => Place::Levels,
+        }
+    }
+}
+
+/// Does what the arguments (the first is the program's name) ask for.
+///
+/// # Errors
+/// What went wrong, with the exit status it stands for.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Failure> {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(message) => {
+            // Help asked for goes to standard output, anything else to standard
+            // error; if neither can be written there is nobody to tell.
+            let _ = message.print();
+            return Ok(match message.exit_code() {
+                0 => ExitCode::SUCCESS,
+                _ => ExitCode::from(2),
+            });
+        }
+    };
+    match &cli.command {
+        None => play::run(&cli.options, Place::Home),
+        Some(Command::Open(screen)) => play::run(&cli.options, screen.place()),
+        Some(Command::Tape(args)) => tape::run(args, &cli.options),
+        Some(Command::Completions(args)) => completions::run(args, Cli::command()),
+        Some(Command::Man) => man::run(Cli::command()),
+    }
+}
+
+/// The app that `carrom` with these arguments opens (in one string, split into
+/// words as a shell would), for use without a terminal: in ASCII, without colour
+/// and with a fixed seed unless the arguments say otherwise.
+///
+/// # Errors
+/// What is wrong with the arguments, in words.
+pub fn open(arguments: &str) -> Result<App, String> {
+    open_within(arguments, &Options::default())
+}
+
+/// As [`open`], with `outer` where the arguments leave an option open.
+fn open_within(arguments: &str, outer: &Options) -> Result<App, String> {
+    let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
+    let words = std::iter::once("carrom".to_owned()).chain(words);
+    let cli = Cli::try_parse_from(words).map_err(|error| {
+        let message = error.to_string();
+        let first = message.lines().next().unwrap_or_default();
+        first.strip_prefix("error: ").unwrap_or(first).to_owned()
+    })?;
+    let place = match &cli.command {
+        None => Place::Home,
+        Some(Command::Open(screen)) => screen.place(),
+        Some(_) => return Err("expected a command that opens a screen".into()),
+    };
+    let options = cli.options.or(outer);
+    let seed = options.seed.unwrap_or(1);
+    Ok(App::new(place, options.settings(Look::PLAINEST), seed))
+}
+
+/// Writes to standard output. A reader who has seen enough (`carrom man | head`) is
+/// no error.
+fn print(bytes: &[u8]) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::widgets::{Charset, Depth};
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn arguments_in_one_string_open_an_app() {
+        let app = open("quiz --seed 7 --charset unicode --player 'Ada L'").unwrap();
+        assert_eq!(app.settings().charset, Charset::Unicode);
+        assert_eq!(app.settings().depth, Depth::None);
+        assert_eq!(app.settings().player, "Ada L");
+    }
+
+    #[test]
+    fn what_is_wrong_with_them_is_said() {
+        let wrong = |arguments| open(arguments).err().unwrap_or_default();
+        assert_eq!(wrong("lab 'x"), "expected a closing quote in the arguments");
+        assert_eq!(wrong("man"), "expected a command that opens a screen");
+        assert_eq!(wrong("lob"), "unrecognized subcommand 'lob'");
+        assert!(wrong("quiz --seed x").starts_with("invalid value 'x' for '--seed <N>'"));
+    }
+}

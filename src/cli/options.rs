@@ -1,0 +1,125 @@
+//! Options that every command takes.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use etcetera::BaseStrategy;
+
+use crate::screens::Settings;
+use crate::widgets::{Charset, Depth};
+
+/// Options that every command takes.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Global options")]
+pub struct Options {
+    /// Glyphs to draw with; auto: unicode in a UTF-8 locale
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "SET")]
+    charset: CharsetChoice,
+    /// Colours to draw with; auto: what the terminal shows, and none with NO_COLOR
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "DEPTH")]
+    color: ColorChoice,
+    /// Fix everything that is left to chance, such as the questions of a quiz
+    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true)]
+    pub(super) seed: Option<u64>,
+    /// Name of the player
+    #[arg(long, global = true, value_name = "NAME", value_parser = player)]
+    player: Option<String>,
+    /// Folder for what carrom keeps, such as crash.log (default: the system's place
+    /// for a program's data)
+    #[arg(long, global = true, value_name = "DIR")]
+    data_dir: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+enum CharsetChoice {
+    #[default]
+    Auto,
+    Ascii,
+    Unicode,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+enum ColorChoice {
+    #[default]
+    Auto,
+    None,
+    #[value(name = "16")]
+    Sixteen,
+    #[value(name = "256")]
+    Cube,
+    Truecolor,
+}
+
+/// What `auto` means for charset and colours.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Look {
+    pub(super) charset: Charset,
+    pub(super) depth: Depth,
+}
+
+impl Look {
+    /// What shows anywhere.
+    pub(super) const PLAINEST: Self = Self {
+        charset: Charset::Ascii,
+        depth: Depth::None,
+    };
+}
+
+impl Options {
+    /// These options, with the other's where these leave something open.
+    pub(super) fn or(self, other: &Self) -> Self {
+        let other = other.clone();
+        Self {
+            charset: match self.charset {
+                CharsetChoice::Auto => other.charset,
+                chosen => chosen,
+            },
+            color: match self.color {
+                ColorChoice::Auto => other.color,
+                chosen => chosen,
+            },
+            seed: self.seed.or(other.seed),
+            player: self.player.or(other.player),
+            data_dir: self.data_dir.or(other.data_dir),
+        }
+    }
+
+    /// What the player has set, with `auto` standing for the given look.
+    pub(super) fn settings(&self, auto: Look) -> Settings {
+        let defaults = Settings::default();
+        Settings {
+            charset: match self.charset {
+                CharsetChoice::Auto => auto.charset,
+                CharsetChoice::Ascii => Charset::Ascii,
+                CharsetChoice::Unicode => Charset::Unicode,
+            },
+            depth: match self.color {
+                ColorChoice::Auto => auto.depth,
+                ColorChoice::None => Depth::None,
+                ColorChoice::Sixteen => Depth::Ansi16,
+                ColorChoice::Cube => Depth::Indexed256,
+                ColorChoice::Truecolor => Depth::True,
+            },
+            player: self.player.clone().unwrap_or(defaults.player),
+            ..defaults
+        }
+    }
+
+    /// The folder for what carrom keeps; `None` if none is given and the system
+    /// knows no home for the user.
+    pub(super) fn data_dir(&self) -> Option<PathBuf> {
+        self.data_dir.clone().or_else(|| {
+            let system = etcetera::choose_base_strategy().ok()?;
+            Some(system.data_dir().join("carrom"))
+        })
+    }
+}
+
+/// A name that can be shown: not empty, not endless, nothing but visible letters.
+fn player(name: &str) -> Result<String, String> {
+    let name = name.trim();
+    if name.is_empty() || name.chars().count() > 40 || name.chars().any(char::is_control) {
+        return Err("expected a name of 1 to 40 visible letters".into());
+    }
+    Ok(name.to_owned())
+}

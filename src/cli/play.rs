@@ -1,0 +1,34 @@
+//! `carrom` itself: the game in the terminal.
+
+use std::env;
+use std::hash::{BuildHasher, RandomState};
+use std::process::ExitCode;
+
+use super::options::Look;
+use super::{Failure, Options};
+use crate::app::App;
+use crate::screens::Place;
+use crate::shells::terminal::{self, Ending};
+
+/// Opens the game at a screen and plays it until it is left.
+pub(super) fn run(options: &Options, place: Place) -> Result<ExitCode, Failure> {
+    let env = |name: &str| env::var(name).ok();
+    terminal::check(env).map_err(|error| Failure::Input(error.into()))?;
+    terminal::report_crashes(options.data_dir());
+    let auto = Look {
+        charset: terminal::charset(env),
+        depth: terminal::depth(),
+    };
+    let seed = options.seed.unwrap_or_else(any_seed);
+    let app = App::new(place, options.settings(auto), seed);
+    Ok(match terminal::run(app)? {
+        Ending::Quit => ExitCode::SUCCESS,
+        // As a shell reports a process that a signal ended.
+        Ending::Signal(signal) => ExitCode::from(128 + signal as u8),
+    })
+}
+
+/// A seed to play with when none is given, short enough to be told to a friend.
+fn any_seed() -> u64 {
+    RandomState::new().hash_one(()) % 1_000_000
+}

@@ -1,0 +1,101 @@
+//! `carrom tape`: plays a script without a terminal.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Context, anyhow};
+
+use super::{Failure, Options};
+use crate::shells::tape::{PlayError, Tape, play};
+
+/// Play a script without a terminal, on simulated time.
+///
+/// Each line is one instruction; # starts a comment. The same tape gives the same
+/// screens every time, byte for byte. An instruction that fails ends the run with
+/// its line number, and then no file is written.
+#[derive(Debug, clap::Args)]
+#[command(after_help = INSTRUCTIONS)]
+pub(super) struct Args {
+    /// The script
+    file: PathBuf,
+    /// Folder for the screenshots, made if need be
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    out: PathBuf,
+    /// Write each screenshot as a picture too, NAME.svg beside NAME.txt
+    #[arg(long)]
+    svg: bool,
+}
+
+const INSTRUCTIONS: &str = r#"Instructions:
+  Run "quiz --seed 7"      first: the arguments after carrom (default none)
+  Set Size 100x30          columns x rows (default 80x24)
+  Set Charset ascii        or unicode
+  Set Color none           or 16, 256, truecolor
+  Type "60"                one key a character
+  Right 5                  a key by its name, with how often: Up Down Left Right Enter
+                           Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown
+                           Home End F1 Ctrl+C
+  Click 40,12              column,row from the top left, which is 0,0
+  Drag 40,12 44,12         from, to
+  Scroll down 3            or up; perhaps over a cell: Scroll up 1 40,12
+  Sleep 1.5s               or 200ms; simulated, so it takes no time
+  Screenshot impact        writes impact.txt
+  Expect "90.0"            fails unless the screen shows this
+  Refuse "NaN"             fails if the screen shows this"#;
+
+/// The longest file that is looked at at all, in bytes.
+const LONGEST: u64 = 1 << 20;
+
+pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+    let file = args.file.display();
+    let text = read(&args.file).map_err(Failure::Input)?;
+    let tape = Tape::parse(&text).map_err(|error| Failure::Input(anyhow!("{file}:{error}")))?;
+    let open = |arguments: &str| super::open_within(arguments, options);
+    let screenshots = play(&tape, open).map_err(|error| {
+        let message = anyhow!("{file}:{error}");
+        match error {
+            PlayError::Run { .. } => Failure::Input(message),
+            _ => Failure::Work(message),
+        }
+    })?;
+    if screenshots.is_empty() {
+        return Ok(ExitCode::SUCCESS);
+    }
+    fs::create_dir_all(&args.out).with_context(|| args.out.display().to_string())?;
+    let mut written = String::new();
+    for screenshot in &screenshots {
+        let mut keep = |kind: &str, content: &str| -> anyhow::Result<()> {
+            let path = args.out.join(format!("{}.{kind}", screenshot.name));
+            fs::write(&path, content).with_context(|| path.display().to_string())?;
+            written += &format!("{}\n", path.display());
+            Ok(())
+        };
+        keep("txt", &screenshot.text())?;
+        if args.svg {
+            keep("svg", &screenshot.svg())?;
+        }
+    }
+    super::print(written.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The text of a tape; an error names the file.
+fn read(path: &Path) -> anyhow::Result<String> {
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes))
+        .with_context(|| path.display().to_string())?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(anyhow!(
+            "{}: expected a tape of at most {LONGEST} bytes, found more",
+            path.display()
+        ));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+        anyhow!("{}:{line}: expected text in UTF-8", path.display())
+    })
+}

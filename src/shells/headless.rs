@@ -1,0 +1,301 @@
+//! An app without a terminal: keys in, screens out, on simulated time.
+
+use std::convert::Infallible;
+use std::time::Duration;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::{Buffer, Cell};
+use unicode_width::UnicodeWidthStr;
+
+use super::FRAME;
+use crate::app::App;
+use crate::messages::{Effect, Input, Key, Mouse, MouseKind};
+
+/// An app with a screen in memory.
+///
+/// ```
+/// use carrom::app::App;
+/// use carrom::screens::{Place, Settings};
+/// use carrom::shells::Headless;
+///
+/// let mut game = Headless::new(App::new(Place::Home, Settings::default(), 1), 80, 24);
+/// assert!(game.screen().contains("carrom : home"));
+/// game.press("<Down><Up>q");
+/// assert!(game.has_quit());
+/// ```
+pub struct Headless {
+    app: App,
+    terminal: Terminal<TestBackend>,
+    quit: bool,
+}
+
+impl Headless {
+    /// `app` on a screen of `columns` by `rows`.
+    pub fn new(app: App, columns: u16, rows: u16) -> Self {
+        let Ok(terminal) = Terminal::new(TestBackend::new(columns, rows));
+        let mut headless = Self {
+            app,
+            terminal,
+            quit: false,
+        };
+        headless.input(&Input::Resize(columns, rows));
+        headless
+    }
+
+    /// The app as it stands.
+    pub fn app(&self) -> &App {
+        &self.app
+    }
+
+    /// The app, to change what the player has set.
+    pub fn app_mut(&mut self) -> &mut App {
+        &mut self.app
+    }
+
+    /// Whether the app has asked to be left; from then on nothing reaches it.
+    pub fn has_quit(&self) -> bool {
+        self.quit
+    }
+
+    /// Hands one input over.
+    pub fn input(&mut self, input: &Input) {
+        if !self.quit {
+            let effects = self.app.update(input);
+            self.carry_out(&effects);
+        }
+    }
+
+    /// Presses one key.
+    pub fn key(&mut self, key: Key) {
+        self.input(&Input::Key(key));
+    }
+
+    /// Presses keys one by one: a character stands for itself, a name in angle
+    /// brackets for the key a tape calls so (`"<Right><Right>60<Enter>"`).
+    /// Brackets with no such key between them are typed as they stand.
+    pub fn press(&mut self, keys: &str) {
+        let mut rest = keys;
+        while let Some(first) = rest.chars().next() {
+            let named = rest
+                .strip_prefix('<')
+                .and_then(|inner| inner.split_once('>'))
+                .and_then(|(name, after)| Some((Key::named(name)?, after)));
+            let (key, after) = named.unwrap_or((Key::Char(first), &rest[first.len_utf8()..]));
+            self.key(key);
+            rest = after;
+        }
+    }
+
+    /// Presses the button over a cell and lets it go.
+    pub fn click(&mut self, at: (u16, u16)) {
+        self.mouse(MouseKind::Down, at);
+        self.mouse(MouseKind::Up, at);
+    }
+
+    /// Presses the button over one cell and lets it go over another.
+    pub fn drag(&mut self, from: (u16, u16), to: (u16, u16)) {
+        self.mouse(MouseKind::Down, from);
+        self.mouse(MouseKind::Drag, to);
+        self.mouse(MouseKind::Up, to);
+    }
+
+    /// Does one thing with the mouse over a cell (column, row, from 0).
+    pub fn mouse(&mut self, kind: MouseKind, (column, row): (u16, u16)) {
+        self.input(&Input::Mouse(Mouse { kind, column, row }));
+    }
+
+    /// Gives the screen another size.
+    pub fn resize(&mut self, columns: u16, rows: u16) {
+        self.terminal.backend_mut().resize(columns, rows);
+        self.input(&Input::Resize(columns, rows));
+    }
+
+    /// Lets simulated time pass, in the steps the app asks for.
+    pub fn pass(&mut self, time: Duration) {
+        let mut left = time;
+        while !self.quit && !left.is_zero() {
+            let Some(wake) = self.app.wake() else {
+                return;
+            };
+            let step = wake.max(FRAME).min(left);
+            let effects = self.app.advance(step);
+            self.carry_out(&effects);
+            left -= step;
+        }
+    }
+
+    /// Lets time pass until nothing moves any more, but at most `limit`; says
+    /// whether that was enough.
+    pub fn settle(&mut self, limit: Duration) -> bool {
+        self.pass(limit);
+        self.quit || self.app.wake().is_none()
+    }
+
+    /// Draws the screen and gives its cells.
+    pub fn buffer(&mut self) -> &Buffer {
+        let app = &self.app;
+        let drawn: Result<_, Infallible> = self.terminal.draw(|frame| app.draw(frame));
+        let Ok(_) = drawn;
+        self.terminal.backend().buffer()
+    }
+
+    /// Draws the screen and gives its text.
+    pub fn screen(&mut self) -> String {
+        text(self.buffer())
+    }
+
+    fn carry_out(&mut self, effects: &[Effect]) {
+        for effect in effects {
+            match effect {
+                Effect::Quit => self.quit = true,
+            }
+        }
+    }
+}
+
+/// The rows of a screen, without the blanks at their ends, a line break after
+/// each.
+pub fn text(buffer: &Buffer) -> String {
+    let mut text = String::new();
+    for cells in rows(buffer) {
+        let start = text.len();
+        for (_, cell) in symbols(cells) {
+            text.push_str(cell.symbol());
+        }
+        let end = start + text[start..].trim_end().len();
+        text.truncate(end);
+        text.push('\n');
+    }
+    text
+}
+
+/// The cells of each row.
+pub(super) fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
+    let columns = usize::from(buffer.area.width).max(1);
+    buffer.content.chunks(columns)
+}
+
+/// The cells of a row that show something of their own, with their columns: a
+/// wide symbol hides the cell after it.
+pub(super) fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
+    let mut next = 0;
+    cells.iter().enumerate().filter(move |(column, cell)| {
+        let shown = *column >= next;
+        if shown {
+            next = column + cell.symbol().width().max(1);
+        }
+        shown
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::screens::{Context, Help, Hint, Next, Place, Screen, Settings};
+    use ratatui::layout::Rect;
+    use ratatui::style::Style;
+
+    /// Counts what it is told, and moves for a second after a space.
+    #[derive(Default)]
+    struct Counter {
+        typed: String,
+        left: Duration,
+        steps: Vec<Duration>,
+    }
+
+    impl Screen for Counter {
+        fn title(&self) -> String {
+            format!("{} {}", self.typed, self.steps.len())
+        }
+        fn update(&mut self, input: &Input, _: &mut Context) -> Next {
+            match input {
+                Input::Key(Key::Char(' ')) => self.left = Duration::from_secs(1),
+                Input::Key(Key::Char(c)) => self.typed.push(*c),
+                Input::Key(Key::Escape) => return Next::Back,
+                Input::Key(key) => self.typed += &format!("[{key}]"),
+                _ => {}
+            }
+            Next::Stay
+        }
+        fn advance(&mut self, passed: Duration, _: &mut Context) -> Next {
+            self.steps.push(passed);
+            self.left = self.left.saturating_sub(passed);
+            Next::Stay
+        }
+        fn wake(&self, _: &Context) -> Option<Duration> {
+            (!self.left.is_zero()).then(|| Duration::from_millis(40).min(self.left))
+        }
+        fn draw(&self, _: Rect, _: &mut Buffer, _: &Context) {}
+        fn keys(&self, _: &Context) -> Vec<Hint> {
+            vec![]
+        }
+        fn help(&self, _: &Context) -> Help {
+            Help {
+                text: vec![],
+                keys: vec![],
+            }
+        }
+    }
+
+    fn counter() -> Headless {
+        let app = App::on(Box::new(Counter::default()), Settings::default(), 1);
+        Headless::new(app, 80, 24)
+    }
+
+    #[test]
+    fn keys_arrive_one_by_one() {
+        let mut game = counter();
+        game.press("6<Right>0<what><Enter");
+        let screen = game.screen();
+        assert!(screen.contains("6[Right]0<what><Enter 0"), "{screen}");
+    }
+
+    #[test]
+    fn time_passes_only_while_the_app_asks_for_it() {
+        let mut game = counter();
+        game.pass(Duration::from_secs(3600));
+        assert!(game.screen().contains(" 0"));
+        game.press(" ");
+        game.pass(Duration::from_millis(100));
+        assert!(game.screen().contains(" 3"), "40, 40 and 20 ms");
+        assert!(game.settle(Duration::from_secs(3600)));
+        assert!(game.screen().contains(" 26"), "900 ms are 23 more steps");
+    }
+
+    #[test]
+    fn nothing_reaches_an_app_that_has_quit() {
+        let mut game = Headless::new(App::new(Place::Home, Settings::default(), 1), 80, 24);
+        let before = game.screen();
+        game.press("q<Down>");
+        assert!(game.has_quit());
+        assert_eq!(game.screen(), before);
+    }
+
+    #[test]
+    fn any_size_is_drawn() {
+        let mut game = counter();
+        for (columns, rows) in [
+            (0, 0),
+            (1, 1),
+            (0, 5),
+            (5, 0),
+            (300, 100),
+            (59, 20),
+            (60, 20),
+        ] {
+            game.resize(columns, rows);
+            assert_eq!(
+                game.screen().lines().count(),
+                if columns == 0 { 0 } else { rows.into() }
+            );
+        }
+    }
+
+    #[test]
+    fn a_wide_symbol_takes_two_cells() {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 6, 1));
+        buffer.set_string(0, 0, "a球b", Style::new());
+        assert_eq!(text(&buffer), "a球b\n");
+    }
+}

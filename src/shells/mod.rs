@@ -1,0 +1,17 @@
+//! What drives the app: a terminal, a tape, a test.
+//!
+//! Each shell supplies time, translates its own inputs into
+//! [`Input`](crate::messages::Input)s and carries effects out. All of them drive
+//! the same [`App`](crate::app::App) in the same way: time is passed on only
+//! while the app asks for it, and never in smaller steps than a [`FRAME`].
+
+use std::time::Duration;
+
+pub mod headless;
+pub mod tape;
+pub mod terminal;
+
+pub use headless::Headless;
+
+/// The shortest time between two pictures: a sixtieth of a second.
+pub const FRAME: Duration = Duration::from_nanos(16_666_667);

@@ -1,0 +1,42 @@
+//! What a tape can say.
+
+use std::time::Duration;
+
+use crate::messages::{Key, MouseKind};
+use crate::widgets::{Charset, Depth};
+
+/// One instruction of a tape.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Instruction {
+    /// Change how the app is shown.
+    Set(Setting),
+    /// Press the key of each character.
+    Type(String),
+    /// Press a key this many times.
+    Press(Key, u32),
+    /// Click on a cell (column, row).
+    Click((u16, u16)),
+    /// Drag from one cell to another.
+    Drag((u16, u16), (u16, u16)),
+    /// Turn the wheel this many notches, over a cell or over the middle.
+    Scroll(MouseKind, u32, Option<(u16, u16)>),
+    /// Let simulated time pass.
+    Sleep(Duration),
+    /// Keep the screen under a name.
+    Screenshot(String),
+    /// Fail unless the screen shows this.
+    Expect(String),
+    /// Fail if the screen shows this.
+    Refuse(String),
+}
+
+/// What `Set` sets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Setting {
+    /// Columns and rows of the screen.
+    Size(u16, u16),
+    /// The glyphs to draw with.
+    Charset(Charset),
+    /// How many colours there are.
+    Color(Depth),
+}

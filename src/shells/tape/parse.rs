@@ -1,0 +1,266 @@
+//! Reads a tape.
+
+use std::collections::HashMap;
+use std::str::FromStr;
+use std::time::Duration;
+
+use thiserror::Error;
+
+use super::line::{Part, parts};
+use super::{Instruction, Setting, Tape};
+use crate::messages::{Key, MouseKind};
+use crate::widgets::{Charset, Depth};
+
+/// The longest tape, in bytes.
+const LONGEST: usize = 1 << 20;
+/// The most presses or notches in one instruction.
+const MOST: u32 = 10_000;
+/// The most columns or rows.
+const WIDEST: u16 = 1000;
+/// The longest sleep, in seconds.
+const HOUR: f64 = 3600.0;
+
+/// A line of a tape that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{line}: {message}")]
+pub struct ParseError {
+    /// Number of the line, from 1.
+    pub line: usize,
+    /// What is wrong with it and what was expected.
+    pub message: String,
+}
+
+pub(super) fn parse(text: &str) -> Result<Tape, ParseError> {
+    if text.len() > LONGEST {
+        return Err(ParseError {
+            line: 1,
+            message: format!(
+                "expected a tape of at most {LONGEST} bytes, found {}",
+                text.len()
+            ),
+        });
+    }
+    let mut tape = Tape {
+        run: None,
+        steps: Vec::new(),
+    };
+    let mut names = HashMap::new();
+    for (i, text) in text.lines().enumerate() {
+        let line = i + 1;
+        let fail = |message| ParseError { line, message };
+        let parts = parts(text).map_err(fail)?;
+        let Some((first, rest)) = parts.split_first() else {
+            continue;
+        };
+        let arguments = Arguments { of: first, rest };
+        if *first == Part::Word("Run".into()) {
+            if tape.run.is_some() || !tape.steps.is_empty() {
+                return Err(fail(
+                    "Run must be the first instruction, and only once".into(),
+                ));
+            }
+            let [run] = arguments
+                .exactly("the arguments after carrom in quotes")
+                .map_err(fail)?;
+            tape.run = Some((line, quoted(run, "the arguments in quotes").map_err(fail)?));
+            continue;
+        }
+        let instruction = instruction(&arguments).map_err(fail)?;
+        if let Instruction::Screenshot(name) = &instruction {
+            // Some file systems do not tell capitals from small letters.
+            if let Some(before) = names.insert(name.to_lowercase(), line) {
+                let message = format!("Screenshot: the name {name} is taken by line {before}");
+                return Err(fail(message));
+            }
+        }
+        tape.steps.push((line, instruction));
+    }
+    Ok(tape)
+}
+
+/// What stands after the first word of a line.
+struct Arguments<'a> {
+    of: &'a Part,
+    rest: &'a [Part],
+}
+
+impl<'a> Arguments<'a> {
+    /// Exactly `N` of them, or what was expected.
+    fn exactly<const N: usize>(&self, expected: &str) -> Result<&'a [Part; N], String> {
+        self.rest.try_into().map_err(|_| self.not(expected))
+    }
+
+    fn not(&self, expected: &str) -> String {
+        let found: Vec<_> = self.rest.iter().map(ToString::to_string).collect();
+        let found = if found.is_empty() {
+            "nothing".into()
+        } else {
+            found.join(" ")
+        };
+        format!("{}: expected {expected}, found {found}", self.of)
+    }
+}
+
+fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
+    let Part::Word(name) = arguments.of else {
+        return Err(format!("expected an instruction, found {}", arguments.of));
+    };
+    let one_text = || -> Result<String, String> {
+        let [text] = arguments.exactly("a text in quotes")?;
+        let text = quoted(text, "a text in quotes")?;
+        (!text.is_empty())
+            .then_some(text)
+            .ok_or_else(|| format!("{name}: expected a text that is not empty"))
+    };
+    Ok(match name.as_str() {
+        "Set" => Instruction::Set(setting(arguments)?),
+        "Type" => Instruction::Type(one_text()?),
+        "Expect" => Instruction::Expect(one_text()?),
+        "Refuse" => Instruction::Refuse(one_text()?),
+        "Click" => {
+            let [at] = arguments.exactly("a cell, such as 40,12")?;
+            Instruction::Click(cell(at)?)
+        }
+        "Drag" => {
+            let [from, to] = arguments.exactly("two cells, such as 40,12 44,12")?;
+            Instruction::Drag(cell(from)?, cell(to)?)
+        }
+        "Scroll" => scroll(arguments)?,
+        "Sleep" => {
+            let [time] = arguments.exactly("a time, such as 1.5s or 200ms")?;
+            Instruction::Sleep(duration(time)?)
+        }
+        "Screenshot" => {
+            let [name] = arguments.exactly("one name")?;
+            Instruction::Screenshot(file_name(name)?)
+        }
+        other => {
+            let Some(key) = Key::named(other) else {
+                return Err(format!(
+                    "unknown instruction {other}; expected Run, Set, Type, Click, Drag, Scroll, \
+                     Sleep, Screenshot, Expect, Refuse or the name of a key"
+                ));
+            };
+            let times = match arguments.rest {
+                [] => 1,
+                [times] => count(times)?,
+                _ => return Err(arguments.not("how often, once")),
+            };
+            Instruction::Press(key, times)
+        }
+    })
+}
+
+fn setting(arguments: &Arguments) -> Result<Setting, String> {
+    const EXPECTED: &str = "Size, Charset or Color with a value";
+    let [Part::Word(what), Part::Word(value)] = arguments.rest else {
+        return Err(arguments.not(EXPECTED));
+    };
+    let wrong = |expected| format!("Set {what}: expected {expected}, found {value}");
+    Ok(match what.as_str() {
+        "Size" => {
+            let size = value.split_once('x').and_then(|(columns, rows)| {
+                Some((within(columns, WIDEST)?, within(rows, WIDEST)?))
+            });
+            let (columns, rows) =
+                size.ok_or_else(|| wrong("columns x rows, each up to 1000, such as 80x24"))?;
+            Setting::Size(columns, rows)
+        }
+        "Charset" => Setting::Charset(match value.as_str() {
+            "ascii" => Charset::Ascii,
+            "unicode" => Charset::Unicode,
+            _ => return Err(wrong("ascii or unicode")),
+        }),
+        "Color" => Setting::Color(match value.as_str() {
+            "none" => Depth::None,
+            "16" => Depth::Ansi16,
+            "256" => Depth::Indexed256,
+            "truecolor" => Depth::True,
+            _ => return Err(wrong("none, 16, 256 or truecolor")),
+        }),
+        _ => return Err(arguments.not(EXPECTED)),
+    })
+}
+
+fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
+    let expected = "up or down, then perhaps how far and over which cell";
+    let (way, rest) = match arguments.rest {
+        [Part::Word(way), rest @ ..] if rest.len() <= 2 => (way.as_str(), rest),
+        _ => return Err(arguments.not(expected)),
+    };
+    let way = match way {
+        "up" => MouseKind::ScrollUp,
+        "down" => MouseKind::ScrollDown,
+        _ => return Err(arguments.not(expected)),
+    };
+    let notches = rest.first().map_or(Ok(1), count)?;
+    let at = rest.get(1).map(cell).transpose()?;
+    Ok(Instruction::Scroll(way, notches, at))
+}
+
+fn quoted(part: &Part, expected: &str) -> Result<String, String> {
+    match part {
+        Part::Text(text) => Ok(text.clone()),
+        Part::Word(word) => Err(format!("expected {expected}, found {word} without quotes")),
+    }
+}
+
+/// A whole number from 0 to `most`, in digits alone.
+fn within<N: FromStr + PartialOrd + Copy>(digits: &str, most: N) -> Option<N> {
+    let number = digits
+        .bytes()
+        .all(|b| b.is_ascii_digit())
+        .then(|| digits.parse().ok())??;
+    (number <= most).then_some(number)
+}
+
+fn count(part: &Part) -> Result<u32, String> {
+    let number = match part {
+        Part::Word(word) => within(word, MOST).filter(|times| *times > 0),
+        Part::Text(_) => None,
+    };
+    number.ok_or_else(|| format!("expected a count from 1 to {MOST}, found {part}"))
+}
+
+fn cell(part: &Part) -> Result<(u16, u16), String> {
+    let cell = match part {
+        Part::Word(word) => word
+            .split_once(',')
+            .and_then(|(column, row)| Some((within(column, WIDEST)?, within(row, WIDEST)?))),
+        Part::Text(_) => None,
+    };
+    cell.ok_or_else(|| format!("expected a cell as column,row such as 40,12, found {part}"))
+}
+
+fn duration(part: &Part) -> Result<Duration, String> {
+    let seconds = match part {
+        Part::Word(word) => match word.strip_suffix("ms") {
+            Some(number) => decimal(number).map(|ms| ms / 1000.0),
+            None => word.strip_suffix('s').and_then(decimal),
+        },
+        Part::Text(_) => None,
+    };
+    seconds
+        .filter(|seconds| *seconds <= HOUR)
+        .map(Duration::from_secs_f64)
+        .ok_or_else(|| {
+            format!("Sleep: expected a time of at most 3600s, such as 1.5s or 200ms, found {part}")
+        })
+}
+
+/// A number in digits with perhaps a point; no sign, no exponent, no `inf`.
+fn decimal(text: &str) -> Option<f64> {
+    let plain = text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
+    plain.then(|| text.parse().ok())?
+}
+
+/// A name that is safe to make a file of, wherever the tape came from.
+fn file_name(part: &Part) -> Result<String, String> {
+    let safe = |b: u8| b.is_ascii_alphanumeric() || b == b'-' || b == b'_';
+    match part {
+        Part::Word(name) if name.len() <= 64 && name.bytes().all(safe) => Ok(name.clone()),
+        _ => Err(format!(
+            "Screenshot: expected a name of at most 64 letters, digits, - and _, found {part}"
+        )),
+    }
+}

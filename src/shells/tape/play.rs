@@ -1,0 +1,128 @@
+//! Plays a tape.
+
+use ratatui::layout::Rect;
+use thiserror::Error;
+
+use super::{Instruction, Screenshot, Setting, Tape};
+use crate::app::App;
+use crate::messages::Key;
+use crate::shells::Headless;
+
+/// The size of the screen until a tape sets another.
+const SIZE: (u16, u16) = (80, 24);
+
+/// Why a tape did not play to its end.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum PlayError {
+    /// carrom cannot be started with these arguments.
+    #[error("{line}: Run: {message}")]
+    Run {
+        /// Number of the line, from 1.
+        line: usize,
+        /// What is wrong with them.
+        message: String,
+    },
+    /// The screen does not show what it must.
+    #[error("{line}: Expect: the screen does not show {text:?}\n\n{screen}")]
+    Expect {
+        /// Number of the line, from 1.
+        line: usize,
+        /// What it was to show.
+        text: String,
+        /// What it showed.
+        screen: String,
+    },
+    /// The screen shows what it must not.
+    #[error("{line}: Refuse: the screen shows {text:?}\n\n{screen}")]
+    Refuse {
+        /// Number of the line, from 1.
+        line: usize,
+        /// What it was not to show.
+        text: String,
+        /// What it showed.
+        screen: String,
+    },
+    /// There is an instruction after carrom has been left.
+    #[error("{line}: carrom was left in line {left}, so nothing can follow")]
+    Left {
+        /// Number of the line, from 1.
+        line: usize,
+        /// The line that made it leave.
+        left: usize,
+    },
+}
+
+/// Plays `tape` on an app that `open` makes of the arguments after `carrom` (in one
+/// string, split into words as a shell would), and gives its screenshots.
+///
+/// # Errors
+/// The first instruction that failed.
+pub fn play(
+    tape: &Tape,
+    open: impl FnOnce(&str) -> Result<App, String>,
+) -> Result<Vec<Screenshot>, PlayError> {
+    let (line, arguments) = match &tape.run {
+        Some((line, arguments)) => (*line, arguments.as_str()),
+        None => (1, ""),
+    };
+    let app = open(arguments).map_err(|message| PlayError::Run { line, message })?;
+    let mut game = Headless::new(app, SIZE.0, SIZE.1);
+    let mut left = None;
+    let mut screenshots = Vec::new();
+    for (line, instruction) in &tape.steps {
+        if let Some(left) = left {
+            return Err(PlayError::Left { line: *line, left });
+        }
+        match instruction {
+            Instruction::Set(Setting::Size(columns, rows)) => game.resize(*columns, *rows),
+            Instruction::Set(Setting::Charset(charset)) => {
+                game.app_mut().settings_mut().charset = *charset;
+            }
+            Instruction::Set(Setting::Color(depth)) => game.app_mut().settings_mut().depth = *depth,
+            Instruction::Type(text) => text.chars().for_each(|letter| game.key(typed(letter))),
+            Instruction::Press(key, times) => (0..*times).for_each(|_| game.key(*key)),
+            Instruction::Click(at) => game.click(*at),
+            Instruction::Drag(from, to) => game.drag(*from, *to),
+            Instruction::Scroll(way, notches, at) => {
+                let at = at.unwrap_or_else(|| middle(game.buffer().area));
+                (0..*notches).for_each(|_| game.mouse(*way, at));
+            }
+            Instruction::Sleep(time) => game.pass(*time),
+            Instruction::Screenshot(name) => screenshots.push(Screenshot {
+                name: name.clone(),
+                cells: game.buffer().clone(),
+            }),
+            Instruction::Expect(text) => judge(*line, &mut game, text, true)?,
+            Instruction::Refuse(text) => judge(*line, &mut game, text, false)?,
+        }
+        left = game.has_quit().then_some(*line);
+    }
+    Ok(screenshots)
+}
+
+/// Fails unless the screen shows `text`, or if it does, as is `wanted`.
+fn judge(line: usize, game: &mut Headless, text: &str, wanted: bool) -> Result<(), PlayError> {
+    let screen = game.screen();
+    if screen.contains(text) == wanted {
+        return Ok(());
+    }
+    let text = text.to_owned();
+    Err(if wanted {
+        PlayError::Expect { line, text, screen }
+    } else {
+        PlayError::Refuse { line, text, screen }
+    })
+}
+
+/// The key that types a character.
+fn typed(letter: char) -> Key {
+    match letter {
+        '\n' => Key::Enter,
+        '\t' => Key::Tab,
+        other => Key::Char(other),
+    }
+}
+
+fn middle(area: Rect) -> (u16, u16) {
+    (area.width / 2, area.height / 2)
+}

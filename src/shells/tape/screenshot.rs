@@ -1,0 +1,27 @@
+//! A screen that a tape has kept.
+
+use ratatui::buffer::Buffer;
+
+use super::svg;
+use crate::shells::headless;
+
+/// A screen, kept under a name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Screenshot {
+    /// Its name: letters, digits, `-` and `_`.
+    pub name: String,
+    /// What every cell showed.
+    pub cells: Buffer,
+}
+
+impl Screenshot {
+    /// The rows without the blanks at their ends, a line break after each.
+    pub fn text(&self) -> String {
+        headless::text(&self.cells)
+    }
+
+    /// The screen as a picture that needs nothing else to be shown.
+    pub fn svg(&self) -> String {
+        svg::write(&self.cells)
+    }
+}

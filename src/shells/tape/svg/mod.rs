@@ -1,0 +1,210 @@
+//! A screen as an SVG picture.
+//!
+//! Letters are text in whatever monospace font there is, each word stretched to its
+//! cells. Braille, block elements and box lines are drawn as shapes, so that no font
+//! can spoil a picture made of them.
+
+mod colour;
+mod shape;
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use ratatui::buffer::{Buffer, Cell};
+use ratatui::style::Modifier;
+use unicode_width::UnicodeWidthStr;
+
+use crate::shells::headless::{rows, symbols};
+use colour::{Look, PAPER, Rgb};
+
+/// Width and height of a cell, in units of the picture.
+const CELL: (usize, usize) = (9, 18);
+/// How far the letters' base line lies below the top of their cell.
+const BASE: usize = 14;
+
+/// The screen as a picture of its own.
+pub(super) fn write(cells: &Buffer) -> String {
+    let (width, height) = (
+        usize::from(cells.area.width) * CELL.0,
+        usize::from(cells.area.height) * CELL.1,
+    );
+    let mut grounds = Paths::default();
+    let mut shapes = Paths::default();
+    let mut words = String::new();
+    for (row, line) in rows(cells).enumerate() {
+        let y = row * CELL.1;
+        let mut word = Word::default();
+        for (column, cell) in symbols(line) {
+            let x = column * CELL.0;
+            let look = Look::of(cell);
+            let taken = cell.symbol().width().max(1) * CELL.0;
+            if look.ground != PAPER {
+                let _ = write!(
+                    grounds.of(look.ground),
+                    "M{x} {y}h{taken}v{}h-{taken}z",
+                    CELL.1
+                );
+            }
+            if cell.modifier.contains(Modifier::UNDERLINED) {
+                let _ = write!(
+                    shapes.of(look.ink),
+                    "M{x} {}h{taken}v1h-{taken}z",
+                    y + CELL.1 - 2
+                );
+            }
+            let blank = cell.symbol().trim().is_empty() || cell.modifier.contains(Modifier::HIDDEN);
+            let strength = shape::strength(cell.symbol());
+            let ink = look.ink.over(look.ground, strength);
+            if blank || shape::draw(cell.symbol(), (x, y), shapes.of(ink)) {
+                word.end(&mut words);
+            } else {
+                word.add(cell, look.ink, (x, y), taken, &mut words);
+            }
+        }
+        word.end(&mut words);
+    }
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n\
+         <g shape-rendering=\"crispEdges\">\n{grounds}</g>\n{shapes}\
+         <g font-family=\"'DejaVu Sans Mono','Menlo','Consolas','Liberation Mono',monospace\" \
+         font-size=\"15\">\n{words}</g>\n</svg>\n"
+    )
+}
+
+/// Outlines to be filled, one path a colour.
+#[derive(Default)]
+struct Paths(BTreeMap<Rgb, String>);
+
+impl Paths {
+    fn of(&mut self, colour: Rgb) -> &mut String {
+        self.0.entry(colour).or_default()
+    }
+}
+
+impl std::fmt::Display for Paths {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (colour, path) in self.0.iter().filter(|(_, path)| !path.is_empty()) {
+            writeln!(f, "<path fill=\"{colour}\" d=\"{path}\"/>")?;
+        }
+        Ok(())
+    }
+}
+
+/// Neighbouring letters that look alike.
+#[derive(Default)]
+struct Word {
+    text: String,
+    at: (usize, usize),
+    width: usize,
+    look: Option<(Rgb, Modifier)>,
+}
+
+impl Word {
+    fn add(&mut self, cell: &Cell, ink: Rgb, at: (usize, usize), width: usize, words: &mut String) {
+        let look = Some((ink, cell.modifier & (Modifier::BOLD | Modifier::ITALIC)));
+        if self.look != look {
+            self.end(words);
+            self.look = look;
+            self.at = at;
+        }
+        self.text.push_str(cell.symbol());
+        self.width += width;
+    }
+
+    fn end(&mut self, words: &mut String) {
+        let Self {
+            text,
+            at: (x, y),
+            width,
+            look,
+        } = std::mem::take(self);
+        let Some((ink, modifier)) = look else {
+            return;
+        };
+        let bold = if modifier.contains(Modifier::BOLD) {
+            " font-weight=\"bold\""
+        } else {
+            ""
+        };
+        let italic = if modifier.contains(Modifier::ITALIC) {
+            " font-style=\"italic\""
+        } else {
+            ""
+        };
+        let text = escape(&text);
+        let y = y + BASE;
+        let _ = writeln!(
+            words,
+            "<text x=\"{x}\" y=\"{y}\" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\" \
+             fill=\"{ink}\"{bold}{italic}>{text}</text>"
+        );
+    }
+}
+
+/// `text` as XML takes it; what XML has no way to say becomes a question mark.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push('?'),
+            control if control.is_control() => escaped.push('?'),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ratatui::layout::Rect;
+    use ratatui::style::{Color, Style};
+
+    fn drawn(text: &str, style: Style) -> String {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 12, 1));
+        buffer.set_string(0, 0, text, style);
+        write(&buffer)
+    }
+
+    #[test]
+    fn letters_stand_in_their_cells() {
+        let svg = drawn("ab  <&", Style::new());
+        assert!(
+            svg.contains("<text x=\"0\" y=\"14\" textLength=\"18\""),
+            "{svg}"
+        );
+        assert!(svg.contains("<text x=\"36\""), "{svg}");
+        assert!(svg.contains(">&lt;&amp;</text>"), "{svg}");
+        assert!(svg.starts_with("<svg xmlns") && svg.ends_with("</svg>\n"));
+    }
+
+    #[test]
+    fn colours_and_reverse_are_kept() {
+        let red = Style::new().fg(Color::Rgb(255, 0, 1));
+        assert!(drawn("x", red).contains("fill=\"#ff0001\""));
+        let svg = drawn("x", red.add_modifier(Modifier::REVERSED | Modifier::BOLD));
+        assert!(
+            svg.contains("<path fill=\"#ff0001\" d=\"M0 0h9v18h-9z\"/>"),
+            "{svg}"
+        );
+        assert!(
+            svg.contains("fill=\"#101418\" font-weight=\"bold\">x<"),
+            "{svg}"
+        );
+    }
+
+    #[test]
+    fn braille_blocks_and_box_lines_are_shapes() {
+        for text in ["⠿", "▄", "▙", "█", "▒", "┌", "┼", "╭"] {
+            let svg = drawn(text, Style::new());
+            assert!(!svg.contains("<text"), "{text}: {svg}");
+            assert!(svg.contains("<path"), "{text}: {svg}");
+        }
+    }
+}

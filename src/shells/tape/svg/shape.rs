@@ -1,0 +1,177 @@
+//! Glyphs drawn as shapes: braille, block elements and box lines.
+
+use std::fmt::Write;
+
+use super::CELL;
+
+/// Adds the outline of a glyph in the cell whose corner is at `corner`, if it is
+/// one that is drawn as a shape.
+pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> bool {
+    let mut letters = symbol.chars();
+    let (Some(glyph), None) = (letters.next(), letters.next()) else {
+        return false;
+    };
+    let mut pen = Pen {
+        left: corner.0 as f64,
+        top: corner.1 as f64,
+        path,
+    };
+    let code = u32::from(glyph);
+    match glyph {
+        '\u{2801}'..='\u{28ff}' => pen.braille(code - 0x2800),
+        '▀' => pen.block(0.0, 0.0, 1.0, 0.5),
+        '▁'..='█' => pen.block(0.0, 1.0 - f64::from(code - 0x2580) / 8.0, 1.0, 1.0),
+        '▉'..='▏' => pen.block(0.0, 0.0, f64::from(0x2590 - code) / 8.0, 1.0),
+        '▐' => pen.block(0.5, 0.0, 1.0, 1.0),
+        '░'..='▓' => pen.block(0.0, 0.0, 1.0, 1.0),
+        '▔' => pen.block(0.0, 0.0, 1.0, 0.125),
+        '▕' => pen.block(0.875, 0.0, 1.0, 1.0),
+        '▖'..='▟' => pen.quadrants(glyph),
+        _ => match arms(glyph) {
+            Some((arms, thick)) => pen.lines(arms, thick),
+            None => return false,
+        },
+    }
+    true
+}
+
+/// How much of the ink is laid on: less than all of it for the shades.
+pub(super) fn strength(symbol: &str) -> f64 {
+    match symbol {
+        "░" => 0.25,
+        "▒" => 0.5,
+        "▓" => 0.75,
+        _ => 1.0,
+    }
+}
+
+/// Ways that a box line runs from the middle of its cell.
+mod arm {
+    pub(super) const LEFT: u8 = 1;
+    pub(super) const RIGHT: u8 = 2;
+    pub(super) const UP: u8 = 4;
+    pub(super) const DOWN: u8 = 8;
+}
+
+/// The arms of a box line and how thick they are. Double lines are drawn as thick
+/// ones and round corners as square ones.
+fn arms(glyph: char) -> Option<(u8, f64)> {
+    use arm::{DOWN, LEFT, RIGHT, UP};
+    let arms = match glyph {
+        '─' | '━' | '═' => LEFT | RIGHT,
+        '│' | '┃' | '║' => UP | DOWN,
+        '┌' | '┏' | '╔' | '╭' => RIGHT | DOWN,
+        '┐' | '┓' | '╗' | '╮' => LEFT | DOWN,
+        '└' | '┗' | '╚' | '╰' => RIGHT | UP,
+        '┘' | '┛' | '╝' | '╯' => LEFT | UP,
+        '├' | '┣' | '╠' => UP | DOWN | RIGHT,
+        '┤' | '┫' | '╣' => UP | DOWN | LEFT,
+        '┬' | '┳' | '╦' => LEFT | RIGHT | DOWN,
+        '┴' | '┻' | '╩' => LEFT | RIGHT | UP,
+        '┼' | '╋' | '╬' => LEFT | RIGHT | UP | DOWN,
+        '╴' | '╸' => LEFT,
+        '╵' | '╹' => UP,
+        '╶' | '╺' => RIGHT,
+        '╷' | '╻' => DOWN,
+        _ => return None,
+    };
+    let light = "─│┌┐└┘├┤┬┴┼╭╮╰╯╴╵╶╷".contains(glyph);
+    Some((arms, if light { 1.0 } else { 2.0 }))
+}
+
+/// Draws in one cell.
+struct Pen<'a> {
+    left: f64,
+    top: f64,
+    path: &'a mut String,
+}
+
+impl Pen<'_> {
+    /// A rectangle between two corners, in shares of the cell.
+    fn block(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) {
+        let (width, height) = (CELL.0 as f64, CELL.1 as f64);
+        self.rectangle(
+            x0 * width,
+            y0 * height,
+            (x1 - x0) * width,
+            (y1 - y0) * height,
+        );
+    }
+
+    /// A rectangle in units of the picture.
+    fn rectangle(&mut self, x: f64, y: f64, width: f64, height: f64) {
+        let (x, y) = (self.left + x, self.top + y);
+        let _ = write!(self.path, "M{x} {y}h{width}v{height}h-{width}z");
+    }
+
+    /// The dots of a braille pattern; bits as Unicode orders them.
+    fn braille(&mut self, bits: u32) {
+        const DOTS: [(f64, f64); 8] = [
+            (0.0, 0.0),
+            (0.0, 1.0),
+            (0.0, 2.0),
+            (1.0, 0.0),
+            (1.0, 1.0),
+            (1.0, 2.0),
+            (0.0, 3.0),
+            (1.0, 3.0),
+        ];
+        let radius = 1.6;
+        let across = 2.0 * radius;
+        for (bit, (column, row)) in DOTS.iter().enumerate() {
+            if bits >> bit & 1 == 1 {
+                let x = self.left + (column + 0.5) * CELL.0 as f64 / 2.0 - radius;
+                let y = self.top + (row + 0.5) * CELL.1 as f64 / 4.0;
+                let _ = write!(
+                    self.path,
+                    "M{x:.2} {y:.2}a{radius} {radius} 0 1 0 {across} 0\
+                     a{radius} {radius} 0 1 0 -{across} 0z"
+                );
+            }
+        }
+    }
+
+    fn quadrants(&mut self, glyph: char) {
+        let quarters = match glyph {
+            '▘' => [1, 0, 0, 0],
+            '▝' => [0, 1, 0, 0],
+            '▖' => [0, 0, 1, 0],
+            '▗' => [0, 0, 0, 1],
+            '▚' => [1, 0, 0, 1],
+            '▞' => [0, 1, 1, 0],
+            '▙' => [1, 0, 1, 1],
+            '▛' => [1, 1, 1, 0],
+            '▜' => [1, 1, 0, 1],
+            '▟' => [0, 1, 1, 1],
+            _ => [0; 4],
+        };
+        let corners = [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)];
+        for (_, (x, y)) in quarters
+            .iter()
+            .zip(corners)
+            .filter(|(drawn, _)| **drawn == 1)
+        {
+            self.block(x, y, x + 0.5, y + 0.5);
+        }
+    }
+
+    fn lines(&mut self, arms: u8, thick: f64) {
+        let (width, height) = (CELL.0 as f64, CELL.1 as f64);
+        // Whole units, so that lines are sharp and meet those of their neighbours.
+        let x = ((width - thick) / 2.0).floor();
+        let y = ((height - thick) / 2.0).floor();
+        let drawn = |arm| arms & arm != 0;
+        if drawn(arm::LEFT) {
+            self.rectangle(0.0, y, x + thick, thick);
+        }
+        if drawn(arm::RIGHT) {
+            self.rectangle(x, y, width - x, thick);
+        }
+        if drawn(arm::UP) {
+            self.rectangle(x, 0.0, thick, y + thick);
+        }
+        if drawn(arm::DOWN) {
+            self.rectangle(x, y, thick, height - y);
+        }
+    }
+}

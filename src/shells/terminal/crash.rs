@@ -1,0 +1,74 @@
+//! What happens when carrom itself has a fault.
+
+use std::backtrace::Backtrace;
+use std::fs;
+use std::io::{self, Write as _};
+use std::panic::{self, PanicHookInfo};
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use super::guard;
+
+/// The file a report is written to.
+const FILE: &str = "crash.log";
+
+/// From now on a panic writes a report to `crash.log` in `folder` (made if need
+/// be), where there is one. A panic of the calling thread, which is to be the one
+/// that draws, also gives the terminal back and says one line on standard error;
+/// that of any other thread leaves the screen alone.
+pub fn report_crashes(folder: Option<PathBuf>) {
+    let drawing = thread::current().id();
+    panic::set_hook(Box::new(move |info| {
+        let fatal = thread::current().id() == drawing;
+        if fatal {
+            guard::restore();
+        }
+        let saved = folder.as_deref().map(|folder| save(folder, &report(info)));
+        if fatal {
+            let saved = match saved {
+                Some(Ok(path)) => format!("a report is in {}", path.display()),
+                Some(Err(error)) => format!("no report could be saved: {error}"),
+                None => "no folder is known for a report".into(),
+            };
+            let line = format!(
+                "carrom: stopped by a fault of its own: {}; {saved}",
+                what(info)
+            );
+            // Standard error may be gone with its window, and a panic in here ends
+            // the process on the spot.
+            let _ = writeln!(io::stderr(), "{line}");
+        }
+    }));
+}
+
+/// The fault in one line.
+fn what(info: &PanicHookInfo) -> String {
+    let payload = info.payload();
+    let message = (payload.downcast_ref::<&str>().copied())
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("no message");
+    let place = info.location().map(ToString::to_string);
+    format!(
+        "{message} (at {})",
+        place.as_deref().unwrap_or("an unknown place")
+    )
+}
+
+/// The fault with all that is known of it.
+fn report(info: &PanicHookInfo) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let thread = thread::current();
+    let thread = thread.name().unwrap_or("without a name");
+    let trace = Backtrace::force_capture();
+    format!(
+        "carrom {version}\n{}\nthread: {thread}\n\n{trace}\n",
+        what(info)
+    )
+}
+
+fn save(folder: &Path, report: &str) -> io::Result<PathBuf> {
+    fs::create_dir_all(folder)?;
+    let path = folder.join(FILE);
+    fs::write(&path, report)?;
+    Ok(path)
+}

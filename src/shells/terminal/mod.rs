@@ -1,0 +1,194 @@
+//! The app in a terminal, through crossterm.
+//!
+//! Three threads: one reads the keyboard and the mouse, one waits for signals,
+//! and the one that called [`run`] holds the app and draws. The first two only
+//! send messages; while nothing moves, all three are blocked.
+
+mod crash;
+mod guard;
+mod message;
+mod pace;
+mod reader;
+#[cfg(unix)]
+mod signals;
+mod surroundings;
+
+use std::io::{self, BufWriter, Stdout, Write};
+use std::mem::ManuallyDrop;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::time::Instant;
+
+use crossterm::queue;
+use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
+use ratatui::Terminal;
+use ratatui::backend::CrosstermBackend;
+#[cfg(unix)]
+use ratatui::layout::{Position, Rect};
+use thiserror::Error;
+
+pub use crash::report_crashes;
+pub use surroundings::{Unusable, charset, check, depth};
+
+use crate::app::App;
+use crate::messages::{Effect, Input};
+use guard::Guard;
+use message::Message;
+use pace::Pace;
+
+/// Why the terminal could not be used any longer.
+#[derive(Debug, Error)]
+pub enum TerminalError {
+    /// It could not be switched to what a game needs.
+    #[error("cannot set the terminal up: {0}")]
+    SetUp(#[source] io::Error),
+    /// A picture could not be written to it.
+    #[error("cannot write to the terminal: {0}")]
+    Write(#[source] io::Error),
+    /// Nothing can be read from it any more.
+    #[error("cannot read from the terminal: {0}")]
+    Read(#[source] io::Error),
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// The player left.
+    Quit,
+    /// A signal of this number told carrom to go.
+    Signal(i32),
+}
+
+/// A picture is collected in memory and written at once.
+///
+/// Never dropped: ratatui would show the cursor once more, which is the guard's
+/// business, and on a terminal that is gone it would print to standard error,
+/// which is gone too, and panic.
+type Screen = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
+
+/// Runs `app` in the terminal until it is left. The terminal is afterwards as it
+/// was before, however the run ends.
+pub fn run(app: App) -> Result<Ending, TerminalError> {
+    let (sender, messages) = mpsc::channel();
+    #[cfg(unix)]
+    signals::watch(sender.clone()).map_err(TerminalError::SetUp)?;
+    let guard = Guard::take().map_err(TerminalError::SetUp)?;
+    reader::start(sender).map_err(TerminalError::SetUp)?;
+    // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
+    // by wiping bold and reverse too.
+    crossterm::style::force_color_output(true);
+    let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
+    let screen = Terminal::new(backend).map_err(TerminalError::SetUp)?;
+    Run {
+        app,
+        screen: ManuallyDrop::new(screen),
+        guard,
+        messages,
+        pace: Pace::new(Instant::now()),
+    }
+    .play()
+}
+
+/// A game in progress.
+struct Run {
+    app: App,
+    screen: Screen,
+    guard: Guard,
+    messages: Receiver<Message>,
+    pace: Pace,
+}
+
+/// Whether to go on.
+type Flow = std::ops::ControlFlow<Ending>;
+
+impl Run {
+    fn play(mut self) -> Result<Ending, TerminalError> {
+        let size = self.screen.size().map_err(TerminalError::SetUp)?;
+        self.app.update(&Input::Resize(size.width, size.height));
+        loop {
+            if self.guard.holds() && self.pace.is_due(Instant::now()) {
+                self.pace.drawn(Instant::now());
+                self.draw().map_err(TerminalError::Write)?;
+            }
+            let mut first = self.wait()?;
+            let effects = self.pace.live(&mut self.app, Instant::now());
+            if let Flow::Break(ending) = carry_out(&effects) {
+                return Ok(ending);
+            }
+            // All there is, then one picture of it.
+            while let Some(message) = first.take().or_else(|| self.messages.try_recv().ok()) {
+                if let Flow::Break(ending) = self.take(message)? {
+                    return Ok(ending);
+                }
+            }
+        }
+    }
+
+    /// Blocks until there is something to do: a message, time to let the app live
+    /// on, or time for the next picture.
+    fn wait(&self) -> Result<Option<Message>, TerminalError> {
+        let gone = || TerminalError::Read(io::ErrorKind::BrokenPipe.into());
+        // While the terminal is given back nobody watches, so nothing moves.
+        let until = (self.guard.holds())
+            .then(|| self.pace.next(self.app.wake()))
+            .flatten();
+        let Some(until) = until else {
+            return self.messages.recv().map(Some).map_err(|_| gone());
+        };
+        let left = until.saturating_duration_since(Instant::now());
+        match self.messages.recv_timeout(left) {
+            Ok(message) => Ok(Some(message)),
+            Err(RecvTimeoutError::Timeout) => Ok(None),
+            Err(RecvTimeoutError::Disconnected) => Err(gone()),
+        }
+    }
+
+    fn take(&mut self, message: Message) -> Result<Flow, TerminalError> {
+        match message {
+            Message::Input(input) => {
+                let effects = self.app.update(&input);
+                self.pace.outdated();
+                return Ok(carry_out(&effects));
+            }
+            Message::Lost(error) => return Err(TerminalError::Read(error)),
+            #[cfg(unix)]
+            Message::Leave(signal) => return Ok(Flow::Break(Ending::Signal(signal))),
+            #[cfg(unix)]
+            Message::Stop => {
+                if signals::can_stop() {
+                    self.guard.give_back();
+                    signals::stop();
+                }
+            }
+            #[cfg(unix)]
+            Message::Continue => {
+                self.guard.take_again().map_err(TerminalError::SetUp)?;
+                let size = self.screen.size().map_err(TerminalError::SetUp)?;
+                // Everything is to be drawn afresh. Not by `clear`: that asks the
+                // terminal where its cursor is, and the answer goes to the reader.
+                let area = Rect::from((Position::ORIGIN, size));
+                self.screen.resize(area).map_err(TerminalError::Write)?;
+                self.app.update(&Input::Resize(size.width, size.height));
+                self.pace = Pace::new(Instant::now());
+            }
+        }
+        Ok(Flow::Continue(()))
+    }
+
+    fn draw(&mut self) -> io::Result<()> {
+        queue!(self.screen.backend_mut(), BeginSynchronizedUpdate)?;
+        let app = &self.app;
+        self.screen.draw(|frame| app.draw(frame))?;
+        queue!(self.screen.backend_mut(), EndSynchronizedUpdate)?;
+        Write::flush(self.screen.backend_mut())
+    }
+}
+
+fn carry_out(effects: &[Effect]) -> Flow {
+    let mut flow = Flow::Continue(());
+    for effect in effects {
+        match effect {
+            Effect::Quit => flow = Flow::Break(Ending::Quit),
+        }
+    }
+    flow
+}

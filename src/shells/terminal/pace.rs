@@ -1,0 +1,106 @@
+//! When to let the app live on and when to draw it.
+
+use std::time::{Duration, Instant};
+
+use crate::app::App;
+use crate::messages::Effect;
+use crate::shells::FRAME;
+
+/// Keeps the app's time in step with the clock's, and pictures at least a
+/// [`FRAME`] apart.
+#[derive(Debug)]
+pub(super) struct Pace {
+    /// The moment up to which the app has lived.
+    lived: Instant,
+    /// The earliest moment for the next picture.
+    earliest: Instant,
+    /// Whether the last picture no longer shows the app as it is.
+    outdated: bool,
+}
+
+impl Pace {
+    /// A pace that starts with a picture, at once.
+    pub(super) fn new(now: Instant) -> Self {
+        Self {
+            lived: now,
+            earliest: now,
+            outdated: true,
+        }
+    }
+
+    /// Notes that the app has changed.
+    pub(super) fn outdated(&mut self) {
+        self.outdated = true;
+    }
+
+    /// Lets the app live until `now`, if it asks for time at all.
+    pub(super) fn live(&mut self, app: &mut App, now: Instant) -> Vec<Effect> {
+        let passed = now.saturating_duration_since(self.lived);
+        self.lived = now;
+        if app.wake().is_none() {
+            return vec![];
+        }
+        self.outdated = true;
+        app.advance(passed)
+    }
+
+    /// Whether it is time for a picture.
+    pub(super) fn is_due(&self, now: Instant) -> bool {
+        self.outdated && self.earliest <= now
+    }
+
+    /// Notes that a picture is drawn `now`.
+    pub(super) fn drawn(&mut self, now: Instant) {
+        self.outdated = false;
+        self.earliest = now + FRAME;
+    }
+
+    /// When to look again, if nothing happens before; `wake` is what the app asks
+    /// for.
+    pub(super) fn next(&self, wake: Option<Duration>) -> Option<Instant> {
+        if self.outdated {
+            return Some(self.earliest);
+        }
+        Some(self.lived.checked_add(wake?)?.max(self.earliest))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::screens::{Place, Settings};
+
+    #[test]
+    fn the_first_picture_is_drawn_at_once_and_the_next_a_frame_later() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        assert!(pace.is_due(start));
+        pace.drawn(start);
+        pace.outdated();
+        assert!(!pace.is_due(start + FRAME / 2));
+        assert_eq!(pace.next(None), Some(start + FRAME));
+        assert!(pace.is_due(start + FRAME));
+    }
+
+    #[test]
+    fn an_app_at_rest_is_waited_for_without_end() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        pace.drawn(start);
+        assert_eq!(pace.next(None), None);
+        let mut app = App::new(Place::Home, Settings::default(), 1);
+        pace.live(&mut app, start + Duration::from_secs(9));
+        assert!(!pace.is_due(start + Duration::from_secs(9)));
+    }
+
+    #[test]
+    fn an_app_in_a_hurry_gets_sixty_pictures_a_second_and_a_slow_one_what_it_asks() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        pace.drawn(start);
+        assert_eq!(pace.next(Some(Duration::ZERO)), Some(start + FRAME));
+        let slow = Duration::from_millis(250);
+        assert_eq!(pace.next(Some(slow)), Some(start + slow));
+        assert_eq!(pace.next(Some(Duration::MAX)), None);
+    }
+}

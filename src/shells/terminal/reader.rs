@@ -1,0 +1,180 @@
+//! Reads the keyboard, the mouse and the size of the window.
+
+use std::io;
+use std::sync::mpsc::Sender;
+use std::thread;
+
+use crossterm::event::{
+    self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent,
+    MouseEventKind,
+};
+
+use super::message::Message;
+use crate::messages::{Input, Key, Mouse, MouseKind};
+
+/// Starts the thread that reads. It ends with the process, or with the terminal.
+pub(super) fn start(sender: Sender<Message>) -> io::Result<()> {
+    let read = move || {
+        loop {
+            let message = match event::read() {
+                Ok(event) => match message(&event) {
+                    Some(message) => message,
+                    None => continue,
+                },
+                Err(error) => {
+                    // Nobody listens any more only when carrom is leaving anyway.
+                    let _ = sender.send(Message::Lost(error));
+                    return;
+                }
+            };
+            if sender.send(message).is_err() {
+                return;
+            }
+        }
+    };
+    thread::Builder::new()
+        .name("reader".into())
+        .spawn(read)
+        .map(drop)
+}
+
+/// What an event means, if it means anything.
+fn message(event: &Event) -> Option<Message> {
+    let input = match event {
+        Event::Key(event) => match key(event)? {
+            // In raw mode the terminal leaves this one to us.
+            #[cfg(unix)]
+            Key::Ctrl('z') => return Some(Message::Stop),
+            key => Input::Key(key),
+        },
+        Event::Mouse(event) => Input::Mouse(mouse(event)?),
+        Event::Paste(text) => Input::Paste(text.clone()),
+        Event::Resize(columns, rows) => Input::Resize(*columns, *rows),
+        Event::FocusGained | Event::FocusLost => return None,
+    };
+    Some(Message::Input(input))
+}
+
+/// The key of a press or a repeat.
+fn key(event: &KeyEvent) -> Option<Key> {
+    let held = event.modifiers;
+    // AltGr, which types characters, is reported as Control and Alt together on
+    // Windows.
+    let typed = held.contains(KeyModifiers::CONTROL | KeyModifiers::ALT) && cfg!(windows);
+    let foreign =
+        KeyModifiers::ALT | KeyModifiers::SUPER | KeyModifiers::HYPER | KeyModifiers::META;
+    if event.kind == KeyEventKind::Release || (held.intersects(foreign) && !typed) {
+        return None;
+    }
+    let control = held.contains(KeyModifiers::CONTROL) && !typed;
+    Some(match event.code {
+        KeyCode::Char(c) if control => {
+            let letter = c.to_ascii_lowercase();
+            return letter.is_ascii_lowercase().then_some(Key::Ctrl(letter));
+        }
+        KeyCode::Char(c) if c.is_control() => return None,
+        KeyCode::Char(c) => Key::Char(c),
+        KeyCode::Up => Key::Up,
+        KeyCode::Down => Key::Down,
+        KeyCode::Left => Key::Left,
+        KeyCode::Right => Key::Right,
+        KeyCode::Enter => Key::Enter,
+        KeyCode::Esc => Key::Escape,
+        KeyCode::Tab if held.contains(KeyModifiers::SHIFT) => Key::BackTab,
+        KeyCode::Tab => Key::Tab,
+        KeyCode::BackTab => Key::BackTab,
+        KeyCode::Backspace => Key::Backspace,
+        KeyCode::Delete => Key::Delete,
+        KeyCode::PageUp => Key::PageUp,
+        KeyCode::PageDown => Key::PageDown,
+        KeyCode::Home => Key::Home,
+        KeyCode::End => Key::End,
+        KeyCode::F(n) => Key::F(n),
+        _ => return None,
+    })
+}
+
+fn mouse(event: &MouseEvent) -> Option<Mouse> {
+    let kind = match event.kind {
+        MouseEventKind::Down(MouseButton::Left) => MouseKind::Down,
+        MouseEventKind::Drag(MouseButton::Left) => MouseKind::Drag,
+        MouseEventKind::Up(MouseButton::Left) => MouseKind::Up,
+        MouseEventKind::ScrollUp => MouseKind::ScrollUp,
+        MouseEventKind::ScrollDown => MouseKind::ScrollDown,
+        _ => return None,
+    };
+    Some(Mouse {
+        kind,
+        column: event.column,
+        row: event.row,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pressed(code: KeyCode, held: KeyModifiers) -> Option<Key> {
+        key(&KeyEvent::new(code, held))
+    }
+
+    #[test]
+    fn keys_are_translated() {
+        use KeyModifiers as M;
+        for (code, held, expected) in [
+            (KeyCode::Char('a'), M::NONE, Some(Key::Char('a'))),
+            (KeyCode::Char('A'), M::SHIFT, Some(Key::Char('A'))),
+            (KeyCode::Char('ä'), M::NONE, Some(Key::Char('ä'))),
+            (KeyCode::Char('c'), M::CONTROL, Some(Key::Ctrl('c'))),
+            (
+                KeyCode::Char('C'),
+                M::CONTROL | M::SHIFT,
+                Some(Key::Ctrl('c')),
+            ),
+            (KeyCode::Char(' '), M::CONTROL, None),
+            (KeyCode::Char('\0'), M::NONE, None),
+            (KeyCode::Char('a'), M::ALT, None),
+            (KeyCode::Left, M::SHIFT, Some(Key::Left)),
+            (KeyCode::BackTab, M::SHIFT, Some(Key::BackTab)),
+            (KeyCode::Tab, M::SHIFT, Some(Key::BackTab)),
+            (KeyCode::F(5), M::NONE, Some(Key::F(5))),
+            (KeyCode::Insert, M::NONE, None),
+        ] {
+            assert_eq!(pressed(code, held), expected, "{code:?} {held:?}");
+        }
+    }
+
+    #[test]
+    fn a_release_is_no_press_but_a_repeat_is() {
+        let with = |kind| {
+            key(&KeyEvent::new_with_kind(
+                KeyCode::Up,
+                KeyModifiers::NONE,
+                kind,
+            ))
+        };
+        assert_eq!(with(KeyEventKind::Release), None);
+        assert_eq!(with(KeyEventKind::Repeat), Some(Key::Up));
+    }
+
+    #[test]
+    fn only_the_main_button_and_the_wheel_count() {
+        let with = |kind| {
+            mouse(&MouseEvent {
+                kind,
+                column: 3,
+                row: 4,
+                modifiers: KeyModifiers::NONE,
+            })
+        };
+        let down = with(MouseEventKind::Down(MouseButton::Left));
+        let expected = Mouse {
+            kind: MouseKind::Down,
+            column: 3,
+            row: 4,
+        };
+        assert_eq!(down, Some(expected));
+        assert_eq!(with(MouseEventKind::Down(MouseButton::Right)), None);
+        assert_eq!(with(MouseEventKind::Moved), None);
+    }
+}

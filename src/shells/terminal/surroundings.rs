@@ -1,0 +1,109 @@
+//! What the terminal is and can do, from what is known before anything is drawn.
+
+use std::io::{self, IsTerminal};
+
+use supports_color::Stream;
+use thiserror::Error;
+
+use crate::widgets::{Charset, Depth};
+
+/// Why carrom cannot be played here.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum Unusable {
+    /// Standard input or output is a file, a pipe or nothing.
+    #[error(
+        "a terminal is needed, and {0} is not one; for use without one see carrom solve and carrom tape"
+    )]
+    NoTerminal(&'static str),
+    /// The terminal cannot place text.
+    #[error(
+        "a terminal that can place text is needed, and TERM is {0}; for use without one see carrom solve and carrom tape"
+    )]
+    Dumb(String),
+}
+
+/// Makes sure that there is a terminal to play in. `env` reads a variable of the
+/// environment.
+pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
+    if !io::stdin().is_terminal() {
+        return Err(Unusable::NoTerminal("standard input"));
+    }
+    if !io::stdout().is_terminal() {
+        return Err(Unusable::NoTerminal("standard output"));
+    }
+    match dumb(env) {
+        Some(term) => Err(Unusable::Dumb(term)),
+        None => Ok(()),
+    }
+}
+
+/// What `TERM` says, if that rules a game out. Windows sets none and needs none.
+fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
+    match env("TERM").filter(|term| !term.is_empty()) {
+        None => cfg!(unix).then(|| "not set".into()),
+        Some(term) => matches!(term.as_str(), "dumb" | "unknown").then_some(term),
+    }
+}
+
+/// The richest glyphs to be trusted: Unicode where the locale is UTF-8. `env` reads
+/// a variable of the environment.
+pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
+    // The first that is set decides, as POSIX has it.
+    let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
+        .iter()
+        .find_map(|name| env(name).filter(|value| !value.is_empty()));
+    let utf8 = match locale {
+        Some(locale) => {
+            let locale = locale.to_ascii_lowercase();
+            locale.contains("utf-8") || locale.contains("utf8")
+        }
+        None => cfg!(windows),
+    };
+    if utf8 {
+        Charset::Unicode
+    } else {
+        Charset::Ascii
+    }
+}
+
+/// How many colours standard output shows; none if the player wants none
+/// (`NO_COLOR`).
+pub fn depth() -> Depth {
+    match supports_color::on(Stream::Stdout) {
+        Some(level) if level.has_16m => Depth::True,
+        Some(level) if level.has_256 => Depth::Indexed256,
+        Some(_) => Depth::Ansi16,
+        None => Depth::None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn from(pairs: &'static [(&'static str, &'static str)]) -> impl Fn(&str) -> Option<String> {
+        move |wanted| {
+            let found = pairs.iter().find(|(name, _)| *name == wanted);
+            found.map(|(_, value)| (*value).to_owned())
+        }
+    }
+
+    #[test]
+    fn the_first_locale_that_is_set_decides() {
+        assert_eq!(charset(from(&[("LANG", "de_DE.UTF-8")])), Charset::Unicode);
+        assert_eq!(charset(from(&[("LC_CTYPE", "C.utf8")])), Charset::Unicode);
+        let overruled = from(&[("LANG", "de_DE.UTF-8"), ("LC_ALL", "C")]);
+        assert_eq!(charset(overruled), Charset::Ascii);
+        let empty = from(&[("LANG", "de_DE.UTF-8"), ("LC_ALL", "")]);
+        assert_eq!(charset(empty), Charset::Unicode);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_terminal_must_be_able_to_place_text() {
+        assert_eq!(dumb(from(&[("TERM", "xterm-256color")])), None);
+        assert_eq!(dumb(from(&[("TERM", "dumb")])).as_deref(), Some("dumb"));
+        assert_eq!(dumb(from(&[])).as_deref(), Some("not set"));
+        assert_eq!(charset(from(&[])), Charset::Ascii);
+    }
+}

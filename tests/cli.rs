@@ -1,0 +1,236 @@
+//! The command line: what it prints, where, and with which exit status.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+/// Runs carrom without a terminal, with nothing to read.
+fn carrom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// An empty folder of one test's own.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("carrom-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn file(&self, name: &str, content: &[u8]) -> String {
+        let path = self.0.join(name);
+        fs::write(&path, content).unwrap();
+        path.to_str().unwrap().into()
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).to_str().unwrap().into()
+    }
+
+    fn names(&self) -> Vec<String> {
+        let mut names: Vec<_> = fs::read_dir(&self.0)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn without_a_terminal_it_says_so() {
+    for arguments in [&[][..], &["lab"], &["quiz", "--seed", "7"], &["levels"]] {
+        let output = carrom(arguments);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(out(&output), "");
+        let message = err(&output);
+        assert!(
+            message.starts_with("carrom: a terminal is needed, and standard input is not one"),
+            "{message}"
+        );
+        assert_eq!(message.lines().count(), 1);
+    }
+}
+
+#[test]
+fn help_and_version_are_no_failure() {
+    let output = carrom(&["--help"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(err(&output), "");
+    for word in [
+        "lab",
+        "quiz",
+        "levels",
+        "tape",
+        "--charset",
+        "--data-dir",
+        "Examples",
+    ] {
+        assert!(out(&output).contains(word), "{word}");
+    }
+    let output = carrom(&["--version"]);
+    assert_eq!(
+        out(&output),
+        format!("carrom {}\n", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn unusable_arguments_are_refused() {
+    for (arguments, message) in [
+        (&["lob"][..], "unrecognized subcommand 'lob'"),
+        (&["--colour", "16"], "unexpected argument '--colour'"),
+        (
+            &["--color", "17"],
+            "invalid value '17' for '--color <DEPTH>'",
+        ),
+        (
+            &["quiz", "--seed", "-1"],
+            "invalid value '-1' for '--seed <N>'",
+        ),
+        (
+            &["quiz", "--seed", "NaN"],
+            "invalid value 'NaN' for '--seed <N>'",
+        ),
+        (
+            &["--player", "a\u{1b}[2J"],
+            "expected a name of 1 to 40 visible letters",
+        ),
+        (
+            &["--player", " "],
+            "expected a name of 1 to 40 visible letters",
+        ),
+        (&["tape"], "<FILE>"),
+        (&["completions", "csh"], "invalid value 'csh'"),
+    ] {
+        let output = carrom(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert_eq!(out(&output), "");
+        assert!(
+            err(&output).contains(message),
+            "{arguments:?}: {}",
+            err(&output)
+        );
+    }
+}
+
+#[test]
+fn completions_and_the_manual_page_are_printed() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let output = carrom(&["completions", shell]);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(out(&output).contains("carrom"));
+    }
+    let output = carrom(&["man"]);
+    assert!(out(&output).contains(".TH carrom 1"));
+}
+
+#[test]
+fn a_tape_writes_its_screenshots() {
+    let folder = Folder::new("tape");
+    let tape = folder.file(
+        "home.tape",
+        b"Screenshot home\nType \"?\"\nScreenshot help\n",
+    );
+    let target = folder.path("new/shots");
+    let output = carrom(&["tape", &tape, "--out", &target, "--svg"]);
+    assert_eq!(err(&output), "");
+    assert_eq!(output.status.code(), Some(0));
+    let written: Vec<_> = out(&output).lines().map(str::to_owned).collect();
+    assert_eq!(written.len(), 4);
+    let first: Vec<_> = written.iter().map(|path| fs::read(path).unwrap()).collect();
+    assert!(String::from_utf8_lossy(&first[0]).contains("carrom : home"));
+    assert!(first[1].starts_with(b"<svg "));
+    carrom(&["tape", &tape, "--out", &target, "--svg"]);
+    let again: Vec<_> = written.iter().map(|path| fs::read(path).unwrap()).collect();
+    assert_eq!(first, again);
+}
+
+#[test]
+fn options_outside_a_tape_stand_where_it_says_nothing() {
+    let folder = Folder::new("outer");
+    let tape = folder.file("a.tape", b"Run \"--charset ascii\"\nType \"?\"\n");
+    let output = carrom(&["tape", &tape, "--charset", "unicode", "--seed", "3"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+}
+
+#[test]
+fn a_tape_that_fails_writes_nothing() {
+    let folder = Folder::new("fails");
+    let tape = folder.file("bad.tape", b"Screenshot home\nExpect \"90.0\"\n");
+    let output = carrom(&["tape", &tape, "--out", &folder.path("shots")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(out(&output), "");
+    let message = err(&output);
+    let start = format!("carrom: {tape}:2: Expect: the screen does not show \"90.0\"\n");
+    assert!(message.starts_with(&start), "{message}");
+    assert!(message.contains("carrom : home"), "{message}");
+    assert_eq!(folder.names(), ["bad.tape"]);
+}
+
+#[test]
+fn a_tape_that_cannot_be_used_is_named_with_its_line() {
+    let folder = Folder::new("unusable");
+    let noise: Vec<u8> = (0..10 << 20)
+        .map(|i: u32| (i.wrapping_mul(i) >> 7) as u8)
+        .collect();
+    for (content, message) in [
+        (&b"Escape\nDance\n"[..], ":2: unknown instruction Dance"),
+        (b"Run \"lob\"\n", ":1: Run: unrecognized subcommand 'lob'"),
+        (b"Escape\nType \"\xff\"\n", ":2: expected text in UTF-8"),
+        (&noise, ": expected a tape of at most 1048576 bytes"),
+    ] {
+        let tape = folder.file("bad.tape", content);
+        let output = carrom(&["tape", &tape, "--out", &folder.path("shots")]);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(out(&output), "");
+        let expected = format!("carrom: {tape}{message}");
+        assert!(err(&output).starts_with(&expected), "{}", err(&output));
+        assert_eq!(err(&output).lines().count(), 1);
+        assert_eq!(folder.names(), ["bad.tape"]);
+    }
+    let missing = folder.path("missing.tape");
+    let output = carrom(&["tape", &missing]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        err(&output).starts_with(&format!("carrom: {missing}: ")),
+        "{}",
+        err(&output)
+    );
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let folder = Folder::new("readonly");
+    let tape = folder.file("a.tape", b"Screenshot home\n");
+    let output = carrom(&["tape", &tape, "--out", &format!("{tape}/shots")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        err(&output).starts_with(&format!("carrom: {tape}/shots: ")),
+        "{}",
+        err(&output)
+    );
+}
