@@ -30,6 +30,7 @@
 //! ```
 
 pub mod app;
+pub mod cli;
 pub mod game;
 pub mod messages;
 pub mod physics;
