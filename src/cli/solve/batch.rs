@@ -55,8 +55,8 @@ fn answer(text: &[u8]) -> Result<Answer, String> {
     Ok(Answer::of(&collision))
 }
 
-/// The message of an error, kept short. JSON's own line is always 1 here and would
-/// only be mistaken for the line of the batch.
+/// The message of an error in plain words, kept short. JSON's own line is always 1
+/// here and would only be mistaken for the line of the batch.
 fn said(error: impl Display) -> String {
     let message = error
         .to_string()

@@ -17,6 +17,8 @@ pub(super) enum Line<'a> {
 pub(super) struct Lines<R> {
     input: R,
     line: Vec<u8>,
+    /// All that has arrived is used up: the next look at the input may wait.
+    may_wait: bool,
 }
 
 impl<R: BufRead> Lines<R> {
@@ -24,11 +26,12 @@ impl<R: BufRead> Lines<R> {
         Self {
             input,
             line: Vec::new(),
+            may_wait: false,
         }
     }
 
-    /// The next line, or `None` at the end. Where all that has arrived is used up,
-    /// calls `before_waiting`: the moment to send what has been answered so far.
+    /// The next line, or `None` at the end. Calls `before_waiting` whenever more must
+    /// arrive first: the moment to send what has been answered so far.
     pub(super) fn next(
         &mut self,
         mut before_waiting: impl FnMut() -> io::Result<()>,
@@ -37,6 +40,9 @@ impl<R: BufRead> Lines<R> {
         let mut too_long = false;
         let mut any = false;
         loop {
+            if self.may_wait {
+                before_waiting()?;
+            }
             let arrived = match self.input.fill_buf() {
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
                 arrived => arrived?,
@@ -54,13 +60,10 @@ impl<R: BufRead> Lines<R> {
             if !too_long {
                 self.line.extend_from_slice(piece);
             }
-            let used_up = used == arrived.len();
+            self.may_wait = used == arrived.len();
             self.input.consume(used);
             if line_break.is_some() {
                 break;
-            }
-            if used_up {
-                before_waiting()?;
             }
         }
         Ok(match (any, too_long) {

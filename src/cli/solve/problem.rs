@@ -121,9 +121,21 @@ fn number(field: &str, value: f64, range: RangeInclusive<f64>, what: &str) -> Re
     if range.contains(&value) {
         return Ok(value);
     }
-    let (low, high) = (range.start(), range.end());
-    let message = format!("expected {what} from {low:?} to {high:?}, found {value:?}");
+    let (low, high) = (plain(*range.start()), plain(*range.end()));
+    let message = format!(
+        "expected {what} from {low} to {high}, found {}",
+        plain(value)
+    );
     Err(fault(field, &message))
+}
+
+/// A number as one would type it: 90, 0.5, 1e12.
+fn plain(x: f64) -> String {
+    if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
 }
 
 fn fault(field: &str, message: &str) -> Fault {

@@ -200,7 +200,7 @@ fn angle_line(
         }
         None if to.length() <= 0.0 => format!("{name}: undefined, for the {body} is at rest"),
         None if from.length() <= 0.0 => format!(
-            "{name}: undefined, for u₁ = 0 gives no direction to measure from; {speed} = {} m/s",
+            "{name}: undefined, for u₁ = 0 has no direction; {speed} = {} m/s",
             number(to.length())
         ),
         None => format!("{name}: undefined"),
