@@ -60,7 +60,8 @@ fn answer(text: &[u8]) -> Result<Answer, String> {
 fn said(error: impl Display) -> String {
     let message = error
         .to_string()
-        .replace(" at line 1 column ", " at column ");
+        .replace(" at line 1 column ", " at column ")
+        .replace("expected f64", "expected a number");
     match message.char_indices().nth(LONGEST_MESSAGE) {
         Some((end, _)) => format!("{}...", message.get(..end).unwrap_or_default()),
         None => message,
