@@ -5,6 +5,7 @@ mod failure;
 mod man;
 mod options;
 mod play;
+pub mod solve;
 mod tape;
 
 use std::ffi::OsString;
@@ -18,6 +19,8 @@ pub use options::Options;
 
 use crate::app::App;
 use crate::screens::Place;
+use crate::shells::terminal;
+use crate::widgets::Charset;
 use options::Look;
 
 /// A terminal game that teaches glancing collisions.
@@ -40,6 +43,7 @@ Examples:
   carrom lab                   go straight to the lab
   carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
   carrom --charset ascii       for terminals and fonts that know nothing else
+  carrom solve --alpha-deg 30  a worked solution, step by step
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
 Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
@@ -48,6 +52,7 @@ Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
 enum Command {
     #[command(flatten)]
     Open(Screen),
+    Solve(solve::SolveArgs),
     Tape(tape::Args),
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
@@ -96,9 +101,38 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     match &cli.command {
         None => play::run(&cli.options, Place::Home),
         Some(Command::Open(screen)) => play::run(&cli.options, screen.place()),
+        Some(Command::Solve(args)) => solve_command(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
+    }
+}
+
+/// How a command ended when it could do its work at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Everything was done: exit code 0.
+    Done,
+    /// Some of the work failed: exit code 1.
+    Failed,
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Done => Self::SUCCESS,
+            Status::Failed => Self::from(1),
+        }
+    }
+}
+
+fn solve_command(args: &solve::SolveArgs, options: &Options) -> Result<ExitCode, Failure> {
+    let unicode =
+        options.charset(terminal::charset(|name| std::env::var(name).ok())) == Charset::Unicode;
+    match solve::run(args, unicode, io::stdin().lock(), io::stdout().lock()) {
+        Ok(status) => Ok(status.into()),
+        Err(solve::SolveError::Argument(fault)) => Err(Failure::Input(fault.into())),
+        Err(error) => Err(error.into()),
     }
 }
 
@@ -144,7 +178,7 @@ fn print(bytes: &[u8]) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::widgets::{Charset, Depth};
+    use crate::widgets::Depth;
 
     #[test]
     fn the_command_line_is_consistent() {

@@ -84,15 +84,20 @@ impl Options {
         }
     }
 
+    /// The glyphs to write with, with `auto` standing for the given ones.
+    pub(super) fn charset(&self, auto: Charset) -> Charset {
+        match self.charset {
+            CharsetChoice::Auto => auto,
+            CharsetChoice::Ascii => Charset::Ascii,
+            CharsetChoice::Unicode => Charset::Unicode,
+        }
+    }
+
     /// What the player has set, with `auto` standing for the given look.
     pub(super) fn settings(&self, auto: Look) -> Settings {
         let defaults = Settings::default();
         Settings {
-            charset: match self.charset {
-                CharsetChoice::Auto => auto.charset,
-                CharsetChoice::Ascii => Charset::Ascii,
-                CharsetChoice::Unicode => Charset::Unicode,
-            },
+            charset: self.charset(auto.charset),
             depth: match self.color {
                 ColorChoice::Auto => auto.depth,
                 ColorChoice::None => Depth::None,

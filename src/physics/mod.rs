@@ -20,6 +20,7 @@ pub mod rutherford;
 mod shot;
 mod slide;
 pub mod units;
+pub mod worked;
 
 pub use board::{Board, G};
 pub use collision::{Bond, Collision, Meeting, Outcome};

@@ -1,0 +1,67 @@
+//! An answer as it is written: one JSON object a line.
+
+use std::io::{self, Write};
+
+use glam::DVec2;
+use serde::Serialize;
+
+use crate::physics::units::deg_from_rad;
+use crate::physics::{Bond, Collision};
+
+/// What is undefined is `null`. Numbers are written with as many digits as it takes
+/// to read the same number back.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct Answer {
+    hit: bool,
+    v1: [f64; 2],
+    v2: [f64; 2],
+    speed1: f64,
+    speed2: f64,
+    theta1_deg: Option<f64>,
+    theta2_deg: Option<f64>,
+    separation_deg: Option<f64>,
+    energy_before_j: f64,
+    /// With the energy of rotation where the discs stick.
+    energy_after_j: f64,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    turning: Option<Turning>,
+}
+
+/// What is added for discs that stick.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct Turning {
+    energy_rotation_j: f64,
+    spin_rad_s: f64,
+}
+
+impl Answer {
+    pub(super) fn of(collision: &Collision) -> Self {
+        let after = collision.outcome();
+        Self {
+            hit: after.hit(),
+            v1: components(after.v1),
+            v2: components(after.v2),
+            speed1: after.v1.length(),
+            speed2: after.v2.length(),
+            theta1_deg: after.theta1.map(deg_from_rad),
+            theta2_deg: after.theta2.map(deg_from_rad),
+            separation_deg: after.separation.map(deg_from_rad),
+            energy_before_j: after.energy_before,
+            energy_after_j: after.energy_after,
+            turning: (collision.bond == Bond::Stick).then_some(Turning {
+                energy_rotation_j: after.energy_rotation,
+                spin_rad_s: after.spin,
+            }),
+        }
+    }
+
+    pub(super) fn write_line(&self, out: &mut impl Write) -> io::Result<()> {
+        serde_json::to_writer(&mut *out, self)?;
+        out.write_all(b"\n")
+    }
+}
+
+/// The components, with a plain 0 for a negative one.
+fn components(v: DVec2) -> [f64; 2] {
+    (v + DVec2::ZERO).to_array()
+}

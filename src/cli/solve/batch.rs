@@ -1,0 +1,69 @@
+//! Many problems, one a line, answered in order.
+
+use std::fmt::Display;
+use std::io::{self, BufRead, Write};
+
+use serde::Serialize;
+
+use super::answer::Answer;
+use super::lines::{LONGEST, Line, Lines};
+use super::problem::Problem;
+use crate::cli::Status;
+
+/// The longest error message, in characters: noise is not echoed at length.
+const LONGEST_MESSAGE: usize = 200;
+
+/// What stands in place of an answer to a line that is no problem.
+#[derive(Debug, Serialize)]
+struct Refusal<'a> {
+    line: u64,
+    error: &'a str,
+}
+
+/// Answers every line of `input` that is not blank. A bad line is refused and the
+/// run goes on, to end with [`Status::Failed`].
+pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<Status> {
+    let mut lines = Lines::new(input);
+    let mut status = Status::Done;
+    let mut number = 0;
+    while let Some(line) = lines.next(|| out.flush())? {
+        number += 1;
+        let answer = match line {
+            Line::Whole(text) if text.trim_ascii().is_empty() => continue,
+            Line::Whole(text) => answer(text),
+            Line::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
+        };
+        match answer {
+            Ok(answer) => answer.write_line(out)?,
+            Err(error) => {
+                status = Status::Failed;
+                let refusal = Refusal {
+                    line: number,
+                    error: &error,
+                };
+                serde_json::to_writer(&mut *out, &refusal)?;
+                out.write_all(b"\n")?;
+            }
+        }
+    }
+    Ok(status)
+}
+
+fn answer(text: &[u8]) -> Result<Answer, String> {
+    let problem: Problem = serde_json::from_slice(text).map_err(said)?;
+    let (collision, _) = problem.collision().map_err(said)?;
+    Ok(Answer::of(&collision))
+}
+
+/// The message of an error in plain words, kept short. JSON's own line is always 1
+/// here and would only be mistaken for the line of the batch.
+fn said(error: impl Display) -> String {
+    let message = error
+        .to_string()
+        .replace(" at line 1 column ", " at column ")
+        .replace("expected f64", "expected a number");
+    match message.char_indices().nth(LONGEST_MESSAGE) {
+        Some((end, _)) => format!("{}...", message.get(..end).unwrap_or_default()),
+        None => message,
+    }
+}

@@ -1,0 +1,75 @@
+//! Lines of any length from a stream, in bounded memory.
+
+use std::io::{self, BufRead};
+
+/// The longest line that is kept; a problem takes a few hundred bytes.
+pub(super) const LONGEST: usize = 64 * 1024;
+
+/// A line as it was found.
+pub(super) enum Line<'a> {
+    /// Its bytes without the line break.
+    Whole(&'a [u8]),
+    /// It was longer than [`LONGEST`] and was passed over.
+    TooLong,
+}
+
+/// Reads one line after another into one buffer.
+pub(super) struct Lines<R> {
+    input: R,
+    line: Vec<u8>,
+    /// All that has arrived is used up: the next look at the input may wait.
+    may_wait: bool,
+}
+
+impl<R: BufRead> Lines<R> {
+    pub(super) fn new(input: R) -> Self {
+        Self {
+            input,
+            line: Vec::new(),
+            may_wait: false,
+        }
+    }
+
+    /// The next line, or `None` at the end. Calls `before_waiting` whenever more must
+    /// arrive first: the moment to send what has been answered so far.
+    pub(super) fn next(
+        &mut self,
+        mut before_waiting: impl FnMut() -> io::Result<()>,
+    ) -> io::Result<Option<Line<'_>>> {
+        self.line.clear();
+        let mut too_long = false;
+        let mut any = false;
+        loop {
+            if self.may_wait {
+                before_waiting()?;
+            }
+            let arrived = match self.input.fill_buf() {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                arrived => arrived?,
+            };
+            if arrived.is_empty() {
+                break;
+            }
+            any = true;
+            let line_break = arrived.iter().position(|byte| *byte == b'\n');
+            let (piece, used) = match line_break {
+                Some(end) => (arrived.get(..end).unwrap_or_default(), end + 1),
+                None => (arrived, arrived.len()),
+            };
+            too_long |= self.line.len() + piece.len() > LONGEST;
+            if !too_long {
+                self.line.extend_from_slice(piece);
+            }
+            self.may_wait = used == arrived.len();
+            self.input.consume(used);
+            if line_break.is_some() {
+                break;
+            }
+        }
+        Ok(match (any, too_long) {
+            (false, _) => None,
+            (true, true) => Some(Line::TooLong),
+            (true, false) => Some(Line::Whole(&self.line)),
+        })
+    }
+}

@@ -1,0 +1,74 @@
+//! A problem read from one line of JSON.
+//!
+//! Written out rather than derived so that every error names its field, and so that
+//! a line is read in one pass without allocating.
+
+use std::fmt;
+
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+
+use super::problem::Problem;
+
+#[derive(Debug, Clone, Copy, serde::Deserialize)]
+#[serde(field_identifier, rename_all = "snake_case")]
+enum Field {
+    M1G,
+    M2G,
+    U1,
+    U2,
+    AlphaDeg,
+    OffsetMm,
+    R1Mm,
+    R2Mm,
+    Restitution,
+    Stick,
+}
+
+impl<'de> Deserialize<'de> for Problem {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Fields)
+    }
+}
+
+struct Fields;
+
+impl<'de> Visitor<'de> for Fields {
+    type Value = Problem;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object with m1_g, m2_g, u1 and alpha_deg")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Problem, A::Error> {
+        let mut problem = Problem::default();
+        while let Some(field) = map.next_key()? {
+            match field {
+                Field::M1G => set(&mut problem.m1_g, "m1_g", &mut map)?,
+                Field::M2G => set(&mut problem.m2_g, "m2_g", &mut map)?,
+                Field::U1 => set(&mut problem.u1, "u1", &mut map)?,
+                Field::U2 => set(&mut problem.u2, "u2", &mut map)?,
+                Field::AlphaDeg => set(&mut problem.alpha_deg, "alpha_deg", &mut map)?,
+                Field::OffsetMm => set(&mut problem.offset_mm, "offset_mm", &mut map)?,
+                Field::R1Mm => set(&mut problem.r1_mm, "r1_mm", &mut map)?,
+                Field::R2Mm => set(&mut problem.r2_mm, "r2_mm", &mut map)?,
+                Field::Restitution => set(&mut problem.restitution, "restitution", &mut map)?,
+                Field::Stick => set(&mut problem.stick, "stick", &mut map)?,
+            }
+        }
+        Ok(problem)
+    }
+}
+
+/// Reads the value of one field, which may stand in a line only once.
+fn set<'de, T: Deserialize<'de>, A: MapAccess<'de>>(
+    slot: &mut Option<T>,
+    field: &'static str,
+    map: &mut A,
+) -> Result<(), A::Error> {
+    if slot.is_some() {
+        return Err(Error::duplicate_field(field));
+    }
+    let value = map.next_value();
+    *slot = Some(value.map_err(|error: A::Error| Error::custom(format_args!("{field}: {error}")))?);
+    Ok(())
+}

@@ -1,0 +1,270 @@
+//! A collision worked out step by step, as a teacher would write it on the board.
+//!
+//! The steps are data: a title, the reason for the step and the lines of working with
+//! the numbers filled in. Whoever shows them chooses the layout, and spells them with
+//! [`ascii`] where the screen knows no other signs. In the working, masses are in g,
+//! lengths in mm and speeds in m/s.
+
+mod ascii;
+mod number;
+mod slip;
+mod stick;
+mod words;
+
+pub use ascii::ascii;
+pub use number::number;
+
+use glam::DVec2;
+
+use super::units::{g_from_kg, mm_from_m};
+use super::{Bond, Collision, Meeting, Outcome};
+use number::{beside, degrees, vector};
+
+/// One step of a worked solution.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Step {
+    /// What is done.
+    pub title: &'static str,
+    /// Why it may be done, or what it means, in a sentence or two; may be empty.
+    pub why: String,
+    /// The working, a formula or a result a line; a line that goes on with the one
+    /// before begins with blanks.
+    pub lines: Vec<String>,
+}
+
+/// What the problem says about where the two discs meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Given {
+    /// The impact angle α.
+    Angle,
+    /// The offset b and both radii.
+    Offset,
+}
+
+/// The whole solution: what is known, the working, a check and the result in words.
+pub fn steps(collision: &Collision, given: Given) -> Vec<Step> {
+    let outcome = collision.outcome();
+    let mut steps = vec![knowns(collision, given)];
+    if given == Given::Offset {
+        steps.push(where_they_meet(collision));
+    }
+    if outcome.meeting == Meeting::Hit {
+        match collision.bond {
+            Bond::Slip => steps.extend(slip::steps(collision, &outcome)),
+            Bond::Stick => steps.extend(stick::steps(collision, &outcome)),
+        }
+        steps.push(directions(collision, &outcome));
+        steps.push(check(collision, &outcome));
+    }
+    steps.push(Step {
+        title: "In words",
+        why: words::result(collision, &outcome),
+        lines: Vec::new(),
+    });
+    steps
+}
+
+fn knowns(c: &Collision, given: Given) -> Step {
+    let body = |name: &str, sub: char, mass: f64, u: DVec2| {
+        let velocity = if u.length() > 0.0 {
+            format!(
+                "u{sub} = {} m/s, speed {} m/s",
+                vector(u, 0.0),
+                number(u.length())
+            )
+        } else {
+            format!("u{sub} = 0, at rest")
+        };
+        format!("{name}  m{sub} = {} g   {velocity}", grams(mass))
+    };
+    let mut lines = vec![
+        body("striker", '₁', c.striker.mass, c.u1),
+        body("target ", '₂', c.target.mass, c.u2),
+    ];
+    if given == Given::Offset || c.bond == Bond::Stick {
+        let (r1, r2) = (c.striker.radius, c.target.radius);
+        lines.push(format!("radii    r₁ = {} mm   r₂ = {} mm", mm(r1), mm(r2)));
+    }
+    lines.push(match given {
+        Given::Angle => {
+            let alpha = c.alpha().map_or_else(|| "none".to_owned(), degrees);
+            format!("impact angle  α = {alpha}")
+        }
+        Given::Offset => format!("offset   b = {} mm", mm(c.offset)),
+    });
+    lines.push(match c.bond {
+        Bond::Slip => format!("restitution  e = {}, smooth discs", number(c.restitution)),
+        Bond::Stick => "the discs stick where they touch".to_owned(),
+    });
+    Step {
+        title: "What we know",
+        why: "The impact angle α runs from the striker's motion, as the target sees it, to \
+              the line of impact n through both centres. It is positive when the target's \
+              centre lies to the right of that motion."
+            .to_owned(),
+        lines,
+    }
+}
+
+fn where_they_meet(c: &Collision) -> Step {
+    let reach = c.reach();
+    let mut lines = vec![format!(
+        "r₁ + r₂ = {} + {} = {} mm",
+        mm(c.striker.radius),
+        mm(c.target.radius),
+        mm(reach)
+    )];
+    lines.push(match c.alpha() {
+        Some(alpha) => format!(
+            "sin α = b / (r₁ + r₂) = {} / {} = {},  α = {}",
+            mm(c.offset),
+            mm(reach),
+            beside(c.offset / reach, 1.0),
+            degrees(alpha)
+        ),
+        None if c.offset.abs() > reach => format!(
+            "b is {} mm and r₁ + r₂ only {} mm: they pass each other",
+            mm(c.offset.abs()),
+            mm(reach)
+        ),
+        None => "u₁ = u₂: neither comes nearer to the other".to_owned(),
+    });
+    Step {
+        title: "Do they meet, and how squarely?",
+        why: "When the discs touch, their centres are r₁ + r₂ apart, and the offset b is the \
+              side opposite α in the right-angled triangle with that hypotenuse."
+            .to_owned(),
+        lines,
+    }
+}
+
+/// Speeds and angles after a hit.
+fn directions(c: &Collision, after: &Outcome) -> Step {
+    let mut lines = vec![
+        angle_line(
+            "θ₁",
+            after.theta1,
+            "anticlockwise",
+            "clockwise",
+            c.u1,
+            after.v1,
+        ),
+        angle_line(
+            "θ₂",
+            after.theta2,
+            "clockwise",
+            "anticlockwise",
+            c.u1,
+            after.v2,
+        ),
+    ];
+    lines.push(match after.separation {
+        Some(angle) => format!("separation, from v₁ to v₂: {}", degrees(angle)),
+        None => "separation: undefined, for a disc at rest has no direction".to_owned(),
+    });
+    Step {
+        title: "Read off the angles",
+        why: "Both are measured from the striker's old direction u₁: θ₁ to where the striker \
+              goes, θ₂ to where the target goes."
+            .to_owned(),
+        lines,
+    }
+}
+
+fn angle_line(
+    name: &str,
+    angle: Option<f64>,
+    positive: &str,
+    negative: &str,
+    from: DVec2,
+    to: DVec2,
+) -> String {
+    let (body, speed) = match name {
+        "θ₁" => ("striker", "v₁"),
+        _ => ("target", "v₂"),
+    };
+    match angle {
+        Some(angle) => {
+            let text = degrees(angle.abs());
+            let way = match text.as_str() {
+                "0°" => "straight on".to_owned(),
+                "180°" => "straight back".to_owned(),
+                _ if angle > 0.0 => format!("{positive} from u₁"),
+                _ => format!("{negative} from u₁"),
+            };
+            format!(
+                "{name} = {}  ({way}), {speed} = {} m/s",
+                degrees(angle),
+                number(to.length())
+            )
+        }
+        None if to.length() <= 0.0 => format!("{name}: undefined, for the {body} is at rest"),
+        None if from.length() <= 0.0 => format!(
+            "{name}: undefined, for u₁ = 0 has no direction; {speed} = {} m/s",
+            number(to.length())
+        ),
+        None => format!("{name}: undefined"),
+    }
+}
+
+fn check(c: &Collision, after: &Outcome) -> Step {
+    let (m1, m2) = (g_from_kg(c.striker.mass), g_from_kg(c.target.mass));
+    let scale = m1 * c.u1.length() + m2 * c.u2.length();
+    let before_p = m1 * c.u1 + m2 * c.u2;
+    let after_p = m1 * after.v1 + m2 * after.v2;
+    let mut lines = vec![
+        format!(
+            "momentum before  m₁u₁ + m₂u₂ = {} g m/s",
+            vector(before_p, scale)
+        ),
+        format!(
+            "momentum after   m₁v₁ + m₂v₂ = {} g m/s",
+            vector(after_p, scale)
+        ),
+        format!(
+            "energy before    ½ m₁u₁² + ½ m₂u₂² = {} J",
+            number(after.energy_before)
+        ),
+    ];
+    lines.push(if after.energy_rotation > 0.0 {
+        format!(
+            "energy after     ½ (m₁ + m₂) v² + ½ I ω² = {} + {} = {} J",
+            number(after.energy_after - after.energy_rotation),
+            number(after.energy_rotation),
+            number(after.energy_after)
+        )
+    } else {
+        format!(
+            "energy after     ½ m₁v₁² + ½ m₂v₂² = {} J",
+            number(after.energy_after)
+        )
+    });
+    let share = after.energy_lost / after.energy_before;
+    let lost = share > 1e-12;
+    if lost {
+        lines.push(format!(
+            "lost             {} J, {} % of it",
+            number(after.energy_lost),
+            number(100.0 * share)
+        ));
+    }
+    Step {
+        title: "Check",
+        why: if lost {
+            "Momentum must balance in every collision. Energy need not: what is missing has \
+             gone into heat and sound."
+        } else {
+            "Momentum must balance in every collision, and at e = 1 energy must too."
+        }
+        .to_owned(),
+        lines,
+    }
+}
+
+fn grams(mass: f64) -> String {
+    number(g_from_kg(mass))
+}
+
+fn mm(length: f64) -> String {
+    number(mm_from_m(length))
+}

@@ -1,0 +1,128 @@
+//! The working for smooth discs: split, resolve along n, keep across, put together.
+
+use super::number::{beside, factor, number, vector};
+use super::{Step, grams};
+use crate::physics::units::g_from_kg;
+use crate::physics::{Collision, Outcome};
+use glam::DVec2;
+
+pub(super) fn steps(c: &Collision, after: &Outcome) -> Vec<Step> {
+    let (Some(n), Some(t)) = (after.normal, after.tangent) else {
+        return Vec::new();
+    };
+    vec![
+        split(c, n, t),
+        along(c, after, n),
+        across(c, t),
+        together(c, after, n, t),
+    ]
+}
+
+fn speed_scale(c: &Collision) -> f64 {
+    c.u1.length() + c.u2.length()
+}
+
+fn split(c: &Collision, n: DVec2, t: DVec2) -> Step {
+    let scale = speed_scale(c);
+    let part = |name: &str, u: DVec2, axis: char, unit: DVec2| {
+        format!(
+            "{name} = u{} · {axis} = {} m/s",
+            if name.starts_with("u₁") {
+                '₁'
+            } else {
+                '₂'
+            },
+            beside(u.dot(unit), scale)
+        )
+    };
+    let relative = c.relative_velocity();
+    let along_x = relative.x > 0.0 && relative.y.abs() <= 1e-9 * relative.x;
+    let (n_form, t_form) = if along_x {
+        (" = (cos α, −sin α)", " = (sin α, cos α)")
+    } else {
+        ("", "")
+    };
+    Step {
+        title: "Split each velocity along n and across it",
+        why: format!(
+            "Smooth discs can push on each other only along the line through their centres. \
+             So the hit has two parts that do not mix: along n they collide, and along the \
+             tangent t they do not feel each other. {}",
+            if along_x {
+                "The motion is along x, so n is that direction turned clockwise by α."
+            } else {
+                "To find n, turn the direction of u₁ − u₂ clockwise by α."
+            }
+        ),
+        lines: vec![
+            format!("n{n_form} = {}", vector(n, 1.0)),
+            format!("t{t_form} = {}", vector(t, 1.0)),
+            part("u₁ₙ", c.u1, 'n', n),
+            part("u₁ₜ", c.u1, 't', t),
+            part("u₂ₙ", c.u2, 'n', n),
+            part("u₂ₜ", c.u2, 't', t),
+        ],
+    }
+}
+
+fn along(c: &Collision, after: &Outcome, n: DVec2) -> Step {
+    let scale = speed_scale(c);
+    let (m1, m2) = (grams(c.striker.mass), grams(c.target.mass));
+    let total = number(g_from_kg(c.striker.mass + c.target.mass));
+    let e = number(c.restitution);
+    let lively = number(1.0 + c.restitution);
+    let (u1n, u2n) = (c.u1.dot(n), c.u2.dot(n));
+    let (f1, f2) = (factor(u1n, scale), factor(u2n, scale));
+    Step {
+        title: "Along n: a head-on collision in one dimension",
+        why: "Momentum along n is kept, and restitution says how fast the two part along n: \
+              e times as fast as they came together. Solved for the two speeds:"
+            .to_owned(),
+        lines: vec![
+            "v₁ₙ = [(m₁ − e m₂) u₁ₙ + (1 + e) m₂ u₂ₙ] / (m₁ + m₂)".to_owned(),
+            format!(
+                "    = [({m1} − {e} × {m2}) × {f1} + {lively} × {m2} × {f2}] / {total} = {} m/s",
+                beside(after.v1.dot(n), scale)
+            ),
+            "v₂ₙ = [(m₂ − e m₁) u₂ₙ + (1 + e) m₁ u₁ₙ] / (m₁ + m₂)".to_owned(),
+            format!(
+                "    = [({m2} − {e} × {m1}) × {f2} + {lively} × {m1} × {f1}] / {total} = {} m/s",
+                beside(after.v2.dot(n), scale)
+            ),
+            format!(
+                "impulse  J = m₂ (v₂ₙ − u₂ₙ) = {} g m/s",
+                number(g_from_kg(after.impulse))
+            ),
+        ],
+    }
+}
+
+fn across(c: &Collision, t: DVec2) -> Step {
+    let scale = speed_scale(c);
+    let line = |sub: char, u: DVec2| format!("v{sub}ₜ = u{sub}ₜ = {} m/s", beside(u.dot(t), scale));
+    Step {
+        title: "Across: nothing changes",
+        why: "No force acts along t, so each disc keeps that part of its velocity.".to_owned(),
+        lines: vec![line('₁', c.u1), line('₂', c.u2)],
+    }
+}
+
+fn together(c: &Collision, after: &Outcome, n: DVec2, t: DVec2) -> Step {
+    let scale = speed_scale(c);
+    let body = |sub: char, v: DVec2| {
+        [
+            format!("v{sub} = v{sub}ₙ n + v{sub}ₜ t = {} m/s", vector(v, scale)),
+            format!(
+                "     speed √({}² + {}²) = {} m/s",
+                factor(v.dot(n), scale),
+                factor(v.dot(t), scale),
+                beside(v.length(), scale)
+            ),
+        ]
+    };
+    Step {
+        title: "Put the parts together",
+        why: "n and t stand at right angles, so the speeds follow from Pythagoras.".to_owned(),
+        lines: [body('₁', after.v1), body('₂', after.v2)].concat(),
+    }
+}

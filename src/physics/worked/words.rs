@@ -1,0 +1,139 @@
+//! The result of a collision in plain words.
+
+use super::number::{beside, degrees, number};
+use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
+
+/// How near to 90° the working calls square.
+const SQUARE: f64 = 1e-9;
+
+pub(super) fn result(c: &Collision, after: &Outcome) -> String {
+    match after.meeting {
+        Meeting::Miss if c.relative_velocity().length() <= 0.0 => {
+            "Both move alike, so they never meet and nothing changes.".to_owned()
+        }
+        Meeting::Miss => "A miss: the offset is larger than the two radii together, so the discs \
+                          pass each other and nothing changes."
+            .to_owned(),
+        Meeting::Graze => "A graze: the discs just touch, with no speed along the line of impact, \
+                           so nothing changes."
+            .to_owned(),
+        Meeting::Hit if c.bond == Bond::Stick => stuck(after),
+        Meeting::Hit => [target(c, after), striker(c, after), parting(c, after)].join(" "),
+    }
+}
+
+fn stuck(after: &Outcome) -> String {
+    let speed = after.v1.length();
+    let going = if speed > 0.0 {
+        format!("go on as one at {} m/s", number(speed))
+    } else {
+        "come to a stop".to_owned()
+    };
+    let turning = if after.energy_rotation > 0.0 {
+        format!(
+            ", turning about their middle at {} rad/s",
+            number(after.spin.abs())
+        )
+    } else {
+        String::new()
+    };
+    format!("The two {going}{turning}.")
+}
+
+fn target(c: &Collision, after: &Outcome) -> String {
+    let speed = number(after.v2.length());
+    match after.theta2 {
+        _ if after.v2.length() <= 0.0 => "The target is brought to rest.".to_owned(),
+        Some(angle) if c.u2.length() <= 0.0 => format!(
+            "The target was at rest and is pushed along the line of impact: it leaves at \
+             {speed} m/s, {}.",
+            course(angle, "right", "left", "the striker's")
+        ),
+        Some(angle) => format!(
+            "The target leaves at {speed} m/s, {}.",
+            course(angle, "right", "left", "the striker's")
+        ),
+        None => format!("The target leaves at {speed} m/s."),
+    }
+}
+
+fn striker(c: &Collision, after: &Outcome) -> String {
+    let speed = number(after.v1.length());
+    match after.theta1 {
+        _ if after.v1.length() <= 0.0 => {
+            "The striker stops dead: it has no direction any more, so θ₁ and the separation are \
+             undefined."
+                .to_owned()
+        }
+        Some(angle) => format!(
+            "The striker goes off at {speed} m/s, {}.",
+            course(angle, "left", "right", "its")
+        ),
+        None if c.u1.length() <= 0.0 => format!(
+            "The striker was at rest and leaves at {speed} m/s; without an old course there is no \
+             scattering angle."
+        ),
+        None => format!("The striker leaves at {speed} m/s."),
+    }
+}
+
+/// Where a disc goes, by the side of the striker's old course.
+fn course(angle: f64, positive: &str, negative: &str, whose: &str) -> String {
+    match beside(angle.to_degrees().abs(), 180.0).as_str() {
+        "0" => format!("straight on along {whose} old course"),
+        "180" => format!("straight back along {whose} old course"),
+        _ => format!(
+            "{} to the {} of {whose} old course",
+            degrees(angle.abs()),
+            if angle > 0.0 { positive } else { negative }
+        ),
+    }
+}
+
+/// The angle between the two departures, and what it says about the masses.
+fn parting(c: &Collision, after: &Outcome) -> String {
+    let Some(separation) = after.separation else {
+        return String::new();
+    };
+    let parted = format!("They part at {}", degrees(separation));
+    let head_on = c.offset.abs() <= 0.0;
+    if c.u2.length() > 0.0 {
+        let seen = Frame::Target.view(c).outcome().separation;
+        return match seen {
+            Some(seen) if !head_on => format!(
+                "{parted}. Seen by someone who moves as the target did, it is {}: {}.",
+                degrees(seen),
+                reason(c, seen)
+            ),
+            _ => format!("{parted}."),
+        };
+    }
+    if head_on {
+        return format!("{parted}, for all of it happens on one line.");
+    }
+    format!("{parted}: {}.", reason(c, separation))
+}
+
+/// Why the two part at this angle where the target was at rest.
+fn reason(c: &Collision, separation: f64) -> String {
+    let off = separation.to_degrees() - 90.0;
+    let elastic = c.restitution >= 1.0;
+    let target = if elastic {
+        "the target".to_owned()
+    } else {
+        format!("{} times the target, which is e m₂", number(c.restitution))
+    };
+    if off.abs() <= SQUARE {
+        if elastic {
+            "a right angle, as always between equal masses that lose nothing".to_owned()
+        } else {
+            format!("a right angle, for the striker weighs just {target}")
+        }
+    } else if off > 0.0 {
+        format!("more than a right angle, for the striker weighs less than {target}")
+    } else if c.restitution <= 0.0 {
+        "less than a right angle, as always at e = 0".to_owned()
+    } else {
+        format!("less than a right angle, for the striker weighs more than {target}")
+    }
+}
