@@ -22,9 +22,10 @@ impl Table {
     }
 
     fn is_free(&self, disc: Disc, position: DVec2) -> bool {
-        self.discs.iter().zip(&self.start).all(|(other, at)| {
-            at.position.distance(position) > other.radius + disc.radius + 1e-4
-        })
+        self.discs
+            .iter()
+            .zip(&self.start)
+            .all(|(other, at)| at.position.distance(position) > other.radius + disc.radius + 1e-4)
     }
 
     /// Adds a disc at a random free place of a square board.

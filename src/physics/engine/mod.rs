@@ -19,6 +19,7 @@ mod play;
 mod quartic;
 mod record;
 mod schedule;
+mod screen;
 
 #[cfg(test)]
 mod tests;
@@ -75,6 +76,7 @@ pub fn play(
 pub struct Engine {
     bodies: Bodies,
     schedule: Schedule,
+    margins: Vec<f64>,
 }
 
 impl Engine {
@@ -107,6 +109,7 @@ impl Engine {
             limits,
             bodies: &mut self.bodies,
             schedule: &mut self.schedule,
+            margins: &mut self.margins,
             record: shot,
             deceleration,
             events: 0,

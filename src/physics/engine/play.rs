@@ -9,12 +9,8 @@ use super::contact::contact;
 use super::frame::{End, Side, end};
 use super::impulse::{Contact, simultaneous, single};
 use super::record::Record;
-use super::schedule::{Forecast, Schedule};
+use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::{EngineError, Limits};
-
-/// Contacts on shared discs within this many seconds are one event: a symmetric
-/// break reaches both sides at times that differ only by rounding.
-const SAME_TIME: f64 = 1e-12;
 
 /// On a board with friction discs that approach slower than this (m/s) part again as
 /// fast as they came, whatever e is: otherwise they could meet infinitely often
@@ -31,6 +27,8 @@ pub(super) struct Play<'a, R> {
     pub(super) limits: Limits,
     pub(super) bodies: &'a mut Bodies,
     pub(super) schedule: &'a mut Schedule,
+    /// Working memory of the screening of pairs.
+    pub(super) margins: &'a mut Vec<f64>,
     pub(super) record: &'a mut R,
     pub(super) deceleration: f64,
     pub(super) events: usize,
@@ -94,8 +92,10 @@ impl<R: Record> Play<'_, R> {
 
     /// Forecasts whom a disc meets, for it and for them.
     fn meet_others(&mut self, i: usize, now: f64) {
+        self.bodies
+            .screen(i, now, self.schedule.times(), self.margins);
         for k in 0..self.bodies.len() {
-            if k == i {
+            if self.margins[k] > 0.0 || k == i {
                 continue;
             }
             let known = self.schedule.time(i).min(self.schedule.time(k));

@@ -2,6 +2,10 @@
 
 use super::frame::End;
 
+/// Contacts on shared discs within this many seconds are one event: a symmetric
+/// break reaches both sides at times that differ only by rounding.
+pub(super) const SAME_TIME: f64 = 1e-12;
+
 /// What a disc is forecast to do next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Forecast {
@@ -36,6 +40,10 @@ impl Schedule {
 
     pub(super) fn time(&self, disc: usize) -> f64 {
         self.times[disc]
+    }
+
+    pub(super) fn times(&self) -> &[f64] {
+        &self.times
     }
 
     pub(super) fn forecast(&self, disc: usize) -> Forecast {
