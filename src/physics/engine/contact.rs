@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::super::slide::slowed;
 use super::bodies::Bodies;
 use super::quartic::first_root;
 
@@ -132,16 +133,13 @@ fn glide(d: DVec2, v: DVec2, a: DVec2, reach: f64, gap: f64) -> Option<f64> {
     if ahead <= 0.0 {
         return None;
     }
-    // All lengths times the speed, so that one root is saved.
+    // All lengths times the speed: no need to draw its root.
     let offset = d.perp_dot(v);
     let room = reach * reach * speed2 - offset * offset;
     if room <= 0.0 {
         return None;
     }
-    let distance = gap / (ahead + room.sqrt());
-    // `distance` is in units of the speed: s = distance · v, and a points against v.
-    let left = 1.0 + 2.0 * distance * a.dot(v) / speed2;
-    (left >= 0.0).then(|| 2.0 * distance / (1.0 + left.sqrt()))
+    slowed(gap / (ahead + room.sqrt()), -a.dot(v) / speed2)
 }
 
 /// Time until |d + w t| comes down to `reach`, at constant velocities.

@@ -14,6 +14,7 @@ mod check;
 mod contact;
 mod error;
 mod frame;
+mod impacts;
 mod impulse;
 mod play;
 mod quartic;

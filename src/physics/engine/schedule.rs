@@ -63,9 +63,8 @@ impl Schedule {
         first
     }
 
-    /// The discs with a forecast up to a time.
-    pub(super) fn until(&self, time: f64) -> impl Iterator<Item = usize> + '_ {
-        let due = move |(disc, &t): (usize, &f64)| (t <= time).then_some(disc);
-        self.times.iter().enumerate().filter_map(due)
+    /// How many discs have a forecast up to a time.
+    pub(super) fn due(&self, time: f64) -> usize {
+        self.times.iter().filter(|&&t| t <= time).count()
     }
 }
