@@ -70,7 +70,9 @@ impl<R: Record> Play<'_, R> {
             asked += 1;
             for k in 0..self.bodies.len() {
                 let pair = [disc.min(k), disc.max(k)];
+                let moving = self.bodies.moving[disc] || self.bodies.moving[k];
                 if k != disc
+                    && moving
                     && !pairs.contains(&pair)
                     && contact(self.bodies, disc, k, time, SAME_TIME).is_some()
                 {

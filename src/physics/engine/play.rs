@@ -110,7 +110,8 @@ impl<R: Record> Play<'_, R> {
         self.bodies
             .screen(i, now, self.schedule.times(), self.margins);
         for k in 0..self.bodies.len() {
-            if self.margins[k] > 0.0 || k == i {
+            let still = !(self.bodies.moving[i] || self.bodies.moving[k]);
+            if self.margins[k] > 0.0 || k == i || still {
                 continue;
             }
             let known = self.schedule.time(i).min(self.schedule.time(k));
