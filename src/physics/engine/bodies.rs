@@ -97,7 +97,7 @@ impl Bodies {
     }
 
     /// Motion of a disc at a time not beyond its stop.
-    #[inline]
+    #[inline(always)]
     pub(super) fn at(&self, i: usize, time: f64) -> Motion {
         let t = time - self.since[i];
         let half = 0.5 * t;

@@ -109,9 +109,8 @@ impl<R: Record> Play<'_, R> {
     fn forecast_meetings(&mut self, i: usize, now: f64) {
         self.bodies
             .screen(i, now, self.schedule.times(), self.margins);
-        for k in 0..self.bodies.len() {
-            let still = !(self.bodies.moving[i] || self.bodies.moving[k]);
-            if self.margins[k] > 0.0 || k == i || still {
+        for (k, &margin) in self.margins.iter().enumerate() {
+            if margin > 0.0 || k == i || !(self.bodies.moving[i] || self.bodies.moving[k]) {
                 continue;
             }
             let known = self.schedule.time(i).min(self.schedule.time(k));

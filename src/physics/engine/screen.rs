@@ -23,7 +23,6 @@ impl Bodies {
         let (my_vx, my_vy) = (me.velocity.x, me.velocity.y);
         let (my_ax, my_ay, my_radius) = (self.ax[i], self.ay[i], self.radius[i]);
         let my_time = times[i];
-        margins.clear();
         margins.resize(n, 0.0);
         let (x, y) = (&self.x[..n], &self.y[..n]);
         let (vx, vy) = (&self.vx[..n], &self.vy[..n]);
