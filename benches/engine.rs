@@ -21,7 +21,7 @@ fn main() {
     if std::env::args().any(|a| a == "small") {
         return;
     }
-    for count in [20, 60, 200] {
+    for count in [20, 60, 200, 600, 2000] {
         let (board, table) = crowd(count);
         one(&format!("{count} discs, all moving"), &board, &table);
     }

@@ -17,6 +17,8 @@ pub(super) enum End {
     /// It falls into the pocket of this corner (0 lower left, 1 lower right, 2 upper
     /// left, 3 upper right).
     Pocket(usize),
+    /// It passes into the next cell of the grid; the slide itself goes on.
+    Cell(Side),
 }
 
 /// A side of the frame.
@@ -29,6 +31,16 @@ pub(super) enum Side {
 }
 
 impl Side {
+    /// The side towards which something moves at this speed along x.
+    pub(super) fn across(speed: f64) -> Self {
+        if speed < 0.0 { Self::Left } else { Self::Right }
+    }
+
+    /// The side towards which something moves at this speed along y.
+    pub(super) fn upright(speed: f64) -> Self {
+        if speed < 0.0 { Self::Bottom } else { Self::Top }
+    }
+
     /// The unit vector into the cushion.
     pub(super) fn normal(self) -> DVec2 {
         match self {
@@ -93,11 +105,9 @@ fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, Side) {
     };
     let (x, y) = (to(position.x, velocity.x), to(position.y, velocity.y));
     if x <= y {
-        let left = velocity.x < 0.0;
-        (x, if left { Side::Left } else { Side::Right })
+        (x, Side::across(velocity.x))
     } else {
-        let down = velocity.y < 0.0;
-        (y, if down { Side::Bottom } else { Side::Top })
+        (y, Side::upright(velocity.y))
     }
 }
 

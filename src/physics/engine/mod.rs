@@ -14,6 +14,7 @@ mod check;
 mod contact;
 mod error;
 mod frame;
+mod grid;
 mod impacts;
 mod impulse;
 mod play;
@@ -29,7 +30,8 @@ pub use error::EngineError;
 
 use super::{Board, Disc, Motion, Shot};
 use bodies::Bodies;
-use play::Play;
+use grid::Grid;
+use play::{Play, Scratch};
 use schedule::Schedule;
 
 /// How far to play a shot.
@@ -77,7 +79,8 @@ pub fn play(
 pub struct Engine {
     bodies: Bodies,
     schedule: Schedule,
-    margins: Vec<f64>,
+    grid: Grid,
+    scratch: Scratch,
 }
 
 impl Engine {
@@ -105,12 +108,14 @@ impl Engine {
         let deceleration = board.deceleration();
         self.bodies.begin(discs, start, deceleration);
         self.schedule.begin(discs.len());
+        self.grid.begin(board, discs, start);
         let duration = Play {
             board,
             limits,
             bodies: &mut self.bodies,
             schedule: &mut self.schedule,
-            margins: &mut self.margins,
+            grid: &mut self.grid,
+            scratch: &mut self.scratch,
             record: shot,
             deceleration,
             events: 0,

@@ -3,10 +3,12 @@
 use glam::DVec2;
 
 use super::super::shot::{Event, EventKind};
+use super::super::slide::slowed;
 use super::super::{Board, Motion};
 use super::bodies::Bodies;
 use super::contact::contact;
 use super::frame::{End, Side, end};
+use super::grid::Grid;
 use super::record::Record;
 use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::{EngineError, Limits};
@@ -20,14 +22,21 @@ const GENTLE: f64 = 2e-3;
 /// at rest: it would stop within a hundredth of a micrometre.
 const REST: f64 = 1e-4;
 
+/// Working memory of the search for partners.
+#[derive(Debug, Default, Clone)]
+pub(super) struct Scratch {
+    margins: Vec<f64>,
+    near: Vec<usize>,
+}
+
 /// One shot under way.
 pub(super) struct Play<'a, R> {
     pub(super) board: &'a Board,
     pub(super) limits: Limits,
     pub(super) bodies: &'a mut Bodies,
     pub(super) schedule: &'a mut Schedule,
-    /// Working memory of the screening of pairs.
-    pub(super) margins: &'a mut Vec<f64>,
+    pub(super) grid: &'a mut Grid,
+    pub(super) scratch: &'a mut Scratch,
     pub(super) record: &'a mut R,
     pub(super) deceleration: f64,
     pub(super) events: usize,
@@ -101,29 +110,53 @@ impl<R: Record> Play<'_, R> {
         let since = self.bodies.since[i];
         let start = self.bodies.start(i);
         let slowing = self.bodies.slowing[i];
-        let (time, end) = end(self.board, self.bodies.radius[i], start, slowing);
+        let (mut time, mut end) = end(self.board, self.bodies.radius[i], start, slowing);
+        if self.bodies.moving[i] && self.grid.is_laid() {
+            let (leaves, side) = self.grid.leaves(i, start);
+            if let Some(leaves) = slowed(leaves, slowing).filter(|&t| t < time) {
+                (time, end) = (leaves, End::Cell(side));
+            }
+        }
         self.schedule.set(i, since + time, Forecast::Alone(end));
     }
 
     /// Forecasts whom a disc meets, for it and for them.
     fn forecast_meetings(&mut self, i: usize, now: f64) {
-        self.bodies
-            .screen(i, now, self.schedule.times(), self.margins);
-        for (k, &margin) in self.margins.iter().enumerate() {
-            if margin > 0.0 || k == i || !(self.bodies.moving[i] || self.bodies.moving[k]) {
-                continue;
+        let seeker = self.bodies.seeker(i, now, self.schedule.time(i));
+        if self.grid.is_laid() {
+            self.grid.near(i, &mut self.scratch.near);
+            for n in 0..self.scratch.near.len() {
+                let k = self.scratch.near[n];
+                if self.bodies.margin(&seeker, k, self.schedule.time(k)) <= 0.0 {
+                    self.forecast_meeting(i, k, now);
+                }
             }
-            let known = self.schedule.time(i).min(self.schedule.time(k));
-            // A little beyond, so that contacts at the same time are found by both.
-            let until = known - now + SAME_TIME;
-            if let Some(time) = contact(self.bodies, i, k, now, until) {
-                let time = now + time;
-                for (disc, partner) in [(i, k), (k, i)] {
-                    if time < self.schedule.time(disc) {
-                        let version = self.bodies.version[partner];
-                        self.schedule
-                            .set(disc, time, Forecast::Meet { partner, version });
-                    }
+        } else {
+            let margins = &mut self.scratch.margins;
+            self.bodies.margins(&seeker, self.schedule.times(), margins);
+            for k in 0..self.bodies.len() {
+                if self.scratch.margins[k] <= 0.0 {
+                    self.forecast_meeting(i, k, now);
+                }
+            }
+        }
+    }
+
+    /// Forecasts when two discs meet, if nothing else is known to come before.
+    fn forecast_meeting(&mut self, i: usize, k: usize, now: f64) {
+        if i == k || !(self.bodies.moving[i] || self.bodies.moving[k]) {
+            return;
+        }
+        let known = self.schedule.time(i).min(self.schedule.time(k));
+        // A little beyond, so that contacts at the same time are found by both.
+        let until = known - now + SAME_TIME;
+        if let Some(time) = contact(self.bodies, i, k, now, until) {
+            let time = now + time;
+            for (disc, partner) in [(i, k), (k, i)] {
+                if time < self.schedule.time(disc) {
+                    let version = self.bodies.version[partner];
+                    self.schedule
+                        .set(disc, time, Forecast::Meet { partner, version });
                 }
             }
         }
@@ -134,6 +167,7 @@ impl<R: Record> Play<'_, R> {
         let now = self.bodies.at(i, time);
         match end {
             End::Never => return,
+            End::Cell(side) => self.grid.cross(i, side),
             End::Stop => self.release(i, time, Motion::at_rest(now.position)),
             End::Cushion(side) => self.cushion(i, time, now, side),
             End::Pocket(corner) => {
@@ -141,6 +175,7 @@ impl<R: Record> Play<'_, R> {
                 self.record.turn(i, time, place, true);
                 self.event(time, EventKind::Pocket { disc: i, corner });
                 self.bodies.remove(i);
+                self.grid.remove(i);
                 return self.forecast_alone(i);
             }
         }
