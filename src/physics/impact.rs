@@ -83,10 +83,12 @@ pub fn kinetic_energy(mass: f64, velocity: DVec2) -> f64 {
 
 /// `before + change · direction`, or exactly zero where the two cancel but for
 /// rounding: the normal, the product and the sum are each good to an ulp or two.
+/// (The sum of the components' sizes stands for the length: no root to draw.)
 fn changed(before: DVec2, change: f64, direction: DVec2) -> DVec2 {
     let after = before + change * direction;
-    let noise = 16.0 * f64::EPSILON * (before.length() + change.abs());
-    if after.length() <= noise {
+    let size = before.x.abs() + before.y.abs() + change.abs();
+    let noise = 16.0 * f64::EPSILON * size;
+    if after.length_squared() <= noise * noise {
         DVec2::ZERO
     } else {
         after

@@ -44,6 +44,14 @@ pub fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64
     }
 }
 
+/// Seconds a disc takes for a way it would cover in `time` seconds at its first
+/// speed, if it loses the part `slowing` = a/v of that speed a second; `None` if it
+/// stops before. [`time_to_cover`] without the need to know distance and speed apart.
+pub(super) fn slowed(time: f64, slowing: f64) -> Option<f64> {
+    let left = 1.0 - 2.0 * slowing * time;
+    (left >= 0.0).then(|| 2.0 * time / (1.0 + left.sqrt()))
+}
+
 /// Speed in m/s that is left after `distance` (m): √(v² − 2as).
 ///
 /// `None` if the disc stops before it gets there.
@@ -132,10 +140,12 @@ mod tests {
                 let t = time_to_cover(s, v, A).expect("it gets there");
                 close(v * t - 0.5 * A * t * t, s);
                 close(speed_after(s, v, A).expect("it gets there"), v - A * t);
+                close(slowed(s / v, A / v).expect("it gets there"), t);
             }
             let beyond = stopping_distance(v, A) * 1.000_001;
             assert_eq!(time_to_cover(beyond, v, A), None);
             assert_eq!(speed_after(beyond, v, A), None);
+            assert_eq!(slowed(beyond / v, A / v), None);
         }
     }
 

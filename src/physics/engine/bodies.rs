@@ -20,7 +20,9 @@ pub(super) struct Bodies {
     /// When the slide began.
     pub(super) since: Vec<f64>,
     pub(super) radius: Vec<f64>,
-    pub(super) inverse_mass: Vec<f64>,
+    pub(super) mass: Vec<f64>,
+    /// The part of its first speed a disc loses each second of its slide, a/v.
+    pub(super) slowing: Vec<f64>,
     pub(super) moving: Vec<bool>,
     /// Counts the slides of a disc, so that a forecast can tell that it is out of date.
     pub(super) version: Vec<u32>,
@@ -36,15 +38,15 @@ impl Bodies {
             &mut self.ax,
             &mut self.ay,
             &mut self.since,
+            &mut self.slowing,
         ] {
             array.clear();
             array.resize(discs.len(), 0.0);
         }
         self.radius.clear();
         self.radius.extend(discs.iter().map(|disc| disc.radius));
-        self.inverse_mass.clear();
-        self.inverse_mass
-            .extend(discs.iter().map(|disc| 1.0 / disc.mass));
+        self.mass.clear();
+        self.mass.extend(discs.iter().map(|disc| disc.mass));
         self.moving.clear();
         self.moving.resize(discs.len(), false);
         self.version.clear();
@@ -63,7 +65,7 @@ impl Bodies {
         let Motion { position, velocity } = motion;
         let speed = velocity.length();
         let slowing = if speed > 0.0 {
-            -deceleration / speed
+            deceleration / speed
         } else {
             0.0
         };
@@ -71,9 +73,10 @@ impl Bodies {
         self.y[i] = position.y;
         self.vx[i] = velocity.x;
         self.vy[i] = velocity.y;
-        self.ax[i] = slowing * velocity.x;
-        self.ay[i] = slowing * velocity.y;
+        self.ax[i] = -slowing * velocity.x;
+        self.ay[i] = -slowing * velocity.y;
         self.since[i] = now;
+        self.slowing[i] = slowing;
         self.moving[i] = speed > 0.0;
         self.version[i] = self.version[i].wrapping_add(1);
     }
@@ -85,7 +88,16 @@ impl Bodies {
         self.launch(i, 0.0, Motion::at_rest(away), 0.0);
     }
 
+    /// How a disc's slide began.
+    pub(super) fn start(&self, i: usize) -> Motion {
+        Motion {
+            position: DVec2::new(self.x[i], self.y[i]),
+            velocity: DVec2::new(self.vx[i], self.vy[i]),
+        }
+    }
+
     /// Motion of a disc at a time not beyond its stop.
+    #[inline(always)]
     pub(super) fn at(&self, i: usize, time: f64) -> Motion {
         let t = time - self.since[i];
         let half = 0.5 * t;

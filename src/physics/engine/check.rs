@@ -1,6 +1,7 @@
 //! What the engine asks of a shot before it plays it.
 
 use super::super::{Board, Disc, Motion};
+use super::grid::WORTHWHILE;
 use super::{EngineError, Limits};
 
 /// How far, in metres, discs may overlap each other or the frame at the start:
@@ -80,18 +81,50 @@ fn check_disc(i: usize, disc: &Disc, motion: &Motion) -> Result<(), EngineError>
 }
 
 fn check_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
-    for (second, (b, at_b)) in discs.iter().zip(start).enumerate() {
-        for (first, (a, at_a)) in discs.iter().zip(start).take(second).enumerate() {
-            let apart = at_b.position - at_a.position;
-            let least = a.radius + b.radius - ROUNDING;
-            if apart.length_squared() < least * least {
-                return Err(EngineError::Overlap {
-                    first,
-                    second,
-                    depth_mm: (a.radius + b.radius - apart.length()) * 1000.0,
-                });
-            }
+    if discs.len() >= WORTHWHILE {
+        return check_many_apart(discs, start);
+    }
+    for second in 1..discs.len() {
+        for first in 0..second {
+            check_pair(discs, start, first, second)?;
         }
+    }
+    Ok(())
+}
+
+/// In order of their left edges, a disc can overlap only those that begin before it
+/// ends.
+fn check_many_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
+    let left = |i: usize| start[i].position.x - discs[i].radius;
+    let right = |i: usize| start[i].position.x + discs[i].radius;
+    let mut order: Vec<usize> = (0..discs.len()).collect();
+    order.sort_by(|&a, &b| left(a).total_cmp(&left(b)));
+    for (place, &i) in order.iter().enumerate() {
+        for &k in order[place + 1..]
+            .iter()
+            .take_while(|&&k| left(k) < right(i))
+        {
+            check_pair(discs, start, i.min(k), i.max(k))?;
+        }
+    }
+    Ok(())
+}
+
+fn check_pair(
+    discs: &[Disc],
+    start: &[Motion],
+    first: usize,
+    second: usize,
+) -> Result<(), EngineError> {
+    let apart = start[second].position - start[first].position;
+    let reach = discs[first].radius + discs[second].radius;
+    let least = reach - ROUNDING;
+    if apart.length_squared() < least * least {
+        return Err(EngineError::Overlap {
+            first,
+            second,
+            depth_mm: (reach - apart.length()) * 1000.0,
+        });
     }
     Ok(())
 }

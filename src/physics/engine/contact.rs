@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::super::slide::slowed;
 use super::bodies::Bodies;
 use super::quartic::first_root;
 
@@ -21,52 +22,27 @@ const PRESS: f64 = 1e-10;
 /// No pair may come deeper than this, in metres.
 const DEEPEST: f64 = 9e-10;
 
-/// Speeds below this part of the discs' own are rounding.
+/// Speeds of approach below this part of the discs' own are rounding.
 const ROUNDING: f64 = 1e-14;
 
 /// Seconds from `now` until discs `i` and `k` meet, approaching, if they do so within
 /// `end` seconds and neither changes its slide before.
 pub(super) fn contact(bodies: &Bodies, i: usize, k: usize, now: f64, end: f64) -> Option<f64> {
-    if !(bodies.moving[i] || bodies.moving[k]) {
-        return None;
-    }
     let (at_i, at_k) = (bodies.at(i, now), bodies.at(k, now));
-    let (a_i, a_k) = (bodies.acceleration(i), bodies.acceleration(k));
-    let reach = bodies.radius[i] + bodies.radius[k];
     let pair = Pair {
         d: at_k.position - at_i.position,
         w: at_k.velocity - at_i.velocity,
-        a: a_k - a_i,
-        reach,
+        a: bodies.acceleration(k) - bodies.acceleration(i),
+        reach: bodies.radius[i] + bodies.radius[k],
     };
-    let gap = pair.d.length_squared() - reach * reach;
-    let parting = pair.d.dot(pair.w);
-    let slides = a_i != DVec2::ZERO || a_k != DVec2::ZERO;
-    let time = if gap <= 2.0 * reach * TOUCHING {
-        let speed = parting / reach;
-        if slides && speed.abs() <= SIDE_BY_SIDE {
-            let distance = pair.d.length();
-            let bottom = (distance - PRESS).max(reach - DEEPEST);
-            let room = (distance - bottom) * (distance + bottom);
-            if room > 0.0 {
-                pair.curved(room, end)
-            } else if parting < 0.0 {
-                Some(0.0)
-            } else {
-                pair.after_touch(end)
-            }
-        } else if parting < 0.0 && gap <= 0.0 {
-            let own = at_i.velocity.length() + at_k.velocity.length();
-            (-speed > ROUNDING * own).then_some(0.0)
-        } else if gap <= 0.0 {
-            pair.after_touch(end)
-        } else {
-            pair.apart(gap, end)
-        }
-    } else if !bodies.moving[k] {
-        glide(pair.d, at_i.velocity, a_i, reach, gap)
-    } else if !bodies.moving[i] {
-        glide(-pair.d, at_k.velocity, a_k, reach, gap)
+    let gap = pair.d.length_squared() - pair.reach * pair.reach;
+    let time = if gap <= 2.0 * pair.reach * TOUCHING {
+        let speed = at_i.velocity.length() + at_k.velocity.length();
+        let slides = bodies.slowing[i] > 0.0 || bodies.slowing[k] > 0.0;
+        pair.touching(gap, speed, slides, end)
+    } else if !bodies.moving[k] || !bodies.moving[i] {
+        // Seen from the one at rest, the other goes straight.
+        straight(pair.d, pair.w, pair.a, pair.reach, gap)
     } else {
         pair.apart(gap, end)
     };
@@ -96,9 +72,34 @@ impl Pair {
     /// A pair with room between them: |d|² − reach² = `gap` > 0.
     fn apart(&self, gap: f64, end: f64) -> Option<f64> {
         if self.a == DVec2::ZERO {
-            straight(self.d, self.w, self.reach, gap)
+            straight(self.d, self.w, self.a, self.reach, gap)
         } else {
             self.curved(gap, end)
+        }
+    }
+
+    /// A pair in contact but for rounding. `speed` is the sum of the discs' speeds,
+    /// `slides` whether friction slows either.
+    #[cold]
+    fn touching(&self, gap: f64, speed: f64, slides: bool, end: f64) -> Option<f64> {
+        let parting = self.d.dot(self.w) / self.reach;
+        if slides && parting.abs() <= SIDE_BY_SIDE {
+            let distance = self.d.length();
+            let bottom = (distance - PRESS).max(self.reach - DEEPEST);
+            let room = (distance - bottom) * (distance + bottom);
+            if room > 0.0 {
+                self.curved(room, end)
+            } else if parting < 0.0 {
+                Some(0.0)
+            } else {
+                self.after_touch(end)
+            }
+        } else if gap > 0.0 {
+            self.apart(gap, end)
+        } else if parting < 0.0 {
+            (-parting > ROUNDING * speed).then_some(0.0)
+        } else {
+            self.after_touch(end)
         }
     }
 
@@ -122,29 +123,20 @@ impl Pair {
     }
 }
 
-/// Time until a moving disc meets one at rest: the path is straight, so the distance
-/// along it comes from a triangle, and the time from s = v t − ½ a t².
-///
-/// `d` points from the mover to the other, `gap` is |d|² − reach².
-fn glide(d: DVec2, v: DVec2, a: DVec2, reach: f64, gap: f64) -> Option<f64> {
-    let ahead = d.dot(v);
-    let speed2 = v.length_squared();
+/// Time until d + w t + ½ a t² comes down to the length `reach`, if a is against w or
+/// zero: the path is straight, so the way to go comes from a triangle and the time
+/// from s = v t − ½ a t². `gap` is |d|² − reach² > 0.
+fn straight(d: DVec2, w: DVec2, a: DVec2, reach: f64, gap: f64) -> Option<f64> {
+    let ahead = -d.dot(w);
     if ahead <= 0.0 {
         return None;
     }
-    // All lengths times the speed, so that one root is saved.
-    let offset = d.perp_dot(v);
+    // All lengths times the speed: no need to draw its root.
+    let speed2 = w.length_squared();
+    let offset = d.perp_dot(w);
     let room = reach * reach * speed2 - offset * offset;
     if room <= 0.0 {
         return None;
     }
-    let distance = gap / (ahead + room.sqrt());
-    // `distance` is in units of the speed: s = distance · v, and a points against v.
-    let left = 1.0 + 2.0 * distance * a.dot(v) / speed2;
-    (left >= 0.0).then(|| 2.0 * distance / (1.0 + left.sqrt()))
-}
-
-/// Time until |d + w t| comes down to `reach`, at constant velocities.
-fn straight(d: DVec2, w: DVec2, reach: f64, gap: f64) -> Option<f64> {
-    glide(d, -w, DVec2::ZERO, reach, gap)
+    slowed(gap / (ahead + room.sqrt()), -a.dot(w) / speed2)
 }

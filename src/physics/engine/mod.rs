@@ -14,11 +14,14 @@ mod check;
 mod contact;
 mod error;
 mod frame;
+mod grid;
+mod impacts;
 mod impulse;
 mod play;
 mod quartic;
 mod record;
 mod schedule;
+mod screen;
 
 #[cfg(test)]
 mod tests;
@@ -27,7 +30,8 @@ pub use error::EngineError;
 
 use super::{Board, Disc, Motion, Shot};
 use bodies::Bodies;
-use play::Play;
+use grid::Grid;
+use play::{Play, Scratch};
 use schedule::Schedule;
 
 /// How far to play a shot.
@@ -75,6 +79,8 @@ pub fn play(
 pub struct Engine {
     bodies: Bodies,
     schedule: Schedule,
+    grid: Grid,
+    scratch: Scratch,
 }
 
 impl Engine {
@@ -102,11 +108,14 @@ impl Engine {
         let deceleration = board.deceleration();
         self.bodies.begin(discs, start, deceleration);
         self.schedule.begin(discs.len());
+        self.grid.begin(board, discs, start);
         let duration = Play {
             board,
             limits,
             bodies: &mut self.bodies,
             schedule: &mut self.schedule,
+            grid: &mut self.grid,
+            scratch: &mut self.scratch,
             record: shot,
             deceleration,
             events: 0,

@@ -3,18 +3,15 @@
 use glam::DVec2;
 
 use super::super::shot::{Event, EventKind};
+use super::super::slide::slowed;
 use super::super::{Board, Motion};
 use super::bodies::Bodies;
 use super::contact::contact;
 use super::frame::{End, Side, end};
-use super::impulse::{Contact, simultaneous, single};
+use super::grid::Grid;
 use super::record::Record;
-use super::schedule::{Forecast, Schedule};
+use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::{EngineError, Limits};
-
-/// Contacts on shared discs within this many seconds are one event: a symmetric
-/// break reaches both sides at times that differ only by rounding.
-const SAME_TIME: f64 = 1e-12;
 
 /// On a board with friction discs that approach slower than this (m/s) part again as
 /// fast as they came, whatever e is: otherwise they could meet infinitely often
@@ -25,12 +22,21 @@ const GENTLE: f64 = 2e-3;
 /// at rest: it would stop within a hundredth of a micrometre.
 const REST: f64 = 1e-4;
 
+/// Working memory of the search for partners.
+#[derive(Debug, Default, Clone)]
+pub(super) struct Scratch {
+    margins: Vec<f64>,
+    near: Vec<usize>,
+}
+
 /// One shot under way.
 pub(super) struct Play<'a, R> {
     pub(super) board: &'a Board,
     pub(super) limits: Limits,
     pub(super) bodies: &'a mut Bodies,
     pub(super) schedule: &'a mut Schedule,
+    pub(super) grid: &'a mut Grid,
+    pub(super) scratch: &'a mut Scratch,
     pub(super) record: &'a mut R,
     pub(super) deceleration: f64,
     pub(super) events: usize,
@@ -39,19 +45,7 @@ pub(super) struct Play<'a, R> {
 impl<R: Record> Play<'_, R> {
     /// Plays the shot and returns how long it took, in seconds.
     pub(super) fn run(mut self) -> Result<f64, EngineError> {
-        for i in 0..self.bodies.len() {
-            self.settle(i, 0.0);
-        }
-        for i in 0..self.bodies.len() {
-            if self.bodies.moving[i] {
-                self.end_alone(i);
-            }
-        }
-        for i in 0..self.bodies.len() {
-            if self.bodies.moving[i] {
-                self.meet_others(i, 0.0);
-            }
-        }
+        self.set_off();
         let mut last = 0.0;
         while let Some((disc, time)) = self.schedule.first() {
             if time > self.limits.horizon {
@@ -64,8 +58,7 @@ impl<R: Record> Play<'_, R> {
                     if self.bodies.version[partner] == version {
                         self.impact(disc, partner, time);
                     } else {
-                        self.end_alone(disc);
-                        self.meet_others(disc, time);
+                        self.forecast(&[disc], time);
                     }
                 }
             }
@@ -84,31 +77,86 @@ impl<R: Record> Play<'_, R> {
         })
     }
 
+    fn set_off(&mut self) {
+        for i in 0..self.bodies.len() {
+            if self.bodies.moving[i] && self.is_slow(self.bodies.at(i, 0.0).velocity) {
+                let motion = self.bodies.at(i, 0.0);
+                self.release(i, 0.0, motion);
+            }
+        }
+        for i in 0..self.bodies.len() {
+            self.forecast_alone(i);
+        }
+        for i in 0..self.bodies.len() {
+            if self.bodies.moving[i] {
+                self.forecast_meetings(i, 0.0);
+            }
+        }
+    }
+
+    /// Forecasts what comes next for discs that are on a new slide, or whose
+    /// forecast was out of date.
+    pub(super) fn forecast(&mut self, discs: &[usize], now: f64) {
+        for &disc in discs {
+            self.forecast_alone(disc);
+        }
+        for &disc in discs {
+            self.forecast_meetings(disc, now);
+        }
+    }
+
     /// Forecasts the end of a disc's slide if no other interferes.
-    fn end_alone(&mut self, i: usize) {
+    fn forecast_alone(&mut self, i: usize) {
         let since = self.bodies.since[i];
-        let start = self.bodies.at(i, since);
-        let (time, end) = end(self.board, self.bodies.radius[i], start);
+        let start = self.bodies.start(i);
+        let slowing = self.bodies.slowing[i];
+        let (mut time, mut end) = end(self.board, self.bodies.radius[i], start, slowing);
+        if self.bodies.moving[i] && self.grid.is_laid() {
+            let (leaves, side) = self.grid.leaves(i, start);
+            if let Some(leaves) = slowed(leaves, slowing).filter(|&t| t < time) {
+                (time, end) = (leaves, End::Cell(side));
+            }
+        }
         self.schedule.set(i, since + time, Forecast::Alone(end));
     }
 
     /// Forecasts whom a disc meets, for it and for them.
-    fn meet_others(&mut self, i: usize, now: f64) {
-        for k in 0..self.bodies.len() {
-            if k == i {
-                continue;
+    fn forecast_meetings(&mut self, i: usize, now: f64) {
+        let seeker = self.bodies.seeker(i, now, self.schedule.time(i));
+        if self.grid.is_laid() {
+            self.grid.near(i, &mut self.scratch.near);
+            for n in 0..self.scratch.near.len() {
+                let k = self.scratch.near[n];
+                if self.bodies.margin(&seeker, k, self.schedule.time(k)) <= 0.0 {
+                    self.forecast_meeting(i, k, now);
+                }
             }
-            let known = self.schedule.time(i).min(self.schedule.time(k));
-            // A little beyond, so that contacts at the same time are found by both.
-            let until = known - now + SAME_TIME;
-            if let Some(time) = contact(self.bodies, i, k, now, until) {
-                let time = now + time;
-                for (disc, partner) in [(i, k), (k, i)] {
-                    if time < self.schedule.time(disc) {
-                        let version = self.bodies.version[partner];
-                        self.schedule
-                            .set(disc, time, Forecast::Meet { partner, version });
-                    }
+        } else {
+            let margins = &mut self.scratch.margins;
+            self.bodies.margins(&seeker, self.schedule.times(), margins);
+            for k in 0..self.bodies.len() {
+                if self.scratch.margins[k] <= 0.0 {
+                    self.forecast_meeting(i, k, now);
+                }
+            }
+        }
+    }
+
+    /// Forecasts when two discs meet, if nothing else is known to come before.
+    fn forecast_meeting(&mut self, i: usize, k: usize, now: f64) {
+        if i == k || !(self.bodies.moving[i] || self.bodies.moving[k]) {
+            return;
+        }
+        let known = self.schedule.time(i).min(self.schedule.time(k));
+        // A little beyond, so that contacts at the same time are found by both.
+        let until = known - now + SAME_TIME;
+        if let Some(time) = contact(self.bodies, i, k, now, until) {
+            let time = now + time;
+            for (disc, partner) in [(i, k), (k, i)] {
+                if time < self.schedule.time(disc) {
+                    let version = self.bodies.version[partner];
+                    self.schedule
+                        .set(disc, time, Forecast::Meet { partner, version });
                 }
             }
         }
@@ -119,41 +167,33 @@ impl<R: Record> Play<'_, R> {
         let now = self.bodies.at(i, time);
         match end {
             End::Never => return,
-            End::Stop => {
-                self.launch(i, time, Motion::at_rest(now.position));
-                self.event(time, EventKind::Rest { disc: i });
-            }
+            End::Cell(side) => self.grid.cross(i, side),
+            End::Stop => self.release(i, time, Motion::at_rest(now.position)),
             End::Cushion(side) => self.cushion(i, time, now, side),
             End::Pocket(corner) => {
-                self.record
-                    .turn(i, time, Motion::at_rest(now.position), true);
+                let place = Motion::at_rest(now.position);
+                self.record.turn(i, time, place, true);
                 self.event(time, EventKind::Pocket { disc: i, corner });
                 self.bodies.remove(i);
-                self.end_alone(i);
-                return;
+                self.grid.remove(i);
+                return self.forecast_alone(i);
             }
         }
-        self.settle(i, time);
-        self.end_alone(i);
-        self.meet_others(i, time);
+        self.forecast(&[i], time);
     }
 
     fn cushion(&mut self, i: usize, time: f64, now: Motion, side: Side) {
         let wall = 0.5 * self.board.side - self.bodies.radius[i];
         let mut after = now;
-        let along = match side {
-            Side::Left | Side::Right => &mut after.velocity.x,
-            Side::Bottom | Side::Top => &mut after.velocity.y,
+        let (place, speed) = match side {
+            Side::Left | Side::Right => (&mut after.position.x, &mut after.velocity.x),
+            Side::Bottom | Side::Top => (&mut after.position.y, &mut after.velocity.y),
         };
-        let e = self.restitution(self.board.cushion_restitution, along.abs());
-        *along *= -e;
-        match side {
-            Side::Left => after.position.x = -wall,
-            Side::Right => after.position.x = wall,
-            Side::Bottom => after.position.y = -wall,
-            Side::Top => after.position.y = wall,
-        }
-        self.launch(i, time, after);
+        *place = match side {
+            Side::Left | Side::Bottom => -wall,
+            Side::Right | Side::Top => wall,
+        };
+        *speed *= -self.restitution(self.board.cushion_restitution, speed.abs());
         self.event(
             time,
             EventKind::Cushion {
@@ -163,106 +203,11 @@ impl<R: Record> Play<'_, R> {
                 after: after.velocity,
             },
         );
-    }
-
-    /// Resolves the contact of two discs, with all others at the same instant that
-    /// share a disc with it.
-    fn impact(&mut self, i: usize, k: usize, time: f64) {
-        let mut pairs = vec![[i.min(k), i.max(k)]];
-        self.gather(&mut pairs, time);
-        let mut discs: Vec<usize> = pairs.concat();
-        discs.sort_unstable();
-        discs.dedup();
-        let contacts: Vec<Contact> = pairs
-            .iter()
-            .filter_map(|&pair| self.approaching(pair, time))
-            .collect();
-        if !contacts.is_empty() {
-            self.collide(&contacts, &discs, time);
-        }
-        for &disc in &discs {
-            self.end_alone(disc);
-        }
-        for &disc in &discs {
-            self.meet_others(disc, time);
-        }
-    }
-
-    /// Adds the pairs that meet at the same time and share a disc with those given,
-    /// directly or through others.
-    fn gather(&self, pairs: &mut Vec<[usize; 2]>, time: f64) {
-        // Whoever meets now is due now; most often these are just the two.
-        if self.schedule.until(time + SAME_TIME).count() <= 2 {
-            return;
-        }
-        let mut asked = 0;
-        let mut discs = pairs.concat();
-        while let Some(&disc) = discs.get(asked) {
-            asked += 1;
-            for k in 0..self.bodies.len() {
-                let pair = [disc.min(k), disc.max(k)];
-                if k != disc
-                    && !pairs.contains(&pair)
-                    && contact(self.bodies, disc, k, time, SAME_TIME).is_some()
-                {
-                    pairs.push(pair);
-                    if !discs.contains(&k) {
-                        discs.push(k);
-                    }
-                }
-            }
-        }
-    }
-
-    fn approaching(&self, discs: [usize; 2], time: f64) -> Option<Contact> {
-        let [a, b] = discs.map(|disc| self.bodies.at(disc, time));
-        let apart = b.position - a.position;
-        let normal = apart / apart.length();
-        let approach = (a.velocity - b.velocity).dot(normal);
-        (approach > 0.0).then(|| Contact {
-            discs,
-            normal,
-            approach,
-            restitution: self.restitution(self.board.restitution, approach),
-        })
-    }
-
-    fn collide(&mut self, contacts: &[Contact], discs: &[usize], time: f64) {
-        let mut motions: Vec<Motion> = discs.iter().map(|&i| self.bodies.at(i, time)).collect();
-        let impulses = match contacts {
-            [contact] => vec![single(contact, &self.bodies.inverse_mass)],
-            _ => simultaneous(contacts, &self.bodies.inverse_mass),
-        };
-        let place = |disc: usize| discs.partition_point(|&d| d < disc);
-        for (contact, impulse) in contacts.iter().zip(impulses) {
-            let [a, b] = contact.discs;
-            let push = |disc: usize| contact.normal * (impulse * self.bodies.inverse_mass[disc]);
-            let before = [motions[place(a)].velocity, motions[place(b)].velocity];
-            let after = [before[0] - push(a), before[1] + push(b)];
-            motions[place(a)].velocity = after[0];
-            motions[place(b)].velocity = after[1];
-            self.event(
-                time,
-                EventKind::Impact {
-                    discs: contact.discs,
-                    normal: contact.normal,
-                    before,
-                    after,
-                },
-            );
-        }
-        for (&disc, &motion) in discs.iter().zip(&motions) {
-            let moved = self.bodies.moving[disc];
-            self.launch(disc, time, motion);
-            if motion.velocity == DVec2::ZERO && moved {
-                self.event(time, EventKind::Rest { disc });
-            }
-            self.settle(disc, time);
-        }
+        self.release(i, time, after);
     }
 
     /// The restitution at a speed of approach in m/s.
-    fn restitution(&self, board: f64, approach: f64) -> f64 {
+    pub(super) fn restitution(&self, board: f64, approach: f64) -> f64 {
         if self.deceleration > 0.0 && approach < GENTLE {
             1.0
         } else {
@@ -270,22 +215,25 @@ impl<R: Record> Play<'_, R> {
         }
     }
 
-    /// Puts a disc to rest that moves too slowly to matter.
-    fn settle(&mut self, disc: usize, time: f64) {
-        let Motion { position, velocity } = self.bodies.at(disc, time);
-        let slow = velocity.length_squared() < REST * REST;
-        if self.deceleration > 0.0 && self.bodies.moving[disc] && slow {
-            self.launch(disc, time, Motion::at_rest(position));
+    /// Sends a disc on from an event, or puts it to rest if it moves too slowly to
+    /// matter.
+    pub(super) fn release(&mut self, disc: usize, time: f64, mut motion: Motion) {
+        let moves = self.bodies.moving[disc] || motion.velocity != DVec2::ZERO;
+        if self.is_slow(motion.velocity) {
+            motion.velocity = DVec2::ZERO;
+        }
+        self.bodies.launch(disc, time, motion, self.deceleration);
+        self.record.turn(disc, time, motion, false);
+        if moves && motion.velocity == DVec2::ZERO {
             self.event(time, EventKind::Rest { disc });
         }
     }
 
-    fn launch(&mut self, disc: usize, time: f64, motion: Motion) {
-        self.bodies.launch(disc, time, motion, self.deceleration);
-        self.record.turn(disc, time, motion, false);
+    fn is_slow(&self, velocity: DVec2) -> bool {
+        self.deceleration > 0.0 && velocity.length_squared() < REST * REST
     }
 
-    fn event(&mut self, time: f64, kind: EventKind) {
+    pub(super) fn event(&mut self, time: f64, kind: EventKind) {
         self.record.event(Event { time, kind });
         self.events += 1;
     }

@@ -26,14 +26,12 @@ pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
 }
 
 fn search(c: &[f64; 5], b: [f64; 5], low: f64, high: f64, depth: u32) -> Option<f64> {
-    if b.iter().all(|&b| b > 0.0) {
+    let [p0, p1, p2, p3, p4] = b.map(|b| b > 0.0);
+    if p0 & p1 & p2 & p3 & p4 {
         return None;
     }
-    let changes = b
-        .windows(2)
-        .filter(|w| (w[0] > 0.0) != (w[1] > 0.0))
-        .count();
-    if changes == 1 {
+    let changes = [p0 != p1, p1 != p2, p2 != p3, p3 != p4];
+    if changes.map(u8::from).iter().sum::<u8>() == 1 {
         return Some(polish(c, low, high));
     }
     if depth == 0 {
@@ -56,9 +54,16 @@ fn halve(b: [f64; 5]) -> ([f64; 5], [f64; 5]) {
 }
 
 /// The root in an interval that holds exactly one, positive before it: Newton's
-/// steps, each kept inside the bracket by halving it where a step would leave.
+/// steps, each kept inside the bracket by halving it where a step would leave. The
+/// first guess is the root of the quadratic part, most of the truth where friction
+/// bends the path little.
 fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
-    let mut x = 0.5 * (low + high);
+    let quadratic = 2.0 * c[0] / ((c[1] * c[1] - 4.0 * c[2] * c[0]).max(0.0).sqrt() - c[1]);
+    let mut x = if quadratic > low && quadratic < high {
+        quadratic
+    } else {
+        0.5 * (low + high)
+    };
     for _ in 0..100 {
         let f = (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
         let slope = ((4.0 * c[4] * x + 3.0 * c[3]) * x + 2.0 * c[2]) * x + c[1];
@@ -68,14 +73,12 @@ fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
             high = x;
         }
         let newton = x - f / slope;
-        let next = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
+        let inside = newton >= low && newton <= high;
+        let next = if inside { newton } else { 0.5 * (low + high) };
         let step = (next - x).abs();
         x = next;
-        if step <= 1e-16 * x {
+        // Newton's error goes with the square of the step: nothing is left of it.
+        if step <= 1e-11 * x && inside || high - low <= f64::EPSILON * high {
             break;
         }
     }

@@ -2,6 +2,14 @@
 
 use super::frame::End;
 
+/// Contacts on shared discs within this many seconds are one event: a symmetric
+/// break reaches both sides at times that differ only by rounding.
+pub(super) const SAME_TIME: f64 = 1e-12;
+
+/// How many discs share a remembered earliest time. A board of carrom has one such
+/// block; the search for the first of thousands of discs looks at few.
+const BLOCK: usize = 32;
+
 /// What a disc is forecast to do next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Forecast {
@@ -17,14 +25,20 @@ pub(super) enum Forecast {
 /// It is then too early, never too late, and is made anew when its time comes.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Schedule {
+    /// One a disc, filled up with infinities to whole blocks.
     times: Vec<f64>,
     forecasts: Vec<Forecast>,
+    /// The earliest time of each block, unless it has changed since.
+    earliest: Vec<Option<f64>>,
 }
 
 impl Schedule {
     pub(super) fn begin(&mut self, discs: usize) {
+        let blocks = discs.div_ceil(BLOCK);
         self.times.clear();
-        self.times.resize(discs, f64::INFINITY);
+        self.times.resize(blocks * BLOCK, f64::INFINITY);
+        self.earliest.clear();
+        self.earliest.resize(blocks, None);
         self.forecasts.clear();
         self.forecasts.resize(discs, Forecast::Alone(End::Never));
     }
@@ -32,6 +46,11 @@ impl Schedule {
     pub(super) fn set(&mut self, disc: usize, time: f64, forecast: Forecast) {
         self.times[disc] = time;
         self.forecasts[disc] = forecast;
+        self.earliest[disc / BLOCK] = None;
+    }
+
+    pub(super) fn times(&self) -> &[f64] {
+        &self.times
     }
 
     pub(super) fn time(&self, disc: usize) -> f64 {
@@ -43,21 +62,39 @@ impl Schedule {
     }
 
     /// The disc whose forecast comes first, and its time; the lowest number if equal.
-    pub(super) fn first(&self) -> Option<(usize, f64)> {
-        let mut first = None;
+    pub(super) fn first(&mut self) -> Option<(usize, f64)> {
+        let blocks = self.times.as_chunks::<BLOCK>().0;
         let mut least = f64::INFINITY;
-        for (disc, &time) in self.times.iter().enumerate() {
+        let mut first = None;
+        for (b, (block, earliest)) in blocks.iter().zip(&mut self.earliest).enumerate() {
+            let time = *earliest.get_or_insert_with(|| minimum(block));
             if time < least {
                 least = time;
-                first = Some((disc, time));
+                first = Some(b);
             }
         }
-        first
+        let b = first?;
+        let within = blocks[b].iter().position(|&time| time <= least)?;
+        Some((b * BLOCK + within, least))
     }
 
-    /// The discs with a forecast up to a time.
-    pub(super) fn until(&self, time: f64) -> impl Iterator<Item = usize> + '_ {
-        let due = move |(disc, &t): (usize, &f64)| (t <= time).then_some(disc);
-        self.times.iter().enumerate().filter_map(due)
+    /// How many discs have a forecast up to a time.
+    pub(super) fn due(&self, time: f64) -> usize {
+        let blocks = self.times.as_chunks::<BLOCK>().0;
+        let may = |&(_, earliest): &(_, &Option<f64>)| earliest.is_none_or(|t| t <= time);
+        let count = |block: &[f64; BLOCK]| block.iter().filter(|&&t| t <= time).count();
+        let blocks = blocks.iter().zip(&self.earliest).filter(may);
+        blocks.map(|(block, _)| count(block)).sum()
     }
+}
+
+/// The least of a block, four lanes at a time.
+fn minimum(block: &[f64; BLOCK]) -> f64 {
+    let mut least = [f64::INFINITY; 4];
+    for four in block.as_chunks::<4>().0 {
+        for (least, &time) in least.iter_mut().zip(four) {
+            *least = if time < *least { time } else { *least };
+        }
+    }
+    least.into_iter().fold(f64::INFINITY, f64::min)
 }

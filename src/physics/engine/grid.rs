@@ -1,0 +1,115 @@
+//! A grid of cells over a large board: who is near whom.
+//!
+//! Cells are at least as wide as the widest disc, so discs that touch lie in the same
+//! cell or in neighbouring ones. A disc's forecast then needs to look at nine cells
+//! only, and is made anew when the disc passes into another cell.
+
+use super::super::{Board, Disc, Motion};
+use super::frame::Side;
+
+/// From this many discs on a grid is quicker than looking at all pairs.
+pub(super) const WORTHWHILE: usize = 64;
+
+/// The cells of a board; none if all discs count as near.
+#[derive(Debug, Default, Clone)]
+pub(super) struct Grid {
+    /// Cells along a side; 0 if there is no grid.
+    columns: usize,
+    /// Side of a cell in metres.
+    size: f64,
+    /// Half the side of the board.
+    half: f64,
+    /// The discs of each cell, row by row from the lower left.
+    cells: Vec<Vec<usize>>,
+    /// Column and row of each disc.
+    places: Vec<(usize, usize)>,
+}
+
+impl Grid {
+    /// Lays the grid if the board has sides and enough discs, with about one disc a
+    /// cell.
+    pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
+        self.columns = 0;
+        if discs.len() < WORTHWHILE || !board.side.is_finite() {
+            return;
+        }
+        let widest = 2.0 * discs.iter().map(|disc| disc.radius).fold(0.0, f64::max);
+        let least = widest * (1.0 + 1e-6);
+        let wanted = board.side / (discs.len() as f64).sqrt();
+        self.columns = ((board.side / least.max(wanted)) as usize).max(1);
+        self.size = board.side / self.columns as f64;
+        self.half = 0.5 * board.side;
+        self.cells.iter_mut().for_each(Vec::clear);
+        self.cells.resize(self.columns * self.columns, Vec::new());
+        self.places.clear();
+        for (i, motion) in start.iter().enumerate() {
+            // A cast of a float saturates: what lies outside by rounding is inside.
+            let along = |x: f64| (((x + self.half) / self.size) as usize).min(self.columns - 1);
+            let place = (along(motion.position.x), along(motion.position.y));
+            self.places.push(place);
+            self.cells[place.1 * self.columns + place.0].push(i);
+        }
+    }
+
+    pub(super) fn is_laid(&self) -> bool {
+        self.columns > 0
+    }
+
+    /// The discs in a disc's own and the neighbouring cells, itself among them.
+    pub(super) fn near(&self, i: usize, near: &mut Vec<usize>) {
+        near.clear();
+        let (column, row) = self.places[i];
+        let last = self.columns - 1;
+        for row in row.saturating_sub(1)..=(row + 1).min(last) {
+            for column in column.saturating_sub(1)..=(column + 1).min(last) {
+                near.extend_from_slice(&self.cells[row * self.columns + column]);
+            }
+        }
+    }
+
+    /// Seconds from the start of a slide, at its first speed, until the disc leaves
+    /// its cell, and on which side; never for one that leaves it for the cushion.
+    pub(super) fn leaves(&self, i: usize, start: Motion) -> (f64, Side) {
+        let to = |place: f64, speed: f64, cell: usize| {
+            let edge = if speed > 0.0 && cell + 1 < self.columns {
+                cell + 1
+            } else if speed < 0.0 && cell > 0 {
+                cell
+            } else {
+                return f64::INFINITY;
+            };
+            let way = edge as f64 * self.size - self.half - place;
+            (way / speed).max(0.0)
+        };
+        let Motion { position, velocity } = start;
+        let (column, row) = self.places[i];
+        let x = to(position.x, velocity.x, column);
+        let y = to(position.y, velocity.y, row);
+        if x <= y {
+            (x, Side::across(velocity.x))
+        } else {
+            (y, Side::upright(velocity.y))
+        }
+    }
+
+    /// Moves a disc into the next cell on a side.
+    pub(super) fn cross(&mut self, i: usize, side: Side) {
+        self.remove(i);
+        let (column, row) = self.places[i];
+        let place = match side {
+            Side::Left => (column - 1, row),
+            Side::Right => (column + 1, row),
+            Side::Bottom => (column, row - 1),
+            Side::Top => (column, row + 1),
+        };
+        self.places[i] = place;
+        self.cells[place.1 * self.columns + place.0].push(i);
+    }
+
+    /// Takes a disc out of its cell.
+    pub(super) fn remove(&mut self, i: usize) {
+        if let Some(&(column, row)) = self.places.get(i).filter(|_| self.is_laid()) {
+            self.cells[row * self.columns + column].retain(|&disc| disc != i);
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Discs that meet: one pair, or several at the same instant.
+
+use super::super::Motion;
+use super::super::impact::Contact;
+use super::super::shot::EventKind;
+use super::contact::contact;
+use super::impulse::{Touch, simultaneous};
+use super::play::Play;
+use super::record::Record;
+use super::schedule::SAME_TIME;
+
+impl<R: Record> Play<'_, R> {
+    /// Resolves the contact of two discs, with all others at the same instant that
+    /// share a disc with it.
+    pub(super) fn impact(&mut self, i: usize, k: usize, time: f64) {
+        let pair = [i.min(k), i.max(k)];
+        // Whoever meets now is due now; most often these are just the two.
+        if self.schedule.due(time + SAME_TIME) > 2 {
+            let pairs = self.gather(pair, time);
+            if pairs.len() > 1 {
+                return self.impact_of_many(&pairs, time);
+            }
+        }
+        self.impact_of_two(pair, time);
+        self.forecast(&pair, time);
+    }
+
+    fn impact_of_two(&mut self, discs: [usize; 2], time: f64) {
+        let motions = discs.map(|disc| self.bodies.at(disc, time));
+        let contact = self.contact_of(discs, motions);
+        let Some(impact) = contact.resolve() else {
+            return;
+        };
+        let after = [impact.v1, impact.v2];
+        self.event(
+            time,
+            EventKind::Impact {
+                discs,
+                normal: contact.normal,
+                before: [contact.u1, contact.u2],
+                after,
+            },
+        );
+        for ((disc, motion), velocity) in discs.into_iter().zip(motions).zip(after) {
+            self.release(disc, time, Motion { velocity, ..motion });
+        }
+    }
+
+    fn contact_of(&self, discs: [usize; 2], [a, b]: [Motion; 2]) -> Contact {
+        let apart = b.position - a.position;
+        let mut contact = Contact {
+            m1: self.bodies.mass[discs[0]],
+            m2: self.bodies.mass[discs[1]],
+            u1: a.velocity,
+            u2: b.velocity,
+            normal: apart / apart.length(),
+            restitution: 0.0,
+        };
+        contact.restitution = self.restitution(self.board.restitution, contact.approach_speed());
+        contact
+    }
+
+    /// The pair and all others that meet at the same time and share a disc with it,
+    /// directly or through others.
+    fn gather(&self, pair: [usize; 2], time: f64) -> Vec<[usize; 2]> {
+        let mut pairs = vec![pair];
+        let mut discs = pair.to_vec();
+        let mut asked = 0;
+        while let Some(&disc) = discs.get(asked) {
+            asked += 1;
+            for k in 0..self.bodies.len() {
+                let pair = [disc.min(k), disc.max(k)];
+                let moving = self.bodies.moving[disc] || self.bodies.moving[k];
+                if k != disc
+                    && moving
+                    && !pairs.contains(&pair)
+                    && contact(self.bodies, disc, k, time, SAME_TIME).is_some()
+                {
+                    pairs.push(pair);
+                    if !discs.contains(&k) {
+                        discs.push(k);
+                    }
+                }
+            }
+        }
+        pairs
+    }
+
+    fn impact_of_many(&mut self, pairs: &[[usize; 2]], time: f64) {
+        let mut discs = pairs.concat();
+        discs.sort_unstable();
+        discs.dedup();
+        let mut motions: Vec<Motion> = discs.iter().map(|&i| self.bodies.at(i, time)).collect();
+        let place = |disc: usize| discs.partition_point(|&d| d < disc);
+        let mut touches = Vec::new();
+        for &pair in pairs {
+            let contact = self.contact_of(pair, pair.map(|disc| motions[place(disc)]));
+            let approach = contact.approach_speed();
+            if approach > 0.0 {
+                touches.push(Touch {
+                    discs: pair,
+                    normal: contact.normal,
+                    wanted: (1.0 + contact.restitution) * approach,
+                });
+            }
+        }
+        let impulses = simultaneous(&touches, &self.bodies.mass);
+        for (touch, impulse) in touches.iter().zip(impulses) {
+            let [a, b] = touch.discs;
+            let push = |disc: usize| touch.normal * (impulse / self.bodies.mass[disc]);
+            let before = [motions[place(a)].velocity, motions[place(b)].velocity];
+            let after = [before[0] - push(a), before[1] + push(b)];
+            motions[place(a)].velocity = after[0];
+            motions[place(b)].velocity = after[1];
+            self.event(
+                time,
+                EventKind::Impact {
+                    discs: touch.discs,
+                    normal: touch.normal,
+                    before,
+                    after,
+                },
+            );
+        }
+        for (&disc, &motion) in discs.iter().zip(&motions) {
+            self.release(disc, time, motion);
+        }
+        self.forecast(&discs, time);
+    }
+}
