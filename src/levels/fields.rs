@@ -322,10 +322,9 @@ fn whole(value: &DeValue) -> Option<usize> {
 }
 
 fn pair(value: &DeValue) -> Option<(f64, f64)> {
-    let [a, b] = value.as_array()?.as_slice() else {
-        return None;
-    };
-    Some((number(a.get_ref())?, number(b.get_ref())?))
+    let list = value.as_array()?;
+    let at = |i: usize| list.get(i).and_then(|item| number(item.get_ref()));
+    (list.len() == 2).then_some((at(0)?, at(1)?))
 }
 
 fn text<'a>(value: &'a DeValue, most: usize) -> Option<&'a str> {
