@@ -59,7 +59,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
         _ if library.packs.is_empty() => Err(Failure::Input(anyhow!("no levels found"))),
         0 => Ok(ExitCode::SUCCESS),
         1 => Err(Failure::Work(anyhow!("1 level is not won by its solution"))),
-        n => Err(Failure::Work(anyhow!("{n} levels are not won by their solutions"))),
+        n => Err(Failure::Work(anyhow!(
+            "{n} levels are not won by their solutions"
+        ))),
     }
 }
 

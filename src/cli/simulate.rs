@@ -121,7 +121,11 @@ const fn state_name(state: State) -> &'static str {
 }
 
 fn write_table(scene: &Scene, shot: &Shot, out: &mut Vec<u8>) -> io::Result<()> {
-    writeln!(out, "{:>9}  {:8} {:>9} {:>9}  discs", "t (s)", "event", "x (mm)", "y (mm)")?;
+    writeln!(
+        out,
+        "{:>9}  {:8} {:>9} {:>9}  discs",
+        "t (s)", "event", "x (mm)", "y (mm)"
+    )?;
     for event in shot.events() {
         let discs = discs_of(&event.kind);
         let names: Vec<_> = discs.iter().map(|&disc| scene.name(disc)).collect();

@@ -114,7 +114,8 @@ impl Adjust {
 
     /// How far a dial may be turned; `None` if it is fixed.
     pub fn range(&self, dial: Dial) -> Option<Range> {
-        self.dials().find_map(|(d, range)| (d == dial).then_some(range))
+        self.dials()
+            .find_map(|(d, range)| (d == dial).then_some(range))
     }
 
     pub(super) fn from_fields(mut fields: Fields) -> Result<Self, Fault> {

@@ -215,7 +215,10 @@ impl<'a> Fields<'a> {
         count: usize,
         most: usize,
     ) -> Result<Vec<usize>, Fault> {
-        let expected = format!("a list of 1 to {most} different discs, {}", disc_number(count));
+        let expected = format!(
+            "a list of 1 to {most} different discs, {}",
+            disc_number(count)
+        );
         let value = self.require(name, &expected)?;
         let unlike = |found: &DeValue| self.unlike(name, &expected, found);
         let DeValue::Array(list) = value.get_ref() else {
@@ -330,9 +333,8 @@ fn pair(value: &DeValue) -> Option<(f64, f64)> {
 fn text<'a>(value: &'a DeValue, most: usize) -> Option<&'a str> {
     let text = value.as_str()?;
     let printable = |c: char| !c.is_control() || c == '\n' || c == '\r';
-    let good = !text.trim().is_empty()
-        && text.chars().count() <= most
-        && text.chars().all(printable);
+    let good =
+        !text.trim().is_empty() && text.chars().count() <= most && text.chars().all(printable);
     good.then_some(text)
 }
 

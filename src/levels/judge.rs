@@ -79,7 +79,10 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
                     let told = format!("{} left at {}", name(disc), degrees(angle));
                     compared(angle, range, told, || between_deg(range))
                 }
-                None => finding(false, format!("{} stopped, so it has no direction", name(disc))),
+                None => finding(
+                    false,
+                    format!("{} stopped, so it has no direction", name(disc)),
+                ),
             })
         })
         .unwrap_or_else(|| unhit(&name(disc))),
@@ -96,7 +99,11 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
         .unwrap_or_else(|| finding(false, "no disc was hit".into())),
         Goal::Energy { disc, range } => measured(shot, |hit| {
             let share = hit.energy_share(*disc, shot)?;
-            let told = format!("{} took {} % of the energy", name(disc), tidy(100.0 * share));
+            let told = format!(
+                "{} took {} % of the energy",
+                name(disc),
+                tidy(100.0 * share)
+            );
             let wanted = || between(&range.scaled(100.0), " %");
             Some(compared(share, range, told, wanted))
         })
@@ -186,7 +193,10 @@ fn falls(shot: &Shot) -> impl Iterator<Item = usize> + '_ {
 }
 
 fn pocketed(discs: &[usize], scene: &Scene, shot: &Shot) -> Finding {
-    if let Some(disc) = discs.iter().find(|&disc| falls(shot).all(|fallen| fallen != *disc)) {
+    if let Some(disc) = discs
+        .iter()
+        .find(|&disc| falls(shot).all(|fallen| fallen != *disc))
+    {
         let near = pockets(shot.board())
             .map(|hole| nearest_on_path(shot, *disc, hole).distance(hole))
             .min_by(f64::total_cmp);
@@ -258,9 +268,15 @@ fn inside(circle: &Circle, point: DVec2, name: &str, verb: &str) -> Finding {
     let outside = circle.outside_mm(point);
     if outside <= 0.0 {
         let off = tidy(mm_from_m(circle.centre.distance(point)));
-        finding(true, format!("{name} {verb} {off} mm from the middle of the circle"))
+        finding(
+            true,
+            format!("{name} {verb} {off} mm from the middle of the circle"),
+        )
     } else {
-        finding(false, format!("{name} {verb} {} mm outside the circle", tidy(outside)))
+        finding(
+            false,
+            format!("{name} {verb} {} mm outside the circle", tidy(outside)),
+        )
     }
 }
 
@@ -274,6 +290,10 @@ fn nearest_on_path(shot: &Shot, disc: usize, point: DVec2) -> DVec2 {
             leg.from + share.clamp(0.0, 1.0) * along
         })
         .fold(shot.start(disc).position, |best, next| {
-            if distance(&next) < distance(&best) { next } else { best }
+            if distance(&next) < distance(&best) {
+                next
+            } else {
+                best
+            }
         })
 }

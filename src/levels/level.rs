@@ -148,7 +148,10 @@ fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, Fault> {
         if (range.nearest(setting) - setting).abs() > 1e-9 * setting.abs() {
             return Err(fault.fault_at(
                 dial.field(),
-                format!("expected a range that holds what the scene starts with, {setting}"),
+                format!(
+                    "expected a range that holds the {setting} the scene starts with, found {} to {}",
+                    range.from, range.to
+                ),
             ));
         }
     }

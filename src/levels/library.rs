@@ -144,14 +144,18 @@ fn list(dir: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Fault> {
         .collect();
     if files.len() > MOST_FILES {
         let name = dir.display().to_string();
-        let message = format!("expected at most {MOST_FILES} levels, found {}", files.len());
+        let message = format!(
+            "expected at most {MOST_FILES} levels, found {}",
+            files.len()
+        );
         return Err(Fault::of_file(&name, message));
     }
     Ok((dirs, files))
 }
 
 fn is_level_name(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "toml")
+    path.extension()
+        .is_some_and(|extension| extension == "toml")
 }
 
 fn last_part(path: &Path) -> String {

@@ -13,9 +13,9 @@ use crate::physics::{Board, Disc, Motion};
 /// The most discs a scene may hold.
 pub const MOST_DISCS: usize = 256;
 
-/// How far discs may overlap each other or the frame, in metres: what is left of
-/// rounding a place to the digits of a file.
-const SLACK: f64 = 1e-9;
+/// How far discs may overlap each other or the frame, in metres: what rounding
+/// leaves of places meant to touch, and as much as the engine takes.
+const SLACK: f64 = 1e-10;
 
 /// A disc and where it lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -242,7 +242,11 @@ fn short(length: f64) -> String {
 pub(super) fn tidy(number: f64) -> String {
     let text = format!("{number:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
 }
 
 /// The unit vector at an angle in degrees: sine and cosine of at most 45°, turned

@@ -78,11 +78,7 @@ fn text_of<'a>(name: &'a str, bytes: &'a [u8]) -> Result<Source<'a>, Fault> {
             let text = std::str::from_utf8(good).unwrap_or_default();
             let source = Source { name, text };
             let field = source.key_near(text.len());
-            Err(source.fault(
-                text.len(),
-                field,
-                "expected UTF-8 text, found other bytes",
-            ))
+            Err(source.fault(text.len(), field, "expected UTF-8 text, found other bytes"))
         }
     }
 }
