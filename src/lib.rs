@@ -32,6 +32,7 @@
 pub mod app;
 pub mod cli;
 pub mod game;
+pub mod levels;
 pub mod messages;
 pub mod physics;
 pub mod quiz;

@@ -2,9 +2,11 @@
 
 mod completions;
 mod failure;
+mod level;
 mod man;
 mod options;
 mod play;
+mod simulate;
 pub mod solve;
 mod tape;
 
@@ -44,6 +46,7 @@ Examples:
   carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
+  carrom level check mine.toml see whether a level of your own can be won
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
 Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
@@ -53,6 +56,8 @@ enum Command {
     #[command(flatten)]
     Open(Screen),
     Solve(solve::SolveArgs),
+    Simulate(simulate::Args),
+    Level(level::Args),
     Tape(tape::Args),
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
@@ -102,6 +107,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         None => play::run(&cli.options, Place::Home),
         Some(Command::Open(screen)) => play::run(&cli.options, screen.place()),
         Some(Command::Solve(args)) => solve_command(args, &cli.options),
+        Some(Command::Simulate(args)) => simulate::run(args),
+        Some(Command::Level(args)) => level::run(args),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),

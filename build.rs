@@ -1,0 +1,6 @@
+//! Has the program built anew when a level is added: `include_dir!` itself only
+//! notices changes to files that it already knows.
+
+fn main() {
+    println!("cargo::rerun-if-changed=levels");
+}

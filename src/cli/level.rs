@@ -1,0 +1,123 @@
+//! `carrom level`: what can be done with levels outside the game.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::anyhow;
+
+use super::{Failure, print};
+use crate::levels::{Level, Library, Trial, Verdict, winning_share};
+
+/// How many aims the measure of difficulty tries.
+const TRIES: u32 = 4000;
+
+/// Check level files and prove that their levels can be won
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Check(Check),
+}
+
+/// Play the stored solution of each level to prove that it can be won
+///
+/// One line a level says what came about. Exit status: 0 all can be won, 1 one
+/// cannot, 2 a file is no level.
+#[derive(Debug, clap::Args)]
+struct Check {
+    /// Level files and folders of them; without any, the levels in the program
+    #[arg(value_name = "FILE|DIR")]
+    paths: Vec<PathBuf>,
+    /// Show each goal too, and what share of aims spread evenly over all a player may
+    /// set would win
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let Command::Check(args) = &args.command;
+    let library = open(&args.paths);
+    let mut report = Vec::new();
+    let mut lost = 0;
+    for pack in &library.packs {
+        for level in &pack.levels {
+            let won = check(&pack.name, level, args.verbose, &mut report)?;
+            lost += usize::from(!won);
+        }
+    }
+    print(&report)?;
+    if !library.problems.is_empty() {
+        let messages: Vec<_> = library.problems.iter().map(ToString::to_string).collect();
+        return Err(Failure::Input(anyhow!("{}", messages.join("\n"))));
+    }
+    match lost {
+        _ if library.packs.is_empty() => Err(Failure::Input(anyhow!("no levels found"))),
+        0 => Ok(ExitCode::SUCCESS),
+        1 => Err(Failure::Work(anyhow!("1 level is not won by its solution"))),
+        n => Err(Failure::Work(anyhow!(
+            "{n} levels are not won by their solutions"
+        ))),
+    }
+}
+
+fn open(paths: &[PathBuf]) -> Library {
+    if paths.is_empty() {
+        return Library::embedded();
+    }
+    let mut library = Library::default();
+    for path in paths {
+        if path.is_dir() {
+            library.add_dir(path);
+        } else {
+            library.add_file(path);
+        }
+    }
+    library
+}
+
+/// Prints what becomes of a level and returns whether it can be won.
+fn check(pack: &str, level: &Level, verbose: bool, out: &mut Vec<u8>) -> io::Result<bool> {
+    let name = if pack.is_empty() {
+        level.id.clone()
+    } else {
+        format!("{pack}/{}", level.id)
+    };
+    let trial = match Trial::of(level) {
+        Ok(trial) => trial,
+        Err(error) => {
+            writeln!(out, "{name}: cannot be played: {error}")?;
+            return Ok(false);
+        }
+    };
+    let won = trial.verdict.won();
+    let outcome = if won { "won" } else { "NOT WON" };
+    writeln!(out, "{name}: {outcome}: {}", summary(&trial.verdict))?;
+    if trial.opens_won {
+        writeln!(out, "  note: the aim it opens with wins already")?;
+    }
+    if verbose {
+        for (goal, finding) in level.goals.iter().zip(&trial.verdict.0) {
+            let sign = if finding.met { '+' } else { '-' };
+            let goal = goal.describe(&level.scene);
+            writeln!(out, "  {sign} {goal} ({})", finding.told)?;
+        }
+        let share = 100.0 * winning_share(level, TRIES);
+        writeln!(out, "  {share:.2} % of {TRIES} aims win")?;
+    }
+    Ok(won)
+}
+
+/// What happened, the goals that are not met first.
+fn summary(verdict: &Verdict) -> String {
+    let told = |met| {
+        let findings = verdict.0.iter().filter(move |finding| finding.met == met);
+        findings.map(|finding| finding.told.as_str())
+    };
+    let all: Vec<_> = told(false).chain(told(true)).collect();
+    all.join("; ")
+}

@@ -1,0 +1,76 @@
+//! Whether a level can be won, and how hard it is.
+
+use super::aim::Aim;
+use super::judge::{Verdict, judge};
+use super::level::Level;
+use crate::physics::{Engine, EngineError, Shot};
+
+/// The stored solution of a level, played.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// What became of the goals.
+    pub verdict: Verdict,
+    /// Whether the aim with which the level opens wins as well, so that there is
+    /// nothing to find out.
+    pub opens_won: bool,
+}
+
+impl Trial {
+    /// Plays the stored solution and the opening aim of a level.
+    ///
+    /// # Errors
+    ///
+    /// If a shot has too many events to be played to its end.
+    pub fn of(level: &Level) -> Result<Self, EngineError> {
+        let verdict = |aim: &Aim| {
+            let shot = level.aimed(aim).play()?;
+            Ok(judge(level, &shot))
+        };
+        Ok(Self {
+            verdict: verdict(&level.solution)?,
+            opens_won: verdict(&level.start())?.won(),
+        })
+    }
+}
+
+/// The share, 0 to 1, of `tries` aims spread evenly over all a player may set that
+/// win: how easy the level is to win by chance. A shot that cannot be played counts
+/// as lost.
+///
+/// The aims are the points of an additive recurrence with the powers of the root of
+/// x^(d+1) = x + 1 (M. Roberts' R sequence), which fills d dimensions evenly and is
+/// the same each time.
+pub fn winning_share(level: &Level, tries: u32) -> f64 {
+    let dials: Vec<_> = level.adjust.dials().collect();
+    let root = root_for(dials.len());
+    let mut engine = Engine::new();
+    let mut shot = Shot::new();
+    let won = (0..tries).filter(|&n| {
+        let mut aim = level.start();
+        let mut ratio = 1.0;
+        for (dial, range) in &dials {
+            ratio /= root;
+            let share = (0.5 + ratio * f64::from(n)).fract();
+            aim = aim.with(*dial, range.at(share));
+        }
+        let played = level.aimed(&aim).play_into(&mut engine, &mut shot);
+        played.is_ok() && judge(level, &shot).won()
+    });
+    won.count() as f64 / f64::from(tries.max(1))
+}
+
+/// The root above 1 of x^(d+1) = x + 1.
+fn root_for(dimensions: usize) -> f64 {
+    let power = 1.0 / (dimensions + 1) as f64;
+    (0..60).fold(2.0_f64, |x, _| (1.0 + x).powf(power))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_dimension_uses_the_golden_ratio() {
+        assert!((root_for(1) - f64::midpoint(1.0, 5.0_f64.sqrt())).abs() < 1e-14);
+    }
+}

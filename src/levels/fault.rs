@@ -1,0 +1,61 @@
+//! What is wrong with a file, in one message.
+
+use std::fmt;
+
+/// The first thing that is wrong with a scene or level file.
+///
+/// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub struct Fault {
+    /// Name of the file, as it was given.
+    pub file: String,
+    /// The line, counted from 1; `None` where the file could not be read at all.
+    pub line: Option<usize>,
+    /// The field with the path of its tables; `None` where no field is to blame.
+    pub field: Option<String>,
+    /// What was expected and what was found.
+    pub message: String,
+}
+
+impl Fault {
+    /// A fault of a whole file.
+    pub fn of_file(file: &str, message: impl Into<String>) -> Self {
+        Self {
+            file: file.into(),
+            line: None,
+            field: None,
+            message: message.into(),
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&harmless(&self.file, 200))?;
+        if let Some(line) = self.line {
+            write!(f, ":{line}")?;
+        }
+        if let Some(field) = &self.field {
+            write!(f, ": {}", harmless(field, 80))?;
+        }
+        write!(f, ": {}", harmless(&self.message, 400))
+    }
+}
+
+/// Text from outside on one line, without control characters and not endless, so
+/// that a message cannot play tricks on the terminal that shows it.
+pub(super) fn harmless(text: &str, most: usize) -> String {
+    let mut kept = String::new();
+    let mut characters = text.chars();
+    for c in characters.by_ref().take(most) {
+        if c.is_control() {
+            kept.extend(c.escape_default());
+        } else {
+            kept.push(c);
+        }
+    }
+    if characters.next().is_some() {
+        kept.push_str("...");
+    }
+    kept
+}

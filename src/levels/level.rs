@@ -1,0 +1,206 @@
+//! A level: a scene with a goal.
+
+use glam::DVec2;
+
+use super::aim::{Adjust, Aim, Dial};
+use super::fault::Fault;
+use super::fields::Fields;
+use super::goal::Goal;
+use super::quantity::Range;
+use super::scene::{Piece, Scene, pockets, tidy};
+use super::source::read_document;
+use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
+
+/// The most goals a level may have.
+const MOST_GOALS: usize = 8;
+
+/// A scene with a goal, what the player may set, and what there is to learn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// Name that stays the same for good: lower-case letters, digits and hyphens.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// Hints, each giving away more than the one before it.
+    pub hints: Vec<String>,
+    /// What the level teaches, to read once it has been played: paragraphs with an
+    /// empty line between.
+    pub explanation: String,
+    /// Discs whose direction after the first impact the player says first.
+    pub say_first: Vec<usize>,
+    /// The board and the discs, and the shot as it is set when the level opens.
+    pub scene: Scene,
+    /// What the player may set.
+    pub adjust: Adjust,
+    /// What has to come about, all of it.
+    pub goals: Vec<Goal>,
+    /// An aim that wins.
+    pub solution: Aim,
+}
+
+impl Level {
+    /// Reads a level from the bytes of a file; `name` stands for it in messages.
+    ///
+    /// # Errors
+    ///
+    /// The first thing that is wrong with it.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+        Self::read_beside(name, bytes, &[])
+    }
+
+    /// Reads a level that is to have an id of its own among others.
+    pub(super) fn read_beside(name: &str, bytes: &[u8], others: &[Self]) -> Result<Self, Fault> {
+        read_document(name, bytes, |fields| Self::from_fields(fields, others))
+    }
+
+    pub(super) fn from_fields(fields: &mut Fields, others: &[Self]) -> Result<Self, Fault> {
+        let mut about = fields.required_table("level")?;
+        let id = read_id(&mut about)?;
+        if others.iter().any(|other| other.id == id) {
+            let message = format!("expected an id of its own, found \"{id}\" once more");
+            return Err(about.fault_at("id", message));
+        }
+        let title = about.text("title", 40)?.trim().to_owned();
+        let hints = about.texts("hints", 5, 300)?;
+        let explanation = paragraphs(about.text("explanation", 3000)?);
+        let scene = Scene::from_fields(fields)?;
+        let say_first = if about.has("say_first") {
+            about.discs("say_first", scene.pieces.len(), 2)?
+        } else {
+            Vec::new()
+        };
+        about.finish()?;
+        let adjust = read_adjust(fields.required_table("adjust")?, &scene)?;
+        let goals = fields
+            .tables("goal", MOST_GOALS)?
+            .into_iter()
+            .map(|table| Goal::from_fields(table, &scene))
+            .collect::<Result<_, _>>()?;
+        let solution = adjust.read_setting(fields.required_table("solution")?, start(&scene))?;
+        Ok(Self {
+            id,
+            title,
+            hints,
+            explanation,
+            say_first,
+            scene,
+            adjust,
+            goals,
+            solution,
+        })
+    }
+
+    /// The aim with which the level opens.
+    pub fn start(&self) -> Aim {
+        start(&self.scene)
+    }
+
+    /// The scene with an aim, which is first brought within what the player may set.
+    pub fn aimed(&self, aim: &Aim) -> Scene {
+        let mut within = self.start();
+        for (dial, range) in self.adjust.dials() {
+            within = within.with(dial, range.nearest(aim.get(dial)));
+        }
+        let mut scene = self.scene.clone();
+        scene.stroke.direction_deg = within.direction_deg;
+        scene.stroke.speed = within.speed;
+        scene.board.restitution = within.restitution;
+        if let Some(piece) = scene.pieces.get_mut(scene.stroke.disc) {
+            piece.disc.mass = kg_from_g(within.mass_g);
+            piece.at.x = m_from_mm(within.place_mm);
+        }
+        scene
+    }
+}
+
+/// The dials as the shot of a scene has them.
+fn start(scene: &Scene) -> Aim {
+    let piece = scene.pieces.get(scene.stroke.disc);
+    Aim {
+        direction_deg: scene.stroke.direction_deg,
+        speed: scene.stroke.speed,
+        place_mm: piece.map_or(0.0, |piece| mm_from_m(piece.at.x)),
+        mass_g: piece.map_or(0.0, |piece| g_from_kg(piece.disc.mass)),
+        restitution: scene.board.restitution,
+    }
+}
+
+fn read_id(about: &mut Fields) -> Result<String, Fault> {
+    let id = about.text("id", 40)?;
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    if id.chars().all(plain) {
+        Ok(id.into())
+    } else {
+        let message = format!("expected lower-case letters, digits and hyphens, found \"{id}\"");
+        Err(about.fault_at("id", message))
+    }
+}
+
+/// Reads what the player may set: it must hold what is set when the level opens,
+/// and the disc must find room wherever it may be placed.
+fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, Fault> {
+    let fault = fields.clone();
+    let adjust = Adjust::from_fields(fields)?;
+    let start = start(scene);
+    for (dial, range) in adjust.dials() {
+        // Millimetres and grams have been to SI and back.
+        let setting = start.get(dial);
+        if (range.nearest(setting) - setting).abs() > 1e-9 * setting.abs() {
+            return Err(fault.fault_at(
+                dial.field(),
+                format!(
+                    "expected a range that holds the {setting} the scene starts with, found {} to {}",
+                    range.from, range.to
+                ),
+            ));
+        }
+    }
+    if let Some(range) = adjust.range(Dial::Place) {
+        check_places(scene, range.scaled(1e-3))
+            .map_err(|message| fault.fault_at(Dial::Place.field(), message))?;
+    }
+    Ok(adjust)
+}
+
+/// Whether the disc that is set off has room wherever its x, in metres, lies within
+/// a range: it does if it has room at both ends and where it is nearest to each of
+/// the other discs and pockets.
+fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
+    let number = scene.stroke.disc;
+    let Some(&piece) = scene.pieces.get(number) else {
+        return Ok(());
+    };
+    let discs = scene.pieces.iter().map(|other| other.at.x);
+    let holes = pockets(&scene.board).map(|hole| hole.x);
+    let nearest = discs.chain(holes).map(|x| range.nearest(x));
+    for x in nearest.chain([range.from, range.to]) {
+        let moved = Piece {
+            at: DVec2::new(x, piece.at.y),
+            ..piece
+        };
+        let others = scene.pieces.iter().enumerate();
+        moved
+            .check_place(&scene.board, others.filter(|(other, _)| *other != number))
+            .map_err(|message| format!("at x = {} mm: {message}", tidy(mm_from_m(x))))?;
+    }
+    Ok(())
+}
+
+/// Text with its line breaks turned to spaces but for the empty lines that part
+/// paragraphs.
+fn paragraphs(text: &str) -> String {
+    let mut paragraphs = vec![String::new()];
+    for line in text.lines().map(str::trim) {
+        match paragraphs.last_mut() {
+            _ if line.is_empty() => paragraphs.push(String::new()),
+            Some(paragraph) if paragraph.is_empty() => paragraph.push_str(line),
+            Some(paragraph) => {
+                paragraph.push(' ');
+                paragraph.push_str(line);
+            }
+            None => {}
+        }
+    }
+    paragraphs.retain(|paragraph| !paragraph.is_empty());
+    paragraphs.join("\n\n")
+}

@@ -1,0 +1,165 @@
+//! Packs of levels: those in the program, and a teacher's own from a folder.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use include_dir::{Dir, include_dir};
+
+use super::fault::Fault;
+use super::level::Level;
+use super::source::LARGEST_FILE;
+
+static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
+
+/// The most level files that are read from one folder.
+const MOST_FILES: usize = 500;
+
+/// Levels that belong together, in the order of their file names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pack {
+    /// Name of its folder.
+    pub name: String,
+    /// Its levels; no two have the same id.
+    pub levels: Vec<Level>,
+}
+
+impl Pack {
+    /// The name as a title: `first-hits` is "First hits".
+    pub fn title(&self) -> String {
+        let words = self.name.replace(['-', '_'], " ");
+        let mut characters = words.chars();
+        match characters.next() {
+            Some(first) => first.to_uppercase().chain(characters).collect(),
+            None => words,
+        }
+    }
+}
+
+/// All levels there are to play.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Library {
+    /// The packs.
+    pub packs: Vec<Pack>,
+    /// What was wrong with files that are left out.
+    pub problems: Vec<Fault>,
+}
+
+impl Library {
+    /// The packs that come with the program.
+    pub fn embedded() -> Self {
+        let mut library = Self::default();
+        let mut dirs: Vec<_> = EMBEDDED.dirs().collect();
+        dirs.sort_by_key(|dir| dir.path());
+        for dir in dirs {
+            let mut files: Vec<_> = dir.files().collect();
+            files.sort_by_key(|file| file.path());
+            let name = last_part(dir.path());
+            for file in files.into_iter().filter(|file| is_level_name(file.path())) {
+                library.add(&name, &file.path().display().to_string(), file.contents());
+            }
+        }
+        library
+    }
+
+    /// Adds the level files of a folder as a pack, and those of each folder in it as
+    /// a pack of its own. A file that is no good is left out and reported in
+    /// [`Library::problems`].
+    pub fn add_dir(&mut self, dir: &Path) {
+        let (dirs, files) = match list(dir) {
+            Ok(listed) => listed,
+            Err(fault) => return self.problems.push(fault),
+        };
+        for file in files {
+            self.add_file(&file);
+        }
+        for inner in dirs {
+            match list(&inner) {
+                Ok((_, files)) => files.iter().for_each(|file| self.add_file(file)),
+                Err(fault) => self.problems.push(fault),
+            }
+        }
+    }
+
+    /// Adds one level file to the pack named after its folder.
+    pub fn add_file(&mut self, path: &Path) {
+        let name = path.parent().map(last_part).unwrap_or_default();
+        match read_file(path) {
+            Ok(bytes) => self.add(&name, &path.display().to_string(), &bytes),
+            Err(fault) => self.problems.push(fault),
+        }
+    }
+
+    fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
+        let at = self.packs.iter().position(|known| known.name == pack);
+        let others = at.and_then(|at| self.packs.get(at));
+        let others = others.map_or(&[][..], |pack| &pack.levels);
+        let level = match Level::read_beside(file, bytes, others) {
+            Ok(level) => level,
+            Err(fault) => return self.problems.push(fault),
+        };
+        match at.and_then(|at| self.packs.get_mut(at)) {
+            Some(known) => known.levels.push(level),
+            None => self.packs.push(Pack {
+                name: pack.into(),
+                levels: vec![level],
+            }),
+        }
+    }
+}
+
+/// The bytes of a scene or level file, up to one more than may be read.
+///
+/// # Errors
+///
+/// If the file cannot be read.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, Fault> {
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| {
+            let most = LARGEST_FILE as u64 + 1;
+            file.take(most).read_to_end(&mut bytes)
+        })
+        .map_err(|error| unreadable(path, &error))?;
+    Ok(bytes)
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
+    let name = path.display().to_string();
+    Fault::of_file(&name, format!("cannot be read: {error}"))
+}
+
+/// The folders and the level files in a folder, each sorted by name.
+fn list(dir: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Fault> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(dir).map_err(|error| unreadable(dir, &error))? {
+        paths.push(entry.map_err(|error| unreadable(dir, &error))?.path());
+    }
+    paths.sort();
+    let (dirs, rest): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
+    // Only plain files: opening a pipe would wait for whoever writes to it.
+    let files: Vec<_> = rest
+        .into_iter()
+        .filter(|path| is_level_name(path) && path.is_file())
+        .collect();
+    if files.len() > MOST_FILES {
+        let name = dir.display().to_string();
+        let message = format!(
+            "expected at most {MOST_FILES} levels, found {}",
+            files.len()
+        );
+        return Err(Fault::of_file(&name, message));
+    }
+    Ok((dirs, files))
+}
+
+fn is_level_name(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension == "toml")
+}
+
+fn last_part(path: &Path) -> String {
+    path.file_name()
+        .map(|name| name.to_string_lossy().into_owned())
+        .unwrap_or_default()
+}

@@ -1,0 +1,33 @@
+//! Scene and level files: their format, loading, checking and judging.
+//!
+//! A **scene** is a board, the discs on it and a shot, as a TOML file. A **level**
+//! is a scene with a goal, what the player may set, hints, an explanation and an
+//! aim that wins; the aim is stored so that it can be checked by playing it. Every
+//! number of a file is checked against its bounds while it is read; the first
+//! [`Fault`] ends the reading and says file, line, field and what was expected.
+
+mod aim;
+mod check;
+mod fault;
+mod fields;
+mod goal;
+mod judge;
+mod kind;
+mod level;
+mod library;
+mod play;
+mod quantity;
+mod scene;
+mod source;
+
+pub use aim::{Adjust, Aim, Dial};
+pub use check::{Trial, winning_share};
+pub use fault::Fault;
+pub use goal::{Circle, Goal};
+pub use judge::{Finding, Verdict, judge};
+pub use kind::Kind;
+pub use level::Level;
+pub use library::{Library, Pack, read_file};
+pub use quantity::{Quantity, Range};
+pub use scene::{MOST_DISCS, Piece, Scene, Stroke, pockets};
+pub use source::{FORMAT, LARGEST_FILE};

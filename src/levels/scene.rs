@@ -1,0 +1,308 @@
+//! A scene: a board, the discs on it, and a shot.
+
+use glam::DVec2;
+
+use super::fault::Fault;
+use super::fields::Fields;
+use super::kind::Kind;
+use super::quantity as q;
+use super::source::read_document;
+use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
+use crate::physics::{Board, Disc, Motion};
+
+/// The most discs a scene may hold.
+pub const MOST_DISCS: usize = 256;
+
+/// How far discs may overlap each other or the frame, in metres: what rounding
+/// leaves of places meant to touch, and as much as the engine takes.
+const SLACK: f64 = 1e-10;
+
+/// A disc and where it lies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// What it is on the board.
+    pub kind: Kind,
+    /// Its mass and radius.
+    pub disc: Disc,
+    /// Its centre in metres from the centre of the board.
+    pub at: DVec2,
+}
+
+/// How one of the discs is set off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// The disc.
+    pub disc: usize,
+    /// Its direction in degrees from +x, anticlockwise. Kept as the file has it, so
+    /// that a quarter turn is exactly one.
+    pub direction_deg: f64,
+    /// Its speed in m/s.
+    pub speed: f64,
+}
+
+impl Stroke {
+    /// The velocity in m/s; exact along the axes and alike in all four quadrants.
+    pub fn velocity(&self) -> DVec2 {
+        self.speed * unit_vector(self.direction_deg)
+    }
+}
+
+/// A board, the discs on it, and a shot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The board.
+    pub board: Board,
+    /// The discs, by number.
+    pub pieces: Vec<Piece>,
+    /// The shot.
+    pub stroke: Stroke,
+}
+
+impl Scene {
+    /// Reads a scene from the bytes of a file; `name` stands for it in messages.
+    /// A level is a scene too: it is read and checked whole, and its scene returned.
+    ///
+    /// # Errors
+    ///
+    /// The first thing that is wrong with it.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+        read_document(name, bytes, |fields| {
+            if fields.has("level") {
+                super::Level::from_fields(fields, &[]).map(|level| level.scene)
+            } else {
+                Self::from_fields(fields)
+            }
+        })
+    }
+
+    pub(super) fn from_fields(fields: &mut Fields) -> Result<Self, Fault> {
+        let board = match fields.table("board")? {
+            Some(table) => read_board(table)?,
+            None => Board::default(),
+        };
+        let mut pieces = Vec::new();
+        for table in fields.tables("disc", MOST_DISCS)? {
+            let piece = read_piece(table, &board, &pieces)?;
+            pieces.push(piece);
+        }
+        let mut table = fields.required_table("shot")?;
+        let stroke = Stroke {
+            disc: table.disc("disc", pieces.len())?,
+            direction_deg: table.required_number("direction_deg", &q::DIRECTION)?,
+            speed: table.required_number("speed", &q::SPEED)?,
+        };
+        table.finish()?;
+        Ok(Self {
+            board,
+            pieces,
+            stroke,
+        })
+    }
+
+    /// The discs, by number.
+    pub fn discs(&self) -> Vec<Disc> {
+        self.pieces.iter().map(|piece| piece.disc).collect()
+    }
+
+    /// How each disc starts: all at rest but the one that is set off.
+    pub fn motions(&self) -> Vec<Motion> {
+        let mut motions: Vec<_> = self
+            .pieces
+            .iter()
+            .map(|piece| Motion::at_rest(piece.at))
+            .collect();
+        if let Some(motion) = motions.get_mut(self.stroke.disc) {
+            motion.velocity = self.stroke.velocity();
+        }
+        motions
+    }
+
+    /// What to call a disc: "the striker", or "white coin 2" where there are several
+    /// of its kind, counted in the order of their numbers.
+    pub fn name(&self, disc: usize) -> String {
+        let Some(kind) = self.pieces.get(disc).map(|piece| piece.kind) else {
+            return format!("disc {disc}");
+        };
+        let alike = |pieces: &[Piece]| pieces.iter().filter(|p| p.kind == kind).count();
+        match alike(&self.pieces) {
+            0 | 1 => format!("the {}", kind.name()),
+            _ => {
+                let ordinal = self.pieces.get(..=disc).map_or(0, alike);
+                format!("{} {ordinal}", kind.name())
+            }
+        }
+    }
+}
+
+/// The centres of the pockets of a board, in metres; none if it has no pockets.
+/// In the order of the engine's corners: lower left, lower right, upper left, upper
+/// right.
+pub fn pockets(board: &Board) -> impl Iterator<Item = DVec2> + use<> {
+    let reach = 0.5 * (board.side - board.pocket_diameter);
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+    let there = board.pocket_diameter > 0.0;
+    corners
+        .into_iter()
+        .filter(move |_| there)
+        .map(move |(x, y)| reach * DVec2::new(x, y))
+}
+
+fn read_board(mut fields: Fields) -> Result<Board, Fault> {
+    let usual = Board::default();
+    let side = fields.number("side_mm", &q::SIDE)?;
+    let pocket = fields.number("pocket_diameter_mm", &q::POCKET)?;
+    let friction = fields.number("friction", &q::FRICTION)?;
+    let restitution = fields.number("restitution", &q::RESTITUTION)?;
+    let cushion = fields.number("cushion_restitution", &q::RESTITUTION)?;
+    let board = Board {
+        side: side.map_or(usual.side, m_from_mm),
+        pocket_diameter: pocket.map_or(usual.pocket_diameter, m_from_mm),
+        friction: friction.unwrap_or(usual.friction),
+        restitution: restitution.unwrap_or(usual.restitution),
+        cushion_restitution: cushion.unwrap_or(usual.cushion_restitution),
+    };
+    if board.pocket_diameter > 0.5 * board.side {
+        return Err(fields.fault_at(
+            "pocket_diameter_mm",
+            format!(
+                "expected at most half the side of the board, {} mm, found {}",
+                tidy(mm_from_m(0.5 * board.side)),
+                tidy(mm_from_m(board.pocket_diameter)),
+            ),
+        ));
+    }
+    fields.finish()?;
+    Ok(board)
+}
+
+/// Reads a disc that lies clear of the frame, the pockets and the discs before it.
+fn read_piece(mut fields: Fields, board: &Board, others: &[Piece]) -> Result<Piece, Fault> {
+    let kind = fields.word("kind", &Kind::NAMED)?;
+    let at = fields.place("at_mm", &q::COORDINATE)?;
+    let mass = fields.number("mass_g", &q::MASS)?;
+    let radius = fields.number("radius_mm", &q::RADIUS)?;
+    let usual = kind.disc();
+    let piece = Piece {
+        kind,
+        disc: Disc {
+            mass: mass.map_or(usual.mass, kg_from_g),
+            radius: radius.map_or(usual.radius, m_from_mm),
+        },
+        at: DVec2::new(m_from_mm(at.x), m_from_mm(at.y)),
+    };
+    piece
+        .check_place(board, others.iter().enumerate())
+        .map_err(|message| fields.fault_at("at_mm", message))?;
+    fields.finish()?;
+    Ok(piece)
+}
+
+impl Piece {
+    /// Whether the disc lies inside the frame, outside the pockets and clear of
+    /// other discs; if not, what was expected.
+    pub(super) fn check_place<'a>(
+        &self,
+        board: &Board,
+        mut others: impl Iterator<Item = (usize, &'a Self)>,
+    ) -> Result<(), String> {
+        let reach = 0.5 * board.side - self.disc.radius;
+        let out = self.at.abs().max_element() - reach;
+        if out > SLACK {
+            return Err(format!(
+                "expected a place inside the frame, found the disc {} mm beyond it",
+                short(out)
+            ));
+        }
+        if pockets(board).any(|hole| hole.distance(self.at) <= 0.5 * board.pocket_diameter) {
+            return Err("expected a place outside the pockets, found one in a pocket".into());
+        }
+        let overlap =
+            |other: &Self| self.disc.radius + other.disc.radius - self.at.distance(other.at);
+        match others.find(|(_, other)| overlap(other) > SLACK) {
+            Some((number, other)) => Err(format!(
+                "expected a place clear of other discs, found {} mm of overlap with disc {number}",
+                short(overlap(other))
+            )),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A length in millimetres with as many digits as say something.
+fn short(length: f64) -> String {
+    let mm = mm_from_m(length);
+    if mm < 0.01 {
+        format!("{mm:.1e}")
+    } else {
+        tidy(mm)
+    }
+}
+
+/// A number to two decimals, without zeros at the end.
+pub(super) fn tidy(number: f64) -> String {
+    let text = format!("{number:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
+}
+
+/// The unit vector at an angle in degrees: sine and cosine of at most 45°, turned
+/// by quarters, so that it is exact along the axes.
+fn unit_vector(angle_deg: f64) -> DVec2 {
+    let quarters = (angle_deg / 90.0).round();
+    let within = DVec2::from_angle((angle_deg - 90.0 * quarters).to_radians());
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => within,
+        1 => within.perp(),
+        2 => -within,
+        _ => -within.perp(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_6};
+
+    #[test]
+    fn quarter_turns_are_exact() {
+        for turn in [-360.0, 0.0, 360.0] {
+            assert_eq!(unit_vector(turn), DVec2::X);
+            assert_eq!(unit_vector(turn + 90.0), DVec2::Y);
+            assert_eq!(unit_vector(turn - 90.0), -DVec2::Y);
+            assert_eq!(unit_vector(turn + 180.0), -DVec2::X);
+        }
+    }
+
+    #[test]
+    fn other_directions_are_those_of_sine_and_cosine() {
+        let near = |angle, x: f64, y: f64| unit_vector(angle).distance(DVec2::new(x, y)) < 1e-15;
+        assert!(near(30.0, FRAC_PI_6.cos(), 0.5));
+        assert!(near(135.0, -FRAC_1_SQRT_2, FRAC_1_SQRT_2));
+        assert!(near(-120.0, -0.5, -FRAC_PI_6.cos()));
+        assert!(near(300.0, 0.5, -FRAC_PI_6.cos()));
+    }
+
+    #[test]
+    fn discs_are_named_by_kind_and_counted_where_there_are_several() {
+        let text = "format = 1\n\
+            [[disc]]\nkind = \"white\"\nat_mm = [0, 0]\n\
+            [[disc]]\nkind = \"striker\"\nat_mm = [0, -200]\n\
+            [[disc]]\nkind = \"white\"\nat_mm = [100, 0]\n\
+            [shot]\ndisc = 1\ndirection_deg = 90\nspeed = 1\n";
+        let scene = Scene::read("a.toml", text.as_bytes()).unwrap();
+        assert_eq!(scene.name(0), "white coin 1");
+        assert_eq!(scene.name(1), "the striker");
+        assert_eq!(scene.name(2), "white coin 2");
+    }
+
+    #[test]
+    fn a_short_number_reads_well() {
+        for (number, text) in [(0.5, "0.5"), (3.0, "3"), (-0.001, "0"), (12.345, "12.35")] {
+            assert_eq!(tidy(number), text);
+        }
+    }
+}
