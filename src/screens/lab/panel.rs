@@ -219,7 +219,7 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
     let collision = watch.collision();
     let outcome = watch.outcome();
     let drift = Frame::CentreOfMass.velocity(collision);
-    lines.line("Seen from the centre of mass", Role::Title);
+    lines.line("From the centre of mass", Role::Title);
     lines.pair(
         "V",
         &format!("{:.2} m/s", drift.length()),
@@ -261,7 +261,7 @@ fn from_target(watch: &Watch, lines: &mut Lines) {
     let separation = seen.separation.map_or("none".into(), |separation| {
         format!("{:.1}°", separation.to_degrees())
     });
-    lines.line("Seen riding with the coin", Role::Title);
+    lines.line("Riding with the coin", Role::Title);
     lines.pair("separation here", &separation, Role::Dim, Role::Text);
     lines.gap();
     lines.paragraph(

@@ -94,7 +94,9 @@ impl Moment<'_> {
             if self.shows(Layer::Velocities) {
                 self.outgoing(&mut sheet, &mut labels, &arrows, after, now);
             }
-            if self.shows(Layer::Triangle) && self.outcome.hit() {
+            // From the centre of mass the triangle is none: the two cancel.
+            let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
+            if self.shows(Layer::Triangle) && !flat {
                 self.triangle(&mut sheet, before, after);
             }
         }
@@ -178,12 +180,35 @@ impl Moment<'_> {
         after: [DVec2; 2],
         now: [DVec2; 2],
     ) {
+        if self.stage.collision.bond == Bond::Stick && self.outcome.hit() {
+            return self.common_velocity(sheet, labels, arrows, after[0], now);
+        }
         let bodies = [("v₁", Role::StrikerOut), ("v₂", Role::CoinOut)];
         for (body, (name, role)) in bodies.into_iter().enumerate() {
             let radius = self.stage.radius(body);
             let tip = arrows.outwards(sheet, now[body], radius, after[body], role);
             labels.outgoing(name, tip, now[body], radius, after[body], role);
         }
+    }
+
+    /// The one velocity of a pair that sticks, from its centre of mass.
+    fn common_velocity(
+        &self,
+        sheet: &mut Sheet,
+        labels: &mut Labels,
+        arrows: &Arrows,
+        velocity: DVec2,
+        now: [DVec2; 2],
+    ) {
+        if arrows.is_still(velocity) {
+            return;
+        }
+        let collision = &self.stage.collision;
+        let (m1, m2) = (collision.striker.mass, collision.target.mass);
+        let centre = (m1 * now[0] + m2 * now[1]) / (m1 + m2);
+        let role = Role::StrikerOut;
+        let tip = arrows.outwards(sheet, centre, 0.0, velocity, role);
+        labels.outgoing("V", tip, centre, self.stage.unit(), velocity, role);
     }
 
     fn angles(&self, sheet: &mut Sheet, labels: &mut Labels, after: [DVec2; 2]) {
