@@ -29,3 +29,4 @@
 //! ```
 
 pub mod physics;
+pub mod widgets;

@@ -1,0 +1,53 @@
+//! Bars that show a share of a whole.
+
+use super::Charset;
+
+/// A bar `width` cells wide, filled to `share` (0 to 1; what lies outside counts
+/// as the nearer end, what is no number as nothing).
+///
+/// In Unicode the last cell is filled to an eighth; in ASCII to the nearest cell.
+///
+/// ```
+/// use carrom::widgets::{Charset, bar::bar};
+/// assert_eq!(bar(0.6, 10, Charset::Ascii), "######....");
+/// assert_eq!(bar(0.6, 10, Charset::Unicode), "██████░░░░");
+/// ```
+#[must_use]
+pub fn bar(share: f64, width: u16, charset: Charset) -> String {
+    const EIGHTHS: [char; 8] = [' ', '▏', '▎', '▍', '▌', '▋', '▊', '▉'];
+    let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
+    let width = usize::from(width);
+    match charset {
+        Charset::Ascii => {
+            let full = (share * width as f64).round() as usize;
+            "#".repeat(full) + &".".repeat(width - full)
+        }
+        Charset::Unicode => {
+            let eighths = (share * 8.0 * width as f64).round() as usize;
+            let mut bar = "█".repeat(eighths / 8);
+            let part = eighths % 8;
+            if part > 0 {
+                bar.push(EIGHTHS[part]);
+            }
+            let empty = width - eighths.div_ceil(8);
+            bar + &"░".repeat(empty)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bar_is_as_wide_as_asked_whatever_the_share() {
+        for charset in [Charset::Ascii, Charset::Unicode] {
+            for width in [0, 1, 7, 10, 33] {
+                for share in [-1.0, 0.0, 0.01, 0.31, 0.5, 0.999, 1.0, 7.0, f64::NAN] {
+                    let cells = bar(share, width, charset).chars().count();
+                    assert_eq!(cells, usize::from(width), "{share} {charset:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Which glyphs a screen may use, and how a text is written in them.
+
+use std::borrow::Cow;
+
+/// The glyphs a screen may use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Charset {
+    /// Printable ASCII and nothing else, in every cell.
+    Ascii,
+    /// Braille, block elements, box lines and the letters of physics.
+    #[default]
+    Unicode,
+}
+
+impl Charset {
+    /// The other one: what the key that switches charsets does.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Ascii => Self::Unicode,
+            Self::Unicode => Self::Ascii,
+        }
+    }
+
+    /// `text` as this charset writes it.
+    ///
+    /// In Unicode that is the text itself. In ASCII each letter and sign of
+    /// physics is spelt out, and what has no spelling becomes `?`, so every
+    /// character of the answer is printable ASCII. Line breaks are kept.
+    ///
+    /// ```
+    /// use carrom::widgets::Charset;
+    /// assert_eq!(Charset::Ascii.text("θ₁ = 60°"), "theta1 = 60 deg");
+    /// assert_eq!(Charset::Unicode.text("θ₁ = 60°"), "θ₁ = 60°");
+    /// ```
+    #[must_use]
+    pub fn text(self, text: &str) -> Cow<'_, str> {
+        if self == Self::Unicode || text.bytes().all(is_plain) {
+            return Cow::Borrowed(text);
+        }
+        let mut plain = String::with_capacity(text.len());
+        for letter in text.chars() {
+            if letter.is_ascii() {
+                plain.push(if is_plain(letter as u8) { letter } else { '?' });
+            } else if letter == '°' {
+                // A unit stands off from its number: 60 deg, but (deg).
+                let after_number = plain.ends_with(|c: char| c.is_ascii_alphanumeric());
+                plain.push_str(if after_number { " deg" } else { "deg" });
+            } else {
+                plain.push_str(spelling(letter));
+            }
+        }
+        Cow::Owned(plain)
+    }
+}
+
+/// Whether a byte may stand in an ASCII text: printable, or a line break.
+const fn is_plain(byte: u8) -> bool {
+    matches!(byte, b' '..=b'~' | b'\n')
+}
+
+/// How a letter outside ASCII is spelt inside it.
+const fn spelling(letter: char) -> &'static str {
+    match letter {
+        'α' => "alpha",
+        'β' => "beta",
+        'γ' => "gamma",
+        'δ' => "delta",
+        'ε' | 'ϵ' => "epsilon",
+        'η' => "eta",
+        'θ' | 'ϑ' => "theta",
+        'λ' => "lambda",
+        'μ' | 'µ' => "mu",
+        'ν' => "nu",
+        'π' => "pi",
+        'ρ' => "rho",
+        'σ' => "sigma",
+        'τ' => "tau",
+        'φ' | 'ϕ' => "phi",
+        'χ' => "chi",
+        'ψ' => "psi",
+        'ω' => "omega",
+        'Γ' => "Gamma",
+        'Δ' => "Delta",
+        'Θ' => "Theta",
+        'Λ' => "Lambda",
+        'Σ' => "Sigma",
+        'Φ' => "Phi",
+        'Ω' => "Omega",
+        '₀' => "0",
+        '₁' => "1",
+        '₂' => "2",
+        '₃' => "3",
+        '₄' => "4",
+        '₅' => "5",
+        '₆' => "6",
+        '₇' => "7",
+        '₈' => "8",
+        '₉' => "9",
+        'ₙ' => "n",
+        'ₜ' => "t",
+        'ₓ' => "x",
+        'ᵧ' => "y",
+        'ₛ' => "s",
+        '∥' => "_par",
+        '⊥' | '⟂' => "_perp",
+        '⁰' => "^0",
+        '¹' => "^1",
+        '²' => "^2",
+        '³' => "^3",
+        '⁴' => "^4",
+        '⁻' => "^-",
+        '′' | '‘' | '’' | '‛' => "'",
+        '″' | '“' | '”' | '„' | '«' | '»' => "\"",
+        '−' | '–' | '‐' | '‑' | '─' | '━' => "-",
+        '—' => "--",
+        '│' | '┃' | '▏' | '▎' => "|",
+        '·' | '∙' | '⋅' => ".",
+        '•' | '●' | '∗' => "*",
+        '○' | '◯' => "o",
+        '…' => "...",
+        '×' => "x",
+        '÷' => "/",
+        '±' => "+-",
+        '√' => "sqrt",
+        '≤' => "<=",
+        '≥' => ">=",
+        '≠' => "!=",
+        '≈' | '∼' => "~",
+        '≡' => "==",
+        '∝' => "~",
+        '∞' => "inf",
+        '∠' => "angle ",
+        '∑' => "sum",
+        '∂' => "d",
+        '→' | '▶' | '▸' | '►' => "->",
+        '←' | '◀' | '◂' => "<-",
+        '↔' => "<->",
+        '↑' | '▲' => "^",
+        '↓' | '▼' => "v",
+        '⇒' => "=>",
+        '⇔' => "<=>",
+        '½' => "1/2",
+        '¼' => "1/4",
+        '¾' => "3/4",
+        '⅓' => "1/3",
+        '⅔' => "2/3",
+        '✓' | '✔' => "+",
+        '✗' | '✘' => "x",
+        '★' => "*",
+        '☆' => ".",
+        '█' | '▓' => "#",
+        '▒' | '░' => ".",
+        '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{2002}' | '\u{2003}' => " ",
+        'à' | 'á' | 'â' | 'ã' | 'ä' | 'å' => "a",
+        'ç' => "c",
+        'è' | 'é' | 'ê' | 'ë' => "e",
+        'ì' | 'í' | 'î' | 'ï' => "i",
+        'ñ' => "n",
+        'ò' | 'ó' | 'ô' | 'õ' | 'ö' | 'ø' => "o",
+        'ù' | 'ú' | 'û' | 'ü' => "u",
+        'ß' => "ss",
+        _ => "?",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn physics_is_spelt_out_in_ascii() {
+        for (written, spelt) in [
+            ("θ₁ = 60°", "theta1 = 60 deg"),
+            ("α (°)", "alpha (deg)"),
+            ("u·cos α", "u.cos alpha"),
+            ("m₁ × v₁ − 2", "m1 x v1 - 2"),
+            ("½ μ u² ≤ √3 → …", "1/2 mu u^2 <= sqrt3 -> ..."),
+            ("“far” — it’s", "\"far\" -- it's"),
+            ("plain", "plain"),
+        ] {
+            assert_eq!(Charset::Ascii.text(written), spelt);
+            assert_eq!(Charset::Unicode.text(written), written);
+        }
+    }
+
+    #[test]
+    fn whatever_comes_in_only_printable_ascii_goes_out() {
+        let all: String = ('\0'..='\u{2fff}')
+            .chain('\u{1f300}'..='\u{1f6ff}')
+            .collect();
+        let spelt = Charset::Ascii.text(&all);
+        assert!(spelt.bytes().all(is_plain));
+        assert!(spelt.contains('?'));
+    }
+}

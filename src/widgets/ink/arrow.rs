@@ -1,0 +1,88 @@
+//! Arrows and square corners.
+
+use glam::DVec2;
+
+use super::{cell::Glyph, pen::Pen, sheet::Sheet};
+use crate::widgets::Charset;
+
+/// Length of a head in columns; a shorter arrow has a shorter head.
+const HEAD_LENGTH: f64 = 3.0;
+/// Half the width of a head, as a share of its length.
+const HEAD_SLIMNESS: f64 = 0.45;
+
+impl Sheet {
+    /// An arrow from one point to another, with its tip exactly at `to` (in ASCII:
+    /// in the cell of `to`). Labels keep off the tip.
+    pub fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
+        let pen = pen.into();
+        let (tail, tip) = self.snapped(self.paper(from), self.paper(to));
+        let along = tip - tail;
+        if !(along.is_finite() && along.length() > 1e-9) {
+            return;
+        }
+        match self.charset {
+            Charset::Unicode => self.filled_head(tail, tip, pen),
+            Charset::Ascii => self.glyph_head(tail, tip, pen),
+        }
+        if let Some(cell) = self.cell_at(tip) {
+            cell.reserved = true;
+        }
+    }
+
+    /// The square corner of a right angle at `corner`, between two directions.
+    pub fn square_corner(
+        &mut self,
+        corner: DVec2,
+        along: DVec2,
+        across: DVec2,
+        side: f64,
+        pen: impl Into<Pen>,
+    ) {
+        let (along, across) = (
+            along.normalize_or_zero() * side,
+            across.normalize_or_zero() * side,
+        );
+        self.polyline(
+            [corner + along, corner + along + across, corner + across],
+            pen,
+        );
+    }
+
+    fn filled_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {
+        let length = (tip - tail).length();
+        let forward = (tip - tail) / length;
+        let head = HEAD_LENGTH.min(length);
+        let base = tip - forward * head;
+        let side = forward.perp() * head * HEAD_SLIMNESS;
+        let stroke = self.stroke_mut();
+        stroke.piece(tail, base, pen);
+        stroke.triangle([tip, base + side, base - side]);
+        // Near the tip the triangle is finer than a dot: its axis goes on.
+        stroke.piece(base, tip, Pen::new(pen.role));
+        self.commit(pen);
+    }
+
+    fn glyph_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {
+        // The shaft runs into the middle of the tip's cell, where its glyph is.
+        let middle = DVec2::new(tip.x.floor() + 0.5, 2.0 * (tip.y / 2.0).floor() + 1.0);
+        self.stroke_mut().piece(tail, middle, pen);
+        self.commit(pen);
+        let along = tip - tail;
+        let symbol = match (along.x.abs() >= along.y.abs(), along.x > 0.0, along.y > 0.0) {
+            (true, true, _) => '>',
+            (true, false, _) => '<',
+            (false, _, true) => 'v',
+            (false, _, false) => '^',
+        };
+        if let Some(cell) = self.cell_at(tip)
+            && cell.glyph.is_none_or(|glyph| glyph.layer <= pen.layer)
+        {
+            cell.glyph = Some(Glyph {
+                symbol,
+                role: pen.role,
+                layer: pen.layer,
+                upon: false,
+            });
+        }
+    }
+}

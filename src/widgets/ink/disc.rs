@@ -1,0 +1,137 @@
+//! Discs: filled, or a rim with a letter, or a token where they are small.
+
+use glam::DVec2;
+
+use super::{
+    cell::Glyph,
+    pen::{Layer, Pen},
+    sheet::Sheet,
+};
+use crate::widgets::{Charset, Role};
+
+/// A disc less than this many rows high is drawn as a token: blocks are finer
+/// than letters, so they stay round for longer.
+const fn token_rows(charset: Charset) -> f64 {
+    match charset {
+        Charset::Ascii => 3.0,
+        Charset::Unicode => 1.4,
+    }
+}
+
+impl Sheet {
+    /// A disc with a letter in its middle (a space for none): filled in Unicode, a
+    /// rim in ASCII. It hides what lies on lower layers. A disc too small to be
+    /// round becomes the [`token`] of its role.
+    pub fn disc(&mut self, centre: DVec2, radius: f64, role: Role, letter: char) {
+        if radius.is_nan() || radius <= 0.0 {
+            return;
+        }
+        if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
+            self.stamp(centre, token(role, self.charset), role, false);
+            return;
+        }
+        self.cover(centre, radius, role);
+        if self.charset == Charset::Ascii {
+            self.circle(centre, radius, Pen::new(role).on(Layer::Disc));
+        }
+        if letter != ' ' {
+            let text = self
+                .charset
+                .text(letter.encode_utf8(&mut [0; 4]))
+                .into_owned();
+            self.stamp(centre, &text, role, true);
+        }
+    }
+
+    /// Covers the cells under a disc, span by span.
+    fn cover(&mut self, centre: DVec2, radius: f64, role: Role) {
+        let centre = self.paper(centre);
+        let radius = radius / self.view().per_column();
+        if !(centre.is_finite() && radius.is_finite()) {
+            return;
+        }
+        let (columns, rows) = self.size();
+        let clamp = |value: f64, high: i32| value.floor().clamp(0.0, f64::from(high)) as i32;
+        let top = clamp((centre.y - radius) / 2.0, rows);
+        let bottom = clamp((centre.y + radius) / 2.0 + 1.0, rows);
+        for row in top..bottom {
+            // The eight spans of this row: from left to right, in columns.
+            let spans: [Option<(f64, f64)>; 8] = std::array::from_fn(|eighth| {
+                let y = 2.0 * f64::from(row) + (eighth as f64 + 0.5) / 4.0 - centre.y;
+                let half = radius.mul_add(radius, -y * y);
+                (half > 0.0).then(|| (centre.x - half.sqrt(), centre.x + half.sqrt()))
+            });
+            let left = clamp(centre.x - radius, columns);
+            let right = clamp(centre.x + radius + 1.0, columns);
+            for column in left..right {
+                let cover = spans.iter().enumerate().fold(0, |cover, (eighth, span)| {
+                    let bits = span.map_or(0, |(from, to)| eighths(from, to, f64::from(column)));
+                    cover | u64::from(bits) << (8 * eighth)
+                });
+                let charset = self.charset;
+                let index = (row * columns + column) as usize;
+                if cover != 0
+                    && let Some(cell) = self.cells.get_mut(index)
+                {
+                    cell.fill(cover, role, charset);
+                }
+            }
+        }
+    }
+
+    /// Writes a token or a letter centred on a point.
+    fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
+        let centre = self.paper(centre);
+        let width = text.chars().count() as f64;
+        let mut at = DVec2::new(
+            centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor(),
+            centre.y,
+        );
+        for symbol in text.chars() {
+            if let Some(cell) = self.cell_at(at) {
+                cell.glyph = Some(Glyph {
+                    symbol,
+                    role,
+                    layer: Layer::Disc,
+                    upon,
+                });
+                cell.reserved = true;
+            }
+            at.x += 1.0;
+        }
+    }
+}
+
+/// Which eighths of the cell that begins at `column` have their middle between
+/// `from` and `to`.
+fn eighths(from: f64, to: f64, column: f64) -> u8 {
+    let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
+    let (low, high) = (edge(from), edge(to));
+    ((1u32 << high) - 1 & !((1u32 << low) - 1)) as u8
+}
+
+/// What a disc too small to be round looks like.
+#[must_use]
+pub const fn token(role: Role, charset: Charset) -> &'static str {
+    match (role, charset) {
+        (Role::Striker, _) => "(S)",
+        (Role::Queen, _) => "Q",
+        (Role::Black, Charset::Ascii) => "@",
+        (Role::Marble, Charset::Ascii) => "*",
+        (_, Charset::Ascii) => "o",
+        (Role::Black, Charset::Unicode) => "●",
+        (Role::Marble, Charset::Unicode) => "◆",
+        (_, Charset::Unicode) => "○",
+    }
+}
+
+/// The inside of a disc where there is no colour to tell it by.
+pub(super) const fn texture(role: Role) -> char {
+    match role {
+        Role::Striker => '█',
+        Role::Black => ' ',
+        Role::Queen => '▓',
+        Role::Marble => '░',
+        _ => '▒',
+    }
+}

@@ -1,0 +1,31 @@
+//! Which glyph shows a pattern of ink best.
+
+pub(super) mod ascii;
+pub(super) mod block;
+
+/// The braille character with the given dots, numbered row by row from the top
+/// left in a grid of 2 × 4 (bit 0 first).
+pub(super) fn braille(dots: u16) -> char {
+    // Unicode counts dots 1-3 down the left, 4-6 down the right, then 7 and 8.
+    const BITS: [u32; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
+    let code = BITS
+        .iter()
+        .enumerate()
+        .filter(|(dot, _)| dots >> dot & 1 == 1)
+        .fold(0x2800, |code, (_, bit)| code | bit);
+    char::from_u32(code).unwrap_or(' ')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn braille_dots_lie_where_unicode_has_them() {
+        assert_eq!(braille(0), '\u{2800}');
+        assert_eq!(braille(0b1111_1111), '⣿');
+        assert_eq!(braille(0b0000_1111), '⠛');
+        assert_eq!(braille(0b0101_0101), '⡇');
+        assert_eq!(braille(0b1100_0000), '⣀');
+    }
+}

@@ -1,0 +1,88 @@
+//! The block element nearest to a pattern in an 8 × 8 grid: the filled discs.
+
+use std::sync::LazyLock;
+
+/// A block element, and whether it is drawn in the background's colour upon the
+/// disc's, which gives the shapes Unicode has no character for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) struct Block {
+    pub(in super::super) symbol: char,
+    pub(in super::super) inverse: bool,
+    /// The cells of the 8 × 8 grid it covers, row by row from the top left.
+    cover: u64,
+}
+
+const QUADRANTS: [char; 16] = [
+    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
+];
+const LOWER: [char; 7] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇'];
+const LEFT: [char; 7] = ['▏', '▎', '▍', '▌', '▋', '▊', '▉'];
+
+static BLOCKS: LazyLock<Vec<Block>> = LazyLock::new(|| {
+    let mut blocks = Vec::new();
+    let mut add = |symbol, inverse, cover| {
+        blocks.push(Block {
+            symbol,
+            inverse,
+            cover,
+        });
+    };
+    for (bits, symbol) in (0..).zip(QUADRANTS) {
+        add(
+            symbol,
+            false,
+            grid(|x, y| bits >> (x / 4 + 2 * (y / 4)) & 1 == 1),
+        );
+    }
+    for (eighths, symbol) in (1..).zip(LOWER) {
+        let cover = grid(|_, y| y >= 8 - eighths);
+        add(symbol, false, cover);
+        add(symbol, true, !cover);
+    }
+    for (eighths, symbol) in (1..).zip(LEFT) {
+        let cover = grid(|x, _| x < eighths);
+        add(symbol, false, cover);
+        add(symbol, true, !cover);
+    }
+    blocks
+});
+
+fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
+    (0..64)
+        .filter(|&i| inside(i % 8, i / 8))
+        .fold(0, |cover, i| cover | 1 << i)
+}
+
+/// The block nearest to `cover`; inverse ones only where `inverse` allows them.
+pub(in super::super) fn nearest(cover: u64, inverse: bool) -> Block {
+    BLOCKS
+        .iter()
+        .filter(|block| inverse || !block.inverse)
+        .min_by_key(|block| (block.cover ^ cover).count_ones())
+        .copied()
+        .unwrap_or(Block {
+            symbol: ' ',
+            inverse: false,
+            cover: 0,
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_block_is_nearest_to_itself() {
+        for block in BLOCKS.iter() {
+            assert_eq!(nearest(block.cover, true).cover, block.cover);
+        }
+    }
+
+    #[test]
+    fn without_inverse_blocks_halves_and_quarters_remain() {
+        assert_eq!(nearest(grid(|x, _| x >= 3), false).symbol, '▐');
+        assert_eq!(nearest(grid(|_, y| y < 5), false).symbol, '▀');
+        assert_eq!(nearest(u64::MAX, false).symbol, '█');
+        assert_eq!(nearest(0, false).symbol, ' ');
+    }
+}

@@ -1,0 +1,172 @@
+//! Labels that find themselves a free place.
+
+use glam::DVec2;
+use ratatui::{buffer::Buffer, layout::Rect};
+use unicode_width::UnicodeWidthStr;
+
+use super::{pen::Layer, sheet::Sheet};
+use crate::widgets::{Role, Theme};
+
+/// On which side of its anchor a label stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// In the row of the anchor, to the right.
+    Right,
+    /// Above and to the right.
+    AboveRight,
+    /// Centred above.
+    Above,
+    /// Above and to the left.
+    AboveLeft,
+    /// In the row of the anchor, to the left.
+    Left,
+    /// Below and to the left.
+    BelowLeft,
+    /// Centred below.
+    Below,
+    /// Below and to the right.
+    BelowRight,
+}
+
+use Side as S;
+
+impl Side {
+    /// All sides, anticlockwise from the right.
+    pub const ALL: [Self; 8] = [
+        S::Right,
+        S::AboveRight,
+        S::Above,
+        S::AboveLeft,
+        S::Left,
+        S::BelowLeft,
+        S::Below,
+        S::BelowRight,
+    ];
+
+    /// All sides, those nearest to a direction of the world first: for a label at
+    /// the tip of an arrow, in the arrow's own direction.
+    #[must_use]
+    pub fn towards(direction: DVec2) -> [Self; 8] {
+        let mut sides = Self::ALL;
+        sides.sort_by(|a, b| {
+            let along = |side: Self| side.direction().dot(direction);
+            along(*b).total_cmp(&along(*a))
+        });
+        sides
+    }
+
+    /// The direction of the world a side lies in, a unit vector.
+    fn direction(self) -> DVec2 {
+        let eighths = Self::ALL.iter().position(|&side| side == self);
+        DVec2::from_angle(eighths.unwrap_or(0) as f64 * std::f64::consts::FRAC_PI_4)
+    }
+
+    /// The cell in which a label `width` wide begins that stands `away` cells from
+    /// its anchor: columns count double, as they are half as wide.
+    fn start(self, (column, row): (i32, i32), width: i32, away: i32) -> (i32, i32) {
+        let x = match self {
+            S::Right => column + 2 * away,
+            S::AboveRight | S::BelowRight => column + away,
+            S::Above | S::Below => column - width / 2,
+            S::AboveLeft | S::BelowLeft => column - width + 1 - away,
+            S::Left => column - width + 1 - 2 * away,
+        };
+        let y = match self {
+            S::Right | S::Left => row,
+            S::Above | S::AboveLeft | S::AboveRight => row - away,
+            S::Below | S::BelowLeft | S::BelowRight => row + away,
+        };
+        (x, y)
+    }
+}
+
+/// A label that has its place.
+#[derive(Debug, Clone)]
+pub(super) struct Label {
+    text: String,
+    role: Role,
+    /// One row of the screen.
+    place: Rect,
+}
+
+impl Label {
+    pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
+        let inside = self.place.intersection(buffer.area);
+        if inside != self.place {
+            return;
+        }
+        let style = theme.base().patch(theme.style(self.role));
+        for position in inside.positions() {
+            buffer[position].reset();
+        }
+        buffer.set_string(inside.x, inside.y, &self.text, style);
+    }
+}
+
+/// How far from its anchor a label may stand, in rows.
+const FARTHEST: i32 = 4;
+
+impl Sheet {
+    /// Writes `text` (in the sheet's charset) beside a point of the world: on the
+    /// first of `sides` that is free, near before far; then on the other sides.
+    /// Call it when all is drawn.
+    ///
+    /// A label never leaves the area and never covers another label, a disc, a
+    /// velocity, a reserved cell or an arrow's tip. Rather than stand far away it
+    /// covers the weakest lines. Says whether it found a place.
+    pub fn label(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
+        let text = self.charset.text(text).into_owned();
+        let cell = self.view().to_cell(anchor);
+        let reach = f64::from(u16::MAX);
+        if text.is_empty() || !(cell.abs().max_element() < reach) {
+            return false;
+        }
+        let area = self.view().area();
+        let at = (
+            cell.x.floor() as i32 - i32::from(area.x),
+            cell.y.floor() as i32 - i32::from(area.y),
+        );
+        let width = i32::try_from(text.width()).unwrap_or(i32::MAX / 2);
+        let others = Side::ALL.iter().filter(|side| !sides.contains(side));
+        let sides: Vec<Side> = sides.iter().chain(others).copied().collect();
+        // Free paper first, then over boards and trails, then over geometry.
+        let place = [None, Some(Layer::Trail), Some(Layer::Construction)]
+            .into_iter()
+            .flat_map(|over| (1..=FARTHEST).map(move |away| (over, away)))
+            .flat_map(|(over, away)| sides.iter().map(move |side| (over, away, *side)))
+            .map(|(over, away, side)| (over, side.start(at, width, away)))
+            .find(|&(over, start)| self.has_room(start, width, over))
+            .map(|(_, start)| start);
+        let Some((x, y)) = place else {
+            return false;
+        };
+        let place = Rect::new(
+            (i32::from(area.x) + x) as u16,
+            (i32::from(area.y) + y) as u16,
+            width as u16,
+            1,
+        );
+        self.labels.push(Label { text, role, place });
+        true
+    }
+
+    /// Whether a label fits here, on paper or `over` strokes up to a layer.
+    fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<Layer>) -> bool {
+        let (columns, rows) = self.size();
+        if y < 0 || y >= rows || x < 0 || x + width > columns {
+            return false;
+        }
+        let area = self.view().area();
+        let clear_of_labels = self.labels.iter().all(|label| {
+            let left = i32::from(label.place.x) - i32::from(area.x);
+            let row = i32::from(label.place.y) - i32::from(area.y);
+            row != y || x > left + i32::from(label.place.width) || x + width < left
+        });
+        clear_of_labels
+            && (x..x + width).all(|column| {
+                let index = usize::try_from(y * columns + column).ok();
+                let cell = index.and_then(|index| self.cells.get(index));
+                cell.is_some_and(|cell| !cell.reserved && cell.layer() <= over)
+            })
+    }
+}

@@ -1,0 +1,282 @@
+//! The sheet a picture is drawn on.
+
+use glam::{DVec2, dvec2};
+use ratatui::buffer::Buffer;
+
+use super::{
+    cell::Cell,
+    glyphs::{ascii, block, braille},
+    grid,
+    label::Label,
+    pen::{Dash, Pen},
+    stroke::Stroke,
+    view::View,
+};
+use crate::widgets::{Charset, Role, Theme};
+
+/// The sheet a picture is drawn on: strokes, discs and labels in world
+/// coordinates, then all at once [`Sheet::draw`]n into a buffer.
+///
+/// Whatever lies outside the view's area is cut off there, and what is not a
+/// finite number is not drawn; nothing a caller gives can go wrong.
+#[derive(Debug, Clone)]
+pub struct Sheet {
+    view: View,
+    pub(super) charset: Charset,
+    pub(super) cells: Vec<Cell>,
+    pub(super) labels: Vec<Label>,
+    stroke: Stroke,
+}
+
+impl Sheet {
+    /// An empty sheet over the area of `view`.
+    #[must_use]
+    pub fn new(view: View, charset: Charset) -> Self {
+        let size = (
+            usize::from(view.area().width),
+            usize::from(view.area().height),
+        );
+        Self {
+            view,
+            charset,
+            cells: vec![Cell::EMPTY; size.0 * size.1],
+            labels: Vec::new(),
+            stroke: Stroke::new(grid(charset), size),
+        }
+    }
+
+    /// Where the world is on this sheet.
+    #[must_use]
+    pub const fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// The glyphs this sheet is drawn in.
+    #[must_use]
+    pub const fn charset(&self) -> Charset {
+        self.charset
+    }
+
+    /// A straight line. In ASCII, a level or upright one goes through the middles
+    /// of its cells, so that it looks the same wherever it lies.
+    pub fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
+        let pen = pen.into();
+        let (from, to) = self.snapped(self.paper(from), self.paper(to));
+        self.stroke.piece(from, to, pen);
+        self.stroke.end(to, pen);
+        self.commit(pen);
+    }
+
+    /// A line through many points. It breaks at points that are not finite.
+    pub fn polyline(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
+        self.through(points, pen.into(), true);
+    }
+
+    /// A line through many points; an open one has its last point too.
+    fn through(&mut self, points: impl IntoIterator<Item = DVec2>, pen: Pen, open: bool) {
+        let mut last: Option<DVec2> = None;
+        for point in points {
+            let here = self.paper(point);
+            if let Some(last) = last {
+                self.stroke.piece(last, here, pen);
+            }
+            last = Some(here);
+        }
+        if let Some(last) = last
+            && open
+        {
+            self.stroke.end(last, pen);
+        }
+        self.commit(pen);
+    }
+
+    /// A dot.
+    pub fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
+        let (at, pen) = (self.paper(at), pen.into());
+        self.stroke.end(at, pen);
+        self.commit(pen);
+    }
+
+    /// Part of a circle, from one angle to another (radians, anticlockwise from
+    /// +x; to < from goes clockwise). A whole turn or more is a circle.
+    pub fn arc(&mut self, centre: DVec2, radius: f64, from: f64, to: f64, pen: impl Into<Pen>) {
+        let pen = pen.into();
+        let turn = (to - from).clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
+        let reach = radius.abs() / self.view.per_column();
+        if !(turn.is_finite() && reach.is_finite()) {
+            return;
+        }
+        // About half a column a piece; the sagitta is then out of sight.
+        let pieces = (turn.abs() * reach * 2.0).ceil().clamp(4.0, 720.0) as u32;
+        let step = DVec2::from_angle(turn / f64::from(pieces));
+        let mut arm = DVec2::from_angle(from) * radius;
+        let points = (0..=pieces).map(move |_| {
+            let point = centre + arm;
+            arm = step.rotate(arm);
+            point
+        });
+        self.through(points, pen, turn.abs() < std::f64::consts::TAU);
+    }
+
+    /// A circle.
+    pub fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
+        self.arc(centre, radius, 0.0, std::f64::consts::TAU, pen);
+    }
+
+    /// A rectangle between two opposite corners.
+    pub fn rectangle(&mut self, corner: DVec2, opposite: DVec2, pen: impl Into<Pen>) {
+        let pen = pen.into();
+        let corners = [
+            corner,
+            dvec2(opposite.x, corner.y),
+            opposite,
+            dvec2(corner.x, opposite.y),
+        ];
+        for i in 0..4 {
+            self.line(corners[i], corners[(i + 1) % 4], pen);
+        }
+    }
+
+    /// Keeps labels off the cell at a point of the world.
+    pub fn reserve(&mut self, at: DVec2) {
+        if let Some(cell) = self.cell_at(self.paper(at)) {
+            cell.reserved = true;
+        }
+    }
+
+    /// Draws the sheet into `buffer`. Cells on which nothing was drawn keep what
+    /// they have.
+    pub fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
+        let area = self.view.area();
+        let inside = area.intersection(buffer.area);
+        for y in inside.top()..inside.bottom() {
+            for x in inside.left()..inside.right() {
+                let (column, row) = (usize::from(x - area.x), usize::from(y - area.y));
+                let cell = self.cells.get(row * usize::from(area.width) + column);
+                if let Some(cell) = cell
+                    && !cell.is_empty()
+                {
+                    let target = &mut buffer[(x, y)];
+                    let (symbol, style) = self.look(cell, theme);
+                    target.set_char(symbol).set_style(style);
+                }
+            }
+        }
+        for label in &self.labels {
+            label.draw(buffer, theme);
+        }
+    }
+
+    /// What a cell looks like in the end.
+    fn look(&self, cell: &Cell, theme: &Theme) -> (char, ratatui::style::Style) {
+        if let Some(glyph) = cell.glyph {
+            let upon = glyph.upon && self.charset == Charset::Unicode;
+            let style = if upon {
+                theme.on(glyph.role)
+            } else {
+                theme.style(glyph.role)
+            };
+            return (glyph.symbol, style);
+        }
+        let pen = cell.pen;
+        let mut stroke = theme.faded(pen.role, pen.age);
+        if pen.bold {
+            stroke = stroke.add_modifier(ratatui::style::Modifier::BOLD);
+        }
+        match self.charset {
+            Charset::Ascii => (ascii::nearest(cell.ink), stroke),
+            Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
+                (braille(cell.ink), theme.on(cell.disc))
+            }
+            // At a disc's edge the disc stays round and the stroke pauses.
+            Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
+            Charset::Unicode => self.disc_look(cell, theme),
+        }
+    }
+
+    fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, ratatui::style::Style) {
+        let mono = theme.is_mono();
+        if cell.cover == u64::MAX {
+            let symbol = if mono {
+                super::disc::texture(cell.disc)
+            } else {
+                '█'
+            };
+            return (symbol, theme.fill(cell.disc));
+        }
+        let block = block::nearest(cell.cover, !mono);
+        if mono {
+            return (block.symbol, theme.style(cell.disc));
+        }
+        let disc = theme.colour(cell.disc);
+        let rest = theme.colour(cell.beside.unwrap_or(Role::Background));
+        let (ink, paper) = if block.inverse {
+            (rest, disc)
+        } else {
+            (disc, rest)
+        };
+        (block.symbol, ratatui::style::Style::new().fg(ink).bg(paper))
+    }
+
+    /// A point of the world on paper.
+    pub(super) fn paper(&self, world: DVec2) -> DVec2 {
+        let area = self.view.area();
+        let cell = self.view.to_cell(world) - dvec2(f64::from(area.x), f64::from(area.y));
+        dvec2(cell.x, 2.0 * cell.y)
+    }
+
+    /// The cell at a point on paper.
+    pub(super) fn cell_at(&mut self, paper: DVec2) -> Option<&mut Cell> {
+        let area = self.view.area();
+        let (column, row) = (paper.x.floor(), (paper.y / 2.0).floor());
+        let inside = (0.0..f64::from(area.width)).contains(&column)
+            && (0.0..f64::from(area.height)).contains(&row);
+        if !inside {
+            return None;
+        }
+        self.cells
+            .get_mut(row as usize * usize::from(area.width) + column as usize)
+    }
+
+    /// The ends of a line on paper, put into the middles of the cells where it is
+    /// level or upright and the charset has but one place for it in a cell.
+    pub(super) fn snapped(&self, mut from: DVec2, mut to: DVec2) -> (DVec2, DVec2) {
+        if self.charset == Charset::Ascii {
+            let along = (to - from).abs();
+            if along.y < 0.2 && along.x >= 1.0 {
+                let middle = 2.0 * ((from.y + to.y) / 4.0 + 1e-9).floor() + 1.0;
+                (from.y, to.y) = (middle, middle);
+            } else if along.x < 0.2 && along.y >= 1.0 {
+                let middle = ((from.x + to.x) / 2.0 + 1e-9).floor() + 0.5;
+                (from.x, to.x) = (middle, middle);
+            }
+        }
+        (from, to)
+    }
+
+    pub(super) fn stroke_mut(&mut self) -> &mut Stroke {
+        &mut self.stroke
+    }
+
+    /// Ends a stroke: its samples go into the cells.
+    pub(super) fn commit(&mut self, pen: Pen) {
+        let (cells, charset) = (&mut self.cells, self.charset);
+        self.stroke.take(|order, index, samples| {
+            let inked = charset == Charset::Unicode
+                || match pen.dash {
+                    Dash::Solid => true,
+                    Dash::Dashed => order % 3 != 2,
+                    Dash::Dotted => order % 2 == 0,
+                };
+            if inked && let Some(cell) = cells.get_mut(index) {
+                cell.stroke(samples, pen, charset);
+            }
+        });
+    }
+
+    /// Columns and rows of the sheet.
+    pub(super) fn size(&self) -> (i32, i32) {
+        let area = self.view.area();
+        (i32::from(area.width), i32::from(area.height))
+    }
+}

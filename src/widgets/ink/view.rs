@@ -1,0 +1,183 @@
+//! Where the world is on the screen.
+
+use glam::{DVec2, dvec2};
+use ratatui::layout::Rect;
+
+/// How the world is laid on an area of cells, both ways.
+///
+/// World coordinates are metres (or whatever a plot has on its axes), x to the
+/// right and y **up**. Cell coordinates count columns and rows of the screen, y
+/// **down**; the cell in column `c` reaches from `c` to `c + 1`, so its middle is
+/// at `c + 0.5`. A cell counts as twice as high as wide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    area: Rect,
+    /// This point of the world …
+    centre: DVec2,
+    /// … is at this point of the screen, in cells.
+    middle: DVec2,
+    /// World units in a column and in a row.
+    per_cell: DVec2,
+}
+
+impl View {
+    /// A view in true shape: `centre` in the middle of the area's middle cell, so
+    /// that level and upright lines through it follow the cells, at
+    /// `metres_per_column` (positive; anything else counts as 1).
+    #[must_use]
+    pub fn new(area: Rect, centre: DVec2, metres_per_column: f64) -> Self {
+        let scale = positive(metres_per_column);
+        Self {
+            area,
+            centre,
+            middle: middle(area),
+            per_cell: dvec2(scale, 2.0 * scale),
+        }
+    }
+
+    /// The largest view in true shape that shows the whole rectangle between two
+    /// opposite corners of the world.
+    #[must_use]
+    pub fn fit(area: Rect, corner: DVec2, opposite: DVec2) -> Self {
+        let size = (opposite - corner).abs();
+        // What is free on the narrower side of the middle counts.
+        let free = (middle(area) - top_left(area)).max(dvec2(0.5, 0.5)) * 2.0;
+        let scale = (size.x / free.x).max(size.y / (2.0 * free.y));
+        Self::new(area, (corner + opposite) / 2.0, scale)
+    }
+
+    /// A view that gives each axis its own scale, as a plot wants: the corners of
+    /// the world's rectangle fall in the middles of the area's corner cells.
+    #[must_use]
+    pub fn stretch(area: Rect, bottom_left: DVec2, top_right: DVec2) -> Self {
+        let cells = dvec2(f64::from(area.width), f64::from(area.height)) - DVec2::ONE;
+        let size = top_right - bottom_left;
+        Self {
+            area,
+            centre: dvec2(bottom_left.x, top_right.y),
+            middle: top_left(area) + dvec2(0.5, 0.5),
+            per_cell: dvec2(
+                positive(size.x / cells.x.max(1.0)),
+                positive(size.y / cells.y.max(1.0)),
+            ),
+        }
+    }
+
+    /// The cells of the screen that are painted.
+    #[must_use]
+    pub const fn area(&self) -> Rect {
+        self.area
+    }
+
+    /// World units in one column.
+    #[must_use]
+    pub const fn per_column(&self) -> f64 {
+        self.per_cell.x
+    }
+
+    /// World units in one row.
+    #[must_use]
+    pub const fn per_row(&self) -> f64 {
+        self.per_cell.y
+    }
+
+    /// A point of the world in cell coordinates.
+    #[must_use]
+    pub fn to_cell(&self, world: DVec2) -> DVec2 {
+        let away = (world - self.centre) / self.per_cell;
+        self.middle + dvec2(away.x, -away.y)
+    }
+
+    /// A point in cell coordinates in the world.
+    #[must_use]
+    pub fn to_world(&self, cell: DVec2) -> DVec2 {
+        let away = cell - self.middle;
+        self.centre + dvec2(away.x, -away.y) * self.per_cell
+    }
+
+    /// The cell that shows a point of the world, as (column, row) of the screen,
+    /// or `None` outside the area.
+    #[must_use]
+    pub fn cell_at(&self, world: DVec2) -> Option<(u16, u16)> {
+        let cell = self.to_cell(world);
+        let inside = cell.x >= f64::from(self.area.left())
+            && cell.x < f64::from(self.area.right())
+            && cell.y >= f64::from(self.area.top())
+            && cell.y < f64::from(self.area.bottom());
+        inside.then_some((cell.x as u16, cell.y as u16))
+    }
+
+    /// The point of the world in the middle of a cell: where a click points to.
+    #[must_use]
+    pub fn world_at(&self, column: u16, row: u16) -> DVec2 {
+        self.to_world(dvec2(f64::from(column) + 0.5, f64::from(row) + 0.5))
+    }
+}
+
+fn positive(scale: f64) -> f64 {
+    if scale > 0.0 && scale.is_finite() {
+        scale
+    } else {
+        1.0
+    }
+}
+
+fn top_left(area: Rect) -> DVec2 {
+    dvec2(f64::from(area.x), f64::from(area.y))
+}
+
+/// The middle of an area's middle cell.
+fn middle(area: Rect) -> DVec2 {
+    let half = |length: u16| f64::from(length.saturating_sub(1) / 2) + 0.5;
+    top_left(area) + dvec2(half(area.width), half(area.height))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AREAS: [Rect; 4] = [
+        Rect::new(0, 0, 50, 20),
+        Rect::new(7, 3, 51, 21),
+        Rect::new(2, 1, 1, 1),
+        Rect::new(0, 0, 0, 0),
+    ];
+
+    #[test]
+    fn there_and_back_again() {
+        for area in AREAS {
+            for view in [
+                View::new(area, dvec2(0.1, -0.2), 0.004),
+                View::fit(area, dvec2(-0.37, -0.37), dvec2(0.37, 0.37)),
+                View::stretch(area, dvec2(0.0, 0.0), dvec2(90.0, 1.0)),
+                View::new(area, DVec2::ZERO, f64::NAN),
+            ] {
+                let world = dvec2(0.123, -0.045);
+                assert!((view.to_world(view.to_cell(world)) - world).length() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn a_fitted_world_is_wholly_inside() {
+        for area in [AREAS[0], AREAS[1]] {
+            let view = View::fit(area, dvec2(-0.3, 0.5), dvec2(0.7, -0.1));
+            for corner in [dvec2(-0.3, 0.5), dvec2(0.7, -0.1)] {
+                let cell = view.to_cell(corner) - top_left(area);
+                assert!(cell.min_element() > -1e-9, "{cell}");
+                assert!(cell.x < f64::from(area.width) + 1e-9, "{cell}");
+                assert!(cell.y < f64::from(area.height) + 1e-9, "{cell}");
+            }
+            assert!((view.per_row() - 2.0 * view.per_column()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_plot_reaches_the_corner_cells() {
+        let view = View::stretch(AREAS[1], dvec2(0.0, 0.0), dvec2(90.0, 1.0));
+        assert_eq!(view.cell_at(dvec2(0.0, 0.0)), Some((7, 23)));
+        assert_eq!(view.cell_at(dvec2(90.0, 1.0)), Some((57, 3)));
+        assert_eq!(view.cell_at(dvec2(95.0, 1.0)), None);
+        assert_eq!(view.world_at(7, 23), DVec2::ZERO);
+    }
+}

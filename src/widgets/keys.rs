@@ -1,0 +1,79 @@
+//! The line at the bottom that names the keys.
+
+use ratatui::text::{Line, Span};
+use unicode_width::UnicodeWidthStr;
+
+use super::{Charset, Role, Theme};
+
+/// The keys of a screen in one line: each hint is a key and what it does. Hints
+/// that no longer fit into `width` are left out whole, so give the needed ones
+/// first; the last one (help, as a rule) always stays if there is room for any.
+///
+/// ```
+/// use carrom::widgets::{Charset, Theme, keys::key_line};
+/// let hints = [("Space", "again"), (". ,", "step"), ("?", "help")];
+/// let line = key_line(&hints, 80, Charset::Ascii, &Theme::default());
+/// assert_eq!(line.to_string(), " Space again  . , step  ? help");
+/// ```
+#[must_use]
+pub fn key_line(
+    hints: &[(&str, &str)],
+    width: u16,
+    charset: Charset,
+    theme: &Theme,
+) -> Line<'static> {
+    let written: Vec<(String, String)> = hints
+        .iter()
+        .map(|(key, does)| {
+            let key = match (charset, *key) {
+                // One key each: "->" would read as two.
+                (Charset::Ascii, "←→") => "<>".to_owned(),
+                (Charset::Ascii, "↑↓") => "^v".to_owned(),
+                _ => charset.text(key).into_owned(),
+            };
+            (key, charset.text(does).into_owned())
+        })
+        .collect();
+    let size = |(key, does): &(String, String)| key.width() + does.width() + 3;
+    let mut room = usize::from(width);
+    let mut line = Line::default();
+    let last = written.last().map_or(0, size);
+    let count = written.len();
+    for (i, hint) in written.into_iter().enumerate() {
+        let kept_for_last = if i + 1 < count { last } else { 0 };
+        let needed = size(&hint);
+        // The first hint stands one space off the edge, the others two apart.
+        if needed.saturating_sub(1) + kept_for_last > room {
+            continue;
+        }
+        room = room.saturating_sub(needed);
+        let gap = if line.spans.is_empty() { " " } else { "  " };
+        let (key, does) = hint;
+        line.push_span(Span::raw(gap));
+        line.push_span(Span::styled(key, theme.style(Role::Key)));
+        line.push_span(Span::raw(" "));
+        line.push_span(Span::styled(does, theme.style(Role::Dim)));
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hints_are_whole_or_absent_and_help_stays() {
+        let hints = [("Space", "shoot"), ("←→", "offset"), ("?", "help")];
+        for charset in [Charset::Ascii, Charset::Unicode] {
+            for width in 0..60u16 {
+                let line = key_line(&hints, width, charset, &Theme::default());
+                assert!(line.width() <= usize::from(width), "{width}");
+                let text = line.to_string();
+                for (key, does) in [("Space", "shoot"), ("?", "help")] {
+                    assert_eq!(text.contains(key), text.contains(&format!("{key} {does}")));
+                }
+                assert_eq!(text.contains("? help"), width >= 7, "{width} {text}");
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Colours as numbers, and how they come down to what a terminal has.
+
+use ratatui::style::Color;
+
+/// A colour in sRGB.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Rgb(u8, u8, u8);
+
+impl Rgb {
+    /// From the usual 0xRRGGBB.
+    pub(super) const fn hex(code: u32) -> Self {
+        Self((code >> 16) as u8, (code >> 8) as u8, code as u8)
+    }
+
+    /// This colour with the share `amount` (0 to 1) of `other` in it.
+    pub(super) fn mixed(self, other: Self, amount: f64) -> Self {
+        let mix = |a: u8, b: u8| {
+            (f64::from(a) + (f64::from(b) - f64::from(a)) * amount.clamp(0.0, 1.0)).round() as u8
+        };
+        Self(
+            mix(self.0, other.0),
+            mix(self.1, other.1),
+            mix(self.2, other.2),
+        )
+    }
+
+    /// Relative luminance, 0 (black) to 1 (white), by the Web Content
+    /// Accessibility Guidelines 2.1.
+    pub(super) fn luminance(self) -> f64 {
+        let linear = |channel: u8| {
+            let c = f64::from(channel) / 255.0;
+            if c <= 0.040_45 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        };
+        0.2126 * linear(self.0) + 0.7152 * linear(self.1) + 0.0722 * linear(self.2)
+    }
+
+    /// Black or white, whichever is easier to read upon this colour.
+    pub(super) fn ink(self) -> Self {
+        // Where both contrasts are equal: √(1.05 × 0.05) − 0.05.
+        if self.luminance() > 0.179 {
+            Self::hex(0x000000)
+        } else {
+            Self::hex(0xffffff)
+        }
+    }
+
+    /// The nearest of the 240 fixed indexed colours.
+    pub(super) fn indexed(self) -> u8 {
+        const STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
+        let step = |channel: u8| {
+            (0u8..6)
+                .min_by_key(|&i| STEPS[usize::from(i)].abs_diff(channel))
+                .unwrap_or(0)
+        };
+        let (r, g, b) = (step(self.0), step(self.1), step(self.2));
+        let at = |i: u8| STEPS[usize::from(i)];
+        let cube = (Self(at(r), at(g), at(b)), 16 + 36 * r + 6 * g + b);
+        let mean = (u16::from(self.0) + u16::from(self.1) + u16::from(self.2)) / 3;
+        let grey_step = (mean.saturating_sub(3) / 10).min(23) as u8;
+        let level = 8 + 10 * grey_step;
+        let grey = (Self(level, level, level), 232 + grey_step);
+        if self.distance(grey.0) < self.distance(cube.0) {
+            grey.1
+        } else {
+            cube.1
+        }
+    }
+
+    fn distance(self, other: Self) -> u32 {
+        let square = |a: u8, b: u8| u32::from(a.abs_diff(b)).pow(2);
+        square(self.0, other.0) + square(self.1, other.1) + square(self.2, other.2)
+    }
+}
+
+impl From<Rgb> for Color {
+    fn from(Rgb(r, g, b): Rgb) -> Self {
+        Self::Rgb(r, g, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fixed_colours_keep_their_own_index() {
+        for (code, index) in [
+            (0x000000, 16),
+            (0xffffff, 231),
+            (0xff0000, 196),
+            (0x5f87af, 67),
+            (0x080808, 232),
+            (0xeeeeee, 255),
+        ] {
+            assert_eq!(Rgb::hex(code).indexed(), index, "{code:06x}");
+        }
+    }
+}

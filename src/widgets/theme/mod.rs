@@ -1,0 +1,269 @@
+//! What everything on screen is coloured like.
+//!
+//! A picture names what a thing *is*, its [`Role`]; the [`Theme`] alone knows how
+//! that looks, in the player's [`Palette`] and with the colours the terminal has
+//! ([`Depth`]). The colours are built on Okabe and Ito's set ("Color Universal
+//! Design", 2008), which all kinds of colour vision tell apart, and never carry a
+//! meaning alone: a letter, a dash or a weight always says the same.
+//!
+//! The eye should find the hit first, so contrast falls from the two discs and
+//! their departures, over the line of impact and the arcs, to board and frames.
+
+mod colour;
+mod role;
+
+use ratatui::style::{Color, Modifier, Style};
+
+use colour::Rgb;
+pub use role::Role;
+
+/// Which set of colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Palette {
+    /// Light on dark: a terminal at a desk.
+    #[default]
+    Dark,
+    /// Dark on light, with deeper colours: a projector in a bright room.
+    Light,
+    /// No colour: bold, dim, reverse and underline only.
+    Mono,
+}
+
+impl Palette {
+    /// All palettes, in the order a player steps through them.
+    pub const ALL: [Self; 3] = [Self::Dark, Self::Light, Self::Mono];
+
+    /// The next palette, round and round.
+    #[must_use]
+    pub const fn next(self) -> Self {
+        match self {
+            Self::Dark => Self::Light,
+            Self::Light => Self::Mono,
+            Self::Mono => Self::Dark,
+        }
+    }
+
+    /// The name a player reads in the settings.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dark => "dark",
+            Self::Light => "light",
+            Self::Mono => "mono",
+        }
+    }
+}
+
+/// How many colours the terminal has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Depth {
+    /// None: whatever the palette, the screen is monochrome.
+    None,
+    /// The sixteen named colours.
+    Ansi16,
+    /// The 256 indexed colours: a 6 × 6 × 6 cube and a ramp of greys.
+    Indexed256,
+    /// Any colour, 24 bits.
+    #[default]
+    True,
+}
+
+/// A palette at a colour depth: the style of every [`Role`].
+///
+/// ```
+/// use carrom::widgets::{Depth, Palette, Role, Theme};
+/// let theme = Theme::new(Palette::Dark, Depth::Ansi16);
+/// assert_ne!(theme.style(Role::StrikerOut), theme.style(Role::CoinOut));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Theme {
+    /// The set of colours.
+    pub palette: Palette,
+    /// The colours there are.
+    pub depth: Depth,
+}
+
+impl Theme {
+    /// A theme of `palette` for a terminal with `depth` colours.
+    #[must_use]
+    pub const fn new(palette: Palette, depth: Depth) -> Self {
+        Self { palette, depth }
+    }
+
+    /// Whether no colour is used at all.
+    #[must_use]
+    pub fn is_mono(self) -> bool {
+        self.palette == Palette::Mono || self.depth == Depth::None
+    }
+
+    /// The style of plain text on the background: what a screen is cleared with.
+    #[must_use]
+    pub fn base(self) -> Style {
+        if self.is_mono() {
+            return Style::new();
+        }
+        Style::new()
+            .fg(self.colour(Role::Text))
+            .bg(self.colour(Role::Background))
+    }
+
+    /// How a thing of this role looks: its colour and its weight. The background
+    /// is left as it is.
+    #[must_use]
+    pub fn style(self, role: Role) -> Style {
+        if self.is_mono() {
+            return Style::new().add_modifier(role.mono_modifier());
+        }
+        let style = Style::new()
+            .fg(self.colour(role))
+            .add_modifier(role.modifier());
+        if role == Role::Selected {
+            style
+                .fg(self.colour(Role::Background))
+                .bg(self.colour(Role::Selected))
+        } else {
+            style
+        }
+    }
+
+    /// [`Theme::style`], faded towards the background: 0 is fresh, 1 nearly gone.
+    /// Outside 0 to 1 the nearer end counts.
+    #[must_use]
+    pub fn faded(self, role: Role, age: f64) -> Style {
+        let age = if age > 0.0 { age.min(1.0) } else { 0.0 };
+        if age < 1.0 / 64.0 {
+            return self.style(role);
+        }
+        if self.is_mono() {
+            let weight = if age > 0.4 {
+                Modifier::DIM
+            } else {
+                Modifier::empty()
+            };
+            return Style::new().add_modifier(weight);
+        }
+        if self.depth == Depth::Ansi16 {
+            return self.style(if age > 0.5 { Role::Dim } else { role });
+        }
+        // Even the oldest stroke keeps a quarter of its colour: faint, not lost.
+        let mixed = self.rgb(role).mixed(self.rgb(Role::Background), age * 0.75);
+        Style::new().fg(self.reduced(mixed))
+    }
+
+    /// The style of a cell wholly covered by a disc of this role.
+    #[must_use]
+    pub fn fill(self, role: Role) -> Style {
+        if self.is_mono() {
+            return Style::new();
+        }
+        let colour = self.colour(role);
+        Style::new().fg(colour).bg(colour)
+    }
+
+    /// The style of a letter or a line that lies upon a disc of this role.
+    #[must_use]
+    pub fn on(self, role: Role) -> Style {
+        if self.is_mono() {
+            return Style::new().add_modifier(Modifier::REVERSED);
+        }
+        let ink = if self.depth == Depth::Ansi16 {
+            role.ansi_ink(self.palette)
+        } else {
+            self.reduced(self.rgb(role).ink())
+        };
+        Style::new().fg(ink).bg(self.colour(role))
+    }
+
+    /// The bare colour of a role; [`Color::Reset`] in monochrome.
+    #[must_use]
+    pub fn colour(self, role: Role) -> Color {
+        if self.is_mono() {
+            Color::Reset
+        } else if self.depth == Depth::Ansi16 {
+            role.ansi(self.palette)
+        } else {
+            self.reduced(self.rgb(role))
+        }
+    }
+
+    fn rgb(self, role: Role) -> Rgb {
+        role.rgb(self.palette)
+    }
+
+    fn reduced(self, rgb: Rgb) -> Color {
+        if self.depth == Depth::Indexed256 {
+            Color::Indexed(rgb.indexed())
+        } else {
+            rgb.into()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Contrast as the Web Content Accessibility Guidelines 2.1 define it.
+    fn contrast(a: Rgb, b: Rgb) -> f64 {
+        let (a, b) = (a.luminance(), b.luminance());
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn contrast_falls_from_the_hit_to_the_frame() {
+        for palette in [Palette::Dark, Palette::Light] {
+            let of = |role: Role| contrast(role.rgb(palette), Role::Background.rgb(palette));
+            for strong in [Role::StrikerOut, Role::CoinOut, Role::Incoming, Role::Text] {
+                assert!(of(strong) >= 4.5, "{palette:?} {strong:?} {}", of(strong));
+                for middle in [Role::LineOfImpact, Role::Arc] {
+                    assert!(of(strong) > of(middle), "{palette:?} {strong:?} {middle:?}");
+                }
+            }
+            for middle in [Role::LineOfImpact, Role::Arc, Role::Dim] {
+                assert!(of(middle) >= 3.0, "{palette:?} {middle:?} {}", of(middle));
+                for weak in [Role::BoardLine, Role::Border] {
+                    assert!(of(middle) > of(weak), "{palette:?} {middle:?} {weak:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn letters_on_discs_are_legible() {
+        for palette in [Palette::Dark, Palette::Light] {
+            for role in Role::ALL {
+                let fill = role.rgb(palette);
+                assert!(contrast(fill, fill.ink()) >= 4.5, "{palette:?} {role:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn without_colour_no_style_has_any() {
+        for theme in [
+            Theme::new(Palette::Mono, Depth::True),
+            Theme::new(Palette::Dark, Depth::None),
+        ] {
+            for role in Role::ALL {
+                for style in [
+                    theme.base(),
+                    theme.style(role),
+                    theme.faded(role, 0.7),
+                    theme.fill(role),
+                    theme.on(role),
+                ] {
+                    assert_eq!((style.fg, style.bg), (None, None), "{role:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fading_ends_before_the_stroke_is_lost() {
+        let theme = Theme::default();
+        assert_eq!(theme.faded(Role::Trail, f64::NAN), theme.style(Role::Trail));
+        let oldest = theme.faded(Role::Striker, 1.0);
+        assert_eq!(oldest, theme.faded(Role::Striker, 9.0));
+        assert_ne!(oldest.fg, Some(theme.colour(Role::Background)));
+    }
+}
