@@ -2,17 +2,13 @@
 
 use glam::DVec2;
 
-use super::{
-    cell::Glyph,
-    pen::{Dash, Pen},
-    sheet::Sheet,
-};
+use super::{cell::Glyph, pen::Pen, sheet::Sheet};
 use crate::widgets::Charset;
 
 /// Length of a head in columns; a shorter arrow has a shorter head.
-const HEAD_LENGTH: f64 = 2.2;
+const HEAD_LENGTH: f64 = 3.0;
 /// Half the width of a head, as a share of its length.
-const HEAD_SLIMNESS: f64 = 0.42;
+const HEAD_SLIMNESS: f64 = 0.45;
 
 impl Sheet {
     /// An arrow from one point to another, with its tip exactly at `to` (in ASCII:
@@ -61,13 +57,8 @@ impl Sheet {
         let stroke = self.stroke_mut();
         stroke.piece(tail, base, pen);
         stroke.triangle([tip, base + side, base - side]);
-        stroke.end(
-            tip,
-            Pen {
-                dash: Dash::Solid,
-                ..pen
-            },
-        );
+        // Near the tip the triangle is finer than a dot: its axis goes on.
+        stroke.piece(base, tip, Pen::new(pen.role));
         self.commit(pen);
     }
 

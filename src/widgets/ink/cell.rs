@@ -49,9 +49,9 @@ impl Cell {
         self.ink == 0 && self.cover == 0 && self.glyph.is_none()
     }
 
-    /// Whether a disc covers at least half of the cell.
-    pub(super) fn is_covered(&self) -> bool {
-        self.cover.count_ones() >= 32
+    /// Whether the edge of a disc is plain to see in this cell.
+    pub(super) fn has_edge(&self) -> bool {
+        (8..64).contains(&self.cover.count_ones())
     }
 
     /// The topmost layer that has been drawn on here.

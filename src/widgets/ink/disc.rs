@@ -9,8 +9,14 @@ use super::{
 };
 use crate::widgets::{Charset, Role};
 
-/// A disc less than this many rows high is drawn as a token.
-const TOKEN_ROWS: f64 = 3.0;
+/// A disc less than this many rows high is drawn as a token: blocks are finer
+/// than letters, so they stay round for longer.
+const fn token_rows(charset: Charset) -> f64 {
+    match charset {
+        Charset::Ascii => 3.0,
+        Charset::Unicode => 1.4,
+    }
+}
 
 impl Sheet {
     /// A disc with a letter in its middle (a space for none): filled in Unicode, a
@@ -20,7 +26,7 @@ impl Sheet {
         if radius.is_nan() || radius <= 0.0 {
             return;
         }
-        if 2.0 * radius / self.view().per_row() < TOKEN_ROWS {
+        if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
             self.stamp(centre, token(role, self.charset), role, false);
             return;
         }

@@ -69,7 +69,11 @@ impl Sheet {
 
     /// A line through many points. It breaks at points that are not finite.
     pub fn polyline(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
-        let pen = pen.into();
+        self.through(points, pen.into(), true);
+    }
+
+    /// A line through many points; an open one has its last point too.
+    fn through(&mut self, points: impl IntoIterator<Item = DVec2>, pen: Pen, open: bool) {
         let mut last: Option<DVec2> = None;
         for point in points {
             let here = self.paper(point);
@@ -78,15 +82,25 @@ impl Sheet {
             }
             last = Some(here);
         }
-        if let Some(last) = last {
+        if let Some(last) = last
+            && open
+        {
             self.stroke.end(last, pen);
         }
+        self.commit(pen);
+    }
+
+    /// A dot.
+    pub fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
+        let (at, pen) = (self.paper(at), pen.into());
+        self.stroke.end(at, pen);
         self.commit(pen);
     }
 
     /// Part of a circle, from one angle to another (radians, anticlockwise from
     /// +x; to < from goes clockwise). A whole turn or more is a circle.
     pub fn arc(&mut self, centre: DVec2, radius: f64, from: f64, to: f64, pen: impl Into<Pen>) {
+        let pen = pen.into();
         let turn = (to - from).clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
         let reach = radius.abs() / self.view.per_column();
         if !(turn.is_finite() && reach.is_finite()) {
@@ -101,7 +115,7 @@ impl Sheet {
             arm = step.rotate(arm);
             point
         });
-        self.polyline(points, pen);
+        self.through(points, pen, turn.abs() < std::f64::consts::TAU);
     }
 
     /// A circle.
@@ -171,13 +185,11 @@ impl Sheet {
         }
         match self.charset {
             Charset::Ascii => (ascii::nearest(cell.ink), stroke),
-            Charset::Unicode if cell.ink != 0 => {
-                if cell.is_covered() {
-                    (braille(cell.ink), theme.on(cell.disc))
-                } else {
-                    (braille(cell.ink), stroke)
-                }
+            Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
+                (braille(cell.ink), theme.on(cell.disc))
             }
+            // At a disc's edge the disc stays round and the stroke pauses.
+            Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
             Charset::Unicode => self.disc_look(cell, theme),
         }
     }

@@ -42,7 +42,7 @@ impl Rgb {
     pub(super) fn ink(self) -> Self {
         // Where both contrasts are equal: √(1.05 × 0.05) − 0.05.
         if self.luminance() > 0.179 {
-            Self::hex(0x0c0f14)
+            Self::hex(0x000000)
         } else {
             Self::hex(0xffffff)
         }
