@@ -61,7 +61,7 @@ fn it_follows_the_window() {
         pty.resize(columns, rows);
         pty.wait_until("the keys in the last row", |screen| {
             let last = screen.lines().nth(usize::from(rows) - 1);
-            last.is_some_and(|line| line.ends_with("? help"))
+            last.is_some_and(|line| line.trim_end().ends_with("? help"))
         });
     }
     pty.resize(40, 10);
