@@ -4,6 +4,8 @@
 //! `tests/bad-levels/NAME.expected` is the message for `NAME.toml`, or for the
 //! folder `NAME`.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,5 +1,7 @@
 //! `carrom simulate` plays scenes whose outcome the closed forms give.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::io::Write;
 use std::process::{Command, Stdio};
 
