@@ -7,7 +7,7 @@ mod man;
 mod options;
 mod play;
 mod simulate;
-pub mod solve;
+mod solve;
 mod tape;
 
 use std::ffi::OsString;
@@ -21,8 +21,6 @@ pub use options::Options;
 
 use crate::app::App;
 use crate::screens::Place;
-use crate::shells::terminal;
-use crate::widgets::Charset;
 use options::Look;
 
 /// A terminal game that teaches glancing collisions.
@@ -55,7 +53,7 @@ Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
 enum Command {
     #[command(flatten)]
     Open(Screen),
-    Solve(solve::SolveArgs),
+    Solve(solve::Args),
     Simulate(simulate::Args),
     Level(level::Args),
     Tape(tape::Args),
@@ -106,40 +104,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     match &cli.command {
         None => play::run(&cli.options, Place::Home),
         Some(Command::Open(screen)) => play::run(&cli.options, screen.place()),
-        Some(Command::Solve(args)) => solve_command(args, &cli.options),
+        Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Level(args)) => level::run(args),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
-    }
-}
-
-/// How a command ended when it could do its work at all.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// Everything was done: exit code 0.
-    Done,
-    /// Some of the work failed: exit code 1.
-    Failed,
-}
-
-impl From<Status> for ExitCode {
-    fn from(status: Status) -> Self {
-        match status {
-            Status::Done => Self::SUCCESS,
-            Status::Failed => Self::from(1),
-        }
-    }
-}
-
-fn solve_command(args: &solve::SolveArgs, options: &Options) -> Result<ExitCode, Failure> {
-    let unicode =
-        options.charset(terminal::charset(|name| std::env::var(name).ok())) == Charset::Unicode;
-    match solve::run(args, unicode, io::stdin().lock(), io::stdout().lock()) {
-        Ok(status) => Ok(status.into()),
-        Err(solve::SolveError::Argument(fault)) => Err(Failure::Input(fault.into())),
-        Err(error) => Err(error.into()),
     }
 }
 
@@ -185,7 +155,7 @@ fn print(bytes: &[u8]) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::widgets::Depth;
+    use crate::widgets::{Charset, Depth};
 
     #[test]
     fn the_command_line_is_consistent() {

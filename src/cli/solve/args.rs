@@ -1,6 +1,8 @@
 //! The options of `carrom solve`, and the problem they describe.
 
 use super::problem::{Fault, Problem};
+use crate::physics::Collision;
+use crate::physics::worked::Given;
 
 /// Work out one collision, or many with --batch.
 #[derive(Debug, Clone, clap::Args)]
@@ -9,7 +11,7 @@ use super::problem::{Fault, Problem};
                   motion as the target sees it to the line of centres, positive when the target \
                   lies to the right."
 )]
-pub struct SolveArgs {
+pub(in crate::cli) struct Args {
     /// Mass of the striker in grams
     #[arg(
         long,
@@ -17,7 +19,7 @@ pub struct SolveArgs {
         default_value_t = 15.0,
         allow_negative_numbers = true
     )]
-    pub m1_g: f64,
+    m1_g: f64,
 
     /// Mass of the target in grams
     #[arg(
@@ -26,7 +28,7 @@ pub struct SolveArgs {
         default_value_t = 15.0,
         allow_negative_numbers = true
     )]
-    pub m2_g: f64,
+    m2_g: f64,
 
     /// Speed of the striker in m/s, along +x
     #[arg(
@@ -35,7 +37,7 @@ pub struct SolveArgs {
         default_value_t = 4.0,
         allow_negative_numbers = true
     )]
-    pub speed: f64,
+    speed: f64,
 
     /// Impact angle in degrees, -90 to 90
     #[arg(
@@ -44,7 +46,7 @@ pub struct SolveArgs {
         allow_negative_numbers = true,
         required_unless_present_any = ["offset_mm", "batch"]
     )]
-    pub alpha_deg: Option<f64>,
+    alpha_deg: Option<f64>,
 
     /// Offset of the target's centre to the right of the striker's path in mm,
     /// instead of the impact angle
@@ -55,15 +57,15 @@ pub struct SolveArgs {
         conflicts_with = "alpha_deg",
         requires_all = ["r1_mm", "r2_mm"]
     )]
-    pub offset_mm: Option<f64>,
+    offset_mm: Option<f64>,
 
     /// Radius of the striker in mm
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
-    pub r1_mm: Option<f64>,
+    r1_mm: Option<f64>,
 
     /// Radius of the target in mm
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
-    pub r2_mm: Option<f64>,
+    r2_mm: Option<f64>,
 
     /// Velocity of the target in m/s, as X,Y
     #[arg(
@@ -73,7 +75,7 @@ pub struct SolveArgs {
         value_parser = pair,
         allow_hyphen_values = true
     )]
-    pub u2: [f64; 2],
+    u2: [f64; 2],
 
     /// Coefficient of restitution, 0 to 1
     #[arg(
@@ -82,15 +84,15 @@ pub struct SolveArgs {
         default_value_t = 1.0,
         allow_negative_numbers = true
     )]
-    pub restitution: f64,
+    restitution: f64,
 
     /// The discs stick where they touch and go on as one
     #[arg(long)]
-    pub stick: bool,
+    stick: bool,
 
     /// Print one JSON object instead of the worked solution
     #[arg(long)]
-    pub json: bool,
+    pub(super) json: bool,
 
     /// Read problems from standard input as JSON Lines and answer one line each
     #[arg(
@@ -104,12 +106,13 @@ pub struct SolveArgs {
             "restitution", "stick"
         ]
     )]
-    pub batch: bool,
+    pub(super) batch: bool,
 }
 
-impl SolveArgs {
-    pub(super) fn problem(&self) -> Problem {
-        Problem {
+impl Args {
+    /// The collision that is asked for, and which way it was given.
+    pub(super) fn collision(&self) -> Result<(Collision, Given), Fault> {
+        let problem = Problem {
             m1_g: Some(self.m1_g),
             m2_g: Some(self.m2_g),
             u1: Some([self.speed, 0.0]),
@@ -120,12 +123,13 @@ impl SolveArgs {
             r2_mm: self.r2_mm,
             restitution: Some(self.restitution),
             stick: Some(self.stick),
-        }
+        };
+        problem.collision().map_err(as_option)
     }
 }
 
 /// A fault of a field as a fault of the option that set it.
-pub(super) fn as_option(fault: Fault) -> Fault {
+fn as_option(fault: Fault) -> Fault {
     let option = match fault.field.as_str() {
         "u1" => "speed".to_owned(),
         field => field.replace('_', "-"),

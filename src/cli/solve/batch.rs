@@ -2,13 +2,13 @@
 
 use std::fmt::Display;
 use std::io::{self, BufRead, Write};
+use std::process::ExitCode;
 
 use serde::Serialize;
 
 use super::answer::Answer;
 use super::lines::{LONGEST, Line, Lines};
 use super::problem::Problem;
-use crate::cli::Status;
 
 /// The longest error message, in characters: noise is not echoed at length.
 const LONGEST_MESSAGE: usize = 200;
@@ -21,10 +21,10 @@ struct Refusal<'a> {
 }
 
 /// Answers every line of `input` that is not blank. A bad line is refused and the
-/// run goes on, to end with [`Status::Failed`].
-pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<Status> {
+/// run goes on, to end with exit status 1.
+pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<ExitCode> {
     let mut lines = Lines::new(input);
-    let mut status = Status::Done;
+    let mut status = ExitCode::SUCCESS;
     let mut number = 0;
     while let Some(line) = lines.next(|| out.flush())? {
         number += 1;
@@ -36,7 +36,7 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<Statu
         match answer {
             Ok(answer) => answer.write_line(out)?,
             Err(error) => {
-                status = Status::Failed;
+                status = ExitCode::FAILURE;
                 let refusal = Refusal {
                     line: number,
                     error: &error,

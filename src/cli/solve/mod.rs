@@ -9,60 +9,53 @@ mod problem;
 mod record;
 mod text;
 
-use std::io::{self, BufRead, BufWriter, Write};
+use std::env;
+use std::io::{self, BufWriter, Write};
+use std::process::ExitCode;
 
-use crate::cli::Status;
+use anyhow::Context;
+
+use super::{Failure, Options};
 use crate::physics::worked;
+use crate::shells::terminal;
+use crate::widgets::Charset;
 use answer::Answer;
-pub use args::SolveArgs;
-pub use problem::Fault;
+pub(super) use args::Args;
 
-/// Why nothing could be solved.
-#[derive(Debug, thiserror::Error)]
-pub enum SolveError {
-    /// An argument is out of range or contradicts another: exit code 2.
-    #[error(transparent)]
-    Argument(#[from] Fault),
-    /// Input could not be read or output not written: exit code 1.
-    #[error("cannot read the problems or write the answers: {0}")]
-    Io(#[from] io::Error),
-}
+/// Room for some hundreds of answers.
+const BUFFER: usize = 1 << 16;
 
-/// Solves what the arguments say, writing to `out`; `input` is read only by
-/// `--batch`, and formulas are spelt in ASCII unless `unicode`.
-///
-/// A reader that hangs up (as `head` does) ends the work quietly.
-///
-/// # Errors
-///
-/// [`SolveError::Argument`] names the argument at fault and what was expected;
-/// [`SolveError::Io`] is a failure to read or write. A bad line of a batch is no
-/// error: it is answered as such, and the run ends with [`Status::Failed`].
-pub fn run(
-    args: &SolveArgs,
-    unicode: bool,
-    input: impl BufRead,
-    out: impl Write,
-) -> Result<Status, SolveError> {
-    let mut out = BufWriter::with_capacity(1 << 16, out);
-    let solved = if args.batch {
-        batch::run(input, &mut out).map_err(SolveError::Io)
+/// Solves what the arguments say. A reader that hangs up, as `head` does, ends the
+/// work quietly; a bad line of a batch is answered as such and counts as failed work.
+pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+    let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
+    let written = if args.batch {
+        batch::run(io::stdin().lock(), &mut out)
     } else {
-        one(args, unicode, &mut out)
+        let text = one(args, options)?;
+        out.write_all(&text).map(|()| ExitCode::SUCCESS)
     };
-    match solved.and_then(|status| Ok(out.flush().map(|()| status)?)) {
-        Err(SolveError::Io(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(Status::Done),
-        ended => ended,
+    match written.and_then(|status| out.flush().map(|()| status)) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+            // What is left over has nowhere to go.
+            let _ = out.into_parts();
+            Ok(ExitCode::SUCCESS)
+        }
+        written => Ok(written.context("cannot read the problems or write the answers")?),
     }
 }
 
-fn one(args: &SolveArgs, unicode: bool, out: &mut impl Write) -> Result<Status, SolveError> {
-    let (collision, given) = args.problem().collision().map_err(args::as_option)?;
+/// The one problem of the arguments, answered.
+fn one(args: &Args, options: &Options) -> Result<Vec<u8>, Failure> {
+    let (collision, given) = args
+        .collision()
+        .map_err(|fault| Failure::Input(fault.into()))?;
     if args.json {
-        Answer::of(&collision).write_line(out)?;
-    } else {
-        let steps = worked::steps(&collision, given);
-        out.write_all(text::render(&steps, unicode).as_bytes())?;
+        let mut line = Vec::new();
+        Answer::of(&collision).write_line(&mut line)?;
+        return Ok(line);
     }
-    Ok(Status::Done)
+    let auto = terminal::charset(|name| env::var(name).ok());
+    let unicode = options.charset(auto) == Charset::Unicode;
+    Ok(text::render(&worked::steps(&collision, given), unicode).into_bytes())
 }

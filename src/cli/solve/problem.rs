@@ -27,26 +27,26 @@ const RADIUS_MM: f64 = 15.9;
 /// A field that is missing, out of range or out of place.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{field}: {message}")]
-pub struct Fault {
+pub(super) struct Fault {
     /// The field or option at fault.
-    pub field: String,
+    pub(super) field: String,
     /// What was expected, and what was found.
-    pub message: String,
+    pub(super) message: String,
 }
 
 /// A collision as it is asked; what is `None` was not said.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Problem {
-    pub m1_g: Option<f64>,
-    pub m2_g: Option<f64>,
-    pub u1: Option<[f64; 2]>,
-    pub u2: Option<[f64; 2]>,
-    pub alpha_deg: Option<f64>,
-    pub offset_mm: Option<f64>,
-    pub r1_mm: Option<f64>,
-    pub r2_mm: Option<f64>,
-    pub restitution: Option<f64>,
-    pub stick: Option<bool>,
+    pub(super) m1_g: Option<f64>,
+    pub(super) m2_g: Option<f64>,
+    pub(super) u1: Option<[f64; 2]>,
+    pub(super) u2: Option<[f64; 2]>,
+    pub(super) alpha_deg: Option<f64>,
+    pub(super) offset_mm: Option<f64>,
+    pub(super) r1_mm: Option<f64>,
+    pub(super) r2_mm: Option<f64>,
+    pub(super) restitution: Option<f64>,
+    pub(super) stick: Option<bool>,
 }
 
 impl Problem {

@@ -2,7 +2,7 @@
 //!
 //! The steps are data: a title, the reason for the step and the lines of working with
 //! the numbers filled in. Whoever shows them chooses the layout, and spells them with
-//! [`ascii`] where the screen knows no other signs. In the working, masses are in g,
+//! [`ascii()`] where the screen knows no other signs. In the working, masses are in g,
 //! lengths in mm and speeds in m/s.
 
 mod ascii;
@@ -267,4 +267,51 @@ fn grams(mass: f64) -> String {
 
 fn mm(length: f64) -> String {
     number(mm_from_m(length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::Disc;
+    use proptest::prelude::*;
+
+    fn whole_text(steps: &[Step]) -> String {
+        let part = |s: &Step| format!("{}\n{}\n{}\n", s.title, s.why, s.lines.join("\n"));
+        steps.iter().map(part).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Of any collision, down to dust and up to rocks, at rest or not, missing or
+        /// not: no number that is none, and no sign that ASCII could not spell.
+        #[test]
+        fn every_solution_can_be_read(
+            masses in (-15.0..9.0_f64, -15.0..9.0_f64),
+            radii in (-3.0..3.0_f64, -3.0..3.0_f64),
+            velocities in prop::array::uniform4(prop_oneof![Just(0.0), -1e9..1e9_f64, -1e-200..1e-200_f64]),
+            share in prop_oneof![Just(0.0), Just(1.0), -1.5..1.5_f64],
+            restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
+            stick in any::<bool>(),
+            given in prop_oneof![Just(Given::Angle), Just(Given::Offset)],
+        ) {
+            let disc = |mass: f64, radius: f64| Disc {
+                mass: 10.0_f64.powf(mass),
+                radius: 10.0_f64.powf(radius),
+            };
+            let [a, b, c, d] = velocities;
+            let hit = Collision {
+                u2: DVec2::new(c, d),
+                restitution,
+                bond: if stick { Bond::Stick } else { Bond::Slip },
+                ..Collision::at_offset(disc(masses.0, radii.0), disc(masses.1, radii.1), DVec2::new(a, b), 0.0)
+            };
+            let offset = share * hit.reach();
+            let text = whole_text(&steps(&Collision { offset, ..hit }, given));
+            for never in ["NaN", "inf"] {
+                prop_assert!(!text.contains(never), "{}", text);
+            }
+            prop_assert!(!ascii(&text.replace('?', "")).contains('?'), "{}", text);
+        }
+    }
 }
