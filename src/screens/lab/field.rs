@@ -8,6 +8,8 @@ use crate::physics::Bond;
 pub enum Field {
     /// Impact parameter b.
     Offset,
+    /// Impact angle α: the same as the offset, said by the line of impact.
+    ImpactAngle,
     /// Direction of the striker.
     Aim,
     /// Speed of the striker.
@@ -41,8 +43,9 @@ struct Scale {
 
 impl Field {
     /// All settings, in the order of the panel.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Offset,
+        Self::ImpactAngle,
         Self::Aim,
         Self::Speed,
         Self::Restitution,
@@ -67,6 +70,7 @@ impl Field {
         let widest = setup.reach_mm() * 1.25;
         match self {
             Self::Offset => scale("offset b", "mm", 1, (-widest, widest), 0.5),
+            Self::ImpactAngle => scale("impact angle", "°", 1, (-90.0, 90.0), 1.0),
             Self::Aim => scale("aim", "°", 0, (-180.0, 180.0), 5.0),
             Self::Speed => scale("speed", "m/s", 2, (0.1, 20.0), 0.25),
             Self::Restitution => scale("restitution e", "", 2, (0.0, 1.0), 0.05),
@@ -85,10 +89,15 @@ impl Field {
         self.scale(setup).name
     }
 
-    /// Its value in the units of the screen; slip is 0 and stick is 1.
+    /// Its value in the units of the screen; slip is 0 and stick is 1, and the impact
+    /// angle of a miss is that of the graze it comes nearest to.
     pub fn value(self, setup: &Setup) -> f64 {
         match self {
             Self::Offset => setup.offset_mm,
+            Self::ImpactAngle => (setup.offset_mm / setup.reach_mm())
+                .clamp(-1.0, 1.0)
+                .asin()
+                .to_degrees(),
             Self::Aim => setup.aim_deg,
             Self::Speed => setup.speed,
             Self::Restitution => setup.restitution,
@@ -111,9 +120,11 @@ impl Field {
             };
             return word.into();
         }
+        if self == Self::ImpactAngle && setup.offset_mm.abs() > setup.reach_mm() {
+            return "a miss".into();
+        }
         let scale = self.scale(setup);
         let value = self.value(setup);
-        // A mass keeps the decimals it needs: 5.5 g, but 15 g.
         let number = format!("{value:.*}", scale.decimals);
         match scale.unit {
             "" => number,
@@ -133,6 +144,9 @@ impl Field {
         };
         match self {
             Self::Offset => setup.offset_mm = value,
+            Self::ImpactAngle => {
+                setup.offset_mm = setup.reach_mm() * value.to_radians().sin();
+            }
             Self::Aim => setup.aim_deg = value,
             Self::Speed => setup.speed = value,
             Self::Restitution => setup.restitution = value,

@@ -51,18 +51,17 @@ pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Contex
     lines.paragraph(next, Role::Key);
 }
 
-/// b/(r₁+r₂) and α, or that they miss.
+/// b/(r₁+r₂), and that they miss if they do.
 fn geometry(lab: &Lab, lines: &mut Lines) {
-    let collision = lab.setup.collision();
     let ratio = lab.setup.offset_mm.abs() / lab.setup.reach_mm();
     lines.pair("b / (r₁+r₂)", &format!("{ratio:.3}"), Role::Dim, Role::Text);
-    match collision.alpha() {
-        Some(alpha) => {
-            let alpha = format!("{:.1}°", alpha.to_degrees().abs());
-            lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
-        }
-        None if ratio > 1.0 => lines.line("more than 1: they will miss", Role::Warn),
-        None => lines.line("they move alike: no hit", Role::Warn),
+    if lab.setup.collision().normal().is_none() {
+        let why = if ratio > 1.0 {
+            "more than 1: they will miss"
+        } else {
+            "they move alike: no hit"
+        };
+        lines.line(why, Role::Warn);
     }
 }
 
@@ -144,8 +143,8 @@ pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, 
     lines.paragraph(&text, Role::Text);
 }
 
-/// Rows that [`given`] takes.
-const GIVEN_ROWS: u16 = 3;
+/// Rows that [`given`] takes at most.
+const GIVEN_ROWS: u16 = 4;
 /// Rows that [`answers`] takes at most.
 const ANSWER_ROWS: u16 = 5;
 
@@ -154,6 +153,12 @@ fn given(lab: &Lab, lines: &mut Lines) {
     lines.pair(
         "offset b",
         &Field::Offset.shown(&lab.setup),
+        Role::Dim,
+        Role::Text,
+    );
+    lines.pair(
+        "impact angle",
+        &Field::ImpactAngle.shown(&lab.setup),
         Role::Dim,
         Role::Text,
     );
