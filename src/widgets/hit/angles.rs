@@ -3,7 +3,6 @@
 use glam::DVec2;
 
 use super::stage::Stage;
-use crate::widgets::Role;
 use crate::widgets::ink::{Pen, Sheet};
 
 /// Radius of an arc, in radii of its disc.
@@ -13,7 +12,13 @@ const SQUARE: f64 = 1e-9;
 
 /// The arc from the striker's direction to `v`, round the centre of `body`, with
 /// the line it is measured from. Gives the middle of the arc, for its label.
-pub(super) fn arc(sheet: &mut Sheet, stage: &Stage, body: usize, v: DVec2) -> Option<DVec2> {
+pub(super) fn arc(
+    sheet: &mut Sheet,
+    stage: &Stage,
+    body: usize,
+    v: DVec2,
+    pen: Pen,
+) -> Option<DVec2> {
     let heading = stage.heading();
     let direction = v.try_normalize()?;
     let turn = heading.angle_to(direction);
@@ -26,22 +31,19 @@ pub(super) fn arc(sheet: &mut Sheet, stage: &Stage, body: usize, v: DVec2) -> Op
     sheet.line(
         centre + stage.radius(body) * heading,
         centre + 1.25 * radius * heading,
-        Pen::new(Role::Arc).dotted(),
+        pen.dotted(),
     );
-    sheet.arc(centre, radius, start, start + turn, Role::Arc);
+    sheet.arc(centre, radius, start, start + turn, pen);
     Some(centre + radius * DVec2::from_angle(start + turn / 2.0))
 }
 
 /// The square corner between two departures, at the striker's centre: both lines
 /// pass through it, the one along the tangent, the other along the line of impact.
-pub(super) fn square_corner(sheet: &mut Sheet, stage: &Stage, v1: DVec2, v2: DVec2) -> bool {
-    let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize()) else {
-        return false;
-    };
-    if a.dot(b).abs() > SQUARE {
-        return false;
+pub(super) fn square_corner(sheet: &mut Sheet, stage: &Stage, v1: DVec2, v2: DVec2, pen: Pen) {
+    if let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize())
+        && a.dot(b).abs() <= SQUARE
+    {
+        let size = 0.42 * stage.radius(0);
+        sheet.square_corner(stage.centres[0], a, b, size, pen);
     }
-    let size = 0.42 * stage.radius(0);
-    sheet.square_corner(stage.centres[0], a, b, size, Role::SquareCorner);
-    true
 }

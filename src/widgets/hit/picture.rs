@@ -11,7 +11,7 @@ use super::stage::Stage;
 use super::{angles, inset};
 use crate::physics::{Bond, Frame, Outcome, Shot};
 use crate::quiz::{Ray, Rays};
-use crate::widgets::ink::{Pen, Sheet, Side};
+use crate::widgets::ink::{self, Pen, Sheet, Side};
 use crate::widgets::{Look, Role};
 
 /// What a moment of a hit is drawn from.
@@ -43,6 +43,16 @@ impl Moment<'_> {
             }
         };
         position - self.drift() * (time - self.contact)
+    }
+
+    /// A pen for the geometry of the contact: over the discs while they are there,
+    /// behind them once they have left.
+    fn pen(&self, role: Role) -> Pen {
+        if self.clock.at_contact() {
+            Pen::new(role)
+        } else {
+            Pen::new(role).on(ink::Layer::Trail)
+        }
     }
 
     fn shows(&self, layer: Layer) -> bool {
@@ -140,9 +150,9 @@ impl Moment<'_> {
             self.stage.centres[0] - 1.5 * unit * n,
             self.stage.centres[1] + 1.5 * unit * n,
         ];
-        sheet.line(ends[0], ends[1], Pen::new(Role::LineOfImpact).dashed());
+        sheet.line(ends[0], ends[1], self.pen(Role::LineOfImpact).dashed());
         let top = 1.7 * unit * t;
-        sheet.line(-top, top, Pen::new(Role::TangentLine).dotted());
+        sheet.line(-top, top, self.pen(Role::TangentLine).dotted());
         labels.add("n", ends[0], Side::towards(-n), Role::LineOfImpact);
         labels.add("t", top, Side::towards(t), Role::TangentLine);
     }
@@ -214,14 +224,16 @@ impl Moment<'_> {
     fn angles(&self, sheet: &mut Sheet, labels: &mut Labels, after: [DVec2; 2]) {
         if self.frame == Frame::Laboratory {
             for (body, v) in after.into_iter().enumerate() {
-                if let Some(middle) = angles::arc(sheet, &self.stage, body, v) {
+                if let Some(middle) = angles::arc(sheet, &self.stage, body, v, self.pen(Role::Arc))
+                {
                     let turn = self.stage.heading().angle_to(v).to_degrees();
                     let outwards = middle - self.stage.centres[body];
                     labels.angle(turn.abs(), middle, outwards);
                 }
             }
             if self.stage.collision.u2 == DVec2::ZERO {
-                angles::square_corner(sheet, &self.stage, after[0], after[1]);
+                let pen = self.pen(Role::SquareCorner);
+                angles::square_corner(sheet, &self.stage, after[0], after[1], pen);
             }
         }
     }
