@@ -15,7 +15,7 @@ impl Sheet {
     /// in the cell of `to`). Labels keep off the tip.
     pub fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
-        let (tail, tip) = self.snapped(self.paper(from), self.paper(to));
+        let (tail, tip) = self.snapped(self.paper(from), self.paper(to), pen);
         let along = tip - tail;
         if !(along.is_finite() && along.length() > 1e-9) {
             return;

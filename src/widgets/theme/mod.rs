@@ -174,6 +174,16 @@ impl Theme {
         Style::new().fg(ink).bg(self.colour(role))
     }
 
+    /// [`Theme::on`] for what should not outshine the disc: geometry drawn over it.
+    #[must_use]
+    pub fn faintly_on(self, role: Role) -> Style {
+        if self.is_mono() || self.depth == Depth::Ansi16 {
+            return self.on(role);
+        }
+        let disc = self.rgb(role);
+        self.on(role).fg(self.reduced(disc.ink().mixed(disc, 0.35)))
+    }
+
     /// The bare colour of a role; [`Color::Reset`] in monochrome.
     #[must_use]
     pub fn colour(self, role: Role) -> Color {
