@@ -115,7 +115,7 @@ impl Sheet {
 fn eighths(from: f64, to: f64, column: f64) -> u8 {
     let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
     let (low, high) = (edge(from), edge(to));
-    ((1u32 << high) - 1 & !((1u32 << low) - 1)) as u8
+    (((1u32 << high) - 1) & !((1u32 << low) - 1)) as u8
 }
 
 /// What a disc too small to be round looks like.
@@ -130,16 +130,5 @@ pub const fn token(role: Role, charset: Charset) -> &'static str {
         (Role::Black, Charset::Unicode) => "●",
         (Role::Marble, Charset::Unicode) => "◆",
         (_, Charset::Unicode) => "○",
-    }
-}
-
-/// The inside of a disc where there is no colour to tell it by.
-pub(super) const fn texture(role: Role) -> char {
-    match role {
-        Role::Striker => '█',
-        Role::Black => ' ',
-        Role::Queen => '▓',
-        Role::Marble => '░',
-        _ => '▒',
     }
 }

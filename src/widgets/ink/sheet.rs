@@ -1,7 +1,10 @@
 //! The sheet a picture is drawn on.
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
+use ratatui::{
+    buffer::Buffer,
+    style::{Modifier, Style},
+};
 
 use super::{
     cell::Cell,
@@ -168,7 +171,7 @@ impl Sheet {
     }
 
     /// What a cell looks like in the end.
-    fn look(&self, cell: &Cell, theme: &Theme) -> (char, ratatui::style::Style) {
+    fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         if let Some(glyph) = cell.glyph {
             let upon = glyph.upon && self.charset == Charset::Unicode;
             let style = if upon {
@@ -181,10 +184,11 @@ impl Sheet {
         let pen = cell.pen;
         let mut stroke = theme.faded(pen.role, pen.age);
         if pen.bold {
-            stroke = stroke.add_modifier(ratatui::style::Modifier::BOLD);
+            stroke = stroke.add_modifier(Modifier::BOLD);
         }
         match self.charset {
-            Charset::Ascii => (ascii::nearest(cell.ink), stroke),
+            Charset::Ascii if cell.ink != 0 => (ascii::nearest(cell.ink), stroke),
+            Charset::Ascii => (' ', Style::new()),
             Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
                 let upon = if pen.layer < Layer::Vector {
                     theme.faintly_on(cell.disc)
@@ -199,11 +203,11 @@ impl Sheet {
         }
     }
 
-    fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, ratatui::style::Style) {
+    fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let mono = theme.is_mono();
         if cell.cover == u64::MAX {
-            let symbol = if mono {
-                super::disc::texture(cell.disc)
+            let symbol = if theme.is_hollow(cell.disc) {
+                ' '
             } else {
                 '█'
             };
@@ -220,7 +224,7 @@ impl Sheet {
         } else {
             (disc, rest)
         };
-        (block.symbol, ratatui::style::Style::new().fg(ink).bg(paper))
+        (block.symbol, Style::new().fg(ink).bg(paper))
     }
 
     /// A point of the world on paper.

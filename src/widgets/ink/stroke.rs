@@ -120,7 +120,7 @@ impl Stroke {
             || match pen.dash {
                 Dash::Solid => true,
                 Dash::Dashed => place % 7 < 4,
-                Dash::Dotted => place % 3 == 0,
+                Dash::Dotted => place.is_multiple_of(3),
             };
         if !inked {
             return;
@@ -128,7 +128,7 @@ impl Stroke {
         // Where a curve turns from level to steep it can jump a sample.
         if let Some(last) = self.last
             && pen.dash == Dash::Solid
-            && (at.floor() - last.floor()).abs().max_element() == 2.0
+            && (1.5..2.5).contains(&(at.floor() - last.floor()).abs().max_element())
         {
             self.mark((at + last) / 2.0);
         }

@@ -96,6 +96,13 @@ impl Theme {
         self.palette == Palette::Mono || self.depth == Depth::None
     }
 
+    /// Whether a disc of this role is but a rim: black coins where there is no
+    /// colour to tell them from white ones.
+    #[must_use]
+    pub fn is_hollow(self, role: Role) -> bool {
+        self.is_mono() && role == Role::Black
+    }
+
     /// The style of plain text on the background: what a screen is cleared with.
     #[must_use]
     pub fn base(self) -> Style {
@@ -163,6 +170,9 @@ impl Theme {
     /// The style of a letter or a line that lies upon a disc of this role.
     #[must_use]
     pub fn on(self, role: Role) -> Style {
+        if self.is_hollow(role) {
+            return Style::new();
+        }
         if self.is_mono() {
             return Style::new().add_modifier(Modifier::REVERSED);
         }
