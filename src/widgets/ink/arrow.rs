@@ -7,6 +7,8 @@ use crate::widgets::Charset;
 
 /// Length of a head in columns; a shorter arrow has a shorter head.
 const HEAD_LENGTH: f64 = 3.0;
+/// The same for a bold arrow.
+const BOLD_HEAD_LENGTH: f64 = 4.0;
 /// Half the width of a head, as a share of its length.
 const HEAD_SLIMNESS: f64 = 0.45;
 
@@ -15,7 +17,7 @@ impl Sheet {
     /// in the cell of `to`). Labels keep off the tip.
     pub fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
-        let (tail, tip) = self.snapped(self.paper(from), self.paper(to));
+        let (tail, tip) = self.snapped(self.paper(from), self.paper(to), pen);
         let along = tip - tail;
         if !(along.is_finite() && along.length() > 1e-9) {
             return;
@@ -51,7 +53,12 @@ impl Sheet {
     fn filled_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {
         let length = (tip - tail).length();
         let forward = (tip - tail) / length;
-        let head = HEAD_LENGTH.min(length);
+        let full = if pen.bold {
+            BOLD_HEAD_LENGTH
+        } else {
+            HEAD_LENGTH
+        };
+        let head = full.min(length);
         let base = tip - forward * head;
         let side = forward.perp() * head * HEAD_SLIMNESS;
         let stroke = self.stroke_mut();

@@ -1,6 +1,6 @@
 //! Discs: filled, or a rim with a letter, or a token where they are small.
 
-use glam::DVec2;
+use glam::{DVec2, dvec2};
 
 use super::{
     cell::Glyph,
@@ -17,6 +17,9 @@ const fn token_rows(charset: Charset) -> f64 {
         Charset::Unicode => 1.4,
     }
 }
+
+/// A disc of a smaller radius, in columns, is put where it looks round.
+const SMALL: f64 = 3.0;
 
 impl Sheet {
     /// A disc with a letter in its middle (a space for none): filled in Unicode, a
@@ -45,8 +48,13 @@ impl Sheet {
 
     /// Covers the cells under a disc, span by span.
     fn cover(&mut self, centre: DVec2, radius: f64, role: Role) {
-        let centre = self.paper(centre);
+        let mut centre = self.paper(centre);
         let radius = radius / self.view().per_column();
+        if radius < SMALL {
+            // On halves of cells it is as round to the left as to the right.
+            let half = dvec2(0.5, 1.0);
+            centre = (centre / half).round() * half;
+        }
         if !(centre.is_finite() && radius.is_finite()) {
             return;
         }
@@ -83,7 +91,7 @@ impl Sheet {
     fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
         let centre = self.paper(centre);
         let width = text.chars().count() as f64;
-        let mut at = DVec2::new(
+        let mut at = dvec2(
             centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor(),
             centre.y,
         );
@@ -107,7 +115,7 @@ impl Sheet {
 fn eighths(from: f64, to: f64, column: f64) -> u8 {
     let edge = |at: f64| ((at - column) * 8.0 + 0.5).floor().clamp(0.0, 8.0) as u32;
     let (low, high) = (edge(from), edge(to));
-    ((1u32 << high) - 1 & !((1u32 << low) - 1)) as u8
+    (((1u32 << high) - 1) & !((1u32 << low) - 1)) as u8
 }
 
 /// What a disc too small to be round looks like.
@@ -122,16 +130,5 @@ pub const fn token(role: Role, charset: Charset) -> &'static str {
         (Role::Black, Charset::Unicode) => "●",
         (Role::Marble, Charset::Unicode) => "◆",
         (_, Charset::Unicode) => "○",
-    }
-}
-
-/// The inside of a disc where there is no colour to tell it by.
-pub(super) const fn texture(role: Role) -> char {
-    match role {
-        Role::Striker => '█',
-        Role::Black => ' ',
-        Role::Queen => '▓',
-        Role::Marble => '░',
-        _ => '▒',
     }
 }

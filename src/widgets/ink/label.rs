@@ -90,6 +90,11 @@ pub(super) struct Label {
 }
 
 impl Label {
+    #[cfg(test)]
+    pub(super) fn place(&self) -> Rect {
+        self.place
+    }
+
     pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
         let inside = self.place.intersection(buffer.area);
         if inside != self.place {
@@ -117,8 +122,8 @@ impl Sheet {
     pub fn label(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
         let text = self.charset.text(text).into_owned();
         let cell = self.view().to_cell(anchor);
-        let reach = f64::from(u16::MAX);
-        if text.is_empty() || !(cell.abs().max_element() < reach) {
+        let within_reach = cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX);
+        if text.is_empty() || !within_reach {
             return false;
         }
         let area = self.view().area();
@@ -166,7 +171,7 @@ impl Sheet {
             && (x..x + width).all(|column| {
                 let index = usize::try_from(y * columns + column).ok();
                 let cell = index.and_then(|index| self.cells.get(index));
-                cell.is_some_and(|cell| !cell.reserved && cell.layer() <= over)
+                cell.is_some_and(|cell| !cell.reserved && cell.cover == 0 && cell.layer() <= over)
             })
     }
 }

@@ -33,6 +33,8 @@ mod label;
 mod pen;
 mod sheet;
 mod stroke;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use disc::token;

@@ -1,14 +1,17 @@
 //! The sheet a picture is drawn on.
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
+use ratatui::{
+    buffer::Buffer,
+    style::{Modifier, Style},
+};
 
 use super::{
     cell::Cell,
     glyphs::{ascii, block, braille},
     grid,
     label::Label,
-    pen::{Dash, Pen},
+    pen::{Dash, Layer, Pen},
     stroke::Stroke,
     view::View,
 };
@@ -57,11 +60,11 @@ impl Sheet {
         self.charset
     }
 
-    /// A straight line. In ASCII, a level or upright one goes through the middles
-    /// of its cells, so that it looks the same wherever it lies.
+    /// A straight line. A level or upright one is shifted into the middles of its
+    /// cells (in Unicode: of its dots), so that it looks the same wherever it lies.
     pub fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
-        let (from, to) = self.snapped(self.paper(from), self.paper(to));
+        let (from, to) = self.snapped(self.paper(from), self.paper(to), pen);
         self.stroke.piece(from, to, pen);
         self.stroke.end(to, pen);
         self.commit(pen);
@@ -168,7 +171,7 @@ impl Sheet {
     }
 
     /// What a cell looks like in the end.
-    fn look(&self, cell: &Cell, theme: &Theme) -> (char, ratatui::style::Style) {
+    fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         if let Some(glyph) = cell.glyph {
             let upon = glyph.upon && self.charset == Charset::Unicode;
             let style = if upon {
@@ -181,12 +184,18 @@ impl Sheet {
         let pen = cell.pen;
         let mut stroke = theme.faded(pen.role, pen.age);
         if pen.bold {
-            stroke = stroke.add_modifier(ratatui::style::Modifier::BOLD);
+            stroke = stroke.add_modifier(Modifier::BOLD);
         }
         match self.charset {
-            Charset::Ascii => (ascii::nearest(cell.ink), stroke),
+            Charset::Ascii if cell.ink != 0 => (ascii::nearest(cell.ink), stroke),
+            Charset::Ascii => (' ', Style::new()),
             Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
-                (braille(cell.ink), theme.on(cell.disc))
+                let upon = if pen.layer < Layer::Vector {
+                    theme.faintly_on(cell.disc)
+                } else {
+                    theme.on(cell.disc)
+                };
+                (braille(cell.ink), upon)
             }
             // At a disc's edge the disc stays round and the stroke pauses.
             Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
@@ -194,11 +203,11 @@ impl Sheet {
         }
     }
 
-    fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, ratatui::style::Style) {
+    fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let mono = theme.is_mono();
         if cell.cover == u64::MAX {
-            let symbol = if mono {
-                super::disc::texture(cell.disc)
+            let symbol = if theme.is_hollow(cell.disc) {
+                ' '
             } else {
                 '█'
             };
@@ -215,7 +224,7 @@ impl Sheet {
         } else {
             (disc, rest)
         };
-        (block.symbol, ratatui::style::Style::new().fg(ink).bg(paper))
+        (block.symbol, Style::new().fg(ink).bg(paper))
     }
 
     /// A point of the world on paper.
@@ -238,18 +247,27 @@ impl Sheet {
             .get_mut(row as usize * usize::from(area.width) + column as usize)
     }
 
-    /// The ends of a line on paper, put into the middles of the cells where it is
-    /// level or upright and the charset has but one place for it in a cell.
-    pub(super) fn snapped(&self, mut from: DVec2, mut to: DVec2) -> (DVec2, DVec2) {
-        if self.charset == Charset::Ascii {
-            let along = (to - from).abs();
-            if along.y < 0.2 && along.x >= 1.0 {
-                let middle = 2.0 * ((from.y + to.y) / 4.0 + 1e-9).floor() + 1.0;
-                (from.y, to.y) = (middle, middle);
-            } else if along.x < 0.2 && along.y >= 1.0 {
-                let middle = ((from.x + to.x) / 2.0 + 1e-9).floor() + 0.5;
-                (from.x, to.x) = (middle, middle);
-            }
+    /// The ends of a line on paper, shifted to where the samples are if it is level
+    /// or upright: into the middles of the cells in ASCII, else onto the dots.
+    pub(super) fn snapped(&self, mut from: DVec2, mut to: DVec2, pen: Pen) -> (DVec2, DVec2) {
+        let step = match self.charset {
+            Charset::Ascii => dvec2(1.0, 2.0),
+            Charset::Unicode => dvec2(0.5, 0.5),
+        };
+        // A bold line runs between two dots.
+        let shift = if pen.bold && self.charset == Charset::Unicode {
+            0.0
+        } else {
+            0.5
+        };
+        let snap = |at: f64, step: f64| ((at / step - shift).round() + shift) * step;
+        let along = (to - from).abs();
+        if along.y < 0.2 && along.x >= 1.0 {
+            let middle = snap((from.y + to.y) / 2.0, step.y);
+            (from.y, to.y) = (middle, middle);
+        } else if along.x < 0.2 && along.y >= 1.0 {
+            let middle = snap((from.x + to.x) / 2.0, step.x);
+            (from.x, to.x) = (middle, middle);
         }
         (from, to)
     }

@@ -21,6 +21,8 @@ pub(super) struct Stroke {
     touched: Vec<usize>,
     /// How many samples along the stroke is, whether inked or in a gap.
     length: usize,
+    /// The place last marked, in samples.
+    last: Option<DVec2>,
 }
 
 impl Stroke {
@@ -31,12 +33,14 @@ impl Stroke {
             samples: vec![0; size.0 * size.1],
             touched: Vec::new(),
             length: 0,
+            last: None,
         }
     }
 
     /// Ends the stroke: takes out its cells and their samples, in order.
     pub(super) fn take(&mut self, mut each: impl FnMut(usize, usize, u16)) {
         self.length = 0;
+        self.last = None;
         for (order, index) in self.touched.drain(..).enumerate() {
             if let Some(samples) = self.samples.get_mut(index) {
                 each(order, index, std::mem::take(samples));
@@ -116,11 +120,19 @@ impl Stroke {
             || match pen.dash {
                 Dash::Solid => true,
                 Dash::Dashed => place % 7 < 4,
-                Dash::Dotted => place % 3 == 0,
+                Dash::Dotted => place.is_multiple_of(3),
             };
         if !inked {
             return;
         }
+        // Where a curve turns from level to steep it can jump a sample.
+        if let Some(last) = self.last
+            && pen.dash == Dash::Solid
+            && (1.5..2.5).contains(&(at.floor() - last.floor()).abs().max_element())
+        {
+            self.mark((at + last) / 2.0);
+        }
+        self.last = Some(at);
         if pen.bold && !self.is_ascii() {
             self.mark(at - half);
             self.mark(at + half);

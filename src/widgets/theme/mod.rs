@@ -96,6 +96,13 @@ impl Theme {
         self.palette == Palette::Mono || self.depth == Depth::None
     }
 
+    /// Whether a disc of this role is but a rim: black coins where there is no
+    /// colour to tell them from white ones.
+    #[must_use]
+    pub fn is_hollow(self, role: Role) -> bool {
+        self.is_mono() && role == Role::Black
+    }
+
     /// The style of plain text on the background: what a screen is cleared with.
     #[must_use]
     pub fn base(self) -> Style {
@@ -163,6 +170,9 @@ impl Theme {
     /// The style of a letter or a line that lies upon a disc of this role.
     #[must_use]
     pub fn on(self, role: Role) -> Style {
+        if self.is_hollow(role) {
+            return Style::new();
+        }
         if self.is_mono() {
             return Style::new().add_modifier(Modifier::REVERSED);
         }
@@ -172,6 +182,16 @@ impl Theme {
             self.reduced(self.rgb(role).ink())
         };
         Style::new().fg(ink).bg(self.colour(role))
+    }
+
+    /// [`Theme::on`] for what should not outshine the disc: geometry drawn over it.
+    #[must_use]
+    pub fn faintly_on(self, role: Role) -> Style {
+        if self.is_mono() || self.depth == Depth::Ansi16 {
+            return self.on(role);
+        }
+        let disc = self.rgb(role);
+        self.on(role).fg(self.reduced(disc.ink().mixed(disc, 0.35)))
     }
 
     /// The bare colour of a role; [`Color::Reset`] in monochrome.

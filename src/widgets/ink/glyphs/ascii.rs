@@ -92,12 +92,44 @@ const BLUR: f32 = 0.5;
 /// How much ink a sample has that a stroke goes through.
 const FULL: f32 = 0.4;
 
+/// The nearest glyph to every mask.
+///
+/// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first
+/// term is the same for all glyphs and d·g is a sum over the samples of the mask,
+/// so it is put together from a sum over its low half and one over its high half.
 static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
-    let inks = blurred_inks();
-    (0..1 << SAMPLES)
-        .map(|mask| nearest_by_search(mask, &inks))
+    let weights = INK.map(|(_, ink)| weights(&ink));
+    let sizes = INK.map(|(_, ink)| blurred(&ink).iter().map(|ink| ink * ink).sum::<f32>());
+    let sums = |first: usize, count: usize| -> Vec<[f32; GLYPHS]> {
+        let sum = |mask: usize, weights: &[f32; SAMPLES]| {
+            (0..count)
+                .filter(|bit| mask >> bit & 1 == 1)
+                .map(|bit| weights[first + bit])
+                .sum()
+        };
+        (0..1 << count)
+            .map(|mask| std::array::from_fn(|glyph| sum(mask, &weights[glyph])))
+            .collect()
+    };
+    let (low, high) = (sums(0, LOW), sums(LOW, SAMPLES - LOW));
+    let best = |low: &[f32; GLYPHS], high: &[f32; GLYPHS]| {
+        let mut best = (b' ', f32::INFINITY);
+        for (glyph, (symbol, _)) in INK.iter().enumerate() {
+            let distance = sizes[glyph] - 2.0 * (low[glyph] + high[glyph]);
+            if distance < best.1 {
+                best = (*symbol, distance);
+            }
+        }
+        best.0
+    };
+    high.iter()
+        .flat_map(|high| low.iter().map(|low| best(low, high)))
         .collect()
 });
+
+const GLYPHS: usize = INK.len();
+/// How many samples make the low half of a mask.
+const LOW: usize = 8;
 
 /// The glyph nearest to a mask of samples (bit 0 is the top left one).
 pub(in super::super) fn nearest(mask: u16) -> char {
@@ -106,22 +138,14 @@ pub(in super::super) fn nearest(mask: u16) -> char {
         .map_or(' ', |&glyph| char::from(glyph))
 }
 
-fn blurred_inks() -> Vec<(u8, [f32; SAMPLES])> {
-    INK.iter()
-        .map(|&(glyph, ink)| (glyph, blurred(&ink)))
-        .collect()
-}
-
-fn nearest_by_search(mask: u16, inks: &[(u8, [f32; SAMPLES])]) -> u8 {
-    let drawn = std::array::from_fn(|i| if mask >> i & 1 == 1 { FULL } else { 0.0 });
-    let drawn = blurred(&drawn);
-    inks.iter()
-        .map(|(glyph, ink)| {
-            let off: f32 = ink.iter().zip(&drawn).map(|(a, b)| (a - b).powi(2)).sum();
-            (*glyph, off)
-        })
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map_or(b' ', |(glyph, _)| glyph)
+/// How much each sample of a drawing has in common with a glyph.
+fn weights(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
+    let ink = blurred(ink);
+    std::array::from_fn(|sample| {
+        let mut alone = [0.0; SAMPLES];
+        alone[sample] = FULL;
+        blurred(&alone).iter().zip(&ink).map(|(a, b)| a * b).sum()
+    })
 }
 
 fn blurred(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
@@ -143,4 +167,48 @@ fn blurred(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
         }
         sum
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_agrees_with_a_search() {
+        for mask in 0..1u16 << SAMPLES {
+            let drawn = std::array::from_fn(|i| if mask >> i & 1 == 1 { FULL } else { 0.0 });
+            let drawn = blurred(&drawn);
+            let distance = |ink: &[f32; SAMPLES]| -> f32 {
+                let ink = blurred(ink);
+                ink.iter().zip(&drawn).map(|(a, b)| (a - b).powi(2)).sum()
+            };
+            let found = nearest(mask);
+            let of_found = INK.iter().find(|(glyph, _)| char::from(*glyph) == found);
+            let of_found = of_found.map(|(_, ink)| distance(ink));
+            let least = INK.iter().map(|(_, ink)| distance(ink)).reduce(f32::min);
+            let (Some(of_found), Some(least)) = (of_found, least) else {
+                panic!("{found} is not one of the glyphs");
+            };
+            assert!(of_found <= least + 1e-4, "{mask:015b} {found}");
+        }
+    }
+
+    #[test]
+    fn plain_shapes_have_their_plain_glyphs() {
+        for (rows, glyph) in [
+            (["...", "...", "...", "...", "..."], ' '),
+            (["...", "...", "###", "...", "..."], '-'),
+            (["...", "...", "...", "...", "###"], '_'),
+            ([".#.", ".#.", ".#.", ".#.", ".#."], '|'),
+            (["..#", "..#", ".#.", "#..", "#.."], '/'),
+            (["#..", "#..", ".#.", "..#", "..#"], '\\'),
+            (["...", "###", "...", "...", "..."], '"'),
+            (["...", "...", "...", ".#.", "..."], '.'),
+        ] {
+            let drawn = rows.concat();
+            let samples = drawn.bytes().enumerate().filter(|(_, ink)| *ink == b'#');
+            let mask = samples.fold(0, |mask, (sample, _)| mask | 1 << sample);
+            assert_eq!(nearest(mask), glyph, "{rows:?}");
+        }
+    }
 }

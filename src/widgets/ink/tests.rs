@@ -1,0 +1,350 @@
+//! The painter as a whole: what comes out is where geometry says it must be.
+
+use std::f64::consts::TAU;
+
+use glam::{DVec2, dvec2};
+use ratatui::{buffer::Buffer, layout::Rect};
+
+use super::{Pen, Sheet, Side, View};
+use crate::widgets::{Charset, Role, Theme};
+
+const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
+const AREA: Rect = Rect::new(2, 1, 60, 30);
+
+/// A sheet on which one metre is one column and the origin is in the middle.
+fn sheet(charset: Charset) -> Sheet {
+    Sheet::new(View::new(AREA, DVec2::ZERO, 1.0), charset)
+}
+
+fn drawn(sheet: &Sheet) -> Buffer {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, 64, 32));
+    sheet.draw(&mut buffer, &Theme::default());
+    buffer
+}
+
+fn is_blank(symbol: &str) -> bool {
+    matches!(symbol, " " | "\u{2800}")
+}
+
+/// The cells that show something, as (column, row).
+fn inked(buffer: &Buffer) -> Vec<(u16, u16)> {
+    buffer
+        .area
+        .positions()
+        .filter(|&at| !is_blank(buffer[at].symbol()))
+        .map(|at| (at.x, at.y))
+        .collect()
+}
+
+#[test]
+fn a_circle_is_round() {
+    for charset in CHARSETS {
+        for radius in [4.0, 6.3, 8.5, 10.0, 13.2] {
+            let mut sheet = sheet(charset);
+            sheet.circle(DVec2::ZERO, radius, Role::Arc);
+            let (columns, rows) = super::grid(charset);
+            // The extents of the samples, in columns of paper, to either side.
+            let mut low = DVec2::MAX;
+            let mut high = DVec2::MIN;
+            for (index, cell) in sheet.cells.iter().enumerate() {
+                for sample in (0..columns * rows).filter(|sample| cell.ink >> sample & 1 == 1) {
+                    let x =
+                        (index % 60) as f64 + ((sample % columns) as f64 + 0.5) / columns as f64;
+                    let y = (index / 60) as f64 + ((sample / columns) as f64 + 0.5) / rows as f64;
+                    low = low.min(dvec2(x, y * 2.0));
+                    high = high.max(dvec2(x, y * 2.0));
+                }
+            }
+            let centre = sheet.paper(DVec2::ZERO);
+            for extent in [centre - low, high - centre] {
+                let off = (extent - DVec2::splat(radius)).abs().max_element();
+                assert!(off <= 0.5, "{charset:?} {radius} {extent}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_circle_has_no_gap() {
+    for radius in [3.0, 5.5, 8.0, 10.0, 12.7] {
+        let mut sheet = sheet(Charset::Unicode);
+        sheet.circle(dvec2(0.2, 0.1), radius, Role::Arc);
+        let dot = |x: i32, y: i32| {
+            let index = (y / 4 * 60 + x / 2) as usize;
+            sheet.cells[index].ink >> (y % 4 * 2 + x % 2) & 1 == 1
+        };
+        for y in 1..119 {
+            for x in 1..119 {
+                if dot(x, y) {
+                    let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
+                    let neighbours = around.filter(|(dx, dy)| dot(x + dx, y + dy)).count() - 1;
+                    assert!(neighbours >= 2, "{radius}: a loose end at {x} {y}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_filled_disc_covers_its_own_area() {
+    for radius in [3.0, 5.0, 8.5, 12.0] {
+        let mut sheet = sheet(Charset::Unicode);
+        sheet.disc(dvec2(0.3, -0.4), radius, Role::Coin, ' ');
+        let covered: u32 = sheet.cells.iter().map(|cell| cell.cover.count_ones()).sum();
+        // A cell is two square columns in 64 parts.
+        let area = f64::from(covered) / 32.0;
+        let exact = TAU / 2.0 * radius * radius;
+        assert!(
+            (area / exact - 1.0).abs() < 0.02,
+            "{radius}: {area} {exact}"
+        );
+    }
+}
+
+#[test]
+fn a_line_reaches_both_its_ends_and_goes_no_further() {
+    for charset in CHARSETS {
+        for turn in 0..32 {
+            let along = DVec2::from_angle(TAU * f64::from(turn) / 32.0) * 11.7;
+            let (from, to) = (along * -0.4 + dvec2(3.0, 1.0), along + dvec2(3.0, 1.0));
+            let mut sheet = sheet(charset);
+            sheet.line(from, to, Role::Aim);
+            let cells = inked(&drawn(&sheet));
+            for end in [from, to] {
+                let cell = sheet.view().to_cell(end);
+                let nearest = cells.iter().map(|&(x, y)| {
+                    let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                    ((middle - cell) * dvec2(1.0, 2.0)).length()
+                });
+                // At most in the next cell: half its diagonal and half a cell.
+                assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
+            }
+            let (a, b) = (sheet.view().to_cell(from), sheet.view().to_cell(to));
+            for (x, y) in cells {
+                let (low, high) = (a.min(b) - DVec2::ONE, a.max(b) + DVec2::ONE);
+                let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                assert!(middle.cmpge(low).all() && middle.cmple(high).all());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_level_line_looks_the_same_wherever_it_lies() {
+    for tenth in 0..20 {
+        let y = f64::from(tenth) / 10.0 - 7.0;
+        let mut sheet = sheet(Charset::Ascii);
+        sheet.line(dvec2(-20.0, y), dvec2(20.0, y), Role::BoardLine);
+        let buffer = drawn(&sheet);
+        let cells = inked(&buffer);
+        assert!((40..=41).contains(&cells.len()), "{}", cells.len());
+        for at in cells {
+            assert_eq!(buffer[at].symbol(), "-");
+        }
+    }
+}
+
+#[test]
+fn the_tip_of_an_arrow_is_in_its_cell_and_has_a_head() {
+    for charset in CHARSETS {
+        for turn in 0..24 {
+            let angle = TAU * (f64::from(turn) + 0.3) / 24.0;
+            let (from, tip) = (dvec2(0.4, 0.3), DVec2::from_angle(angle) * 10.0);
+            let mut sheet = sheet(charset);
+            sheet.arrow(from, tip, Role::StrikerOut);
+            let buffer = drawn(&sheet);
+            let Some(cell) = sheet.view().cell_at(tip) else {
+                panic!("the tip is outside");
+            };
+            let symbol = buffer[cell].symbol();
+            if charset == Charset::Ascii {
+                let (x, y) = (angle.cos(), angle.sin());
+                let head = match (x.abs() > y.abs(), x > 0.0, y > 0.0) {
+                    (true, true, _) => ">",
+                    (true, false, _) => "<",
+                    (false, _, true) => "^",
+                    (false, _, false) => "v",
+                };
+                assert_eq!(symbol, head, "{turn}");
+            }
+            // Attached: the head is never alone.
+            let beside = inked(&buffer).into_iter().filter(|&(x, y)| {
+                (x, y) != cell && x.abs_diff(cell.0) <= 1 && y.abs_diff(cell.1) <= 1
+            });
+            assert!(beside.count() > 0, "{charset:?} {turn}");
+        }
+    }
+}
+
+#[test]
+fn labels_keep_off_each_other_and_off_what_matters() {
+    for charset in CHARSETS {
+        let mut sheet = sheet(charset);
+        sheet.disc(DVec2::ZERO, 8.0, Role::Striker, 'S');
+        sheet.reserve(dvec2(12.0, 0.0));
+        sheet.arrow(dvec2(0.0, 9.0), dvec2(5.0, 20.0), Role::StrikerOut);
+        let before: Vec<_> = sheet.cells.iter().map(|cell| cell.layer()).collect();
+        let mut placed = 0;
+        for turn in 0..120 {
+            let out = DVec2::from_angle(TAU * f64::from(turn) / 120.0);
+            let text = format!("θ = {turn}°");
+            placed += usize::from(sheet.label(&text, out * 12.0, &Side::towards(out), Role::Arc));
+        }
+        assert!((30..120).contains(&placed), "{placed}");
+        assert_eq!(placed, sheet.labels.len());
+        for (i, label) in sheet.labels.iter().enumerate() {
+            let place = label.place();
+            assert_eq!(place.intersection(AREA), place);
+            for other in &sheet.labels[i + 1..] {
+                assert!(
+                    !place.intersects(other.place()),
+                    "{place} {}",
+                    other.place()
+                );
+            }
+            for at in place.positions() {
+                let index = usize::from(at.y - AREA.y) * 60 + usize::from(at.x - AREA.x);
+                assert!(before[index].is_none() && !sheet.cells[index].reserved);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_label_without_room_is_left_out() {
+    let mut sheet = sheet(Charset::Unicode);
+    assert!(!sheet.label(&"long ".repeat(20), DVec2::ZERO, &Side::ALL, Role::Text));
+    assert!(!sheet.label("far", dvec2(1e9, 0.0), &Side::ALL, Role::Text));
+    assert!(!sheet.label("nowhere", DVec2::NAN, &Side::ALL, Role::Text));
+    assert!(!sheet.label("", DVec2::ZERO, &Side::ALL, Role::Text));
+    assert!(inked(&drawn(&sheet)).is_empty());
+}
+
+#[test]
+fn the_higher_layer_wins_whatever_the_order() {
+    for charset in CHARSETS {
+        let strokes = [(Role::StrikerOut, 0.0), (Role::LineOfImpact, 0.0)];
+        let colours = [strokes, [strokes[1], strokes[0]]].map(|order| {
+            let mut sheet = sheet(charset);
+            for (role, y) in order {
+                sheet.line(dvec2(-9.0, y), dvec2(9.0, y), role);
+            }
+            drawn(&sheet)[(31, 15)].fg
+        });
+        assert_eq!(colours, [Theme::default().colour(Role::StrikerOut); 2]);
+    }
+}
+
+#[test]
+fn a_disc_hides_the_board_below_it_whatever_the_order() {
+    for charset in CHARSETS {
+        let pictures = [true, false].map(|line_first| {
+            let mut sheet = sheet(charset);
+            let line = |sheet: &mut Sheet| {
+                sheet.line(dvec2(-20.0, 3.0), dvec2(20.0, 3.0), Role::BoardLine);
+            };
+            if line_first {
+                line(&mut sheet);
+            }
+            sheet.disc(DVec2::ZERO, 8.0, Role::Coin, 'C');
+            if !line_first {
+                line(&mut sheet);
+            }
+            drawn(&sheet)
+        });
+        assert_eq!(pictures[0], pictures[1]);
+        let inside = pictures[0][(30, 13)].symbol();
+        assert_eq!(
+            inside,
+            if charset == Charset::Ascii {
+                " "
+            } else {
+                "█"
+            }
+        );
+    }
+}
+
+/// A picture with one of everything.
+fn everything(view: View, charset: Charset, size: f64) -> Sheet {
+    let mut sheet = Sheet::new(view, charset);
+    sheet.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);
+    sheet.circle(DVec2::ZERO, size / 3.0, Role::BoardLine);
+    sheet.disc(dvec2(size / 9.0, 0.0), size / 5.0, Role::Striker, 'θ');
+    for (i, role) in [Role::Coin, Role::Black, Role::Queen, Role::Marble]
+        .into_iter()
+        .enumerate()
+    {
+        let at = DVec2::from_angle(i as f64) * size * 0.7;
+        sheet.disc(at, size / 20.0, role, 'C');
+        sheet.line(at, -at, Pen::new(Role::Predicted).dashed());
+        sheet.arrow(at * 0.5, at, Pen::new(Role::CoinOut).bold());
+        sheet.dot(at * 0.9, Pen::new(Role::Trail).aged(0.5));
+        sheet.label("θ₁ = 60°", at, &Side::towards(at), Role::Arc);
+    }
+    sheet.arc(
+        DVec2::ZERO,
+        size / 2.0,
+        0.2,
+        2.2,
+        Pen::new(Role::Arc).dotted(),
+    );
+    sheet.square_corner(
+        DVec2::ZERO,
+        DVec2::X,
+        DVec2::Y,
+        size / 8.0,
+        Role::SquareCorner,
+    );
+    sheet
+}
+
+#[test]
+fn in_ascii_every_cell_is_printable_ascii() {
+    for theme in [
+        Theme::default(),
+        Theme::new(Default::default(), crate::widgets::Depth::None),
+    ] {
+        let view = View::fit(AREA, dvec2(-1.0, -1.0), dvec2(1.0, 1.0));
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 64, 32));
+        everything(view, Charset::Ascii, 1.0).draw(&mut buffer, &theme);
+        for cell in buffer.content() {
+            let symbol = cell.symbol();
+            assert!(
+                symbol.bytes().all(|byte| (b' '..=b'~').contains(&byte)),
+                "{symbol}"
+            );
+        }
+    }
+}
+
+#[test]
+fn no_size_and_no_number_is_too_odd() {
+    let odd = [
+        0.0,
+        1.0,
+        -1.0,
+        1e-300,
+        1e300,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NAN,
+    ];
+    for charset in CHARSETS {
+        for (width, height) in [(0, 0), (1, 1), (0, 9), (3, 1), (300, 100)] {
+            let area = Rect::new(1, 1, width, height);
+            for size in odd {
+                let corner = DVec2::splat(size);
+                for view in [
+                    View::fit(area, -DVec2::ONE, DVec2::ONE),
+                    View::fit(area, -corner, corner),
+                    View::stretch(area, -corner, corner),
+                ] {
+                    // A buffer that is smaller than the sheet is drawn as far as it goes.
+                    let mut buffer = Buffer::empty(Rect::new(0, 0, 40, 20));
+                    everything(view, charset, size).draw(&mut buffer, &Theme::default());
+                }
+            }
+        }
+    }
+}
