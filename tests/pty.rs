@@ -74,6 +74,23 @@ fn it_follows_the_window() {
 }
 
 #[test]
+fn a_key_pressed_while_the_window_changes_is_not_lost() {
+    let mut pty = started(carrom(&[]));
+    for i in 0..100 {
+        pty.resize(80 + i % 2 * 20, 24);
+        pty.press("?");
+        pty.wait_for("help: home");
+        pty.resize(90, 24);
+        pty.press(" ");
+        pty.wait_until("the help page to close", |screen| {
+            !screen.contains("help: home") && screen.contains("carrom : home")
+        });
+    }
+    pty.press("q");
+    assert_eq!(pty.wait(), 0);
+}
+
+#[test]
 fn a_signal_ends_it_and_the_terminal_is_restored() {
     for (signal, status) in [(Signal::TERM, 143), (Signal::INT, 130), (Signal::HUP, 129)] {
         for command in [carrom(&[]), child("animated")] {
