@@ -74,6 +74,23 @@ fn it_follows_the_window() {
 }
 
 #[test]
+fn a_key_pressed_while_the_window_changes_is_not_lost() {
+    let mut pty = started(carrom(&[]));
+    for i in 0..100 {
+        pty.resize(80 + i % 2 * 20, 24);
+        pty.press("?");
+        pty.wait_for("help: home");
+        pty.resize(90, 24);
+        pty.press(" ");
+        pty.wait_until("the help page to close", |screen| {
+            !screen.contains("help: home") && screen.contains("carrom : home")
+        });
+    }
+    pty.press("q");
+    assert_eq!(pty.wait(), 0);
+}
+
+#[test]
 fn a_signal_ends_it_and_the_terminal_is_restored() {
     for (signal, status) in [(Signal::TERM, 143), (Signal::INT, 130), (Signal::HUP, 129)] {
         for command in [carrom(&[]), child("animated")] {
@@ -83,6 +100,28 @@ fn a_signal_ends_it_and_the_terminal_is_restored() {
             pty.assert_restored();
         }
     }
+}
+
+#[test]
+fn it_can_be_ended_in_the_middle_of_a_hit() {
+    let mut pty = started(carrom(&["lab"]));
+    let before = pictures(&pty);
+    // On to the prediction, past both rays, and off.
+    pty.press("\r\r\r");
+    pty.wait_until("the discs to move", |_| pictures(&pty) > before + 10);
+    pty.signal(Signal::TERM);
+    assert_eq!(pty.wait(), 143);
+    pty.assert_restored();
+}
+
+/// How many pictures were drawn.
+fn pictures(pty: &Pty) -> usize {
+    count(pty, "\x1b[?2026h")
+}
+
+/// How often a code was written.
+fn count(pty: &Pty, code: &str) -> usize {
+    String::from_utf8_lossy(&pty.bytes()).matches(code).count()
 }
 
 #[test]
@@ -156,12 +195,6 @@ fn it_can_be_stopped_and_continued() {
     }
     // It is not asked about this one, so it can only put things right afterwards.
     kill_process(process, Signal::STOP).unwrap();
-    let pictures = |pty: &Pty| {
-        let bytes = pty.bytes();
-        String::from_utf8_lossy(&bytes)
-            .matches("\x1b[?2026h")
-            .count()
-    };
     let before = pictures(&pty);
     pty.wait_for("stopped ");
     pty.press("\n");
@@ -194,25 +227,21 @@ fn a_key_to_stop_is_ignored_where_nobody_could_continue_it() {
 #[test]
 fn pictures_are_synchronized_and_at_most_sixty_a_second() {
     let mut pty = started(child("animated"));
-    let count = |pty: &Pty, code: &str| {
-        let bytes = pty.bytes();
-        String::from_utf8_lossy(&bytes).matches(code).count()
-    };
-    let (start, before) = (Instant::now(), count(&pty, "\x1b[?2026h"));
+    let (start, before) = (Instant::now(), pictures(&pty));
     thread::sleep(Duration::from_secs(1));
     // Keys do not make it draw more often.
     (0..200).for_each(|_| pty.press("x"));
     pty.press("q");
     assert_eq!(pty.wait(), 0);
     pty.assert_restored();
-    let drawn = count(&pty, "\x1b[?2026h") - before;
+    let drawn = pictures(&pty) - before;
     let most = start.elapsed().as_secs_f64() / FRAME.as_secs_f64() + 2.0;
     assert!(
         (1.0..most).contains(&(drawn as f64)),
         "{drawn} pictures, at most {most}"
     );
     // The guard ends one more, in case a picture was under way.
-    assert_eq!(count(&pty, "\x1b[?2026h") + 1, count(&pty, "\x1b[?2026l"));
+    assert_eq!(pictures(&pty) + 1, count(&pty, "\x1b[?2026l"));
 }
 
 #[test]
@@ -230,24 +259,23 @@ fn without_colour_bold_and_reverse_survive() {
 #[cfg(target_os = "linux")]
 #[test]
 fn idle_it_takes_no_processor_time() {
-    let mut pty = started(carrom(&[]));
     // The clock ticks a hundred times a second.
     let seconds = |pty: &Pty| {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", pty.pid())).unwrap();
         let (_, after) = stat.rsplit_once(')').unwrap();
         let fields: Vec<_> = after.split_whitespace().collect();
-        let ticks: u32 = [11, 12]
-            .map(|i: usize| fields[i].parse::<u32>().unwrap())
-            .iter()
-            .sum();
-        f64::from(ticks) / 100.0
+        let ticks = [11, 12].map(|i: usize| fields[i].parse::<u32>().unwrap());
+        f64::from(ticks[0] + ticks[1]) / 100.0
     };
-    let before = seconds(&pty);
+    let mut idle = [carrom(&[]), carrom(&["lab"]), carrom(&["levels"])].map(started);
+    let before = idle.each_ref().map(seconds);
     thread::sleep(Duration::from_secs(5));
-    let used = seconds(&pty) - before;
-    assert!(used < 0.02, "{used} s in 5 s of nothing");
-    pty.press("q");
-    assert_eq!(pty.wait(), 0);
+    for (pty, before) in idle.iter_mut().zip(before) {
+        let used = seconds(pty) - before;
+        assert!(used < 0.02, "{used} s in 5 s of nothing");
+        pty.press("\x03");
+        assert_eq!(pty.wait(), 0);
+    }
 }
 
 #[test]

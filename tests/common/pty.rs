@@ -164,7 +164,6 @@ impl Pty {
                 return status.exit_code();
             }
             if start.elapsed() > PATIENCE {
-                let _ = self.child.kill();
                 panic!("still running; the screen shows\n{}", self.screen());
             }
             thread::sleep(Duration::from_millis(2));

@@ -37,12 +37,14 @@ impl Guard {
     }
 
     /// Gives the terminal back until [`Guard::take_again`].
+    #[cfg(unix)]
     pub(super) fn give_back(&self) {
         restore();
     }
 
     /// Takes the terminal again, whatever was done to it in between: a process
     /// stopped from outside had no chance to give it back.
+    #[cfg(unix)]
     pub(super) fn take_again(&self) -> io::Result<()> {
         restore();
         self.enter()

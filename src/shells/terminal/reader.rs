@@ -1,4 +1,4 @@
-//! Reads the keyboard, the mouse and the size of the window.
+//! Reads the keyboard and the mouse.
 
 use std::io;
 use std::sync::mpsc::Sender;
@@ -49,8 +49,10 @@ fn message(event: &Event) -> Option<Message> {
         },
         Event::Mouse(event) => Input::Mouse(mouse(event)?),
         Event::Paste(text) => Input::Paste(text.clone()),
-        Event::Resize(columns, rows) => Input::Resize(*columns, *rows),
-        Event::FocusGained | Event::FocusLost => return None,
+        // Where there are signals, they tell it: crossterm begins to listen for them
+        // only at the first read, and a window can change before that.
+        Event::Resize(columns, rows) if cfg!(windows) => Input::Resize(*columns, *rows),
+        Event::Resize(..) | Event::FocusGained | Event::FocusLost => return None,
     };
     Some(Message::Input(input))
 }

@@ -1,4 +1,5 @@
-//! Signals: those that end carrom, and those that stop it and let it go on.
+//! Signals: those that end carrom, those that stop it and let it go on, and the one
+//! that tells of another size of the window.
 
 use std::io;
 use std::process;
@@ -7,11 +8,12 @@ use std::thread;
 use std::time::Duration;
 
 use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
-use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
 use super::guard;
 use super::message::Message;
+use crate::messages::Input;
 
 /// How long the thread that draws may take to leave.
 const PATIENCE: Duration = Duration::from_millis(300);
@@ -23,12 +25,16 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// window is closed; so whoever is still here after [`PATIENCE`] is ended from
 /// this thread, with the terminal restored.
 pub(super) fn watch(sender: Sender<Message>) -> io::Result<()> {
-    let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT])?;
+    let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {
         for signal in signals.forever() {
             let message = match signal {
                 SIGTSTP => Message::Stop,
                 SIGCONT => Message::Continue,
+                SIGWINCH => match crossterm::terminal::size() {
+                    Ok((columns, rows)) => Message::Input(Input::Resize(columns, rows)),
+                    Err(_) => continue,
+                },
                 _ => Message::Leave(signal),
             };
             let leave = matches!(message, Message::Leave(_));

@@ -2,7 +2,8 @@
 //!
 //! Letters are text in whatever monospace font there is, each word stretched to its
 //! cells. Braille, block elements and box lines are drawn as shapes, so that no font
-//! can spoil a picture made of them.
+//! can spoil a picture made of them; all but the round ones with hard edges, so that no
+//! seams show between cells.
 
 mod colour;
 mod shape;
@@ -30,6 +31,7 @@ pub(super) fn write(cells: &Buffer) -> String {
     );
     let mut grounds = Paths::default();
     let mut shapes = Paths::default();
+    let mut dots = Paths::default();
     let mut words = String::new();
     for (row, line) in rows(cells).enumerate() {
         let y = row * CELL.1;
@@ -55,7 +57,9 @@ pub(super) fn write(cells: &Buffer) -> String {
             let blank = cell.symbol().trim().is_empty() || cell.modifier.contains(Modifier::HIDDEN);
             let strength = shape::strength(cell.symbol());
             let ink = look.ink.over(look.ground, strength);
-            if blank || shape::draw(cell.symbol(), (x, y), shapes.of(ink)) {
+            let dotted = shape::is_dotted(cell.symbol());
+            let path = if dotted { &mut dots } else { &mut shapes }.of(ink);
+            if blank || shape::draw(cell.symbol(), (x, y), path) {
                 word.end(&mut words);
             } else {
                 word.add(cell, look.ink, (x, y), taken, &mut words);
@@ -67,7 +71,7 @@ pub(super) fn write(cells: &Buffer) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\">\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n\
-         <g shape-rendering=\"crispEdges\">\n{grounds}</g>\n{shapes}\
+         <g shape-rendering=\"crispEdges\">\n{grounds}{shapes}</g>\n{dots}\
          <g font-family=\"'DejaVu Sans Mono','Menlo','Consolas','Liberation Mono',monospace\" \
          font-size=\"15\">\n{words}</g>\n</svg>\n"
     )

@@ -35,6 +35,11 @@ pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> b
     true
 }
 
+/// Whether a glyph is made of round dots.
+pub(super) fn is_dotted(symbol: &str) -> bool {
+    matches!(symbol.chars().next(), Some('\u{2800}'..='\u{28ff}'))
+}
+
 /// How much of the ink is laid on: less than all of it for the shades.
 pub(super) fn strength(symbol: &str) -> f64 {
     match symbol {

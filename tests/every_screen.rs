@@ -1,0 +1,129 @@
+//! What holds on every screen, whatever is typed and whatever size it has.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::widgets::Charset;
+use proptest::prelude::*;
+
+const PLACES: [Place; 4] = [
+    Place::Home,
+    Place::Lab,
+    Place::Quiz { seed: None },
+    Place::Levels,
+];
+
+fn opened(place: Place, charset: Charset, seed: u64) -> Headless {
+    let settings = Settings {
+        charset,
+        ..Settings::default()
+    };
+    Headless::new(App::new(place, settings, seed), 80, 24)
+}
+
+/// One thing that may happen to an app.
+#[derive(Debug, Clone)]
+enum Act {
+    Tell(Input),
+    Resize(u16, u16),
+    Pass(Duration),
+}
+
+fn key() -> impl Strategy<Value = Key> {
+    use Key::*;
+    let named = [
+        Up, Down, Left, Right, Enter, Escape, Tab, BackTab, Backspace, Delete, PageUp, PageDown,
+        Home, End,
+    ];
+    prop_oneof![
+        6 => prop::char::range(' ', '~').prop_map(Char),
+        6 => prop::sample::select(named.to_vec()),
+        1 => any::<char>().prop_map(Char),
+        1 => (1..=12u8).prop_map(F),
+    ]
+}
+
+fn mouse() -> impl Strategy<Value = Mouse> {
+    use MouseKind::*;
+    let kinds = vec![Down, Drag, Up, ScrollUp, ScrollDown];
+    (prop::sample::select(kinds), 0..310u16, 0..110u16).prop_map(|(kind, column, row)| Mouse {
+        kind,
+        column,
+        row,
+    })
+}
+
+fn act() -> impl Strategy<Value = Act> {
+    prop_oneof![
+        12 => key().prop_map(|key| Act::Tell(Input::Key(key))),
+        4 => mouse().prop_map(|mouse| Act::Tell(Input::Mouse(mouse))),
+        1 => any::<String>().prop_map(|text| Act::Tell(Input::Paste(text))),
+        1 => (0..=300u16, 0..=100u16).prop_map(|(columns, rows)| Act::Resize(columns, rows)),
+        1 => Just(Act::Resize(80, 24)),
+        3 => (0..4000u64).prop_map(|ms| Act::Pass(Duration::from_millis(ms))),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn nothing_typed_and_no_size_makes_it_panic(
+        place in prop::sample::select(PLACES.to_vec()),
+        unicode: bool,
+        seed: u64,
+        acts in prop::collection::vec(act(), 1..60),
+    ) {
+        let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
+        let mut game = opened(place, charset, seed);
+        for act in &acts {
+            match act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(time) => game.pass(*time),
+            }
+            let ascii = game.app().settings().charset == Charset::Ascii;
+            let screen = game.screen();
+            prop_assert!(!ascii || screen.bytes().all(|b| b == b'\n' || (b' '..=b'~').contains(&b)));
+            prop_assert!(!screen.contains("NaN"));
+        }
+    }
+}
+
+#[test]
+fn every_screen_and_its_help_are_printable_ascii() {
+    for place in PLACES {
+        for (columns, rows) in [(60, 20), (80, 24), (120, 40), (300, 100)] {
+            let mut game = opened(place, Charset::Ascii, 1);
+            game.resize(columns, rows);
+            for keys in ["", "?", "<Down><Down>"] {
+                game.press(keys);
+                for cell in game.buffer().content() {
+                    let symbol = cell.symbol().as_bytes();
+                    assert!(
+                        matches!(symbol, [b' '..=b'~']),
+                        "{place:?} at {columns}x{rows} after {keys:?}: {symbol:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn escape_leads_home_and_q_out() {
+    for place in PLACES {
+        let mut game = opened(place, Charset::Ascii, 1);
+        for _ in 0..5 {
+            game.press("<Escape>");
+        }
+        assert!(game.screen().contains("carrom : home"), "{place:?}");
+        game.press("q");
+        assert!(game.has_quit());
+    }
+}
