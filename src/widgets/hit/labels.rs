@@ -76,13 +76,18 @@ impl Labels {
     /// The names of the two parts of u.
     pub(super) fn split(&mut self, stage: &Stage, arrows: &Arrows, u: DVec2, n: DVec2, t: DVec2) {
         let from = stage.centres[0];
-        for (name, axis, role) in [("uₙ", n, Role::NormalPart), ("uₜ", t, Role::TangentPart)] {
+        // Beyond the discs, which a label never covers.
+        let beyond = [stage.collision.reach() + stage.radius(1), stage.radius(0)];
+        let parts = [("uₙ", n, Role::NormalPart), ("uₜ", t, Role::TangentPart)];
+        for ((name, axis, role), beyond) in parts.into_iter().zip(beyond) {
             let part = u.dot(axis) * axis;
-            if !arrows.is_still(part) {
-                let text = format!("{name} = {:.2}", part.length());
-                let tip = from + arrows.per_speed * part;
-                self.add(&text, tip, Side::towards(part), role);
+            if arrows.is_still(part) {
+                continue;
             }
+            let text = format!("{name} = {:.2} m/s", part.length());
+            let reach = (arrows.per_speed * part.length()).max(beyond);
+            let end = from + reach * part.normalize();
+            self.add(&text, end, Side::towards(part), role);
         }
     }
 
