@@ -29,32 +29,34 @@ impl Sheet {
         if radius.is_nan() || radius <= 0.0 {
             return;
         }
+        let mut place = self.paper(centre);
         if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
-            self.stamp(centre, token(role, self.charset), role, false);
+            self.stamp(place, token(role, self.charset), role, false);
             return;
         }
-        self.cover(centre, radius, role);
+        let reach = radius / self.view().per_column();
+        if reach < SMALL {
+            // On halves of cells it is as round to the left as to the right; a
+            // letter stands in the middle of a cell.
+            let half = dvec2(0.5, 1.0);
+            place = if letter == ' ' {
+                (place / half).round() * half
+            } else {
+                (place / half / 2.0).floor() * half * 2.0 + half
+            };
+        }
+        self.cover(place, reach, role);
         if self.charset == Charset::Ascii {
             self.circle(centre, radius, Pen::new(role).on(Layer::Disc));
         }
         if letter != ' ' {
-            let text = self
-                .charset
-                .text(letter.encode_utf8(&mut [0; 4]))
-                .into_owned();
-            self.stamp(centre, &text, role, true);
+            let letter = letter.to_string();
+            self.stamp(place, &self.charset.text(&letter), role, true);
         }
     }
 
-    /// Covers the cells under a disc, span by span.
+    /// Covers the cells under a disc, span by span; all measures on paper.
     fn cover(&mut self, centre: DVec2, radius: f64, role: Role) {
-        let mut centre = self.paper(centre);
-        let radius = radius / self.view().per_column();
-        if radius < SMALL {
-            // On halves of cells it is as round to the left as to the right.
-            let half = dvec2(0.5, 1.0);
-            centre = (centre / half).round() * half;
-        }
         if !(centre.is_finite() && radius.is_finite()) {
             return;
         }
@@ -87,9 +89,8 @@ impl Sheet {
         }
     }
 
-    /// Writes a token or a letter centred on a point.
+    /// Writes a token or a letter centred on a point on paper.
     fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
-        let centre = self.paper(centre);
         let width = text.chars().count() as f64;
         let mut at = dvec2(
             centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor(),

@@ -102,6 +102,26 @@ fn a_filled_disc_covers_its_own_area() {
 }
 
 #[test]
+fn a_small_disc_is_as_wide_on_either_side_of_its_letter() {
+    for tenth in 0..20 {
+        let mut sheet = sheet(Charset::Unicode);
+        let at = dvec2(f64::from(tenth) / 10.0, f64::from(tenth) / 7.0);
+        sheet.disc(at, 2.0, Role::Striker, 'S');
+        let cells = inked(&drawn(&sheet));
+        let buffer = drawn(&sheet);
+        let letter = cells.iter().find(|&&cell| buffer[cell].symbol() == "S");
+        let Some(&(x, _)) = letter else {
+            panic!("no letter");
+        };
+        let reach = |side: fn(u16, u16) -> Option<u16>| {
+            cells.iter().filter_map(|cell| side(cell.0, x)).max()
+        };
+        let left = reach(|column, x| x.checked_sub(column));
+        assert_eq!(left, reach(u16::checked_sub), "{at}");
+    }
+}
+
+#[test]
 fn a_line_reaches_both_its_ends_and_goes_no_further() {
     for charset in CHARSETS {
         for turn in 0..32 {
