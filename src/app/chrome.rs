@@ -7,7 +7,7 @@ use ratatui::layout::{Margin, Rect};
 use super::{App, SMALLEST};
 use crate::screens::{Help, Hint, Screen};
 use crate::widgets::panel::draw_panel;
-use crate::widgets::{Charset, Role, Theme, text};
+use crate::widgets::{Charset, Role, Theme, keys, text};
 
 /// Keys that every screen shares, for the help page.
 const SHARED: [Hint; 6] = [
@@ -100,31 +100,10 @@ fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, them
 
 /// Shows as many hints as fit whole; `?` always keeps its place at the end.
 fn key_line(hints: &[Hint], area: Rect, buf: &mut Buffer, theme: &Theme, charset: Charset) {
-    let row = area.bottom() - 1;
-    let last = Hint::new("?", "help");
-    let width = |hint: &Hint| {
-        (text::width(&charset.text(hint.key)) + 1 + text::width(&charset.text(hint.does))) as u16
-    };
-    let mut column = 1;
-    let limit = area.width.saturating_sub(width(&last) + 1);
-    let fitting = hints.iter().scan(1, |used, hint| {
-        *used += width(hint) + 2;
-        (*used <= limit).then_some(hint)
-    });
-    for hint in fitting.chain(std::iter::once(&last)) {
-        let room = area.width.saturating_sub(column).into();
-        (column, _) = buf.set_stringn(
-            column,
-            row,
-            charset.text(hint.key),
-            room,
-            theme.style(Role::Key),
-        );
-        let room = area.width.saturating_sub(column + 1).into();
-        let does = charset.text(hint.does);
-        (column, _) = buf.set_stringn(column + 1, row, does, room, theme.style(Role::Dim));
-        column += 2;
-    }
+    let mut pairs: Vec<_> = hints.iter().map(|hint| (hint.key, hint.does)).collect();
+    pairs.push(("?", "help"));
+    let line = keys::key_line(&pairs, area.width, charset, theme);
+    buf.set_line(area.x, area.bottom() - 1, &line, area.width);
 }
 
 fn help_lines(help: &Help, width: usize) -> Vec<(String, Role)> {
