@@ -2,7 +2,7 @@
 //!
 //! A [`Round`] is ten [`Question`]s fixed by a seed. The player gives an [`Answer`]
 //! to each: two rays and how sure they are. [`Grade`] says how far off the rays
-//! are, [`diagnose`] which known misconception they fit, [`explain`] why the discs
+//! are, [`diagnose`] which known misconception they fit, [`explain()`] why the discs
 //! go where they go, and [`Summary`] looks back over the round.
 //!
 //! Nothing here draws, and nothing is random but what follows from the seed.

@@ -90,11 +90,11 @@ impl Engine {
     }
 
     /// Plays a shot into a record whose memory is used again: what a search through
-    /// many shots needs. See [`play`].
+    /// many shots needs. See [`play()`].
     ///
     /// # Errors
     ///
-    /// As [`play`]. The record then holds what had been played up to there.
+    /// As [`play()`]. The record then holds what had been played up to there.
     pub fn play_into(
         &mut self,
         shot: &mut Shot,
