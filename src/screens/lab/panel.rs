@@ -128,7 +128,12 @@ pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, 
         return;
     }
     let (title, text) = explain(&lab.setup, watch);
-    let needed = lines.rows_of(&text) + u16::from(!title.is_empty()) + ANSWER_ROWS;
+    let title_rows = if title.is_empty() {
+        0
+    } else {
+        lines.rows_of(&title)
+    };
+    let needed = lines.rows_of(&text) + title_rows + ANSWER_ROWS;
     if needed + GIVEN_ROWS + 2 <= lines.left() {
         given(lab, &mut lines);
         lines.gap();
@@ -138,7 +143,7 @@ pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, 
         lines.gap();
     }
     if !title.is_empty() {
-        lines.line(&title, Role::Title);
+        lines.paragraph(&title, Role::Title);
     }
     lines.paragraph(&text, Role::Text);
 }
