@@ -2,33 +2,28 @@
 
 use super::Quiz;
 use crate::quiz::{Answer, Confidence, Question, Summary, SummaryLine, explain, words};
-use crate::widgets::bar::bar;
 use crate::widgets::hit::degrees;
-use crate::widgets::{Charset, Lines, Role};
+use crate::widgets::{Lines, Role};
 
 /// Writes the look back: the score, a row a question, how well confidence and answers
 /// went together, and what to try next.
-pub(super) fn write(quiz: &Quiz, lines: &mut Lines, charset: Charset) {
+pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
     let summary = quiz.summary();
     let table = Table::new(lines.width());
     let closing = closing(&summary);
     let closing_rows: u16 = closing.iter().map(|text| lines.rows_of(text)).sum();
     let rows = summary.lines.len() as u16;
-    let mut spare = lines.spare(SCORE + HEAD + rows + closing_rows);
+    let score = score(&summary);
+    let mut spare = lines.spare(lines.rows_of(&score) + HEAD + rows + closing_rows);
     let gap_after = spare.take(1);
     let gap_before = spare.take(1);
-    let share = spare.take(1);
     let friend = spare.take(2);
     let apart = spare.take(closing.len() as u16 - 1);
-    score(&summary, lines);
-    if share {
-        let credit = summary.points() / summary.most().max(1.0);
-        lines.line(&bar(credit, lines.width().min(60), charset), Role::Text);
-    }
+    lines.paragraph(&score, Role::Title);
     if gap_before {
         lines.gap();
     }
-    table.head(lines);
+    table.head(summary.lines.iter().any(missed_surely), lines);
     let answered = quiz.round.questions().iter().zip(&quiz.answers);
     for (i, (line, answered)) in summary.lines.iter().zip(answered).enumerate() {
         table.row(i + 1, line, answered, lines);
@@ -52,10 +47,7 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, charset: Charset) {
     }
 }
 
-/// Rows of [`score`].
-const SCORE: u16 = 1;
-
-fn score(summary: &Summary, lines: &mut Lines) {
+fn score(summary: &Summary) -> String {
     let mut text = format!(
         "{:.1} of {:.0} points, {} of {} right",
         summary.points(),
@@ -64,18 +56,14 @@ fn score(summary: &Summary, lines: &mut Lines) {
         summary.lines.len()
     );
     if let Some(error) = summary.mean_error() {
-        text += &format!(", {} off on average", words::degrees(error));
+        text += &format!(", rays {} off on average", words::degrees(error));
     }
-    lines.line(&text, Role::Title);
+    text
 }
 
 /// What follows from the round, a paragraph each.
 fn closing(summary: &Summary) -> Vec<String> {
-    let mut calibration = summary.calibration_words();
-    if summary.lines.iter().any(missed_surely) {
-        calibration += " (marked !)";
-    }
-    let mut closing = vec![calibration];
+    let mut closing = vec![summary.calibration_words()];
     if let Some((misconception, count)) = summary.most_held() {
         closing.push(match count {
             1 => format!("Once it looked like this: {}.", misconception.name),
@@ -105,13 +93,17 @@ impl Table {
         Self {
             gap: if width >= 72 { "   " } else { "" },
             confidence: width >= 72,
-            topic: width >= 96,
+            topic: width >= 104,
         }
     }
 
-    fn head(&self, lines: &mut Lines) {
+    fn head(&self, marked: bool, lines: &mut Lines) {
         let gap = self.gap;
-        let over = format!("   {gap}{:>9}{gap}{:>10}", "you said", "truth");
+        let legend = if marked { "! sure, but off" } else { "" };
+        let over = format!(
+            "   {gap}{:>9}{gap}{:>10}{gap}       {legend}",
+            "you said", "truth"
+        );
         lines.line(&over, Role::Dim);
         let head = ["", " ", "S", "C", "S", "C", "pts"];
         let head = self.cells(head, "sure?", "about", "it was");

@@ -12,7 +12,7 @@ use crate::widgets::panel::draw_panel;
 use crate::widgets::{Beside, Lines, Look, Role};
 
 /// Columns of the look back at most, with its frame.
-const WIDEST: u16 = 104;
+const WIDEST: u16 = 108;
 
 /// The frame of the look back.
 fn summary_frame(area: Rect) -> Rect {
@@ -54,7 +54,7 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
         Phase::Confidence(asked, chosen) => panel::confidence(asked, *chosen, lines),
         Phase::Watch(watched) if watched.told => panel::told(watched, lines, look.charset),
         Phase::Watch(watched) => panel::untold(watched, lines),
-        Phase::Summary => summary::write(quiz, lines, look.charset),
+        Phase::Summary => summary::write(quiz, lines),
     }
 }
 
