@@ -51,7 +51,10 @@ pub(super) fn confidence(asked: &Asked, chosen: Confidence, lines: &mut Lines) {
         };
         let name = format!("{mark} {number} {}", confidence.name());
         let points = [0.0, 1.0].map(|credit| format!("{:.0}", confidence.points(credit)));
-        lines.columns((&name, role), points.each_ref().map(|p| (p.as_str(), role)));
+        lines.columns(
+            (&name, role),
+            points.each_ref().map(|p| (p.as_str(), Role::Text)),
+        );
     }
     lines.gap();
     lines.line("You said", Role::Dim);

@@ -56,7 +56,7 @@ fn score(summary: &Summary) -> String {
         summary.lines.len()
     );
     if let Some(error) = summary.mean_error() {
-        text += &format!(", rays {} off on average", words::degrees(error));
+        text += &format!(", mean error {}", words::degrees(error));
     }
     text
 }

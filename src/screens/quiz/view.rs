@@ -68,7 +68,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             setup(asked, layout.picture, buf, &look);
         }
         Phase::Confidence(asked, _) => {
-            layout.draw(buf, &look, "where will they go?", "how sure?");
+            layout.draw(buf, &look, "where will they go?", "say it first");
             setup(asked, layout.picture, buf, &look);
         }
         Phase::Watch(watched) => {
