@@ -5,9 +5,6 @@ use ratatui::layout::Rect;
 
 use super::{Look, Role, text};
 
-/// Columns of a name that has values beside it in columns of their own.
-const NAME: u16 = 8;
-
 /// A column of text being written from the top of an area.
 pub struct Lines<'a> {
     area: Rect,
@@ -101,19 +98,24 @@ impl<'a> Lines<'a> {
     /// One row: a name on the left, its value flush right.
     pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.put(0, name, name_role);
-        self.put_before(self.area.width.saturating_sub(1), value, value_role);
+        let width = self.width_of(value) as u16;
+        let column = self.area.width.saturating_sub(width + 1);
+        self.put(column, value, value_role);
         self.written += 1;
     }
 
-    /// One row: a name, and values in columns that share what it leaves of the row,
-    /// each flush right.
+    /// One row: a name, and values flush right in columns of their own. The name has
+    /// twice the room of a value; a value too wide for its column moves to the right
+    /// rather than touch what is before it.
     pub fn columns<const N: usize>(&mut self, name: (&str, Role), values: [(&str, Role); N]) {
-        let each = self.area.width.saturating_sub(NAME) / N.max(1) as u16;
+        let width = usize::from(self.area.width);
         self.put(0, name.0, name.1);
-        let mut end = self.area.width.saturating_sub(1);
-        for (value, role) in values.into_iter().rev() {
-            self.put_before(end, value, role);
-            end = end.saturating_sub(each);
+        let mut free = self.width_of(name.0) + 1;
+        for (i, (value, role)) in values.into_iter().enumerate() {
+            let end = (width * (i + 2) / (N + 1)).min(width.saturating_sub(1));
+            let start = end.saturating_sub(self.width_of(value)).max(free);
+            self.put(start as u16, value, role);
+            free = start + self.width_of(value) + 1;
         }
         self.written += 1;
     }
@@ -130,10 +132,9 @@ impl<'a> Lines<'a> {
         text::wrap(&self.look.charset.text(text), width)
     }
 
-    /// Writes a text that ends before a column.
-    fn put_before(&mut self, end: u16, text: &str, role: Role) {
-        let width = text::width(&self.look.charset.text(text)) as u16;
-        self.put(end.saturating_sub(width), text, role);
+    /// Columns that a text takes as it is written.
+    fn width_of(&self, text: &str) -> usize {
+        text::width(&self.look.charset.text(text))
     }
 
     fn put(&mut self, column: u16, text: &str, role: Role) {
