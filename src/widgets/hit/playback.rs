@@ -113,7 +113,7 @@ impl Playback {
         self.time() >= self.end
     }
 
-    /// How many of the layers layers are to be seen: they come one by one at
+    /// How many of the layers are to be seen: they come one by one at
     /// the contact and stay.
     pub fn beats(&self) -> usize {
         match self.stage {
