@@ -14,6 +14,7 @@ use ratatui::layout::Rect;
 use crate::messages::{Effect, Input, Key, Mouse};
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
+use crate::screens::quiz::Quiz;
 use crate::screens::{Context, Next, Place, Screen, Settings};
 
 /// The size below which nothing but a line of advice is drawn.
@@ -188,6 +189,10 @@ impl App {
         let screen: Box<dyn Screen> = match place {
             Place::Home => Box::new(Home::default()),
             Place::Lab => Box::new(Lab::default()),
+            Place::Quiz { seed } => {
+                let seed = seed.unwrap_or_else(|| self.context.next_seed());
+                Box::new(Quiz::new(seed))
+            }
             _ => Box::new(Home::default()),
         };
         self.stack.push(screen);

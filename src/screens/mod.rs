@@ -5,6 +5,7 @@ mod place;
 
 pub mod home;
 pub mod lab;
+pub mod quiz;
 
 use std::time::Duration;
 

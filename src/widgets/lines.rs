@@ -8,9 +8,26 @@ use super::{Look, Role, text};
 /// A column of text being written from the top of an area.
 pub struct Lines<'a> {
     area: Rect,
-    next: u16,
+    written: u16,
+    scrolled: u16,
     buf: &'a mut Buffer,
     look: Look,
+}
+
+/// Rows left over once all that is needed has its place. Rows of lesser worth are
+/// shown only as far as they go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Spare(u16);
+
+impl Spare {
+    /// Takes `rows`, if there are as many.
+    pub fn take(&mut self, rows: u16) -> bool {
+        let enough = rows <= self.0;
+        if enough {
+            self.0 -= rows;
+        }
+        enough
+    }
 }
 
 impl<'a> Lines<'a> {
@@ -24,15 +41,40 @@ impl<'a> Lines<'a> {
         };
         Self {
             area,
-            next: area.y,
+            written: 0,
+            scrolled: 0,
             buf,
             look,
         }
     }
 
+    /// Leaves the first `rows` out, so that those after them are seen.
+    #[must_use]
+    pub fn scrolled(self, rows: u16) -> Self {
+        Self {
+            scrolled: rows,
+            ..self
+        }
+    }
+
+    /// Columns of a row.
+    pub fn width(&self) -> u16 {
+        self.area.width
+    }
+
+    /// Rows written so far, seen or not.
+    pub fn written(&self) -> u16 {
+        self.written
+    }
+
     /// Rows that are left.
     pub fn left(&self) -> u16 {
-        self.area.bottom().saturating_sub(self.next)
+        self.area.height.saturating_sub(self.written)
+    }
+
+    /// What is left beyond the rows that are `needed`.
+    pub fn spare(&self, needed: u16) -> Spare {
+        Spare(self.left().saturating_sub(needed))
     }
 
     /// Rows that a [`Lines::paragraph`] of this text takes.
@@ -42,38 +84,40 @@ impl<'a> Lines<'a> {
 
     /// An empty row, unless there is nothing above it.
     pub fn gap(&mut self) {
-        if self.next > self.area.y {
-            self.next += 1;
+        if self.written > 0 {
+            self.written += 1;
         }
     }
 
     /// One row; cut at the edge.
     pub fn line(&mut self, text: &str, role: Role) {
         self.put(0, text, role);
-        self.next += 1;
+        self.written += 1;
     }
 
     /// One row: a name on the left, its value flush right.
     pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.put(0, name, name_role);
-        let value = self.look.charset.text(value).into_owned();
-        let width = text::width(&value) as u16;
+        let width = self.width_of(value) as u16;
         let column = self.area.width.saturating_sub(width + 1);
-        self.put(column, &value, value_role);
-        self.next += 1;
+        self.put(column, value, value_role);
+        self.written += 1;
     }
 
-    /// One row of three: a name and two values in columns of their own.
-    pub fn triple(&mut self, cells: [&str; 3], roles: [Role; 3]) {
-        let width = self.area.width;
-        let ends = [width * 2 / 3, width.saturating_sub(1)];
-        self.put(0, cells[0], roles[0]);
-        for i in 0..2 {
-            let value = self.look.charset.text(cells[i + 1]).into_owned();
-            let start = ends[i].saturating_sub(text::width(&value) as u16);
-            self.put(start, &value, roles[i + 1]);
+    /// One row: a name, and values flush right in columns of their own. The name has
+    /// twice the room of a value; a value too wide for its column moves to the right
+    /// rather than touch what is before it.
+    pub fn columns<const N: usize>(&mut self, name: (&str, Role), values: [(&str, Role); N]) {
+        let width = usize::from(self.area.width);
+        self.put(0, name.0, name.1);
+        let mut free = self.width_of(name.0) + 1;
+        for (i, (value, role)) in values.into_iter().enumerate() {
+            let end = (width * (i + 2) / (N + 1)).min(width.saturating_sub(1));
+            let start = end.saturating_sub(self.width_of(value)).max(free);
+            self.put(start as u16, value, role);
+            free = start + self.width_of(value) + 1;
         }
-        self.next += 1;
+        self.written += 1;
     }
 
     /// Text over as many rows as it takes.
@@ -88,14 +132,22 @@ impl<'a> Lines<'a> {
         text::wrap(&self.look.charset.text(text), width)
     }
 
+    /// Columns that a text takes as it is written.
+    fn width_of(&self, text: &str) -> usize {
+        text::width(&self.look.charset.text(text))
+    }
+
     fn put(&mut self, column: u16, text: &str, role: Role) {
-        if self.next >= self.area.bottom() || column >= self.area.width {
+        let Some(row) = self.written.checked_sub(self.scrolled) else {
+            return;
+        };
+        if row >= self.area.height || column >= self.area.width {
             return;
         }
         let text = self.look.charset.text(text);
         let room = (self.area.width - column).into();
         let style = self.look.theme.style(role);
-        self.buf
-            .set_stringn(self.area.x + column, self.next, text, room, style);
+        let (x, y) = (self.area.x + column, self.area.y + row);
+        self.buf.set_stringn(x, y, text, room, style);
     }
 }

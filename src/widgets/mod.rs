@@ -12,16 +12,20 @@ pub mod keys;
 pub mod panel;
 pub mod theme;
 
+mod beside;
 mod entry;
 pub mod hit;
 mod lines;
 mod look;
 mod ray_input;
+mod scroll;
 pub mod text;
 
+pub use beside::Beside;
 pub use charset::Charset;
 pub use entry::{NumberEntry, Typed};
-pub use lines::Lines;
+pub use lines::{Lines, Spare};
 pub use look::Look;
-pub use ray_input::{RayInput, Turned, shown};
+pub use ray_input::{RayInput, Turned, brief, shown};
+pub use scroll::Scroll;
 pub use theme::{Depth, Palette, Role, Theme};

@@ -1,6 +1,7 @@
 //! Saying where both discs will go: two rays to turn, or two angles to type.
 
 use super::entry::{NumberEntry, Typed};
+use super::{Lines, Role};
 use crate::messages::Key;
 use crate::quiz::{Ray, Rays};
 
@@ -108,6 +109,30 @@ impl RayInput {
         shown(self.angle_deg(ray))
     }
 
+    /// Writes both rays, a row each; `target` is what the struck disc is called.
+    pub fn write(&self, lines: &mut Lines, target: &str) {
+        for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
+            let (mark, role) = if ray == self.turning {
+                (">", Role::Selected)
+            } else {
+                (" ", Role::Text)
+            };
+            lines.pair(&format!("{mark} {name}"), &self.shown(ray), role, role);
+        }
+    }
+
+    /// How the angle of the ray that keys turn is counted, in a sentence.
+    pub fn about(&self, target: &str) -> String {
+        match self.turning {
+            Ray::Striker => format!(
+                "The striker: degrees from its old direction, to the side away from the {target}."
+            ),
+            Ray::Target => format!(
+                "The {target}: degrees from the striker's old direction, to the {target}'s own side."
+            ),
+        }
+    }
+
     fn next(&mut self) -> Turned {
         match self.turning {
             Ray::Striker => {
@@ -142,6 +167,12 @@ pub fn shown(angle_deg: Option<f64>) -> String {
         Some(angle) => format!("{angle:.1}°"),
         None => "stays still".into(),
     }
+}
+
+/// The same in as little room as a table has: no unit, and one word for a disc that
+/// stays still.
+pub fn brief(angle_deg: Option<f64>) -> String {
+    angle_deg.map_or("still".into(), |angle| format!("{angle:.1}"))
 }
 
 fn index(ray: Ray) -> usize {

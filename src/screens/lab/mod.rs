@@ -14,7 +14,7 @@ use ratatui::layout::Rect;
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::hit::{Watch, drag_offset, point_at, side};
-use crate::widgets::{NumberEntry, RayInput, Turned, Typed};
+use crate::widgets::{Beside, NumberEntry, RayInput, Turned, Typed};
 
 pub use field::Field;
 pub use setup::{PIECE_SETS, PieceSet, Setup};
@@ -141,7 +141,7 @@ impl Lab {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = view::layout(cx.body);
+        let layout = Beside::new(cx.body);
         let cell = (mouse.column, mouse.row);
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;

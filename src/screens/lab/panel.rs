@@ -10,7 +10,7 @@ use crate::physics::frames::cm_scattering_angle;
 use crate::quiz::{Ray, Rays};
 use crate::screens::Context;
 use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::{Lines, RayInput, Role, shown};
+use crate::widgets::{Lines, RayInput, Role, brief, shown};
 
 /// The setting whose row is at this cell.
 pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> {
@@ -80,25 +80,9 @@ pub(super) fn draw_prediction(
     }
     lines.gap();
     lines.line("Where will they go?", Role::Title);
-    for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, "coin")] {
-        let turning = ray == rays.turning();
-        let (mark, role) = if turning {
-            (">", Role::Selected)
-        } else {
-            (" ", Role::Text)
-        };
-        lines.pair(&format!("{mark} {name}"), &rays.shown(ray), role, role);
-    }
+    rays.write(&mut lines, "coin");
     lines.gap();
-    let about = match rays.turning() {
-        Ray::Striker => {
-            "The striker: degrees from its old direction, to the side away from the coin."
-        }
-        Ray::Target => {
-            "The coin: degrees from the striker's old direction, to the coin's own side."
-        }
-    };
-    lines.paragraph(about, Role::Text);
+    lines.paragraph(&rays.about("coin"), Role::Text);
     lines.gap();
     let next = match rays.turning() {
         Ray::Striker => "Enter: then the coin.",
@@ -115,7 +99,7 @@ pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, 
     if !watch.is_told() {
         given(lab, &mut lines);
         lines.gap();
-        lines.paragraph(telling(watch), Role::Text);
+        lines.paragraph(watch.telling(), Role::Text);
         return;
     }
     if watch.frame() != Frame::Laboratory {
@@ -133,16 +117,17 @@ pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, 
     } else {
         lines.rows_of(&title)
     };
-    let needed = lines.rows_of(&text) + title_rows + ANSWER_ROWS;
-    if needed + GIVEN_ROWS + 2 <= lines.left() {
+    let mut spare = lines.spare(ANSWER_ROWS + title_rows + lines.rows_of(&text));
+    let gap = spare.take(1);
+    if spare.take(GIVEN_ROWS + 1) {
         given(lab, &mut lines);
         lines.gap();
     }
     answers(watch, &mut lines);
-    if needed < lines.left() + ANSWER_ROWS {
+    if gap {
         lines.gap();
     }
-    if !title.is_empty() {
+    if title_rows > 0 {
         lines.paragraph(&title, Role::Title);
     }
     lines.paragraph(&text, Role::Text);
@@ -170,32 +155,19 @@ fn given(lab: &Lab, lines: &mut Lines) {
     geometry(lab, lines);
 }
 
-/// What the picture is just showing.
-fn telling(watch: &Watch) -> &'static str {
-    match watch.clock().beats() {
-        1 => {
-            "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
-        }
-        2 => "So split u: uₙ along n takes part in the hit, uₜ along t does not notice it.",
-        _ => "Watch the contact …",
-    }
-}
-
 fn answers(watch: &Watch, lines: &mut Lines) {
     let outcome = watch.outcome();
     let truth = degrees(watch.collision(), &Rays::from(outcome));
     match watch.said() {
         Some(said) => {
             let said = degrees(watch.collision(), said);
-            lines.triple(["degrees", "you said", "truth"], [Role::Dim; 3]);
+            let head = |text| (text, Role::Dim);
+            lines.columns(head("degrees"), ["you said", "truth"].map(head));
             for (i, name) in ["striker", "coin"].into_iter().enumerate() {
-                lines.triple(
-                    [name, &brief(said[i]), &brief(truth[i])],
-                    [
-                        Role::Dim,
-                        Role::Predicted,
-                        [Role::StrikerOut, Role::CoinOut][i],
-                    ],
+                let role = [Role::StrikerOut, Role::CoinOut][i];
+                lines.columns(
+                    head(name),
+                    [(&brief(said[i]), Role::Predicted), (&brief(truth[i]), role)],
                 );
             }
         }
@@ -219,10 +191,6 @@ fn answers(watch: &Watch, lines: &mut Lines) {
             Role::Text,
         );
     }
-}
-
-fn brief(angle_deg: Option<f64>) -> String {
-    angle_deg.map_or("still".into(), |angle| format!("{angle:.1}"))
 }
 
 fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {

@@ -27,6 +27,9 @@ enum Stage {
     Halted(f64),
 }
 
+/// At the contact, with all layers to be seen.
+const TOLD: Stage = Stage::Contact(BEAT * BEATS as f64);
+
 /// The clock of a hit.
 ///
 /// `contact` and `end` are times of the shot, in its own seconds; what it shows
@@ -46,11 +49,7 @@ impl Playback {
         Self {
             contact,
             end,
-            stage: if reduced {
-                Stage::Contact(BEAT * BEATS as f64)
-            } else {
-                Stage::Approach(0.0)
-            },
+            stage: if reduced { TOLD } else { Stage::Approach(0.0) },
         }
     }
 
@@ -114,7 +113,7 @@ impl Playback {
         self.time() >= self.end
     }
 
-    /// How many of the three layers are to be seen: they come one by one at
+    /// How many of the layers are to be seen: they come one by one at
     /// the contact and stay.
     pub fn beats(&self) -> usize {
         match self.stage {
@@ -150,9 +149,7 @@ impl Playback {
     pub fn go_on(&mut self) {
         self.stage = match self.stage {
             Stage::Approach(_) => Stage::Contact(0.0),
-            Stage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => {
-                Stage::Contact(BEAT * BEATS as f64)
-            }
+            Stage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => TOLD,
             Stage::Contact(_) => Stage::Departure(0.0),
             Stage::Departure(_) => Stage::Halted(self.end),
             Stage::Halted(time) if time < self.contact => {
@@ -163,6 +160,11 @@ impl Playback {
             }
             Stage::Halted(_) => Stage::Halted(self.end),
         };
+    }
+
+    /// Goes to the contact at once, with all its layers.
+    pub fn tell(&mut self) {
+        self.stage = TOLD;
     }
 
     /// Plays the whole again.

@@ -92,6 +92,22 @@ impl Watch {
         self.clock.beats() == super::playback::BEATS
     }
 
+    /// What the picture is just showing, before it is told what happened.
+    pub fn telling(&self) -> &'static str {
+        match self.clock.beats() {
+            1 => {
+                "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
+            }
+            2 => "So split u: uₙ along n takes part in the hit, uₜ along t does not notice it.",
+            _ => "Watch the contact …",
+        }
+    }
+
+    /// Goes to the contact at once and tells what happened.
+    pub fn tell(&mut self) {
+        self.clock.tell();
+    }
+
     /// Takes a key: step, scrub, frame and layers. Says whether it was one of them.
     pub fn update(&mut self, key: Key) -> bool {
         match key {

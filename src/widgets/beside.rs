@@ -1,0 +1,65 @@
+//! A picture with a panel of text beside it, each in its frame.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Look;
+use super::panel::draw_panel;
+
+/// Columns of the panel, with its frame.
+const PANEL: u16 = 30;
+/// Columns that it has more on a wide screen.
+const MORE: u16 = 8;
+/// From this width on a screen is wide.
+const WIDE: u16 = 110;
+
+/// Where a picture and the panel beside it are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Beside {
+    /// The inside of the picture's frame.
+    pub picture: Rect,
+    /// The inside of the panel's frame.
+    pub panel: Rect,
+    frames: [Rect; 2],
+}
+
+impl Beside {
+    /// Lays them out in `area`.
+    pub fn new(area: Rect) -> Self {
+        let wanted = if area.width >= WIDE {
+            PANEL + MORE
+        } else {
+            PANEL
+        };
+        let panel_width = wanted.min(area.width / 2);
+        let picture = Rect {
+            width: area.width - panel_width,
+            ..area
+        };
+        let panel = Rect {
+            x: picture.right(),
+            width: panel_width,
+            ..area
+        };
+        Self {
+            picture: inside(picture),
+            panel: inside(panel),
+            frames: [picture, panel],
+        }
+    }
+
+    /// Draws both frames with their titles.
+    pub fn draw(&self, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
+        draw_panel(buf, self.frames[0], picture, look.charset, &look.theme);
+        draw_panel(buf, self.frames[1], panel, look.charset, &look.theme);
+    }
+}
+
+fn inside(frame: Rect) -> Rect {
+    Rect {
+        x: frame.x + 1,
+        y: frame.y + 1,
+        width: frame.width.saturating_sub(2),
+        height: frame.height.saturating_sub(2),
+    }
+}

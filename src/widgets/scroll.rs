@@ -1,0 +1,106 @@
+//! Text that may be longer than its place.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Lines, Look, Role, text};
+
+/// How far a text has been scrolled.
+///
+/// What is written is asked for as a function on [`Lines`], so that its length
+/// follows from the very rows that are drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Scroll {
+    rows: u16,
+}
+
+impl Scroll {
+    /// Scrolls down by `rows` (up if negative), no further than to the last row of
+    /// what `write` writes into `area`.
+    pub fn by(&mut self, rows: i16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) {
+        let most = overflow(area, look, write);
+        self.rows = self.rows.min(most).saturating_add_signed(rows).min(most);
+    }
+
+    /// Draws what `write` writes. Where it does not fit, the frame below `area` says
+    /// which key brings the rest.
+    pub fn draw(self, area: Rect, buf: &mut Buffer, look: Look, write: impl Fn(&mut Lines)) {
+        let most = overflow(area, look, &write);
+        let rows = self.rows.min(most);
+        write(&mut Lines::new(area, buf, look).scrolled(rows));
+        if most == 0 {
+            return;
+        }
+        let hint = if rows < most {
+            " PageDown: more "
+        } else {
+            " PageUp: back "
+        };
+        let width = text::width(hint) as u16;
+        let column = area.right().saturating_sub(width + 1).max(area.x);
+        if buf.area.contains((column, area.bottom()).into()) {
+            let room = area.right().saturating_sub(column).into();
+            let style = look.theme.style(Role::Key);
+            buf.set_stringn(column, area.bottom(), hint, room, style);
+        }
+    }
+}
+
+/// Rows of what `write` writes that `area` has no room for.
+fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
+    let mut scratch = Buffer::empty(area);
+    let mut lines = Lines::new(area, &mut scratch, look);
+    write(&mut lines);
+    lines.written().saturating_sub(area.height)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::widgets::{Charset, Theme};
+
+    const LOOK: Look = Look {
+        charset: Charset::Ascii,
+        theme: Theme::new(crate::widgets::Palette::Dark, crate::widgets::Depth::None),
+    };
+    const AREA: Rect = Rect::new(1, 1, 20, 4);
+
+    fn write(lines: &mut Lines) {
+        for row in 1..=6 {
+            lines.line(&format!("row {row}"), Role::Text);
+        }
+    }
+
+    fn drawn(scroll: Scroll) -> String {
+        let mut buf = Buffer::empty(Rect::new(0, 0, 22, 6));
+        scroll.draw(AREA, &mut buf, LOOK, write);
+        buf.content
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect()
+    }
+
+    #[test]
+    fn every_row_can_be_reached_and_none_beyond() {
+        let mut scroll = Scroll::default();
+        let top = drawn(scroll);
+        assert!(top.contains("row 1") && top.contains("row 4") && !top.contains("row 5"));
+        assert!(top.contains("PageDown: more"));
+        scroll.by(100, AREA, LOOK, write);
+        let bottom = drawn(scroll);
+        assert!(bottom.contains("row 3") && bottom.contains("row 6") && !bottom.contains("row 2"));
+        assert!(bottom.contains("PageUp: back"));
+        scroll.by(-1, AREA, LOOK, write);
+        assert!(drawn(scroll).contains("row 2"));
+        scroll.by(-100, AREA, LOOK, write);
+        assert_eq!(drawn(scroll), top);
+    }
+
+    #[test]
+    fn a_text_that_fits_is_not_scrolled() {
+        let one = |lines: &mut Lines| lines.line("row 1", Role::Text);
+        let mut scroll = Scroll::default();
+        scroll.by(3, AREA, LOOK, one);
+        assert_eq!(scroll, Scroll::default());
+    }
+}
