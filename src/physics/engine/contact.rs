@@ -4,20 +4,17 @@ use glam::DVec2;
 
 use super::super::slide::slowed;
 use super::bodies::Bodies;
+use super::play::REST;
 use super::quartic::first_root;
 
 /// A gap in metres below which two discs count as touching: far above what rounding
 /// leaves after an impact, far below anything that could be seen.
-const TOUCHING: f64 = 1e-13;
+pub(super) const TOUCHING: f64 = 1e-13;
 
-/// A touching pair on a board with friction whose centres approach or part slower
-/// than this (m/s) slides side by side.
-const SIDE_BY_SIDE: f64 = 1e-5;
-
-/// How far in metres a pair that slides side by side may be pressed into each other
-/// before it counts as an impact. Without it a pair pressed together by the
-/// difference of their decelerations would meet infinitely often.
-const PRESS: f64 = 1e-10;
+/// How far in metres a pair that slides in contact may be pressed together before it
+/// counts as an impact again. Discs that touch and lose speed differently can press
+/// against each other for a while; taken strictly they would meet infinitely often.
+pub(super) const PRESS: f64 = 3e-10;
 
 /// No pair may come deeper than this, in metres.
 const DEEPEST: f64 = 9e-10;
@@ -38,8 +35,7 @@ pub(super) fn contact(bodies: &Bodies, i: usize, k: usize, now: f64, end: f64) -
     let gap = pair.d.length_squared() - pair.reach * pair.reach;
     let time = if gap <= 2.0 * pair.reach * TOUCHING {
         let speed = at_i.velocity.length() + at_k.velocity.length();
-        let slides = bodies.slowing[i] > 0.0 || bodies.slowing[k] > 0.0;
-        pair.touching(gap, speed, slides, end)
+        pair.touching(gap, speed, end)
     } else if !bodies.moving[k] || !bodies.moving[i] {
         // Seen from the one at rest, the other goes straight.
         straight(pair.d, pair.w, pair.a, pair.reach, gap)
@@ -78,26 +74,29 @@ impl Pair {
         }
     }
 
-    /// A pair in contact but for rounding. `speed` is the sum of the discs' speeds,
-    /// `slides` whether friction slows either.
+    /// A pair in contact but for rounding. `speed` is the sum of the discs' speeds.
     #[cold]
-    fn touching(&self, gap: f64, speed: f64, slides: bool, end: f64) -> Option<f64> {
+    fn touching(&self, gap: f64, speed: f64, end: f64) -> Option<f64> {
         let parting = self.d.dot(self.w) / self.reach;
-        if slides && parting.abs() <= SIDE_BY_SIDE {
+        let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.reach;
+        // A pair that starts pressing from rest passes PRESS with twice this speed: an
+        // impact there sends it apart fast enough not to be taken for gentle again.
+        let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= REST;
+        let slides = self.a != DVec2::ZERO;
+        if (gentle && slides) || parting.abs() <= ROUNDING * speed {
             let distance = self.d.length();
             let bottom = (distance - PRESS).max(self.reach - DEEPEST);
             let room = (distance - bottom) * (distance + bottom);
-            if room > 0.0 {
-                self.curved(room, end)
-            } else if parting < 0.0 {
-                Some(0.0)
-            } else {
-                self.after_touch(end)
+            if !slides {
+                return None;
+            } else if room > 0.0 {
+                return self.curved(room, end);
             }
-        } else if gap > 0.0 {
+        }
+        if gap > 0.0 {
             self.apart(gap, end)
         } else if parting < 0.0 {
-            (-parting > ROUNDING * speed).then_some(0.0)
+            Some(0.0)
         } else {
             self.after_touch(end)
         }

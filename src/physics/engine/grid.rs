@@ -8,7 +8,7 @@ use super::super::{Board, Disc, Motion};
 use super::frame::Side;
 
 /// From this many discs on a grid is quicker than looking at all pairs.
-pub(super) const WORTHWHILE: usize = 64;
+pub(super) const WORTHWHILE: usize = 48;
 
 /// The cells of a board; none if all discs count as near.
 #[derive(Debug, Default, Clone)]

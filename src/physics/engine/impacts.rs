@@ -1,9 +1,11 @@
 //! Discs that meet: one pair, or several at the same instant.
 
+use glam::DVec2;
+
 use super::super::Motion;
 use super::super::impact::Contact;
 use super::super::shot::EventKind;
-use super::contact::contact;
+use super::contact::{TOUCHING, contact};
 use super::impulse::{Touch, simultaneous};
 use super::play::Play;
 use super::record::Record;
@@ -41,9 +43,29 @@ impl<R: Record> Play<'_, R> {
                 after,
             },
         );
-        for ((disc, motion), velocity) in discs.into_iter().zip(motions).zip(after) {
-            self.release(disc, time, Motion { velocity, ..motion });
+        let position = self.unpressed(discs, motions.map(|motion| motion.position));
+        for (side, disc) in discs.into_iter().enumerate() {
+            let motion = Motion {
+                position: position[side],
+                velocity: after[side],
+            };
+            self.release(disc, time, motion);
         }
+    }
+
+    /// The places of two discs that have met. A pair that slid in contact may have been
+    /// pressed together a little (see [`PRESS`](super::contact::PRESS)): it is moved
+    /// apart about its centre of mass, or many small presses would add up.
+    fn unpressed(&self, [i, k]: [usize; 2], [a, b]: [DVec2; 2]) -> [DVec2; 2] {
+        let apart = b - a;
+        let distance = apart.length();
+        let overlap = self.bodies.radius[i] + self.bodies.radius[k] - distance;
+        if overlap <= TOUCHING {
+            return [a, b];
+        }
+        let (m_i, m_k) = (self.bodies.mass[i], self.bodies.mass[k]);
+        let shift = apart * (overlap / (distance * (m_i + m_k)));
+        [a - shift * m_k, b + shift * m_i]
     }
 
     fn contact_of(&self, discs: [usize; 2], [a, b]: [Motion; 2]) -> Contact {
@@ -121,6 +143,13 @@ impl<R: Record> Play<'_, R> {
                     after,
                 },
             );
+        }
+        for touch in &touches {
+            let [a, b] = touch.discs.map(place);
+            let pair = [motions[a].position, motions[b].position];
+            let position = self.unpressed(touch.discs, pair);
+            motions[a].position = position[0];
+            motions[b].position = position[1];
         }
         for (&disc, &motion) in discs.iter().zip(&motions) {
             self.release(disc, time, motion);

@@ -18,9 +18,11 @@ use super::{EngineError, Limits};
 /// before friction stops them.
 const GENTLE: f64 = 2e-3;
 
-/// On a board with friction a disc that leaves an impact slower than this (m/s) is
-/// at rest: it would stop within a hundredth of a micrometre.
-const REST: f64 = 1e-4;
+/// On a board with friction a disc that leaves an event slower than this (m/s) is at
+/// rest: it would stop within 10⁻¹⁶ m, and discs that hand on ever less to one another
+/// must come to an end. A larger bound would itself make endless work, of a disc that
+/// pushes its way between two others which are stopped again and again.
+pub(super) const REST: f64 = 1e-8;
 
 /// Working memory of the search for partners.
 #[derive(Debug, Default, Clone)]
@@ -78,12 +80,6 @@ impl<R: Record> Play<'_, R> {
     }
 
     fn set_off(&mut self) {
-        for i in 0..self.bodies.len() {
-            if self.bodies.moving[i] && self.is_slow(self.bodies.at(i, 0.0).velocity) {
-                let motion = self.bodies.at(i, 0.0);
-                self.release(i, 0.0, motion);
-            }
-        }
         for i in 0..self.bodies.len() {
             self.forecast_alone(i);
         }
@@ -215,22 +211,17 @@ impl<R: Record> Play<'_, R> {
         }
     }
 
-    /// Sends a disc on from an event, or puts it to rest if it moves too slowly to
-    /// matter.
+    /// Sends a disc on from an event.
     pub(super) fn release(&mut self, disc: usize, time: f64, mut motion: Motion) {
-        let moves = self.bodies.moving[disc] || motion.velocity != DVec2::ZERO;
-        if self.is_slow(motion.velocity) {
+        let moved = self.bodies.moving[disc] || motion.velocity != DVec2::ZERO;
+        if self.deceleration > 0.0 && motion.velocity.length_squared() < REST * REST {
             motion.velocity = DVec2::ZERO;
         }
         self.bodies.launch(disc, time, motion, self.deceleration);
         self.record.turn(disc, time, motion, false);
-        if moves && motion.velocity == DVec2::ZERO {
+        if moved && motion.velocity == DVec2::ZERO {
             self.event(time, EventKind::Rest { disc });
         }
-    }
-
-    fn is_slow(&self, velocity: DVec2) -> bool {
-        self.deceleration > 0.0 && velocity.length_squared() < REST * REST
     }
 
     pub(super) fn event(&mut self, time: f64, kind: EventKind) {
