@@ -89,7 +89,7 @@ pub fn reasoning(question: &Question) -> String {
     let target = match question.given {
         Given::Angle { .. } => format!("The {name} leaves along the line of impact: {alpha}."),
         Given::Offset { offset_mm } => format!(
-            "{} / {} = sin {alpha}: the line of impact, and the {name}'s way.",
+            "{} / {} = sin {alpha}: there lies the line of impact, and the {name} leaves along it.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(question.reach_mm())
         ),

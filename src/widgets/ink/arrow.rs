@@ -58,7 +58,7 @@ impl Sheet {
         } else {
             HEAD_LENGTH
         };
-        let head = full.min(length);
+        let head = full.min(0.6 * length);
         let base = tip - forward * head;
         let side = forward.perp() * head * HEAD_SLIMNESS;
         let stroke = self.stroke_mut();
