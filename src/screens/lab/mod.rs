@@ -14,7 +14,7 @@ use ratatui::layout::Rect;
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::hit::{Watch, drag_offset, point_at, side};
-use crate::widgets::{Beside, NumberEntry, RayInput, Turned, Typed};
+use crate::widgets::{Beside, NumberEntry, RayInput, Scroll, Turned, Typed};
 
 pub use field::Field;
 pub use setup::{PIECE_SETS, PieceSet, Setup};
@@ -27,6 +27,8 @@ pub struct Lab {
     field: usize,
     entry: NumberEntry,
     phase: Phase,
+    /// How far the explanation of the shot is scrolled.
+    scroll: Scroll,
 }
 
 /// What one is doing in the lab.
@@ -107,9 +109,10 @@ impl Lab {
         };
     }
 
-    fn shoot(&self, rays: Option<&RayInput>, cx: &Context) -> Phase {
+    fn shoot(&mut self, rays: Option<&RayInput>, cx: &Context) -> Phase {
         let said = rays.map(RayInput::said);
         let reduced = cx.settings.reduced_motion;
+        self.scroll = Scroll::default();
         Phase::Watch(Box::new(Watch::new(self.setup.collision(), said, reduced)))
     }
 
@@ -130,6 +133,10 @@ impl Lab {
                     return Next::Stay;
                 }
                 match key {
+                    Key::PageUp => self.scroll_by(-8, cx),
+                    Key::PageDown => self.scroll_by(8, cx),
+                    Key::Up => self.scroll_by(-1, cx),
+                    Key::Down => self.scroll_by(1, cx),
                     Key::Enter | Key::Escape | Key::Char('n' | 'N' | ' ') => {
                         self.phase = Phase::Aim;
                     }
@@ -138,6 +145,17 @@ impl Lab {
             }
         }
         Next::Stay
+    }
+
+    fn scroll_by(&mut self, rows: i16, cx: &Context) {
+        if let Phase::Watch(watch) = &self.phase {
+            let area = Beside::new(cx.body).panel;
+            let mut scroll = self.scroll;
+            scroll.by(rows, area, cx.settings.look(), |lines| {
+                panel::write_shot(self, watch, lines);
+            });
+            self.scroll = scroll;
+        }
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
@@ -306,6 +324,7 @@ impl Screen for Lab {
                     "layers: line of impact, split, velocities, angles, triangle, trails, what you said",
                 ),
                 Hint::new("n", "set up another shot"),
+                Hint::new("PageUp PageDown", "scroll an explanation that is longer than its place"),
             ],
         }
     }

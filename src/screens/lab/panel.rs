@@ -94,20 +94,19 @@ pub(super) fn draw_prediction(
 /// The shot in numbers, what was said of it, and why it went as it did. The
 /// explanation comes whole; where there is not room for all, numbers that the
 /// player set and knows give way first.
-pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, cx: &Context) {
-    let mut lines = Lines::new(area, buf, cx.settings.look());
+pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
     if !watch.is_told() {
-        given(lab, &mut lines);
+        given(lab, lines);
         lines.gap();
         lines.paragraph(watch.telling(), Role::Text);
         return;
     }
     if watch.frame() != Frame::Laboratory {
-        given(lab, &mut lines);
+        given(lab, lines);
         lines.gap();
         match watch.frame() {
-            Frame::Target => from_target(watch, &mut lines),
-            _ => from_centre_of_mass(watch, &mut lines),
+            Frame::Target => from_target(watch, lines),
+            _ => from_centre_of_mass(watch, lines),
         }
         return;
     }
@@ -120,10 +119,10 @@ pub(super) fn draw_shot(lab: &Lab, watch: &Watch, area: Rect, buf: &mut Buffer, 
     let mut spare = lines.spare(ANSWER_ROWS + title_rows + lines.rows_of(&text));
     let gap = spare.take(1);
     if spare.take(GIVEN_ROWS + 1) {
-        given(lab, &mut lines);
+        given(lab, lines);
         lines.gap();
     }
-    answers(watch, &mut lines);
+    answers(watch, lines);
     if gap {
         lines.gap();
     }

@@ -22,26 +22,24 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     };
     layout.draw(buf, &look, &title, side_title);
     let collision = lab.setup.collision();
+    let given = Given {
+        offset: true,
+        angle: true,
+    };
     match &lab.phase {
         Phase::Aim => {
-            let given = Given {
-                offset: true,
-                angle: true,
-            };
             draw_setup(layout.picture, buf, &look, &collision, given, None);
             panel::draw_settings(lab, layout.panel, buf, cx);
         }
         Phase::Predict(rays) => {
-            let given = Given {
-                offset: true,
-                angle: true,
-            };
             draw_setup(layout.picture, buf, &look, &collision, given, Some(rays));
             panel::draw_prediction(lab, rays, layout.panel, buf, cx);
         }
         Phase::Watch(watch) => {
             watch.draw(layout.picture, buf, &look);
-            panel::draw_shot(lab, watch, layout.panel, buf, cx);
+            lab.scroll.draw(layout.panel, buf, look, |lines| {
+                panel::write_shot(lab, watch, lines);
+            });
         }
     }
 }
