@@ -272,7 +272,7 @@ impl Screen for Lab {
             ],
             Phase::Watch(watch) => {
                 let space = if watch.clock().is_over() {
-                    "again"
+                    "new shot"
                 } else {
                     "go on"
                 };
@@ -280,7 +280,7 @@ impl Screen for Lab {
                     Hint::new("Space", space),
                     Hint::new(", .", "step"),
                     Hint::new("< >", "scrub"),
-                    Hint::new("a", "again"),
+                    Hint::new("a", "play again"),
                     Hint::new("f", "frame"),
                     Hint::new("1-7", "layers"),
                     Hint::new("n", "new shot"),
