@@ -17,7 +17,7 @@ pub(super) const PRESS: f64 = 3e-10;
 
 /// A touching pair that slows down and closes in no faster than this (m/s) is left to
 /// press, or to stop: discs that hand on ever less to one another come to an end here.
-const GENTLE: f64 = 1e-8;
+const GENTLE: f64 = 1e-6;
 
 /// No pair may come deeper than this, in metres.
 const DEEPEST: f64 = 9e-10;
