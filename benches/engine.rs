@@ -17,10 +17,6 @@ fn main() {
     many("break, 4 m/s, 19 coins", &closed, &breaks(), 200);
     let board = Board::default();
     many("mid-game, 2.5 m/s, 19 coins", &board, &mid_game(), 1000);
-    println!();
-    if std::env::args().any(|a| a == "small") {
-        return;
-    }
     for count in [20, 60, 200, 600, 2000] {
         let (board, table) = crowd(count);
         one(&format!("{count} discs, all moving"), &board, &table);

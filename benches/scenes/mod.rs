@@ -1,4 +1,6 @@
-//! The tables that are timed.
+//! The tables that are timed. Not every bench plays them all.
+
+#![allow(dead_code)]
 
 use carrom::physics::{Board, Disc, Motion};
 use glam::DVec2;
@@ -19,6 +21,14 @@ impl Table {
     fn push(&mut self, disc: Disc, position: DVec2, velocity: DVec2) {
         self.discs.push(disc);
         self.start.push(Motion { position, velocity });
+    }
+
+    /// A striker with a velocity and a coin at rest.
+    pub fn pair(striker: (f64, f64), velocity: (f64, f64), coin: (f64, f64)) -> Self {
+        let mut table = Self::default();
+        table.push(STRIKER, striker.into(), velocity.into());
+        table.push(COIN, coin.into(), DVec2::ZERO);
+        table
     }
 
     fn is_free(&self, disc: Disc, position: DVec2) -> bool {

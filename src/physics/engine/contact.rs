@@ -4,7 +4,6 @@ use glam::DVec2;
 
 use super::super::slide::slowed;
 use super::bodies::Bodies;
-use super::play::REST;
 use super::quartic::first_root;
 
 /// A gap in metres below which two discs count as touching: far above what rounding
@@ -15,6 +14,10 @@ pub(super) const TOUCHING: f64 = 1e-13;
 /// counts as an impact again. Discs that touch and lose speed differently can press
 /// against each other for a while; taken strictly they would meet infinitely often.
 pub(super) const PRESS: f64 = 3e-10;
+
+/// A touching pair that slows down and closes in no faster than this (m/s) is left to
+/// press, or to stop: discs that hand on ever less to one another come to an end here.
+const GENTLE: f64 = 1e-6;
 
 /// No pair may come deeper than this, in metres.
 const DEEPEST: f64 = 9e-10;
@@ -81,7 +84,7 @@ impl Pair {
         let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.reach;
         // A pair that starts pressing from rest passes PRESS with twice this speed: an
         // impact there sends it apart fast enough not to be taken for gentle again.
-        let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= REST;
+        let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= GENTLE;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {
             let distance = self.d.length();

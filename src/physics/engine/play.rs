@@ -18,12 +18,6 @@ use super::{EngineError, Limits};
 /// before friction stops them.
 const GENTLE: f64 = 2e-3;
 
-/// On a board with friction a disc that leaves an event slower than this (m/s) is at
-/// rest: it would stop within 10⁻¹⁶ m, and discs that hand on ever less to one another
-/// must come to an end. A larger bound would itself make endless work, of a disc that
-/// pushes its way between two others which are stopped again and again.
-pub(super) const REST: f64 = 1e-8;
-
 /// Working memory of the search for partners.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Scratch {
@@ -212,11 +206,8 @@ impl<R: Record> Play<'_, R> {
     }
 
     /// Sends a disc on from an event.
-    pub(super) fn release(&mut self, disc: usize, time: f64, mut motion: Motion) {
-        let moved = self.bodies.moving[disc] || motion.velocity != DVec2::ZERO;
-        if self.deceleration > 0.0 && motion.velocity.length_squared() < REST * REST {
-            motion.velocity = DVec2::ZERO;
-        }
+    pub(super) fn release(&mut self, disc: usize, time: f64, motion: Motion) {
+        let moved = self.bodies.moving[disc];
         self.bodies.launch(disc, time, motion, self.deceleration);
         self.record.turn(disc, time, motion, false);
         if moved && motion.velocity == DVec2::ZERO {

@@ -84,3 +84,100 @@ fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     }
     x
 }
+
+#[cfg(test)]
+mod tests {
+    use aberth::aberth;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    use super::*;
+
+    fn value(c: &[f64; 5], x: f64) -> f64 {
+        c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+    }
+
+    /// What rounding may make of the polynomial's value at x.
+    fn noise(c: &[f64; 5], x: f64) -> f64 {
+        1e-14 * c.iter().rev().fold(0.0, |sum, c| sum * x + c.abs())
+    }
+
+    #[test]
+    fn roots_that_are_known() {
+        // (x−1)(x−2)(x−3)(x−4) and the same over a shorter stretch.
+        let c = [24.0, -50.0, 35.0, -10.0, 1.0];
+        assert!((first_root(c, 10.0).unwrap() - 1.0).abs() < 1e-14);
+        assert!((first_root(c, 1.5).unwrap() - 1.0).abs() < 1e-14);
+        assert_eq!(first_root(c, 0.9), None);
+        // Two roots close together, and a graze.
+        let close = [1.0 - 1e-12, -2.0, 1.0, 0.0, 0.0];
+        assert!((first_root(close, 3.0).unwrap() - (1.0 - 1e-6)).abs() < 1e-9);
+        assert_eq!(first_root([1.0, -2.0, 1.0, 0.0, 0.0], 3.0), None);
+        // Lower degrees, and a root next to nothing away.
+        assert!((first_root([3.0, -2.0, 0.0, 0.0, 0.0], 2.0).unwrap() - 1.5).abs() < 1e-15);
+        let near = first_root([1e-30, -1.0, 1.0, 1.0, 1.0], 0.5).unwrap();
+        assert!((near / 1e-30 - 1.0).abs() < 1e-12);
+    }
+
+    /// A million pairs of sliding discs against Aberth's simultaneous iteration, which
+    /// finds all four complex roots at once and shares nothing with the search here.
+    #[test]
+    fn a_million_random_pairs_agree_with_an_independent_root_finder() {
+        let mut rng = Pcg64::seed_from_u64(3);
+        let mut meetings = 0;
+        for _ in 0..1_000_000 {
+            let c = pair(&mut rng);
+            let end = rng.random_range(0.05..2.0);
+            let first = aberth(&c, 100, 1e-14)
+                .iter()
+                // A real root, and not one of a pair that all but touches the axis.
+                .filter(|root| root.im.abs() <= 1e-9 * root.re.abs())
+                .map(|root| root.re)
+                .filter(|&x| x > 0.0 && x < end)
+                .fold(f64::INFINITY, f64::min);
+            match first_root(c, end) {
+                Some(x) => {
+                    meetings += 1;
+                    assert!((0.0..=end).contains(&x));
+                    assert!(value(&c, x).abs() <= noise(&c, x), "{c:?} at {x}");
+                    let near = first.is_infinite() || (first - x).abs() <= 1e-6 * x;
+                    assert!(near, "{c:?}: {x}, but {first} comes first");
+                }
+                None => {
+                    // Only a root at the very end, or a graze, may be left out.
+                    let left_out = first.is_infinite()
+                        || value(&c, end) > -noise(&c, end)
+                            && value(&c, first * (1.0 + 1e-7)) >= -noise(&c, first);
+                    assert!(left_out, "{c:?} up to {end}: {first} was missed");
+                }
+            }
+        }
+        assert!(meetings > 50_000, "{meetings}");
+    }
+
+    /// |Δ(t)|² − R² of two coins on a board, both sliding.
+    fn pair(rng: &mut Pcg64) -> [f64; 5] {
+        let mut vector = |least: f64, most: f64| {
+            let angle: f64 = rng.random_range(0.0..std::f64::consts::TAU);
+            let size = rng.random_range(least..most);
+            (size * angle.cos(), size * angle.sin())
+        };
+        let reach = 0.0318;
+        let d = vector(reach, 0.4);
+        let (u, v) = (vector(0.01, 4.0), vector(0.01, 4.0));
+        let slowed = |(x, y): (f64, f64)| {
+            let slowing = -1.1768 / (x * x + y * y).sqrt();
+            (slowing * x, slowing * y)
+        };
+        let minus = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0, a.1 - b.1);
+        let dot = |a: (f64, f64), b: (f64, f64)| a.0 * b.0 + a.1 * b.1;
+        let (w, a) = (minus(v, u), minus(slowed(v), slowed(u)));
+        [
+            dot(d, d) - reach * reach,
+            2.0 * dot(d, w),
+            dot(w, w) + dot(d, a),
+            dot(w, a),
+            0.25 * dot(a, a),
+        ]
+    }
+}

@@ -8,6 +8,8 @@
 use glam::DVec2;
 use thiserror::Error;
 
+use super::super::capture::moment_of_inertia;
+use super::super::impact::reduced_mass;
 use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot, Turn};
 
 /// Why two discs cannot be set off to stick.
@@ -47,13 +49,11 @@ impl Capture {
     fn new(time: f64, discs: &[Disc; 2], at: &[Motion; 2]) -> Self {
         let [m1, m2] = discs.map(|disc| disc.mass);
         let total = m1 + m2;
-        let reduced = m1 * m2 / total;
         let apart = at[1].position - at[0].position;
         let relative = at[1].velocity - at[0].velocity;
         let velocity = (at[0].velocity * m1 + at[1].velocity * m2) / total;
-        let own = |disc: &Disc| 0.5 * disc.mass * disc.radius * disc.radius;
-        let inertia = own(&discs[0]) + own(&discs[1]) + reduced * apart.length_squared();
-        let omega = reduced * apart.perp_dot(relative) / inertia;
+        let inertia = moment_of_inertia(discs[0], discs[1]);
+        let omega = reduced_mass(m1, m2) * apart.perp_dot(relative) / inertia;
         Self {
             time,
             centre: (at[0].position * m1 + at[1].position * m2) / total,

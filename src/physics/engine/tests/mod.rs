@@ -1,5 +1,6 @@
 //! What the engine must show, against closed forms and conservation laws.
 
 mod known_answers;
+mod pinned;
 mod properties;
 mod tables;
