@@ -141,7 +141,9 @@ fn last_part(path: &str) -> String {
 /// What a level is about.
 fn about(level: &Level, stars: u8, lines: &mut Lines) {
     lines.paragraph(&level.title, Role::Title);
-    lines.line(&words::stars(stars), Role::Good);
+    if stars > 0 {
+        lines.line(&words::stars(stars), Role::Good);
+    }
     lines.gap();
     for goal in &level.goals {
         lines.paragraph(&goal.describe(&level.scene), Role::Text);

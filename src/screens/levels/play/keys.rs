@@ -9,15 +9,20 @@ pub(super) fn shown(play: &Play, cx: &Context) -> Vec<Hint> {
         Phase::Aim => {
             let says = !play.level.say_first.is_empty() && cx.settings.predict;
             let go = if says { "say where" } else { "shoot" };
-            vec![
+            let mut hints = vec![
                 Hint::new("Enter", go),
-                Hint::new("Left Right", "turn"),
+                Hint::new("Left Right", "set"),
                 Hint::new(", .", "finely"),
-                Hint::new("Up Down", "choose"),
+            ];
+            if play.level.adjust.dials().count() > 1 {
+                hints.push(Hint::new("Up Down", "choose"));
+            }
+            hints.extend([
                 Hint::new("0-9", "type"),
                 Hint::new("h", "hint"),
                 Hint::new("Esc", "back"),
-            ]
+            ]);
+            hints
         }
         Phase::Say(_) => vec![
             Hint::new("arrows", "turn"),

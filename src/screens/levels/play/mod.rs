@@ -305,12 +305,11 @@ impl Screen for Play {
     }
 
     fn status(&self, cx: &Context) -> String {
-        let stars = words::stars(cx.shelf.stars(self.number));
-        format!(
-            "level {} of {}   {stars}",
-            self.number + 1,
-            cx.shelf.count()
-        )
+        let place = format!("level {} of {}", self.number + 1, cx.shelf.count());
+        match cx.shelf.stars(self.number) {
+            0 => place,
+            stars => format!("{place}   {}", words::stars(stars)),
+        }
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {

@@ -211,7 +211,7 @@ fn answers(play: &Play, attempt: &Attempt, impact: &Impact, lines: &mut Lines) {
     let told = degrees(collision, &said.rays);
     lines.gap();
     let head = |text| (text, Role::Dim);
-    lines.columns(head("degrees"), ["you said", "truth"].map(head));
+    lines.columns(head("deg"), ["you said", "truth"].map(head));
     for (body, _) in said.asked() {
         let name = words::short(&play.level.scene, impact.discs[body]);
         let role = [Role::StrikerOut, Role::CoinOut][body];

@@ -47,7 +47,7 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, cx: &Context) {
         },
     }
     play.scroll.draw(layout.panel, buf, look, |lines| {
-        panel::write(play, lines, cx)
+        panel::write(play, lines, cx);
     });
 }
 
