@@ -114,6 +114,18 @@ fn fine_and_big_steps_and_the_ends_of_the_range() {
 }
 
 #[test]
+fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
+    let at = number("dead-stop");
+    let mut game = level(at);
+    game.press("53<Enter><Enter><Enter>");
+    game.pass(Duration::from_millis(100));
+    assert!(game.screen().contains("Space: go on"), "{}", game.screen());
+    assert_eq!(game.app().shelf().stars(at), 0);
+    game.key(Key::Escape);
+    assert_eq!(game.app().shelf().stars(at), 3);
+}
+
+#[test]
 fn what_was_said_right_earns_the_third_star() {
     for (said, stars) in [("0", 3), ("20", 2)] {
         let at = number("dead-stop");

@@ -33,8 +33,7 @@ pub(super) fn face_of(scene: &Scene, disc: usize) -> Face {
 pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
     match scene.pieces.get(disc).map(|piece| piece.kind) {
         Some(Kind::Striker) => "striker",
-        Some(Kind::White) => "coin",
-        Some(Kind::Black) => "black",
+        Some(Kind::White | Kind::Black) => "coin",
         Some(Kind::Queen) => "queen",
         Some(Kind::Marble) => "marble",
         None => "disc",

@@ -139,10 +139,31 @@ impl Play {
         self.shots += 1;
         let reduced = cx.settings.reduced_motion;
         let attempt = Attempt::new(&self.level, shot, self.shots, to_say, said, reduced);
+        self.enter(Phase::Watch(Box::new(attempt)));
+        self.keep_if_told(cx);
+    }
+
+    /// Keeps a win once it has been told.
+    fn keep_if_told(&self, cx: &mut Context) {
+        if let Phase::Watch(attempt) = &self.phase
+            && attempt.told
+        {
+            self.keep(attempt, cx);
+        }
+    }
+
+    fn keep(&self, attempt: &Attempt, cx: &mut Context) {
         if let Some(win) = attempt.win {
             cx.shelf.won(self.number, win);
         }
-        self.enter(Phase::Watch(Box::new(attempt)));
+    }
+
+    /// Back to the aim. A win that was not watched to its end counts all the same.
+    fn leave_shot(&mut self, cx: &mut Context) {
+        if let Phase::Watch(attempt) = &self.phase {
+            self.keep(attempt, cx);
+        }
+        self.enter(Phase::Aim);
     }
 
     fn next_level(&self, cx: &Context) -> Next {
@@ -226,6 +247,7 @@ impl Play {
             if changed || matches!(key, Key::Up | Key::Down | Key::Tab | Key::BackTab) {
                 self.scroll = Scroll::default();
             }
+            self.keep_if_told(cx);
             return Next::Stay;
         }
         let (told, won) = (attempt.told, attempt.win.is_some());
@@ -233,9 +255,10 @@ impl Play {
             // What moves is first brought to its end.
             Key::Enter if !told => {
                 attempt.update(&self.level, Key::End, false);
+                self.keep_if_told(cx);
             }
             Key::Enter | Key::Char('n' | 'N') if told && won => return self.next_level(cx),
-            Key::Enter | Key::Escape => self.enter(Phase::Aim),
+            Key::Enter | Key::Escape => self.leave_shot(cx),
             Key::Char('h' | 'H') if told && !won => self.hint(cx),
             _ => return Next::Ignored,
         }
@@ -320,10 +343,11 @@ impl Screen for Play {
         }
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
         if let Phase::Watch(attempt) = &mut self.phase {
             attempt.advance(passed);
         }
+        self.keep_if_told(cx);
         Next::Stay
     }
 
