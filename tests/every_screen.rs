@@ -11,11 +11,12 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 4] = [
+const PLACES: [Place; 5] = [
     Place::Home,
     Place::Lab,
     Place::Quiz { seed: None },
     Place::Levels,
+    Place::Level { number: 4 },
 ];
 
 fn opened(place: Place, charset: Charset, seed: u64) -> Headless {

@@ -14,8 +14,9 @@ use ratatui::layout::Rect;
 use crate::messages::{Effect, Input, Key, Mouse};
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
+use crate::screens::levels::{Levels, Play};
 use crate::screens::quiz::Quiz;
-use crate::screens::{Context, Next, Place, Screen, Settings};
+use crate::screens::{Context, Next, Place, Screen, Settings, Shelf};
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -38,10 +39,31 @@ impl App {
             size: Rect::default(),
             help: None,
         };
-        if place != Place::Home {
-            app.open(place);
-        }
+        app.start(place);
         app
+    }
+
+    /// An app with other levels than those of the program alone, which starts at
+    /// `place`, with Home below it.
+    pub fn with_levels(shelf: Shelf, place: Place, settings: Settings, seed: u64) -> Self {
+        let mut app = Self::new(Place::Home, settings, seed);
+        app.context.shelf = shelf;
+        app.start(place);
+        app
+    }
+
+    /// The levels there are to play.
+    pub fn shelf(&self) -> &Shelf {
+        &self.context.shelf
+    }
+
+    fn start(&mut self, place: Place) {
+        if let Place::Level { .. } = place {
+            self.open(Place::Levels);
+        }
+        if place != Place::Home {
+            self.open(place);
+        }
     }
 
     /// An app on a screen of the caller's own, with Home below it.
@@ -193,7 +215,11 @@ impl App {
                 let seed = seed.unwrap_or_else(|| self.context.next_seed());
                 Box::new(Quiz::new(seed))
             }
-            _ => Box::new(Home::default()),
+            Place::Levels => Box::new(Levels::new(&mut self.context)),
+            Place::Level { number } => match Play::new(number, &mut self.context) {
+                Some(play) => Box::new(play),
+                None => return,
+            },
         };
         self.stack.push(screen);
     }

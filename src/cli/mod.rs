@@ -20,7 +20,7 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
-use crate::screens::Place;
+use crate::screens::{Place, Shelf};
 use options::Look;
 
 /// A terminal game that teaches glancing collisions.
@@ -70,18 +70,45 @@ enum Screen {
     /// Open the quiz: ten hits to predict (with --seed N always the same ten)
     Quiz,
     /// Open the levels: small puzzles on the board, solved by aiming
-    Levels,
+    Levels {
+        /// A level to play at once: its id, or PACK/ID
+        name: Option<String>,
+    },
 }
 
 impl Screen {
-    fn place(&self) -> Place {
-        match self {
+    /// Where that is, with these levels.
+    ///
+    /// # Errors
+    /// If there is no level of that name, in words.
+    fn place(&self, shelf: &Shelf) -> Result<Place, String> {
+        Ok(match self {
             Self::Lab => Place::Lab,
             // The first round takes the app's own seed.
             Self::Quiz => Place::Quiz { seed: None },
-            Self::Levels => Place::Levels,
-        }
+            Self::Levels { name: None } => Place::Levels,
+            Self::Levels { name: Some(name) } => {
+                let number = shelf.find(name);
+                let number = number.ok_or_else(|| {
+                    format!(
+                        "expected the id of a level, such as dead-stop, found \"{}\"",
+                        name.escape_debug()
+                    )
+                })?;
+                Place::Level { number }
+            }
+        })
     }
+}
+
+/// The app as the options have it, at a screen (`None`: the first one).
+///
+/// # Errors
+/// What is wrong with the arguments, in words.
+fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
+    let shelf = Shelf::new(options.library());
+    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&shelf))?;
+    Ok(App::with_levels(shelf, place, options.settings(auto), seed))
 }
 
 /// Does what the arguments (the first is the program's name) ask for.
@@ -102,8 +129,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         }
     };
     match &cli.command {
-        None => play::run(&cli.options, Place::Home),
-        Some(Command::Open(screen)) => play::run(&cli.options, screen.place()),
+        None => play::run(&cli.options, None),
+        Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Level(args)) => level::run(args),
@@ -132,14 +159,14 @@ fn open_within(arguments: &str, outer: &Options) -> Result<App, String> {
         let first = message.lines().next().unwrap_or_default();
         first.strip_prefix("error: ").unwrap_or(first).to_owned()
     })?;
-    let place = match &cli.command {
-        None => Place::Home,
-        Some(Command::Open(screen)) => screen.place(),
+    let screen = match &cli.command {
+        None => None,
+        Some(Command::Open(screen)) => Some(screen),
         Some(_) => return Err("expected a command that opens a screen".into()),
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    Ok(App::new(place, options.settings(Look::PLAINEST), seed))
+    app(screen, &options, Look::PLAINEST, seed)
 }
 
 /// Writes to standard output. A reader who has seen enough (`carrom man | head`) is

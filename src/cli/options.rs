@@ -1,10 +1,12 @@
 //! Options that every command takes.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
+use crate::levels::Library;
 use crate::screens::Settings;
 use crate::widgets::{Charset, Depth};
 
@@ -24,6 +26,10 @@ pub struct Options {
     /// Name of the player
     #[arg(long, global = true, value_name = "NAME", value_parser = player)]
     player: Option<String>,
+    /// Folder with levels of your own, added to those of the program; may be given
+    /// several times
+    #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
+    levels: Vec<PathBuf>,
     /// Folder for what carrom keeps, such as crash.log (default: the system's place
     /// for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
@@ -80,6 +86,11 @@ impl Options {
             },
             seed: self.seed.or(other.seed),
             player: self.player.or(other.player),
+            levels: if self.levels.is_empty() {
+                other.levels
+            } else {
+                self.levels
+            },
             data_dir: self.data_dir.or(other.data_dir),
         }
     }
@@ -110,6 +121,19 @@ impl Options {
         }
     }
 
+    /// The levels of the program and those of the folders given. Files that are no
+    /// good are left out and listed on the screen of the levels.
+    pub(super) fn library(&self) -> Arc<Library> {
+        if self.levels.is_empty() {
+            return Library::embedded_once();
+        }
+        let mut library = Library::embedded();
+        for dir in &self.levels {
+            library.add_dir(dir);
+        }
+        Arc::new(library)
+    }
+
     /// The folder for what carrom keeps; `None` if none is given and the system
     /// knows no home for the user.
     pub(super) fn data_dir(&self) -> Option<PathBuf> {
@@ -117,6 +141,16 @@ impl Options {
             let system = etcetera::choose_base_strategy().ok()?;
             Some(system.data_dir().join("carrom"))
         })
+    }
+}
+
+/// A folder that is there.
+fn folder(path: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(path);
+    if path.is_dir() {
+        Ok(path)
+    } else {
+        Err("expected a folder that is there".into())
     }
 }
 

@@ -4,14 +4,14 @@ use std::env;
 use std::hash::{BuildHasher, RandomState};
 use std::process::ExitCode;
 
+use anyhow::anyhow;
+
 use super::options::Look;
-use super::{Failure, Options};
-use crate::app::App;
-use crate::screens::Place;
+use super::{Failure, Options, Screen, app};
 use crate::shells::terminal::{self, Ending};
 
 /// Opens the game at a screen and plays it until it is left.
-pub(super) fn run(options: &Options, place: Place) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode, Failure> {
     let env = |name: &str| env::var(name).ok();
     terminal::check(env).map_err(|error| Failure::Input(error.into()))?;
     terminal::report_crashes(options.data_dir());
@@ -20,7 +20,7 @@ pub(super) fn run(options: &Options, place: Place) -> Result<ExitCode, Failure> 
         depth: terminal::depth(),
     };
     let seed = options.seed.unwrap_or_else(any_seed);
-    let app = App::new(place, options.settings(auto), seed);
+    let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;
     Ok(match terminal::run(app)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.

@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock};
 
 use include_dir::{Dir, include_dir};
 
@@ -46,6 +47,13 @@ pub struct Library {
 }
 
 impl Library {
+    /// The packs that come with the program, read once for the whole process, as
+    /// they never change.
+    pub fn embedded_once() -> Arc<Self> {
+        static READ: LazyLock<Arc<Library>> = LazyLock::new(|| Arc::new(Library::embedded()));
+        Arc::clone(&READ)
+    }
+
     /// The packs that come with the program.
     pub fn embedded() -> Self {
         let mut library = Self::default();

@@ -19,6 +19,7 @@ mod play;
 mod quantity;
 mod scene;
 mod source;
+mod stars;
 
 pub use aim::{Adjust, Aim, Dial};
 pub use check::{Trial, winning_share};
@@ -31,3 +32,4 @@ pub use library::{Library, Pack, read_file};
 pub use quantity::{Quantity, Range};
 pub use scene::{MOST_DISCS, Piece, Scene, Stroke, pockets};
 pub use source::{FORMAT, LARGEST_FILE};
+pub use stars::{Best, FEW_SHOTS, MOST_STARS, Win};

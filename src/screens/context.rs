@@ -4,6 +4,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
+use super::Shelf;
+use crate::levels::Library;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -59,6 +61,8 @@ pub struct Context {
     /// The part of the screen that belongs to the screen on top: all but the
     /// title line and the line of keys.
     pub body: Rect,
+    /// The levels.
+    pub shelf: Shelf,
     seed: u64,
     rounds: u64,
 }
@@ -69,6 +73,7 @@ impl Context {
         Self {
             settings,
             body: Rect::default(),
+            shelf: Shelf::new(Library::embedded_once()),
             seed,
             rounds: 0,
         }

@@ -2,9 +2,12 @@
 
 mod context;
 mod place;
+mod shelf;
+mod why;
 
 pub mod home;
 pub mod lab;
+pub mod levels;
 pub mod quiz;
 
 use std::time::Duration;
@@ -14,6 +17,7 @@ use ratatui::layout::Rect;
 
 pub use context::{Context, Settings};
 pub use place::Place;
+pub use shelf::Shelf;
 
 use crate::messages::Input;
 

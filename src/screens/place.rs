@@ -14,4 +14,9 @@ pub enum Place {
     },
     /// The list of levels.
     Levels,
+    /// A level.
+    Level {
+        /// Its place among all levels, from 0.
+        number: usize,
+    },
 }

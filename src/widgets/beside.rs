@@ -8,6 +8,8 @@ use super::panel::draw_panel;
 
 /// Columns of the panel, with its frame.
 const PANEL: u16 = 30;
+/// Fewest columns of the panel beside a square picture, with its frame.
+const LEAST: u16 = 24;
 /// Columns that it has more on a wide screen.
 const MORE: u16 = 8;
 /// From this width on a screen is wide.
@@ -31,7 +33,18 @@ impl Beside {
         } else {
             PANEL
         };
-        let panel_width = wanted.min(area.width / 2);
+        Self::with_panel(area, wanted.min(area.width / 2))
+    }
+
+    /// Lays them out with a picture just as wide as a square board of its height
+    /// needs, and the rest for the panel.
+    pub fn square(area: Rect) -> Self {
+        let needed = (2 * area.height.saturating_sub(2)).saturating_sub(1) + 2;
+        let panel_width = area.width.saturating_sub(needed);
+        Self::with_panel(area, panel_width.max(LEAST.min(area.width / 2)))
+    }
+
+    fn with_panel(area: Rect, panel_width: u16) -> Self {
         let picture = Rect {
             width: area.width - panel_width,
             ..area

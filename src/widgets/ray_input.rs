@@ -17,6 +17,8 @@ const FURTHEST: f64 = 180.0;
 pub struct RayInput {
     angles_deg: [Option<f64>; 2],
     turning: Ray,
+    /// The one ray that is asked for, if not both are.
+    only: Option<Ray>,
     side: f64,
     entry: NumberEntry,
 }
@@ -39,9 +41,33 @@ impl RayInput {
         Self {
             angles_deg: [Some(0.0); 2],
             turning: Ray::Striker,
+            only: None,
             side,
             entry: NumberEntry::default(),
         }
+    }
+
+    /// The same with one ray alone to be said. The other one reads as a disc that
+    /// stays still.
+    #[must_use]
+    pub fn only(mut self, ray: Ray) -> Self {
+        self.angles_deg = [None; 2];
+        self.angles_deg[index(ray)] = Some(0.0);
+        Self {
+            turning: ray,
+            only: Some(ray),
+            ..self
+        }
+    }
+
+    /// Whether a ray is to be said.
+    pub fn asks(&self, ray: Ray) -> bool {
+        self.only.is_none_or(|only| only == ray)
+    }
+
+    /// Whether Enter ends it: the last ray that is asked for is being turned.
+    pub fn is_last(&self) -> bool {
+        self.only.is_some() || self.turning == Ray::Target
     }
 
     /// What has been said so far.
@@ -111,7 +137,8 @@ impl RayInput {
 
     /// Writes both rays, a row each; `target` is what the struck disc is called.
     pub fn write(&self, lines: &mut Lines, target: &str) {
-        for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
+        let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
+        for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
             let (mark, role) = if ray == self.turning {
                 (">", Role::Selected)
             } else {
@@ -134,18 +161,17 @@ impl RayInput {
     }
 
     fn next(&mut self) -> Turned {
-        match self.turning {
-            Ray::Striker => {
-                self.choose(Ray::Target);
-                Turned::Turning
-            }
-            Ray::Target => Turned::Done,
+        if self.is_last() {
+            self.entry.take();
+            return Turned::Done;
         }
+        self.choose(Ray::Target);
+        Turned::Turning
     }
 
     fn choose(&mut self, ray: Ray) {
         self.entry.take();
-        self.turning = ray;
+        self.turning = self.only.unwrap_or(ray);
     }
 
     fn set(&mut self, angle: Option<f64>) {

@@ -3,6 +3,7 @@
 use super::Setup;
 use crate::physics::{Bond, Meeting};
 use crate::quiz::{self, Answer, Confidence};
+use crate::screens::why::both_moving;
 use crate::widgets::hit::Watch;
 
 /// A title and a text for the panel.
@@ -23,7 +24,10 @@ pub(super) fn explain(setup: &Setup, watch: &Watch) -> (String, String) {
             "They just brush: at an offset of exactly r₁ + r₂ the line of impact is square to the motion, nothing is pushed, and the striker goes straight on.".into(),
         ),
         Meeting::Hit if setup.bond == Bond::Stick => plain(stuck(watch)),
-        Meeting::Hit if setup.target_speed > 0.0 => plain(both_moving(watch)),
+        Meeting::Hit if setup.target_speed > 0.0 => plain(format!(
+            "{} Press f for the coin's own frame.",
+            both_moving(watch.collision())
+        )),
         Meeting::Hit => match watch.said() {
             Some(said) => {
                 let question = setup.question();
@@ -50,22 +54,5 @@ fn stuck(watch: &Watch) -> String {
     format!(
         "They stick and share one velocity, that of the centre of mass: {:.2} m/s.{turning} Sticking is not the same as e = 0: smooth discs would still slip past each other.",
         outcome.v1.length()
-    )
-}
-
-fn both_moving(watch: &Watch) -> String {
-    let collision = watch.collision();
-    let outcome = watch.outcome();
-    let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
-        return String::new();
-    };
-    format!(
-        "Both move, but the rule is the same. Along n: {:.2} and {:.2} m/s become {:.2} and {:.2}. Across, along t, both keep what they had: {:.2} and {:.2}. Press f for the coin's own frame.",
-        collision.u1.dot(n),
-        collision.u2.dot(n),
-        outcome.v1.dot(n),
-        outcome.v2.dot(n),
-        collision.u1.dot(t) + 0.0,
-        collision.u2.dot(t) + 0.0,
     )
 }

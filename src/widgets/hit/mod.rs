@@ -14,6 +14,6 @@ mod watch;
 
 pub use layers::{Layer, Layers};
 pub use playback::{FRAME, Playback};
-pub use setup::{Given, drag_offset, draw_setup, point_at};
+pub use setup::{Given, drag_offset, draw_setup, draw_setup_of, point_at};
 pub use stage::{Stage, degrees, side};
-pub use watch::Watch;
+pub use watch::{Face, Watch};

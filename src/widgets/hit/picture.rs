@@ -8,6 +8,7 @@ use super::labels::Labels;
 use super::layers::{Layer, Layers};
 use super::playback::Playback;
 use super::stage::Stage;
+use super::watch::Face;
 use super::{angles, inset};
 use crate::physics::{Bond, Frame, Outcome, Shot};
 use crate::quiz::{Ray, Rays};
@@ -24,6 +25,7 @@ pub(super) struct Moment<'a> {
     pub(super) frame: Frame,
     pub(super) layers: Layers,
     pub(super) said: Option<&'a Rays>,
+    pub(super) faces: [Face; 2],
 }
 
 impl Moment<'_> {
@@ -69,8 +71,8 @@ impl Moment<'_> {
         if self.shows(Layer::Trails) {
             self.trails(&mut sheet, time);
         }
-        for (body, role, letter) in [(0, Role::Striker, 'S'), (1, Role::Coin, 'C')] {
-            sheet.disc(now[body], self.stage.radius(body), role, letter);
+        for (body, face) in self.faces.into_iter().enumerate() {
+            sheet.disc(now[body], self.stage.radius(body), face.role, face.letter);
         }
         let collision = &self.stage.collision;
         let before = [collision.u1 - self.drift(), collision.u2 - self.drift()];

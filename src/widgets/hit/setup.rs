@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 
 use super::labels::Labels;
 use super::stage::Stage;
+use super::watch::Face;
 use crate::physics::Collision;
 use crate::quiz::Ray;
 use crate::widgets::ink::{Pen, Sheet, Side};
@@ -20,8 +21,22 @@ pub struct Given {
     pub angle: bool,
 }
 
-/// Draws two discs about to meet, and the rays being turned.
+/// Draws a striker and a coin about to meet, and the rays being turned.
 pub fn draw_setup(
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    collision: &Collision,
+    given: Given,
+    rays: Option<&RayInput>,
+) {
+    let faces = Face::STRIKER_AND_COIN;
+    draw_setup_of(faces, area, buf, look, collision, given, rays);
+}
+
+/// Draws two discs of any kind about to meet, and the rays being turned.
+pub fn draw_setup_of(
+    faces: [Face; 2],
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
@@ -46,8 +61,8 @@ pub fn draw_setup(
             offset(&mut sheet, &mut labels, &stage, along);
         }
     }
-    for (place, body, role, letter) in [(p1, 0, Role::Striker, 'S'), (p2, 1, Role::Coin, 'C')] {
-        sheet.disc(place, stage.radius(body), role, letter);
+    for (body, (place, face)) in [p1, p2].into_iter().zip(faces).enumerate() {
+        sheet.disc(place, stage.radius(body), face.role, face.letter);
     }
     if collision.alpha().is_some() {
         sheet.circle(c1, stage.radius(0), Pen::new(Role::Trail).dotted());
@@ -60,7 +75,7 @@ pub fn draw_setup(
     }
     moving(&mut sheet, &mut labels, &stage, [p1, p2]);
     if let Some(rays) = rays {
-        turned(&mut sheet, &mut labels, &stage, rays);
+        turned(&mut sheet, &mut labels, &stage, faces, rays);
     }
     labels.write(&mut sheet);
     sheet.draw(buf, &look.theme);
@@ -140,13 +155,19 @@ fn moving(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, places: [DVec2;
 }
 
 /// The rays as said so far, from where the discs will meet.
-fn turned(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, rays: &RayInput) {
+fn turned(
+    sheet: &mut Sheet,
+    labels: &mut Labels,
+    stage: &Stage,
+    faces: [Face; 2],
+    rays: &RayInput,
+) {
     let said = rays.said();
     for (body, ray) in Ray::BOTH.into_iter().enumerate() {
-        let name = match ray {
-            Ray::Striker => "S",
-            Ray::Target => "C",
-        };
+        if !rays.asks(ray) {
+            continue;
+        }
+        let name = faces[body].letter;
         let centre = stage.centres[body];
         let Some(angle) = said.get(ray) else {
             let text = format!("{name} stays still");

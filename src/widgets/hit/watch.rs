@@ -13,7 +13,7 @@ use super::stage::Stage;
 use crate::messages::Key;
 use crate::physics::{Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
-use crate::widgets::Look;
+use crate::widgets::{Look, Role};
 
 /// Share of the whole that `,` and `.` step by.
 const STEP: f64 = 1.0 / 96.0;
@@ -31,6 +31,30 @@ pub struct Watch {
     layers: Layers,
     frame: Frame,
     said: Option<Rays>,
+    faces: [Face; 2],
+}
+
+/// How a disc of a hit is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Face {
+    /// Its colour.
+    pub role: Role,
+    /// The letter on it.
+    pub letter: char,
+}
+
+impl Face {
+    /// A striker and a coin.
+    pub const STRIKER_AND_COIN: [Self; 2] = [
+        Self {
+            role: Role::Striker,
+            letter: 'S',
+        },
+        Self {
+            role: Role::Coin,
+            letter: 'C',
+        },
+    ];
 }
 
 impl Watch {
@@ -47,7 +71,14 @@ impl Watch {
             layers: Layers::default(),
             frame: Frame::Laboratory,
             said,
+            faces: Face::STRIKER_AND_COIN,
         }
+    }
+
+    /// The same hit of other pieces than a striker and a coin.
+    #[must_use]
+    pub fn with_faces(self, faces: [Face; 2]) -> Self {
+        Self { faces, ..self }
     }
 
     /// The same with these layers.
@@ -159,6 +190,7 @@ impl Watch {
             frame: self.frame,
             layers: self.layers,
             said: self.said.as_ref(),
+            faces: self.faces,
         };
         moment.draw(buf, look);
     }

@@ -1,0 +1,83 @@
+//! How well a level was won.
+
+use std::collections::BTreeMap;
+
+/// The most stars a level gives.
+pub const MOST_STARS: u8 = 3;
+
+/// Up to this many shots a win has the star for few shots.
+pub const FEW_SHOTS: u32 = 3;
+
+/// A level won.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Win {
+    /// Shots it took since the level was opened, the winning one included.
+    pub shots: u32,
+    /// Whether what the player said before the winning shot was right; `None` where
+    /// there was nothing to say.
+    pub said_right: Option<bool>,
+}
+
+impl Win {
+    /// One star for winning, one for few shots, and one for saying first what would
+    /// come about; where there is nothing to say, for winning with the first shot.
+    pub fn stars(&self) -> u8 {
+        1 + u8::from(self.has_few_shots()) + u8::from(self.is_accurate())
+    }
+
+    /// Whether it has the star for few shots.
+    pub fn has_few_shots(&self) -> bool {
+        self.shots <= FEW_SHOTS
+    }
+
+    /// Whether it has the star for accuracy.
+    pub fn is_accurate(&self) -> bool {
+        self.said_right.unwrap_or(self.shots <= 1)
+    }
+}
+
+/// The best that was done in each level.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Best(BTreeMap<(String, String), u8>);
+
+impl Best {
+    /// Stars of a level, by the name of its pack and its id; 0 if it was never won.
+    pub fn stars(&self, pack: &str, id: &str) -> u8 {
+        let key = (pack.to_owned(), id.to_owned());
+        self.0.get(&key).copied().unwrap_or(0)
+    }
+
+    /// Keeps the stars of a win unless there were more already.
+    pub fn keep(&mut self, pack: &str, id: &str, win: Win) {
+        let best = self.0.entry((pack.into(), id.into())).or_default();
+        *best = win.stars().max(*best);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_star_is_earned_by_itself() {
+        let stars = |shots, said_right| Win { shots, said_right }.stars();
+        assert_eq!(stars(1, Some(true)), MOST_STARS);
+        assert_eq!(stars(1, Some(false)), 2);
+        assert_eq!(stars(FEW_SHOTS + 1, Some(true)), 2);
+        assert_eq!(stars(FEW_SHOTS + 1, Some(false)), 1);
+        assert_eq!(stars(1, None), MOST_STARS);
+        assert_eq!(stars(2, None), 2);
+    }
+
+    #[test]
+    fn a_worse_win_takes_nothing_away() {
+        let mut best = Best::default();
+        assert_eq!(best.stars("pack", "a"), 0);
+        for (shots, stars) in [(9, 1), (1, 3), (2, 3)] {
+            let said_right = None;
+            best.keep("pack", "a", Win { shots, said_right });
+            assert_eq!(best.stars("pack", "a"), stars);
+        }
+        assert_eq!(best.stars("other", "a"), 0);
+    }
+}

@@ -1,0 +1,111 @@
+//! The list of levels: what there is, what has been won, what comes next.
+
+mod view;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::messages::{Input, Key, MouseKind};
+use crate::screens::{Context, Help, Hint, Next, Place, Screen, Shelf};
+
+/// The list of levels. Which one is chosen belongs to the [`Shelf`].
+#[derive(Debug, Clone, Default)]
+pub struct Levels {}
+
+impl Levels {
+    /// The list, at the first level that was never won.
+    pub fn new(cx: &mut Context) -> Self {
+        cx.shelf.at = cx.shelf.next().unwrap_or(0);
+        Self::default()
+    }
+}
+
+/// How many lines can be chosen: the levels, and after them the problems.
+fn choices(shelf: &Shelf) -> usize {
+    shelf.count() + shelf.library().problems.len()
+}
+
+fn choose(shelf: &mut Shelf, by: isize) {
+    let last = choices(shelf).saturating_sub(1);
+    shelf.at = shelf.at.saturating_add_signed(by).min(last);
+}
+
+/// Opens the chosen level; a problem has nothing to open.
+fn open(shelf: &Shelf) -> Next {
+    if shelf.at < shelf.count() {
+        Next::Open(Place::Level { number: shelf.at })
+    } else {
+        Next::Stay
+    }
+}
+
+impl Screen for Levels {
+    fn title(&self) -> String {
+        "levels".into()
+    }
+
+    fn status(&self, cx: &Context) -> String {
+        let shelf = &cx.shelf;
+        let won = (0..shelf.count()).filter(|number| shelf.stars(*number) > 0);
+        format!("{} of {} won", won.count(), shelf.count())
+    }
+
+    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        let body = cx.body;
+        let shelf = &mut cx.shelf;
+        match input {
+            Input::Key(key) => match key {
+                Key::Up | Key::BackTab => choose(shelf, -1),
+                Key::Down | Key::Tab => choose(shelf, 1),
+                Key::PageUp => choose(shelf, -10),
+                Key::PageDown => choose(shelf, 10),
+                Key::Home => choose(shelf, isize::MIN),
+                Key::End => choose(shelf, isize::MAX),
+                Key::Char('n' | 'N') => shelf.at = shelf.next().unwrap_or(shelf.at),
+                Key::Enter | Key::Char(' ') => return open(shelf),
+                _ => return Next::Ignored,
+            },
+            Input::Mouse(mouse) => match mouse.kind {
+                MouseKind::ScrollUp => choose(shelf, -1),
+                MouseKind::ScrollDown => choose(shelf, 1),
+                MouseKind::Down => {
+                    let Some(at) = view::choice_at(shelf, body, (mouse.column, mouse.row)) else {
+                        return Next::Ignored;
+                    };
+                    let again = shelf.at == at;
+                    shelf.at = at;
+                    if again {
+                        return open(shelf);
+                    }
+                }
+                _ => return Next::Ignored,
+            },
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(area, buf, cx);
+    }
+
+    fn keys(&self, _cx: &Context) -> Vec<Hint> {
+        vec![
+            Hint::new("Up Down", "choose"),
+            Hint::new("Enter", "play"),
+            Hint::new("n", "next to win"),
+            Hint::new("Esc", "back"),
+        ]
+    }
+
+    fn help(&self, cx: &Context) -> Help {
+        Help {
+            text: vec![
+                "Each level is a small puzzle on the board: set the shot so that its goals come about. All of them are open; they get harder from the top down.",
+                "A level gives up to three stars: one for winning it, one for at most three shots, and one for saying first where the discs will go (where nothing is asked: for winning with the first shot). Come back for more as often as you like; the best counts.",
+                "Levels of your own: carrom --levels DIR. A file that cannot be read is listed at the end with what is wrong with it.",
+            ],
+            keys: self.keys(cx),
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! How the list of levels looks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::levels::Level;
+use crate::screens::levels::play::dial_name;
+use crate::screens::levels::words;
+use crate::screens::{Context, Shelf};
+use crate::widgets::{Beside, Lines, Role};
+
+/// A line of the list.
+enum Row {
+    /// Nothing, between two packs.
+    Gap,
+    /// The name of a pack and how much of it is won.
+    Head(String),
+    /// A level or a problem, by its number among what can be chosen.
+    Choice(usize),
+}
+
+/// All lines of the list.
+fn rows(shelf: &Shelf) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let head = |rows: &mut Vec<Row>, text: String| {
+        if !rows.is_empty() {
+            rows.push(Row::Gap);
+        }
+        rows.push(Row::Head(text));
+    };
+    let mut number = 0;
+    for pack in &shelf.library().packs {
+        let members = number..number + pack.levels.len();
+        let won = members.clone().filter(|n| shelf.stars(*n) > 0).count();
+        let title = format!("{}: {won} of {} won", pack.title(), pack.levels.len());
+        head(&mut rows, title);
+        rows.extend(members.clone().map(Row::Choice));
+        number = members.end;
+    }
+    let problems = shelf.library().problems.len();
+    if problems > 0 {
+        let files = if problems == 1 { "file" } else { "files" };
+        head(&mut rows, format!("left out: {problems} {files}"));
+        rows.extend((number..number + problems).map(Row::Choice));
+    }
+    rows
+}
+
+/// The first line shown: the chosen one stands in the middle where the list is
+/// longer than its place.
+fn first_shown(shelf: &Shelf, rows: &[Row], height: usize) -> usize {
+    let chosen = |row: &Row| matches!(row, Row::Choice(at) if *at == shelf.at);
+    let at = rows.iter().position(chosen).unwrap_or(0);
+    let most = rows.len().saturating_sub(height);
+    at.saturating_sub(height / 2).min(most)
+}
+
+/// The level or problem whose line is at this cell.
+pub(super) fn choice_at(shelf: &Shelf, area: Rect, cell: (u16, u16)) -> Option<usize> {
+    let list = Beside::new(area).picture;
+    if !list.contains(cell.into()) {
+        return None;
+    }
+    let rows = rows(shelf);
+    let first = first_shown(shelf, &rows, list.height.into());
+    match rows.get(first + usize::from(cell.1 - list.y))? {
+        Row::Choice(at) => Some(*at),
+        Row::Gap | Row::Head(_) => None,
+    }
+}
+
+/// Draws the list and what the chosen level is about.
+pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
+    let look = cx.settings.look();
+    let layout = Beside::new(area);
+    let shelf = &cx.shelf;
+    let problem = shelf
+        .at
+        .checked_sub(shelf.count())
+        .and_then(|i| shelf.library().problems.get(i));
+    let side_title = if problem.is_some() {
+        "what is wrong"
+    } else {
+        "the level"
+    };
+    layout.draw(buf, &look, "levels", side_title);
+    let rows = rows(shelf);
+    let first = first_shown(shelf, &rows, layout.picture.height.into());
+    let mut lines = Lines::new(layout.picture, buf, look);
+    for row in rows.iter().skip(first) {
+        match row {
+            Row::Gap => lines.line("", Role::Text),
+            Row::Head(text) => lines.line(text, Role::Title),
+            Row::Choice(at) => choice(shelf, *at, &mut lines),
+        }
+    }
+    let mut lines = Lines::new(layout.panel, buf, look);
+    if let Some(problem) = problem {
+        lines.paragraph(&problem.to_string(), Role::Warn);
+        lines.gap();
+        lines.paragraph("The other levels can be played all the same.", Role::Text);
+    } else if let Some((_, level)) = shelf.get(shelf.at) {
+        about(level, shelf.stars(shelf.at), &mut lines);
+    } else {
+        lines.paragraph("There are no levels here.", Role::Text);
+    }
+}
+
+/// The line of a level or a problem.
+fn choice(shelf: &Shelf, at: usize, lines: &mut Lines) {
+    let chosen = at == shelf.at;
+    let mark = if chosen { ">" } else { " " };
+    let role = |otherwise| if chosen { Role::Selected } else { otherwise };
+    let Some((_, level)) = shelf.get(at) else {
+        let problem = shelf.library().problems.get(at - shelf.count());
+        let file = problem.map_or(String::new(), |problem| last_part(&problem.file));
+        lines.line(&format!("{mark} {file}"), role(Role::Warn));
+        return;
+    };
+    let stars = shelf.stars(at);
+    let next = shelf.next() == Some(at);
+    let (value, value_role) = match stars {
+        0 if next => ("next".to_owned(), Role::Key),
+        0 => (String::new(), Role::Dim),
+        _ => (words::stars(stars), Role::Good),
+    };
+    let name = format!("{mark} {:2}  {}", at + 1, level.title);
+    lines.pair(&name, &value, role(Role::Text), value_role);
+}
+
+fn last_part(path: &str) -> String {
+    let parts = path.rsplit(['/', '\\']);
+    parts
+        .into_iter()
+        .next()
+        .unwrap_or_default()
+        .escape_debug()
+        .to_string()
+}
+
+/// What a level is about.
+fn about(level: &Level, stars: u8, lines: &mut Lines) {
+    lines.paragraph(&level.title, Role::Title);
+    if stars > 0 {
+        lines.line(&words::stars(stars), Role::Good);
+    }
+    lines.gap();
+    for goal in &level.goals {
+        lines.paragraph(&goal.describe(&level.scene), Role::Text);
+    }
+    lines.gap();
+    let dials: Vec<_> = level
+        .adjust
+        .dials()
+        .map(|(dial, _)| dial_name(dial))
+        .collect();
+    lines.paragraph(&format!("You set: {}.", dials.join(", ")), Role::Dim);
+    lines.gap();
+    lines.paragraph("Enter: play it.", Role::Key);
+}

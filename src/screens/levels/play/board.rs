@@ -1,0 +1,200 @@
+//! The board of a level.
+
+use glam::DVec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::attempt::Attempt;
+use crate::levels::{Level, Scene};
+use crate::physics::{EventKind, Shot, State};
+use crate::quiz::Ray;
+use crate::screens::levels::words::face;
+use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::{Look, Role, board};
+
+/// Length of the arrow of the shot, in metres for each m/s.
+const ARROW: f64 = 0.03;
+/// Length of a ray that was said, in metres.
+const RAY: f64 = 0.14;
+
+/// Where the board of a level is on the screen.
+pub(super) fn view(level: &Level, area: Rect) -> View {
+    board::view(board::square(area), &level.scene.board)
+}
+
+/// The empty board with the circles of the goals.
+fn sheet(level: &Level, area: Rect, look: &Look) -> Sheet {
+    let view = view(level, area);
+    let mut sheet = Sheet::new(view, look.charset);
+    let board = &level.scene.board;
+    board::ground(&mut sheet, board);
+    if view.area() != area {
+        let half = DVec2::splat(0.5 * board.side);
+        sheet.rectangle(-half, half, Role::BoardLine);
+    }
+    for circle in level.goals.iter().filter_map(|goal| goal.circle()) {
+        let pen = Pen::new(Role::Good).on(Layer::Ground);
+        sheet.circle(circle.centre, circle.radius, pen);
+    }
+    sheet
+}
+
+/// Writes which circle is whose, and tells discs of one kind apart.
+fn labels(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
+    for goal in &level.goals {
+        if let Some(circle) = goal.circle() {
+            let anchor = circle.centre + circle.radius * DVec2::Y;
+            let up = Side::towards(DVec2::Y);
+            sheet.label("goal", anchor, &up, Role::Good);
+        }
+    }
+    let pieces = &level.scene.pieces;
+    for (disc, at) in discs {
+        let Some(piece) = pieces.get(*disc) else {
+            continue;
+        };
+        let alike = |&(_, other): &(usize, &crate::levels::Piece)| other.kind == piece.kind;
+        let numbers: Vec<_> = pieces.iter().enumerate().filter(alike).collect();
+        if numbers.len() > 1 {
+            let ordinal = numbers
+                .iter()
+                .take_while(|(other, _)| other <= disc)
+                .count();
+            let text = ordinal.to_string();
+            sheet.label(&text, *at, &Side::ALL, face(piece.kind).role);
+        }
+    }
+}
+
+fn discs(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
+    for (disc, at) in discs {
+        if let Some(piece) = level.scene.pieces.get(*disc) {
+            let face = face(piece.kind);
+            sheet.disc(*at, piece.disc.radius, face.role, face.letter);
+        }
+    }
+}
+
+/// The board with the shot as it is aimed, up to the first thing it meets.
+pub(super) fn draw_aim(level: &Level, scene: &Scene, area: Rect, buf: &mut Buffer, look: &Look) {
+    let mut sheet = sheet(level, area, look);
+    let places = scene.pieces.iter().map(|piece| piece.at).enumerate();
+    let places: Vec<_> = places.collect();
+    let aimed = scene.stroke.disc;
+    let velocity = scene.stroke.velocity();
+    if let Some(piece) = scene.pieces.get(aimed)
+        && let Some(heading) = velocity.try_normalize()
+    {
+        if let Ok(shot) = scene.play()
+            && let Some((end, touches)) = first_met(&shot, aimed)
+        {
+            sheet.line(piece.at, end, Pen::new(Role::Aim).dotted());
+            if touches {
+                ghost(&mut sheet, end, piece.disc.radius);
+            }
+        }
+        discs(level, &mut sheet, &places);
+        let from = piece.at + piece.disc.radius * heading;
+        sheet.arrow(from, from + ARROW * velocity, Role::Incoming);
+    } else {
+        discs(level, &mut sheet, &places);
+    }
+    labels(level, &mut sheet, &places);
+    sheet.draw(buf, &look.theme);
+}
+
+/// Where a disc first meets something or stops, and whether it is another disc.
+fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
+    let (time, touches) = shot.events().iter().find_map(|event| {
+        let touches = match event.kind {
+            EventKind::Impact { discs, .. } => discs.contains(&aimed).then_some(true),
+            EventKind::Cushion { disc, .. }
+            | EventKind::Pocket { disc, .. }
+            | EventKind::Rest { disc } => (disc == aimed).then_some(false),
+        };
+        touches.map(|touches| (event.time, touches))
+    })?;
+    Some((shot.at(aimed, time).position, touches))
+}
+
+/// The disc where it will touch; only its middle where it is too small to be round.
+fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64) {
+    let pen = Pen::new(Role::Predicted);
+    if radius > sheet.view().per_row() {
+        sheet.circle(at, radius, pen.dotted());
+    } else {
+        sheet.dot(at, pen);
+    }
+}
+
+/// A shot at the time its clock shows, with the ways so far.
+pub(super) fn draw_attempt(
+    level: &Level,
+    attempt: &Attempt,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    let mut sheet = sheet(level, area, look);
+    let (shot, now) = (&attempt.shot, attempt.clock.time());
+    for disc in 0..shot.discs().len() {
+        let role = if disc == level.scene.stroke.disc {
+            Role::StrikerOut
+        } else {
+            Role::CoinOut
+        };
+        trail(&mut sheet, shot, disc, now, role);
+    }
+    let places = (0..shot.discs().len()).filter_map(|disc| {
+        let sample = shot.at(disc, now);
+        (sample.state != State::Pocketed).then_some((disc, sample.position))
+    });
+    let places: Vec<_> = places.collect();
+    discs(level, &mut sheet, &places);
+    said(&mut sheet, attempt);
+    labels(level, &mut sheet, &places);
+    sheet.draw(buf, &look.theme);
+}
+
+/// The way of a disc up to now.
+fn trail(sheet: &mut Sheet, shot: &Shot, disc: usize, now: f64, role: Role) {
+    let pen = Pen::new(role).on(Layer::Trail).dotted();
+    for leg in shot.path(disc).take_while(|leg| leg.start < now) {
+        let to = if leg.end <= now {
+            leg.to
+        } else {
+            shot.at(disc, now).position
+        };
+        sheet.line(leg.from, to, pen);
+    }
+}
+
+/// What was said of the first impact, once it has come.
+fn said(sheet: &mut Sheet, attempt: &Attempt) {
+    let (Some(said), Some(impact)) = (&attempt.said, attempt.impacts.first()) else {
+        return;
+    };
+    let Some(heading) = impact.collision.u1.try_normalize() else {
+        return;
+    };
+    if attempt.clock.time() < impact.time {
+        return;
+    }
+    for (body, ray) in said.asked() {
+        let Some(angle) = said.rays.get(ray) else {
+            continue;
+        };
+        // The scattering angle counts anticlockwise, the recoil angle clockwise.
+        let turn = match ray {
+            Ray::Striker => angle,
+            Ray::Target => -angle,
+        };
+        let way = DVec2::from_angle(turn).rotate(heading);
+        let disc = impact.discs[body];
+        let centre = attempt.shot.at(disc, impact.time).position;
+        let pen = Pen::new(Role::Predicted).dashed();
+        sheet.line(centre, centre + RAY * way, pen);
+        let tip = centre + RAY * way;
+        sheet.label("you", tip, &Side::towards(way), Role::Predicted);
+    }
+}

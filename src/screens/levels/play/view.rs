@@ -1,0 +1,74 @@
+//! How a level looks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Phase, Play, board, panel};
+use crate::screens::Context;
+use crate::screens::levels::words::face_of;
+use crate::widgets::Beside;
+use crate::widgets::hit::{Given, draw_setup_of};
+
+/// What is given of the impact that the player speaks of.
+const GIVEN: Given = Given {
+    offset: true,
+    angle: true,
+};
+
+/// Where the parts are: a square board, or one impact that takes all the room there is.
+pub(super) fn layout(play: &Play, area: Rect) -> Beside {
+    if play.is_enlarged() {
+        Beside::new(area)
+    } else {
+        Beside::square(area)
+    }
+}
+
+/// Draws the level.
+pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, cx: &Context) {
+    let look = cx.settings.look();
+    let layout = layout(play, area);
+    let level = &play.level;
+    let (title, side_title) = titles(play);
+    layout.draw(buf, &look, &title, &side_title);
+    match &play.phase {
+        Phase::Aim => {
+            let scene = level.aimed(&play.dials.aim);
+            board::draw_aim(level, &scene, layout.picture, buf, &look);
+        }
+        Phase::Say(saying) => {
+            let faces = saying.impact.discs.map(|disc| face_of(&level.scene, disc));
+            let (collision, rays) = (&saying.impact.collision, Some(&saying.rays));
+            draw_setup_of(faces, layout.picture, buf, &look, collision, GIVEN, rays);
+        }
+        Phase::Watch(attempt) => match &attempt.zoom {
+            Some(zoom) => zoom.watch.draw(layout.picture, buf, &look),
+            None => board::draw_attempt(level, attempt, layout.picture, buf, &look),
+        },
+    }
+    play.scroll.draw(layout.panel, buf, look, |lines| {
+        panel::write(play, lines, cx);
+    });
+}
+
+/// The titles of picture and panel.
+fn titles(play: &Play) -> (String, String) {
+    match &play.phase {
+        Phase::Aim => ("aim".into(), play.level.title.clone()),
+        Phase::Say(_) => ("where will they go?".into(), "say it first".into()),
+        Phase::Watch(attempt) => match &attempt.zoom {
+            Some(zoom) => (
+                format!("the hit, slowed {:.0}×", zoom.watch.clock().slowed()),
+                format!("impact {} of {}", zoom.number + 1, attempt.impacts.len()),
+            ),
+            None => (
+                format!("shot {}", play.shots),
+                match (attempt.told, &attempt.win) {
+                    (false, _) => play.level.title.clone(),
+                    (true, Some(_)) => "won".into(),
+                    (true, None) => "not yet".into(),
+                },
+            ),
+        },
+    }
+}

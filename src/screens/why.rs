@@ -1,0 +1,54 @@
+//! Reasons that more than one screen gives.
+
+use crate::physics::{Collision, Meeting};
+use crate::quiz::{self, Answer, Confidence, Given, Pieces, Question, Rays};
+
+/// Why two that both move go where they go, in their own numbers; nothing for a miss.
+pub(super) fn both_moving(collision: &Collision) -> String {
+    let outcome = collision.outcome();
+    let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
+        return String::new();
+    };
+    format!(
+        "Both move, but the rule is the same. Along n: {:.2} and {:.2} m/s become {:.2} and {:.2}. Across, along t, both keep what they had: {:.2} and {:.2}.",
+        collision.u1.dot(n),
+        collision.u2.dot(n),
+        outcome.v1.dot(n) + 0.0,
+        outcome.v2.dot(n) + 0.0,
+        collision.u1.dot(t) + 0.0,
+        collision.u2.dot(t) + 0.0,
+    )
+}
+
+/// Why any two smooth discs go where they go, starting from what the player said of
+/// both, if they did: a title, which may be empty, and a text.
+pub(super) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, String) {
+    let plain = |text: String| (String::new(), text);
+    if collision.outcome().meeting != Meeting::Hit {
+        return plain("They just brush: nothing is pushed, and both go on as before.".into());
+    }
+    if collision.u2 != glam::DVec2::ZERO {
+        return plain(both_moving(collision));
+    }
+    let question = Question {
+        pieces: Pieces::Own {
+            striker: collision.striker,
+            target: collision.target,
+        },
+        given: Given::Offset {
+            // A head-on hit is exactly that in words too, whatever rounding left.
+            offset_mm: (collision.offset * 1e9).round() / 1e6,
+        },
+        restitution: collision.restitution,
+        speed: collision.u1.length(),
+        direction_deg: collision.u1.to_angle().to_degrees(),
+    };
+    match said {
+        Some(rays) => {
+            let confidence = Confidence::ThinkSo;
+            let explanation = quiz::explain(&question, &Answer { rays, confidence });
+            (explanation.title.into(), explanation.text)
+        }
+        None => plain(quiz::reasoning(&question)),
+    }
+}
