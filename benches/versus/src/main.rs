@@ -134,10 +134,12 @@ impl Stepped {
                 .restitution_combine_rule(CoefficientCombineRule::Min);
             colliders.insert(wall);
         }
-        let mut parameters = IntegrationParameters::default();
-        parameters.dt = STEP;
-        // Discs of centimetres: tolerances to match.
-        parameters.length_unit = 0.01;
+        let parameters = IntegrationParameters {
+            dt: STEP,
+            // Discs of centimetres: tolerances to match.
+            length_unit: 0.01,
+            ..IntegrationParameters::default()
+        };
         Self {
             parameters,
             pipeline: PhysicsPipeline::new(),
