@@ -52,6 +52,14 @@ impl Arrows {
         v.length() <= STILL * self.fastest
     }
 
+    /// The direction of `v`; `None` where it is nothing beside the other speeds.
+    fn direction(&self, v: DVec2) -> Option<DVec2> {
+        if self.is_still(v) {
+            return None;
+        }
+        v.try_normalize()
+    }
+
     /// An arrow away from the rim of a disc, and where its tip is.
     pub(super) fn outwards(
         &self,
@@ -61,17 +69,13 @@ impl Arrows {
         v: DVec2,
         role: Role,
     ) -> Option<DVec2> {
-        if self.is_still(v) {
-            return None;
-        }
-        let direction = v.try_normalize()?;
-        let from = centre + radius * direction;
-        let to = from + self.per_speed * v;
-        sheet.arrow(from, to, Pen::new(role).bold());
-        Some(to)
+        let rim = centre + radius * self.direction(v)?;
+        let tip = rim + self.per_speed * v;
+        sheet.arrow(rim, tip, Pen::new(role).bold());
+        Some(tip)
     }
 
-    /// An arrow up to the rim of a disc, and where it starts.
+    /// An arrow up to the rim of a disc; says whether there is one.
     pub(super) fn inwards(
         &self,
         sheet: &mut Sheet,
@@ -79,15 +83,13 @@ impl Arrows {
         radius: f64,
         v: DVec2,
         role: Role,
-    ) -> Option<DVec2> {
-        if self.is_still(v) {
-            return None;
-        }
-        let direction = v.try_normalize()?;
-        let to = centre - radius * direction;
-        let from = to - self.per_speed * v;
-        sheet.arrow(from, to, Pen::new(role).bold());
-        Some(from)
+    ) -> bool {
+        let Some(direction) = self.direction(v) else {
+            return false;
+        };
+        let rim = centre - radius * direction;
+        sheet.arrow(rim - self.per_speed * v, rim, Pen::new(role).bold());
+        true
     }
 }
 

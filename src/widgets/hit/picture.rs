@@ -175,10 +175,7 @@ impl Moment<'_> {
         for body in 0..2 {
             let radius = self.stage.radius(body);
             let v = before[body];
-            if arrows
-                .inwards(sheet, at[body], radius, v, Role::Incoming)
-                .is_some()
-            {
+            if arrows.inwards(sheet, at[body], radius, v, Role::Incoming) {
                 labels.incoming(&self.stage, names[body], at[body], radius, v);
             }
         }
