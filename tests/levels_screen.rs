@@ -8,7 +8,7 @@ use std::{env, fs, process};
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::levels::{Level, Library};
+use carrom::levels::Level;
 use carrom::messages::{Key, MouseKind};
 use carrom::screens::{Place, Settings, Shelf};
 use carrom::shells::Headless;
@@ -18,7 +18,7 @@ use proptest::prelude::*;
 const LONG: Duration = Duration::from_secs(120);
 
 fn embedded() -> Shelf {
-    Shelf::new(Library::embedded_once())
+    Shelf::default()
 }
 
 fn open(place: Place, settings: Settings, size: (u16, u16)) -> Headless {
