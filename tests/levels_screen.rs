@@ -278,7 +278,7 @@ fn bad_files_of_a_teacher_are_listed_and_the_rest_plays() {
     let mut game = Headless::new(cli::open(&arguments).unwrap(), 80, 40);
     let screen = game.screen();
     assert!(screen.contains("left out: 2 files"), "{screen}");
-    assert!(screen.contains("13  Mine"), "{screen}");
+    assert!(screen.contains("13     Mine"), "{screen}");
     game.press("<End>");
     assert!(squeezed(&game.screen()).contains("expectedUTF-8"));
     game.press("<Enter><Up>");
