@@ -8,7 +8,7 @@ use std::{env, fs, process};
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::levels::{Level, Library};
+use carrom::levels::Level;
 use carrom::messages::{Key, MouseKind};
 use carrom::screens::{Place, Settings, Shelf};
 use carrom::shells::Headless;
@@ -18,7 +18,7 @@ use proptest::prelude::*;
 const LONG: Duration = Duration::from_secs(120);
 
 fn embedded() -> Shelf {
-    Shelf::new(Library::embedded_once())
+    Shelf::default()
 }
 
 fn open(place: Place, settings: Settings, size: (u16, u16)) -> Headless {
@@ -278,7 +278,7 @@ fn bad_files_of_a_teacher_are_listed_and_the_rest_plays() {
     let mut game = Headless::new(cli::open(&arguments).unwrap(), 80, 40);
     let screen = game.screen();
     assert!(screen.contains("left out: 2 files"), "{screen}");
-    assert!(screen.contains("13  Mine"), "{screen}");
+    assert!(screen.contains("13     Mine"), "{screen}");
     game.press("<End>");
     assert!(squeezed(&game.screen()).contains("expectedUTF-8"));
     game.press("<Enter><Up>");

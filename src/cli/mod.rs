@@ -42,6 +42,7 @@ Examples:
   carrom                       open the game
   carrom lab                   go straight to the lab
   carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
+  carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
@@ -106,7 +107,7 @@ impl Screen {
 /// # Errors
 /// What is wrong with the arguments, in words.
 fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
-    let shelf = Shelf::new(options.library());
+    let shelf = options.shelf();
     let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&shelf))?;
     Ok(App::with_levels(shelf, place, options.settings(auto), seed))
 }

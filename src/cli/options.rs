@@ -1,13 +1,12 @@
 //! Options that every command takes.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
 use crate::levels::Library;
-use crate::screens::Settings;
+use crate::screens::{Settings, Shelf};
 use crate::widgets::{Charset, Depth};
 
 /// Options that every command takes.
@@ -123,15 +122,15 @@ impl Options {
 
     /// The levels of the program and those of the folders given. Files that are no
     /// good are left out and listed on the screen of the levels.
-    pub(super) fn library(&self) -> Arc<Library> {
+    pub(super) fn shelf(&self) -> Shelf {
         if self.levels.is_empty() {
-            return Library::embedded_once();
+            return Shelf::default();
         }
         let mut library = Library::embedded();
         for dir in &self.levels {
             library.add_dir(dir);
         }
-        Arc::new(library)
+        Shelf::new(library)
     }
 
     /// The folder for what carrom keeps; `None` if none is given and the system

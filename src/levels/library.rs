@@ -3,7 +3,7 @@
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
@@ -47,11 +47,11 @@ pub struct Library {
 }
 
 impl Library {
-    /// The packs that come with the program, read once for the whole process, as
-    /// they never change.
-    pub fn embedded_once() -> Arc<Self> {
-        static READ: LazyLock<Arc<Library>> = LazyLock::new(|| Arc::new(Library::embedded()));
-        Arc::clone(&READ)
+    /// The packs that come with the program, read when they are first asked for and
+    /// then kept for the whole process, as they never change.
+    pub fn embedded_once() -> &'static Self {
+        static READ: LazyLock<Library> = LazyLock::new(Library::embedded);
+        &READ
     }
 
     /// The packs that come with the program.

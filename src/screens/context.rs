@@ -5,7 +5,6 @@ use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
 use super::Shelf;
-use crate::levels::Library;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -73,7 +72,7 @@ impl Context {
         Self {
             settings,
             body: Rect::default(),
-            shelf: Shelf::new(Library::embedded_once()),
+            shelf: Shelf::default(),
             seed,
             rounds: 0,
         }

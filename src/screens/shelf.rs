@@ -7,29 +7,32 @@ use crate::levels::{Best, Level, Library, Pack, Win};
 /// All levels, numbered from 0 through all packs, with the best that was done in each.
 #[derive(Debug, Clone, Default)]
 pub struct Shelf {
-    library: Arc<Library>,
+    /// `None` where there are those of the program alone, which are read only when
+    /// they are looked at.
+    library: Option<Arc<Library>>,
     best: Best,
     /// The level, or after the last of them the problem, that was looked at last.
     pub at: usize,
 }
 
 impl Shelf {
-    /// A shelf of these levels, none of them won yet.
-    pub fn new(library: Arc<Library>) -> Self {
+    /// A shelf of other levels than those of the program alone, none of them won yet.
+    pub fn new(library: Library) -> Self {
         Self {
-            library,
+            library: Some(Arc::new(library)),
             ..Self::default()
         }
     }
 
     /// The levels and what was wrong with files that are left out.
     pub fn library(&self) -> &Library {
-        &self.library
+        let own = self.library.as_deref();
+        own.unwrap_or_else(|| Library::embedded_once())
     }
 
     /// The levels with their packs, by number.
     pub fn levels(&self) -> impl Iterator<Item = (&Pack, &Level)> {
-        let packs = self.library.packs.iter();
+        let packs = self.library().packs.iter();
         packs.flat_map(|pack| pack.levels.iter().map(move |level| (pack, level)))
     }
 
@@ -50,11 +53,8 @@ impl Shelf {
 
     /// How many levels there are.
     pub fn count(&self) -> usize {
-        self.library
-            .packs
-            .iter()
-            .map(|pack| pack.levels.len())
-            .sum()
+        let packs = self.library().packs.iter();
+        packs.map(|pack| pack.levels.len()).sum()
     }
 
     /// Stars of a level; 0 if it was never won.

@@ -44,7 +44,9 @@ impl Beside {
         Self::with_panel(area, panel_width.max(LEAST.min(area.width / 2)))
     }
 
-    fn with_panel(area: Rect, panel_width: u16) -> Self {
+    /// Lays them out with a panel of so many columns, its frame included.
+    pub fn with_panel(area: Rect, panel_width: u16) -> Self {
+        let panel_width = panel_width.min(area.width);
         let picture = Rect {
             width: area.width - panel_width,
             ..area

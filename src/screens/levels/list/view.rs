@@ -7,7 +7,21 @@ use crate::levels::Level;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
 use crate::screens::{Context, Shelf};
-use crate::widgets::{Beside, Lines, Role};
+use crate::widgets::{Beside, Lines, Role, text};
+
+/// What stands beside the level that is to be won next.
+const NEXT: &str = "next";
+/// Columns of the panel on a narrow screen, where the titles need the room.
+const NARROW_PANEL: u16 = 24;
+
+/// Where the list and the panel are.
+fn layout(area: Rect) -> Beside {
+    if area.width < 80 {
+        Beside::with_panel(area, NARROW_PANEL)
+    } else {
+        Beside::new(area)
+    }
+}
 
 /// A line of the list.
 enum Row {
@@ -57,7 +71,7 @@ fn first_shown(shelf: &Shelf, rows: &[Row], height: usize) -> usize {
 
 /// The level or problem whose line is at this cell.
 pub(super) fn choice_at(shelf: &Shelf, area: Rect, cell: (u16, u16)) -> Option<usize> {
-    let list = Beside::new(area).picture;
+    let list = layout(area).picture;
     if !list.contains(cell.into()) {
         return None;
     }
@@ -72,7 +86,7 @@ pub(super) fn choice_at(shelf: &Shelf, area: Rect, cell: (u16, u16)) -> Option<u
 /// Draws the list and what the chosen level is about.
 pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = layout(area);
     let shelf = &cx.shelf;
     let problem = shelf
         .at
@@ -117,15 +131,18 @@ fn choice(shelf: &Shelf, at: usize, lines: &mut Lines) {
         lines.line(&format!("{mark} {file}"), role(Role::Warn));
         return;
     };
-    let stars = shelf.stars(at);
-    let next = shelf.next() == Some(at);
-    let (value, value_role) = match stars {
-        0 if next => ("next".to_owned(), Role::Key),
-        0 => (String::new(), Role::Dim),
-        _ => (words::stars(stars), Role::Good),
+    let stars = match shelf.stars(at) {
+        0 => "   ".to_owned(),
+        stars => words::stars(stars),
     };
-    let name = format!("{mark} {:2}  {}", at + 1, level.title);
-    lines.pair(&name, &value, role(Role::Text), value_role);
+    let name = format!("{mark} {:2} {stars} {}", at + 1, level.title);
+    let free = usize::from(lines.width()).saturating_sub(text::width(&name));
+    let next = if shelf.next() == Some(at) && free > NEXT.len() + 1 {
+        NEXT
+    } else {
+        ""
+    };
+    lines.pair(&name, next, role(Role::Text), Role::Key);
 }
 
 fn last_part(path: &str) -> String {
