@@ -3,6 +3,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
+use ratatui::widgets::{Clear, Widget};
 
 use super::{App, SMALLEST};
 use crate::screens::{Help, Hint, Screen};
@@ -147,15 +148,8 @@ fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &
     let settings = app.settings();
     let theme = settings.theme();
     let area = help_area(body);
-    for y in area.rows() {
-        buf.set_stringn(
-            y.x,
-            y.y,
-            " ".repeat(y.width.into()),
-            y.width.into(),
-            theme.style(Role::Text),
-        );
-    }
+    Clear.render(area, buf);
+    buf.set_style(area, theme.base());
     let title = format!("help: {}", screen.title());
     draw_panel(buf, area, &title, settings.charset, &theme);
     let inner = area.inner(Margin::new(2, 1));

@@ -57,7 +57,7 @@ fn geometry(lab: &Lab, lines: &mut Lines) {
     lines.pair("b / (r₁+r₂)", &format!("{ratio:.3}"), Role::Dim, Role::Text);
     if lab.setup.collision().normal().is_none() {
         let why = if ratio > 1.0 {
-            "more than 1: they will miss"
+            "above 1: they will miss"
         } else {
             "they move alike: no hit"
         };
