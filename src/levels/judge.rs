@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::goal::{Circle, Goal, between, between_deg};
 use super::level::Level;
 use super::quantity::Range;
-use super::scene::{Scene, pockets, tidy};
+use super::scene::{Scene, figures, pockets, tidy};
 use crate::physics::angle::angle_between;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::physics::{EventKind, Shot, State};
@@ -206,7 +206,10 @@ fn pocketed(discs: &[usize], scene: &Scene, shot: &Shot) -> Finding {
             match near {
                 Some(near) => {
                     let short = mm_from_m(near - 0.5 * shot.board().pocket_diameter);
-                    format!("{name} came within {} mm of a pocket", tidy(short.max(0.0)))
+                    format!(
+                        "{name} came within {} mm of a pocket",
+                        figures(short.max(0.0))
+                    )
                 }
                 None => "there are no pockets".into(),
             },
@@ -267,7 +270,7 @@ fn banked(disc: usize, target: usize, scene: &Scene, shot: &Shot) -> Finding {
 fn inside(circle: &Circle, point: DVec2, name: &str, verb: &str) -> Finding {
     let outside = circle.outside_mm(point);
     if outside <= 0.0 {
-        let off = tidy(mm_from_m(circle.centre.distance(point)));
+        let off = figures(mm_from_m(circle.centre.distance(point)));
         finding(
             true,
             format!("{name} {verb} {off} mm from the middle of the circle"),
@@ -275,7 +278,7 @@ fn inside(circle: &Circle, point: DVec2, name: &str, verb: &str) -> Finding {
     } else {
         finding(
             false,
-            format!("{name} {verb} {} mm outside the circle", tidy(outside)),
+            format!("{name} {verb} {} mm outside the circle", figures(outside)),
         )
     }
 }

@@ -249,6 +249,17 @@ pub(super) fn tidy(number: f64) -> String {
     }
 }
 
+/// A measured length in millimetres, to three figures but no finer than a
+/// hundredth.
+pub(super) fn figures(mm: f64) -> String {
+    let decimals = match mm.abs() {
+        ..10.0 => 2,
+        ..100.0 => 1,
+        _ => 0,
+    };
+    format!("{mm:.decimals$}")
+}
+
 /// The unit vector at an angle in degrees: sine and cosine of at most 45°, turned
 /// by quarters, so that it is exact along the axes.
 fn unit_vector(angle_deg: f64) -> DVec2 {
