@@ -21,7 +21,8 @@
 //!   messages/      what goes into the app and what comes out: keys, mouse, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions
-//!   game/          carrom itself: pieces, the pack, placing, the laws, the score
+//!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
+//!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
 //!   ─────────────────────────────────────────────────────────────
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-

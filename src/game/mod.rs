@@ -1,8 +1,9 @@
 //! Carrom itself: pieces, the pack, placing the striker, the laws, the score.
 //!
-//! A pure room: no screen, no clock, no engine. A [`Stroke`] comes in as data,
+//! A pure room: no screen, no clock. A [`Stroke`] comes in as data,
 //! [`Game::apply`] answers with [`Ruling`]s, and a game is a plain value: keep
-//! the old one and you can undo.
+//! the old one and you can undo. Only the opponent plays shots on the engine, in
+//! its head.
 //!
 //! | file | holds |
 //! |---|---|
@@ -17,9 +18,11 @@
 //! | `play` | one board, from the break to its end |
 //! | `table` | a whole game at the table |
 //! | `validity` | what no game can be |
+//! | `opponent` | the computer opponent, and hints for the player |
 
 pub mod free_place;
 pub mod laws;
+pub mod opponent;
 pub mod pack;
 pub mod pieces;
 pub mod placing;

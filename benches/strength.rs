@@ -1,0 +1,210 @@
+//! How strong the computer opponents are: `cargo bench --bench strength`.
+//!
+//! Plays boards between neighbouring strengths, and between the strongest and a
+//! player that shoots at random, then measures how long one stroke takes to think of.
+//! `-- 20` plays 20 boards a pair instead of 200.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use carrom::game::opponent::{FASTEST, Strength, think};
+use carrom::game::{Game, Seat, Setup, Stroke, Team};
+use carrom::physics::{Board, Engine, Limits, Motion, Shot};
+use glam::DVec2;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+/// Strokes after which a board counts for nobody.
+const MOST_STROKES: u64 = 3000;
+
+/// Who plays.
+#[derive(Clone, Copy)]
+enum Player {
+    Strength(Strength),
+    /// From any legal place, in any direction forward, at any speed.
+    Random,
+}
+
+/// What became of a number of boards.
+#[derive(Default)]
+struct Tally {
+    won: u32,
+    lost: u32,
+    undecided: u32,
+    points: u32,
+    points_against: u32,
+    strokes: u64,
+}
+
+fn main() {
+    let boards = std::env::args().filter_map(|arg| arg.parse().ok()).next();
+    let boards = boards.unwrap_or(200);
+    println!("{boards} boards a pair; the two break in turn\n");
+    let mut pairs: Vec<(Player, Player)> = Strength::ALL
+        .windows(2)
+        .map(|pair| (Player::Strength(pair[1]), Player::Strength(pair[0])))
+        .collect();
+    pairs.push((Player::Strength(Strength::Champion), Player::Random));
+    for (strong, weak) in pairs {
+        let start = Instant::now();
+        let tally = contest(strong, weak, boards);
+        println!(
+            "{:>12} against {:<12} {:3} won, {:3} lost, {} undecided; {:4} points to {:<4} \
+             {:5.1} strokes a board; {:.0} s",
+            name(strong),
+            name(weak),
+            tally.won,
+            tally.lost,
+            tally.undecided,
+            tally.points,
+            tally.points_against,
+            tally.strokes as f64 / boards as f64,
+            start.elapsed().as_secs_f64(),
+        );
+    }
+    println!();
+    for strength in Strength::ALL {
+        thinking(strength);
+    }
+}
+
+/// Plays boards on all cores; seed for seed the same whatever their number.
+fn contest(strong: Player, weak: Player, boards: u64) -> Tally {
+    let next = AtomicU64::new(0);
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let tallies = thread::scope(|scope| {
+        let work = || {
+            let mut tally = Tally::default();
+            loop {
+                let seed = next.fetch_add(1, Ordering::Relaxed);
+                if seed >= boards {
+                    return tally;
+                }
+                tally.add(strong, weak, seed);
+            }
+        };
+        let threads: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        threads
+            .into_iter()
+            .filter_map(|thread| thread.join().ok())
+            .collect::<Vec<_>>()
+    });
+    tallies.into_iter().fold(Tally::default(), |a, b| Tally {
+        won: a.won + b.won,
+        lost: a.lost + b.lost,
+        undecided: a.undecided + b.undecided,
+        points: a.points + b.points,
+        points_against: a.points_against + b.points_against,
+        strokes: a.strokes + b.strokes,
+    })
+}
+
+impl Tally {
+    /// Plays one board, the stronger at South.
+    fn add(&mut self, strong: Player, weak: Player, seed: u64) {
+        let mut game = new_game(seed);
+        let mut hand = Pcg64::seed_from_u64(seed);
+        for _ in 0..MOST_STROKES {
+            let player = match game.team(game.seat()) {
+                Team::First => strong,
+                Team::Second => weak,
+            };
+            stroke(&mut game, player, &mut hand);
+            self.strokes += 1;
+            let Some(won) = game.play().won() else {
+                continue;
+            };
+            if won.winner == Team::First {
+                self.won += 1;
+                self.points += u32::from(won.points);
+            } else {
+                self.lost += 1;
+                self.points_against += u32::from(won.points);
+            }
+            return;
+        }
+        self.undecided += 1;
+    }
+}
+
+fn new_game(seed: u64) -> Game {
+    Game::new(Setup {
+        first_breaker: if seed.is_multiple_of(2) {
+            Seat::South
+        } else {
+            Seat::North
+        },
+        seed: Some(seed),
+        ..Setup::default()
+    })
+}
+
+/// One stroke of `player`, or the turn passes where there is no place for it.
+fn stroke(game: &mut Game, player: Player, hand: &mut Pcg64) {
+    let board = Board::default();
+    let struck = match player {
+        Player::Strength(strength) => {
+            think(game, &board, strength, hand.random()).map(|decision| decision.struck())
+        }
+        Player::Random => random(game, &board, hand),
+    };
+    let ruled = match struck {
+        Some(striker) => {
+            let (discs, motions) = game.discs(striker);
+            let mut shot = Shot::new();
+            let limits = Limits::default();
+            let played = Engine::new().play_into(&mut shot, &board, &discs, &motions, limits);
+            played.unwrap_or_else(|error| panic!("{error}"));
+            let stroke = Stroke::from_shot(game.coins(), &shot);
+            stroke.and_then(|stroke| game.apply(&stroke))
+        }
+        None => game.no_place(),
+    };
+    ruled.unwrap_or_else(|error| panic!("{error}"));
+}
+
+fn random(game: &Game, board: &Board, hand: &mut Pcg64) -> Option<Motion> {
+    let lines = game.base_lines(board);
+    let position = lines.nearest(lines.at(hand.random_range(-0.2..0.2)))?;
+    let way = DVec2::from_angle(hand.random_range(0.0..std::f64::consts::PI));
+    let velocity = game.seat().turn(way) * hand.random_range(0.5..FASTEST);
+    Some(Motion { position, velocity })
+}
+
+/// How long the strokes of a few boards take to think of, on one core.
+fn thinking(strength: Strength) {
+    let board = Board::default();
+    let mut hand = Pcg64::seed_from_u64(0);
+    let mut times = Vec::new();
+    for seed in 0..4 {
+        let mut game = new_game(seed);
+        while game.play().won().is_none() {
+            let thought: u64 = hand.random();
+            // The best of three: what the work itself takes.
+            let time = (0..3).map(|_| {
+                let start = Instant::now();
+                std::hint::black_box(think(&game, &board, strength, thought));
+                start.elapsed()
+            });
+            times.extend(time.min());
+            stroke(&mut game, Player::Strength(strength), &mut hand);
+        }
+    }
+    times.sort();
+    let ms = |time: Option<&Duration>| time.map_or(0.0, |t| t.as_secs_f64() * 1e3);
+    println!(
+        "{:>12} thinks {:6.2} ms a stroke (median), {:6.2} ms at most; up to {} shots a stroke",
+        strength.to_string(),
+        ms(times.get(times.len() / 2)),
+        ms(times.last()),
+        strength.most_rehearsals(),
+    );
+}
+
+fn name(player: Player) -> String {
+    match player {
+        Player::Strength(strength) => strength.to_string(),
+        Player::Random => "random".to_owned(),
+    }
+}

@@ -1,0 +1,106 @@
+//! The hand that strikes: never quite as straight nor as fast as was meant.
+
+use glam::DVec2;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+use crate::physics::Motion;
+
+/// The fastest stroke the opponent plays, in m/s: a hard break.
+pub const FASTEST: f64 = 4.0;
+
+/// How unsteady a hand is: the standard deviations of its normal errors.
+///
+/// The striker is placed without error; a placed striker can be looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hand {
+    /// Error of the direction, as the tangent of the angle: practically radians.
+    pub direction: f64,
+    /// Error of the speed, as a share of it.
+    pub speed: f64,
+}
+
+/// By how much one stroke slips from what was meant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Slip {
+    /// Tangent of the angle by which the direction turns, positive to the left.
+    pub turn: f64,
+    /// Change of the speed, as a share of it.
+    pub push: f64,
+}
+
+impl Hand {
+    /// A slip of this hand.
+    pub(super) fn slip(self, chance: &mut Pcg64) -> Slip {
+        Slip {
+            turn: self.direction * normal(chance),
+            push: self.speed * normal(chance),
+        }
+    }
+}
+
+impl Slip {
+    /// The stroke that comes of `meant`. The speed stays above a fifth of what was
+    /// meant and below [`FASTEST`].
+    pub fn applied_to(self, meant: Motion) -> Motion {
+        let speed = meant.velocity.length();
+        let pushed = (speed * (1.0 + self.push).max(0.2)).min(FASTEST.max(speed));
+        let turned = meant.velocity + meant.velocity.perp() * self.turn;
+        Motion {
+            velocity: turned.try_normalize().unwrap_or(DVec2::ZERO) * pushed,
+            ..meant
+        }
+    }
+}
+
+/// A number from the standard normal distribution, as near as twelve even numbers
+/// add up to it (Irwin and Hall): within ±6, and without the logarithm that no two
+/// machines need round alike.
+fn normal(chance: &mut Pcg64) -> f64 {
+    (0..12).map(|_| chance.random::<f64>()).sum::<f64>() - 6.0
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+
+    use super::*;
+
+    #[test]
+    fn slips_have_the_mean_and_spread_of_the_hand() {
+        let hand = Hand {
+            direction: 0.02,
+            speed: 0.1,
+        };
+        let mut chance = Pcg64::seed_from_u64(5);
+        let count = 20_000;
+        let slips: Vec<Slip> = (0..count).map(|_| hand.slip(&mut chance)).collect();
+        let of = |part: fn(&Slip) -> f64| {
+            let mean = slips.iter().map(part).sum::<f64>() / f64::from(count);
+            let square = slips.iter().map(|s| part(s) * part(s)).sum::<f64>() / f64::from(count);
+            (mean, (square - mean * mean).sqrt())
+        };
+        // Four standard errors: 4/√n of the spread, 4/√(2n) of it.
+        for ((mean, spread), wanted) in [(of(|s| s.turn), 0.02), (of(|s| s.push), 0.1)] {
+            assert!(mean.abs() < 0.029 * wanted, "{mean}");
+            assert!((spread / wanted - 1.0).abs() < 0.02, "{spread}");
+        }
+    }
+
+    #[test]
+    fn a_slip_turns_by_its_angle_and_changes_nothing_else() {
+        let meant = Motion {
+            position: DVec2::new(0.1, -0.2),
+            velocity: DVec2::new(0.0, 2.0),
+        };
+        let slip = Slip {
+            turn: 0.75,
+            push: 0.1,
+        };
+        let struck = slip.applied_to(meant);
+        assert_eq!(struck.position, meant.position);
+        // tan φ = 3/4 is the triangle of 3, 4 and 5.
+        assert!((struck.velocity - DVec2::new(-0.6, 0.8) * 2.2).length() < 1e-15);
+        assert_eq!(Slip::default().applied_to(meant), meant);
+    }
+}

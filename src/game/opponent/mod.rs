@@ -1,0 +1,150 @@
+//! The computer opponent: finds a stroke by playing it in its head.
+//!
+//! Geometry proposes strokes in closed form; the engine plays the most forgiving of
+//! them; the laws judge what came of each; the best are played again as the hand
+//! might slip. What is chosen depends on the game, the strength and the seed alone:
+//! the search counts shots, not time, and chooses by + − × ÷ √ only, so that every
+//! machine finds the same stroke.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `sight` | clear ways, pockets, the image behind a cushion |
+//! | `shots` | cuts, combinations and cushion shots, put together from the pocket back |
+//! | `wants` | which pieces a player wants to pocket |
+//! | `rehearsal` | a stroke played in the mind |
+//! | `worth` | what a position is worth |
+//! | `search` | from many strokes to one |
+//! | `strength` | five strengths |
+//! | `hand` | the error of the hand |
+//! | `story` | what a shot was about, from its record |
+//! | `reason`, `words` | why it was chosen, in data and in words |
+//! | `hint` | the same for the player |
+
+mod hand;
+mod hint;
+mod reason;
+mod rehearsal;
+mod search;
+mod shots;
+mod sight;
+mod story;
+mod strength;
+#[cfg(test)]
+mod tests;
+mod wants;
+mod words;
+mod worth;
+
+pub use hand::{FASTEST, Hand, Slip};
+pub use hint::Hint;
+pub use reason::Reason;
+pub use story::{Chance, Fall, FirstHit, Story};
+pub use strength::Strength;
+pub use words::pocket_seen_from;
+
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
+
+use super::Game;
+use crate::physics::{Board, Motion};
+use rehearsal::Rehearsal;
+use search::{Choice, Search};
+use strength::Skill;
+use worth::Judge;
+
+/// What the opponent decided to do, and did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Decision {
+    /// The striker's motion as it was meant.
+    pub meant: Motion,
+    /// How far the hand slipped.
+    pub slip: Slip,
+    /// Why this stroke.
+    pub reason: Reason,
+}
+
+impl Decision {
+    /// The striker's motion as it was struck: what to play on the board.
+    pub fn struck(&self) -> Motion {
+        self.slip.applied_to(self.meant)
+    }
+
+    /// What the opponent says of its stroke afterwards: the shot it saw and why, with
+    /// the angles, and how its hand slipped.
+    pub fn afterwards(&self) -> String {
+        format!("{} {}", self.reason.told(), words::slipped(self.slip))
+    }
+}
+
+/// The stroke of an opponent of this strength for the player whose turn it is.
+///
+/// The same game, board, strength and seed give the same decision; take another seed
+/// for each stroke. `None` if the board has ended or coins bar every place for the
+/// striker: then [`Game::no_place`] is called for.
+pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Option<Decision> {
+    let skill = strength.skill();
+    let (meant, reason) = seek(game, board, skill, seed)?;
+    // A generator of its own, so that the slip does not hang on how long the search was.
+    let mut hand = Pcg64::seed_from_u64(!seed);
+    Some(Decision {
+        meant,
+        slip: skill.hand.slip(&mut hand),
+        reason,
+    })
+}
+
+/// The best stroke for the player whose turn it is: sought like the champion's, but
+/// for the hand of a club player. `None` as for [`think`].
+///
+/// A plain cut comes first, for it is what one can learn from; other shots only
+/// where no cut works every other time.
+pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<Hint> {
+    let all = Skill {
+        hand: Strength::Club.hand(),
+        ..Strength::Champion.skill()
+    };
+    let cuts = Skill {
+        combinations: false,
+        cushions: false,
+        speeds: &[1.2, 1.6, 2.0],
+        knocks: 0,
+        refinements: 4,
+        ..all
+    };
+    let plain = seek(game, board, cuts, seed)
+        .filter(|(_, reason)| reason.chance.works_mostly() && reason.story.is_plain_cut());
+    let (stroke, reason) = plain.or_else(|| seek(game, board, all, seed))?;
+    Some(Hint { stroke, reason })
+}
+
+fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Motion, Reason)> {
+    if game.play().won().is_some() {
+        return None;
+    }
+    let mut search = Search {
+        game,
+        board,
+        skill,
+        judge: Judge {
+            board,
+            team: game.team(game.seat()),
+            hand: skill.hand,
+            looks_ahead: skill.looks_ahead,
+        },
+        rehearsal: Rehearsal::new(game, board),
+        chance: Pcg64::seed_from_u64(seed),
+    };
+    let Choice { motion, chance, .. } = search.best()?;
+    // Once more as it is meant, for the record.
+    let story = match search.rehearsal.play(motion) {
+        Some(_) => Story::of(game, search.rehearsal.shot()),
+        None => Story::default(),
+    };
+    let reason = Reason {
+        seat: game.seat(),
+        breaking: game.play().is_unbroken(),
+        chance,
+        story,
+    };
+    Some((motion, reason))
+}

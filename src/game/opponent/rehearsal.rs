@@ -1,0 +1,66 @@
+//! Playing a stroke in the mind: the engine plays it, the laws judge it.
+
+use super::wants::wants;
+use crate::game::{Game, Piece, Stroke};
+use crate::physics::{Board, Disc, Engine, Limits, Motion, Shot};
+
+/// A board on which strokes are tried and nothing is decided.
+pub(super) struct Rehearsal<'a> {
+    board: &'a Board,
+    game: &'a Game,
+    discs: Vec<Disc>,
+    motions: Vec<Motion>,
+    engine: Engine,
+    shot: Shot,
+}
+
+/// What came of a stroke that was tried.
+pub(super) struct Tried {
+    /// The game after it.
+    pub(super) after: Game,
+    /// Whether it brought down what the player wanted, and not the striker.
+    pub(super) pocketed: bool,
+}
+
+impl<'a> Rehearsal<'a> {
+    pub(super) fn new(game: &'a Game, board: &'a Board) -> Self {
+        let (discs, motions) = game.discs(Motion::default());
+        Self {
+            board,
+            game,
+            discs,
+            motions,
+            engine: Engine::new(),
+            shot: Shot::new(),
+        }
+    }
+
+    /// Plays a stroke; `None` if the engine or the laws refuse it.
+    pub(super) fn play(&mut self, striker: Motion) -> Option<Tried> {
+        if let Some(first) = self.motions.first_mut() {
+            *first = striker;
+        }
+        let limits = Limits::default();
+        self.engine
+            .play_into(
+                &mut self.shot,
+                self.board,
+                &self.discs,
+                &self.motions,
+                limits,
+            )
+            .ok()?;
+        let stroke = Stroke::from_shot(self.game.coins(), &self.shot).ok()?;
+        let mut after = self.game.clone();
+        after.apply(&stroke).ok()?;
+        let fallen = &stroke.pocketed;
+        let pocketed = fallen.iter().any(|piece| wants(self.game, *piece))
+            && !fallen.contains(&Piece::Striker);
+        Some(Tried { after, pocketed })
+    }
+
+    /// The record of the last stroke.
+    pub(super) fn shot(&self) -> &Shot {
+        &self.shot
+    }
+}

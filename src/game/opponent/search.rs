@@ -1,0 +1,210 @@
+//! Choosing a stroke: geometry proposes, the engine tries, the worth decides.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+use super::hand::{FASTEST, Slip};
+use super::rehearsal::Rehearsal;
+use super::shots::{Aim, Course, combinations, kicks, knocks, off_a_cushion, straight, strikes};
+use super::sight::Sight;
+use super::story::Chance;
+use super::strength::Skill;
+use super::wants::wants;
+use super::worth::Judge;
+use crate::game::{BaseLines, Game};
+use crate::physics::{Board, Motion};
+
+/// Aims that are kept of one course: neighbouring places give much the same shot.
+const AIMS_A_COURSE: usize = 4;
+/// Courses that combinations are sought for.
+const DRIVEN: usize = 12;
+/// Speeds of a break in m/s.
+const BREAK: Range<f64> = 2.8..FASTEST;
+/// Speeds of other strokes without a pocket in mind, in m/s.
+const KNOCK: Range<f64> = 0.6..3.0;
+
+/// A stroke, what it promises, and how often it brought a piece down.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Choice {
+    pub(super) motion: Motion,
+    worth: f64,
+    pub(super) chance: Chance,
+    /// How far the direction may be changed in looking for a better one.
+    allowance: f64,
+}
+
+/// The search for one stroke.
+pub(super) struct Search<'a> {
+    pub(super) game: &'a Game,
+    pub(super) board: &'a Board,
+    pub(super) skill: Skill,
+    pub(super) judge: Judge<'a>,
+    pub(super) rehearsal: Rehearsal<'a>,
+    pub(super) chance: Pcg64,
+}
+
+impl<'a> Search<'a> {
+    /// The best stroke from a legal place; `None` if coins bar them all.
+    pub(super) fn best(&mut self) -> Option<Choice> {
+        let places = self.places();
+        let resort = Motion {
+            position: *places.first()?,
+            velocity: self.game.seat().turn(DVec2::Y),
+        };
+        let mut choices = self.first_look(&places);
+        choices.sort_by(|a, b| b.worth.total_cmp(&a.worth));
+        Some(self.finalist(&choices).unwrap_or(Choice {
+            motion: resort,
+            worth: f64::NEG_INFINITY,
+            chance: Chance::default(),
+            allowance: 0.0,
+        }))
+    }
+
+    /// Places along the base lines; where coins bar all of those, the free one that is
+    /// nearest to the middle.
+    fn places(&self) -> Vec<DVec2> {
+        let lines = self.lines();
+        let mut places = lines.candidates(self.skill.places);
+        if places.is_empty() {
+            places.extend(lines.nearest(lines.at(0.0)));
+        }
+        places
+    }
+
+    fn lines(&self) -> BaseLines<'a> {
+        self.game.base_lines(self.board)
+    }
+
+    /// Every stroke that geometry proposes, tried once as it is meant.
+    fn first_look(&mut self, places: &[DVec2]) -> Vec<Choice> {
+        let mut proposed: Vec<(Motion, f64)> = Vec::new();
+        for aim in self.aims(places) {
+            let speeds = self.skill.speeds.iter();
+            let strokes = speeds.map(|times| (aim.motion(*times), aim.allowance));
+            let playable = strokes.filter(|(motion, _)| motion.velocity.length() <= FASTEST);
+            proposed.extend(playable);
+        }
+        let sight = self.sight();
+        let speeds = if self.game.play().is_unbroken() {
+            BREAK
+        } else {
+            KNOCK
+        };
+        let knocks = knocks(&sight, places, self.skill.knocks, &speeds, &mut self.chance);
+        proposed.extend(knocks.into_iter().map(|motion| (motion, 0.0)));
+        proposed
+            .into_iter()
+            .filter_map(|(motion, allowance)| self.tried(motion, allowance, &[Slip::default()]))
+            .collect()
+    }
+
+    /// The aims that forgive most, the most forgiving first.
+    fn aims(&self, places: &[DVec2]) -> Vec<Aim> {
+        let sight = self.sight();
+        let mut aims = Vec::new();
+        for course in self.courses(&sight) {
+            let mut own: Vec<Aim> = strikes(&sight, &course, places).collect();
+            own.extend(strikes(
+                &sight,
+                &course,
+                self.straight_place(&course).as_slice(),
+            ));
+            if self.skill.cushions {
+                own.extend(kicks(&sight, &course, places));
+            }
+            aims.extend(most_forgiving(own, AIMS_A_COURSE));
+        }
+        most_forgiving(aims, self.skill.aims)
+    }
+
+    fn courses(&self, sight: &Sight) -> Vec<Course> {
+        let coins = self.game.coins().iter().enumerate();
+        let wanted = coins.filter(|(_, coin)| wants(self.game, coin.piece));
+        let mut courses = Vec::new();
+        for (i, _) in wanted {
+            courses.extend(straight(sight, i));
+            if self.skill.cushions {
+                courses.extend(off_a_cushion(sight, i));
+            }
+        }
+        if self.skill.combinations {
+            courses.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
+            let driven = courses.iter().take(DRIVEN);
+            let driving: Vec<Course> = driven.flat_map(|c| combinations(sight, c)).collect();
+            courses.extend(driving);
+        }
+        courses
+    }
+
+    /// The place from which a course is a full, straight hit, or the legal one
+    /// nearest to it.
+    fn straight_place(&self, course: &Course) -> Option<DVec2> {
+        let lines = self.lines();
+        let seat = self.game.seat();
+        let coin = seat.turn_back(self.game.coins().get(course.coin)?.at);
+        let way = seat.turn_back(course.toward);
+        let back = (coin.y - seat.turn_back(lines.at(0.0)).y) / way.y;
+        let along = coin.x - way.x * back;
+        (back > 0.0 && along.is_finite()).then(|| lines.nearest(lines.at(along)))?
+    }
+
+    /// The best of the choices, which come best first, if the hand is unsteady: the
+    /// same slips for all, so that they differ by what they are and not by luck.
+    fn finalist(&mut self, choices: &[Choice]) -> Option<Choice> {
+        let count = self.skill.slips;
+        let slips: Vec<Slip> = (0..count)
+            .map(|_| self.skill.hand.slip(&mut self.chance))
+            .collect();
+        let finalists = choices.iter().take(self.skill.finalists);
+        let tried = finalists.filter_map(|c| self.tried(c.motion, c.allowance, &slips));
+        let best = tried.max_by(|a, b| a.worth.total_cmp(&b.worth));
+        let mut best = best.or_else(|| choices.first().copied())?;
+        for _ in 0..self.skill.refinements {
+            let allowance = best.allowance.max(self.skill.hand.direction);
+            let change = Slip {
+                turn: allowance * (self.chance.random::<f64>() - 0.5),
+                push: 0.5 * (self.chance.random::<f64>() - 0.4),
+            };
+            let changed = self.tried(change.applied_to(best.motion), best.allowance, &slips);
+            if let Some(better) = changed.filter(|changed| changed.worth > best.worth) {
+                best = better;
+            }
+        }
+        Some(best)
+    }
+
+    /// A stroke as often as there are slips, and what it is worth on average.
+    fn tried(&mut self, motion: Motion, allowance: f64, slips: &[Slip]) -> Option<Choice> {
+        let mut sum = 0.0;
+        let mut chance = Chance::default();
+        for slip in slips {
+            let tried = self.rehearsal.play(slip.applied_to(motion))?;
+            sum += self.judge.worth(&tried.after);
+            chance.count(tried.pocketed);
+        }
+        (chance.of > 0).then(|| Choice {
+            motion,
+            worth: sum / f64::from(chance.of),
+            chance,
+            allowance,
+        })
+    }
+
+    fn sight(&self) -> Sight<'a> {
+        Sight {
+            board: self.board,
+            set: self.game.setup().set,
+            coins: self.game.coins(),
+        }
+    }
+}
+
+fn most_forgiving(mut aims: Vec<Aim>, count: usize) -> Vec<Aim> {
+    aims.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
+    aims.truncate(count);
+    aims
+}

@@ -1,0 +1,189 @@
+//! What a stroke was about, read from its record.
+//!
+//! Nothing is taken over from the search: the story of a shot is what the exact
+//! record says happened in it, so that the words are true of it.
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use super::wants::wants;
+use crate::game::{Game, Piece};
+use crate::physics::angle::signed_angle;
+use crate::physics::{EventKind, Shot};
+
+/// How often a stroke worked when it was rehearsed with an unsteady hand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Chance {
+    /// The rehearsals in which a wanted piece fell, and the striker did not.
+    pub fell: u8,
+    /// All rehearsals.
+    pub of: u8,
+}
+
+impl Chance {
+    /// Whether it fell at least every other time.
+    pub(super) fn works_mostly(self) -> bool {
+        self.fell > 0 && self.fell >= self.of - self.fell
+    }
+
+    pub(super) fn count(&mut self, fell: bool) {
+        self.fell = self.fell.saturating_add(u8::from(fell));
+        self.of = self.of.saturating_add(1);
+    }
+}
+
+/// The first meeting of the striker with a coin, which is at rest until then.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FirstHit {
+    /// The coin it met, by its place in [`Game::coins`].
+    pub coin: usize,
+    /// What that is.
+    pub piece: Piece,
+    /// Cushions it had met before.
+    pub cushions: u8,
+    /// Impact angle α in radians, positive when the coin lay to the right. It is the
+    /// coin's recoil angle θ₂ too.
+    pub alpha: f64,
+    /// Impact parameter b in metres, with the sign of α.
+    pub offset: f64,
+    /// Scattering angle θ₁ of the striker in radians, positive to the left; `None`
+    /// if it stopped.
+    pub theta1: Option<f64>,
+    /// The share of its speed that the striker keeps, v₁/u₁.
+    pub kept: f64,
+}
+
+/// How the first wanted piece fell.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Fall {
+    /// The coin, by its place in [`Game::coins`].
+    pub coin: usize,
+    /// What that is.
+    pub piece: Piece,
+    /// The corner it fell into, numbered as the engine does.
+    pub corner: usize,
+    /// The piece that sent it there last: the striker, or a coin.
+    pub sent_by: Piece,
+    /// Cushions it met after that.
+    pub cushions: u8,
+}
+
+/// A shot in short.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Story {
+    /// The first meeting; `None` if the striker touched nothing.
+    pub first_hit: Option<FirstHit>,
+    /// The first wanted piece that fell, if any did.
+    pub fall: Option<Fall>,
+    /// Wanted pieces that fell after it.
+    pub also: u8,
+}
+
+impl Story {
+    /// The story of `shot`, played from the position of `game` with its discs.
+    pub fn of(game: &Game, shot: &Shot) -> Self {
+        let mut falls = falls(game, shot);
+        Self {
+            first_hit: first_hit(game, shot),
+            fall: falls.next().and_then(|fallen| fallen.told(game, shot)),
+            also: u8::try_from(falls.count()).unwrap_or(u8::MAX),
+        }
+    }
+
+    /// Whether the striker itself sent the piece it met first straight to its pocket.
+    pub fn is_plain_cut(&self) -> bool {
+        self.fall.zip(self.first_hit).is_some_and(|(fall, hit)| {
+            let straight = hit.cushions == 0 && fall.cushions == 0;
+            straight && fall.sent_by == Piece::Striker && fall.coin == hit.coin
+        })
+    }
+}
+
+fn piece(game: &Game, disc: usize) -> Option<Piece> {
+    match disc.checked_sub(1) {
+        None => Some(Piece::Striker),
+        Some(i) => game.coins().get(i).map(|coin| coin.piece),
+    }
+}
+
+fn first_hit(game: &Game, shot: &Shot) -> Option<FirstHit> {
+    let mut cushions = 0_u8;
+    for event in shot.events() {
+        match event.kind {
+            EventKind::Cushion { disc: 0, .. } => cushions = cushions.saturating_add(1),
+            EventKind::Impact {
+                discs: [a, b],
+                normal,
+                before,
+                after,
+            } if a == 0 || b == 0 => {
+                // The record may name the coin first.
+                let (disc, [u1, _], [v1, _], normal) = match a {
+                    0 => (b, before, after, normal),
+                    _ => (a, swapped(before), swapped(after), -normal),
+                };
+                let reach = shot.discs().first()?.radius + shot.discs().get(disc)?.radius;
+                let along = u1.try_normalize()?;
+                return Some(FirstHit {
+                    coin: disc.checked_sub(1)?,
+                    piece: piece(game, disc)?,
+                    cushions,
+                    alpha: signed_angle(normal, along)?,
+                    offset: reach * normal.perp_dot(along),
+                    theta1: signed_angle(u1, v1),
+                    kept: v1.length() / u1.length(),
+                });
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+fn swapped([a, b]: [DVec2; 2]) -> [DVec2; 2] {
+    [b, a]
+}
+
+/// A disc and where in the record it fell into which corner.
+struct Fallen {
+    disc: usize,
+    corner: usize,
+    when: usize,
+}
+
+/// The wanted pieces that fell, in order.
+fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + 'a {
+    let events = shot.events().iter().enumerate();
+    events.filter_map(|(when, event)| match event.kind {
+        EventKind::Pocket { disc, corner } if wants(game, piece(game, disc)?) => {
+            Some(Fallen { disc, corner, when })
+        }
+        _ => None,
+    })
+}
+
+impl Fallen {
+    /// How it came there: back through the record to the last impact.
+    fn told(&self, game: &Game, shot: &Shot) -> Option<Fall> {
+        let mut cushions = 0_u8;
+        for event in shot.events().iter().take(self.when).rev() {
+            match event.kind {
+                EventKind::Cushion { disc, .. } if disc == self.disc => {
+                    cushions = cushions.saturating_add(1);
+                }
+                EventKind::Impact { discs: [a, b], .. } if a == self.disc || b == self.disc => {
+                    let sender = if a == self.disc { b } else { a };
+                    return Some(Fall {
+                        coin: self.disc.checked_sub(1)?,
+                        piece: piece(game, self.disc)?,
+                        corner: self.corner,
+                        sent_by: piece(game, sender)?,
+                        cushions,
+                    });
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+}

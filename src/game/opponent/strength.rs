@@ -1,0 +1,196 @@
+//! How strong an opponent is: how far it looks and how steady its hand is.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::hand::Hand;
+
+/// The five strengths, weakest first.
+///
+/// They differ in what they look for, in how many shots they rehearse before they
+/// strike, and in their hand's [errors](Hand):
+///
+/// | strength | direction | speed | shots seen | looks ahead |
+/// |---|---|---|---|---|
+/// | beginner | 2.9° | 20 % | cuts | no |
+/// | regular | 1.7° | 15 % | cuts | no |
+/// | club player | 1.0° | 10 % | cuts, combinations | yes |
+/// | expert | 0.55° | 7 % | all | yes |
+/// | champion | 0.3° | 4 % | all | yes |
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Strength {
+    /// Sees the plain cuts and has a lively hand.
+    Beginner,
+    /// Picks among more places, and has played before.
+    #[default]
+    Regular,
+    /// Thinks of the stroke after this one, and sees one coin drive another.
+    Club,
+    /// Sees cushion shots too, and tries each with an unsteady hand in mind.
+    Expert,
+    /// Sees the same as an expert, tries more of it, and rarely slips.
+    Champion,
+}
+
+/// What an opponent can do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Skill {
+    pub(super) hand: Hand,
+    /// Places along the base lines that are looked at.
+    pub(super) places: u16,
+    /// Whether one coin may be sent by another.
+    pub(super) combinations: bool,
+    /// Whether coin or striker may come off a cushion.
+    pub(super) cushions: bool,
+    /// Aims that are tried, the likeliest first.
+    pub(super) aims: usize,
+    /// Strengths at which each is tried, as multiples of what just suffices.
+    pub(super) speeds: &'static [f64],
+    /// Strokes tried without a pocket in mind.
+    pub(super) knocks: usize,
+    /// The best of them that are tried with an unsteady hand.
+    pub(super) finalists: usize,
+    /// Slips with which each is tried.
+    pub(super) slips: usize,
+    /// Small changes of the best that are tried in the same way.
+    pub(super) refinements: usize,
+    /// Whether the position after the stroke counts.
+    pub(super) looks_ahead: bool,
+}
+
+impl Strength {
+    /// All strengths, weakest first.
+    pub const ALL: [Self; 5] = [
+        Self::Beginner,
+        Self::Regular,
+        Self::Club,
+        Self::Expert,
+        Self::Champion,
+    ];
+
+    /// How unsteady its hand is.
+    pub fn hand(self) -> Hand {
+        self.skill().hand
+    }
+
+    /// The most shots it plays on the engine in its head before one stroke.
+    pub fn most_rehearsals(self) -> usize {
+        self.skill().most_rehearsals()
+    }
+
+    pub(super) fn skill(self) -> Skill {
+        match self {
+            Self::Beginner => Skill {
+                hand: Hand {
+                    direction: 0.05,
+                    speed: 0.20,
+                },
+                places: 5,
+                combinations: false,
+                cushions: false,
+                aims: 4,
+                speeds: &[1.5],
+                knocks: 3,
+                finalists: 0,
+                slips: 0,
+                refinements: 0,
+                looks_ahead: false,
+            },
+            Self::Regular => Skill {
+                hand: Hand {
+                    direction: 0.03,
+                    speed: 0.15,
+                },
+                places: 9,
+                aims: 10,
+                speeds: &[1.5],
+                knocks: 6,
+                ..Self::Beginner.skill()
+            },
+            Self::Club => Skill {
+                hand: Hand {
+                    direction: 0.0175,
+                    speed: 0.10,
+                },
+                places: 13,
+                combinations: true,
+                aims: 16,
+                speeds: &[1.3, 1.8],
+                knocks: 12,
+                finalists: 4,
+                slips: 4,
+                looks_ahead: true,
+                ..Self::Regular.skill()
+            },
+            Self::Expert => Skill {
+                hand: Hand {
+                    direction: 0.0096,
+                    speed: 0.07,
+                },
+                places: 17,
+                cushions: true,
+                aims: 40,
+                speeds: &[1.2, 1.6, 2.2],
+                knocks: 24,
+                finalists: 8,
+                slips: 8,
+                refinements: 4,
+                ..Self::Club.skill()
+            },
+            Self::Champion => Skill {
+                hand: Hand {
+                    direction: 0.0052,
+                    speed: 0.04,
+                },
+                places: 25,
+                aims: 80,
+                speeds: &[1.15, 1.5, 2.0, 2.8],
+                knocks: 40,
+                finalists: 16,
+                slips: 16,
+                refinements: 16,
+                ..Self::Expert.skill()
+            },
+        }
+    }
+}
+
+impl Skill {
+    pub(super) fn most_rehearsals(&self) -> usize {
+        let first_look = self.aims * self.speeds.len() + self.knocks;
+        // One more: the stroke as it is meant, to tell of it afterwards.
+        first_look + (self.finalists + self.refinements) * self.slips + 1
+    }
+}
+
+impl fmt::Display for Strength {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Beginner => "beginner",
+            Self::Regular => "regular",
+            Self::Club => "club player",
+            Self::Expert => "expert",
+            Self::Champion => "champion",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_strength_looks_further_with_a_steadier_hand() {
+        for pair in Strength::ALL.windows(2) {
+            let (weak, strong) = (pair[0], pair[1]);
+            assert!(weak < strong);
+            assert!(weak.hand().direction > strong.hand().direction);
+            assert!(weak.hand().speed > strong.hand().speed);
+            assert!(weak.most_rehearsals() < strong.most_rehearsals());
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! The opponent as a whole: any position, any strength, any seed.
+
+use glam::DVec2;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use super::{FASTEST, Strength, hint, think};
+use crate::game::laws::Rules;
+use crate::game::pack::pack;
+use crate::game::{Coin, Game, Hands, Piece, PieceSet, Seat, Setup, Stroke, Team};
+use crate::physics::{Board, Engine, Limits, Motion, Shot};
+
+/// A board in play with some of its coins scattered anywhere on it.
+fn scattered(seed: u64) -> Game {
+    let mut chance = Pcg64::seed_from_u64(seed);
+    let setup = Setup {
+        rules: [Rules::Tournament, Rules::Friendly, Rules::Practice][(seed % 3) as usize],
+        hands: [Hands::Two, Hands::Four][(seed / 3 % 2) as usize],
+        set: [PieceSet::Tournament, PieceSet::EqualMass][(seed / 6 % 2) as usize],
+        ..Setup::default()
+    };
+    let mut game = Game::new(setup);
+    let reach = Board::default().side / 2.0 - setup.set.coin_radius();
+    let mut coins: Vec<Coin> = Vec::new();
+    for (i, coin) in pack(setup.set, Seat::South).into_iter().enumerate() {
+        if i > 2 && chance.random_bool(0.4) {
+            continue;
+        }
+        let mut anywhere = || chance.random_range(-reach..reach);
+        let at = DVec2::new(anywhere(), anywhere());
+        if coins.iter().all(|c| c.at.distance(at) > 0.0319) {
+            coins.push(Coin { at, ..coin });
+        }
+    }
+    game.play.coins = coins;
+    game.play.break_tries = None;
+    game
+}
+
+fn apply(game: &mut Game, striker: Motion) {
+    let (discs, motions) = game.discs(striker);
+    let mut shot = Shot::new();
+    Engine::new()
+        .play_into(
+            &mut shot,
+            &Board::default(),
+            &discs,
+            &motions,
+            Limits::default(),
+        )
+        .unwrap();
+    let stroke = Stroke::from_shot(game.coins(), &shot).unwrap();
+    game.apply(&stroke).unwrap();
+}
+
+#[test]
+fn every_decision_is_a_legal_stroke() {
+    let board = Board::default();
+    for seed in 0..60 {
+        let game = scattered(seed);
+        for strength in [Strength::Beginner, Strength::Club, Strength::Expert] {
+            let decision = think(&game, &board, strength, seed).unwrap();
+            for motion in [decision.meant, decision.struck()] {
+                assert_eq!(game.check_place(&board, motion.position), Ok(()));
+                let speed = motion.velocity.length();
+                assert!(speed > 0.0 && speed <= FASTEST * (1.0 + 1e-12), "{speed}");
+            }
+            let said = decision.afterwards();
+            assert!(said.ends_with('.') && !said.contains("NaN"), "{said}");
+            apply(&mut game.clone(), decision.struck());
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_decision_and_another_another() {
+    let board = Board::default();
+    let game = scattered(1);
+    for strength in Strength::ALL {
+        let decide = |seed| think(&game, &board, strength, seed).unwrap();
+        assert_eq!(decide(7), decide(7));
+        assert_ne!(decide(7).slip, decide(8).slip);
+    }
+    assert_eq!(hint(&game, &board, 3), hint(&game, &board, 3));
+}
+
+#[test]
+fn it_breaks_the_pack() {
+    let board = Board::default();
+    for strength in Strength::ALL {
+        let mut game = Game::new(Setup::default());
+        let decision = think(&game, &board, strength, 2).unwrap();
+        assert!(decision.reason.breaking && decision.reason.story.first_hit.is_some());
+        apply(&mut game, decision.meant);
+        assert!(!game.play().is_unbroken());
+    }
+}
+
+#[test]
+fn a_coin_before_a_pocket_is_seen_by_all() {
+    let board = Board::default();
+    let mut game = scattered(0);
+    game.play.coins = vec![
+        coin(Piece::White, 290.0, 290.0),
+        coin(Piece::Black, -100.0, 100.0),
+    ];
+    game.play.queen_covered_by = Some(Team::First);
+    for strength in Strength::ALL {
+        let decision = think(&game, &board, strength, 4).unwrap();
+        let fall = decision.reason.story.fall.unwrap();
+        assert_eq!((fall.piece, fall.corner), (Piece::White, 3), "{strength}");
+    }
+    let hint = hint(&game, &board, 4).unwrap();
+    assert_eq!(
+        hint.which(),
+        "Look at the white coin and the far right pocket."
+    );
+    apply(&mut game, hint.stroke);
+    let won = game.play().won().unwrap();
+    assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
+}
+
+#[test]
+fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
+    let board = Board::default();
+    let mut game = scattered(0);
+    // Own coins walled in behind a row of the opponent's.
+    let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
+    game.play.coins = (-4..=4).map(row).collect();
+    game.play.coins.push(coin(Piece::White, 0.0, 350.0));
+    game.play.coins.push(coin(Piece::Queen, 32.0, 350.0));
+    for strength in Strength::ALL {
+        assert!(think(&game, &board, strength, 1).is_some());
+    }
+
+    let bar = |i: i32| coin(Piece::Black, f64::from(i) * 55.0, -252.6);
+    game.play.coins = (-4..=4).map(bar).collect();
+    game.play.coins.push(coin(Piece::White, 0.0, 0.0));
+    assert_eq!(think(&game, &board, Strength::Champion, 1), None);
+    assert_eq!(hint(&game, &board, 1), None);
+
+    let mut empty = scattered(2);
+    empty.play.coins.clear();
+    assert!(
+        think(&empty, &board, Strength::Champion, 1).is_some(),
+        "in practice one may strike at nothing"
+    );
+}
+
+#[test]
+fn a_finished_board_asks_for_no_stroke() {
+    let mut game = scattered(0);
+    game.play.won = Some(crate::game::BoardWon {
+        winner: Team::First,
+        points: 3,
+    });
+    assert_eq!(think(&game, &Board::default(), Strength::Club, 1), None);
+}
+
+#[test]
+fn the_last_coin_is_not_taken_before_the_queen() {
+    let board = Board::default();
+    let mut game = scattered(0);
+    game.play.coins = vec![
+        coin(Piece::White, 290.0, 290.0),
+        coin(Piece::Queen, -200.0, 200.0),
+        coin(Piece::Black, 100.0, 0.0),
+        coin(Piece::Black, -300.0, -300.0),
+    ];
+    game.play.pocketed_before[Team::First] = true;
+    for strength in [Strength::Expert, Strength::Champion] {
+        let decision = think(&game, &board, strength, 1).unwrap();
+        assert_eq!(decision.reason.story.fall.unwrap().piece, Piece::Queen);
+    }
+}
+
+/// The whole contest is `cargo bench --bench strength`.
+#[test]
+fn an_expert_beats_a_player_that_shoots_at_random() {
+    let board = Board::default();
+    for seed in 0..4 {
+        let mut chance = Pcg64::seed_from_u64(seed);
+        let mut game = Game::new(Setup {
+            seed: Some(seed),
+            first_breaker: [Seat::South, Seat::North][(seed % 2) as usize],
+            ..Setup::default()
+        });
+        for _ in 0..300 {
+            let striker = if game.team(game.seat()) == Team::First {
+                think(&game, &board, Strength::Expert, chance.random()).map(|d| d.struck())
+            } else {
+                let lines = game.base_lines(&board);
+                let way = DVec2::from_angle(chance.random_range(0.0..3.0));
+                lines.nearest(lines.at(0.0)).map(|position| Motion {
+                    position,
+                    velocity: game.seat().turn(way) * chance.random_range(0.5..FASTEST),
+                })
+            };
+            match striker {
+                Some(striker) => apply(&mut game, striker),
+                None => drop(game.no_place().unwrap()),
+            }
+            if game.play().won().is_some() {
+                break;
+            }
+        }
+        let won = game.play().won().unwrap();
+        assert_eq!(won.winner, Team::First, "seed {seed}");
+    }
+}
+
+fn coin(piece: Piece, x_mm: f64, y_mm: f64) -> Coin {
+    Coin {
+        piece,
+        at: DVec2::new(x_mm, y_mm) / 1000.0,
+    }
+}

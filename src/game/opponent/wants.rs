@@ -1,0 +1,61 @@
+//! Which pieces a player wants to pocket.
+
+use crate::game::laws::Rules;
+use crate::game::{Game, Piece, Seat};
+
+/// Whether the player whose turn it is wants to pocket `piece`.
+pub(super) fn wants(game: &Game, piece: Piece) -> bool {
+    wants_from(game, game.seat(), piece)
+}
+
+/// Whether the player at `seat` wants to pocket `piece`.
+///
+/// Own coins, but not the last of them before the queen, which loses a tournament
+/// board (80); the queen, once the Laws allow it (65, 68). In practice, any coin.
+pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
+    let rules = game.setup().rules;
+    let team = game.team(seat);
+    let play = game.play();
+    match piece {
+        Piece::Striker => false,
+        _ if rules == Rules::Practice => true,
+        Piece::Queen => {
+            rules == Rules::Friendly || (play.pocketed_before[team] && play.owed(team) == 0)
+        }
+        Piece::White | Piece::Black => {
+            let own = game.colour(team);
+            let loses =
+                rules == Rules::Tournament && play.queen_on_board() && play.on_board(own) == 1;
+            piece == own.piece() && !loses
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Setup, Team};
+
+    #[test]
+    fn own_coins_but_not_the_last_before_the_queen() {
+        let mut game = Game::new(Setup::default());
+        assert!(wants(&game, Piece::White));
+        assert!(!wants(&game, Piece::Black));
+        assert!(!wants(&game, Piece::Queen), "an own coin first (65)");
+        assert!(wants_from(&game, Seat::North, Piece::Black));
+
+        game.play.pocketed_before[Team::First] = true;
+        assert!(wants(&game, Piece::Queen));
+        game.play.owed[Team::First] = 1;
+        assert!(!wants(&game, Piece::Queen), "not in debt (68b)");
+
+        let mut whites = 0;
+        game.play.coins.retain(|coin| {
+            whites += u8::from(coin.piece == Piece::White);
+            coin.piece != Piece::White || whites == 1
+        });
+        assert!(!wants(&game, Piece::White), "the queen first (80)");
+        game.play.coins.retain(|coin| coin.piece != Piece::Queen);
+        assert!(wants(&game, Piece::White));
+    }
+}

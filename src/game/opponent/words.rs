@@ -1,0 +1,333 @@
+//! The opponent's stroke in plain words, with the angles.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+use super::hand::Slip;
+use super::story::{Chance, Fall, FirstHit, Story};
+use crate::game::{Piece, Seat};
+use crate::physics::units::{deg_from_rad, mm_from_m};
+
+/// Below this angle, in radians (1.5°), a hit is called full and a way straight.
+const FULL: f64 = 0.026;
+
+/// Below this share of its speed a striker is said to stop.
+const ALL_BUT_STOPPED: f64 = 0.05;
+
+/// The smallest slip of the direction that is told, in radians: what rounds to 0.1°.
+const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
+
+/// Who struck, in the words of the teller.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Teller {
+    /// The opponent of itself.
+    I,
+    /// A hint, to the player.
+    You,
+}
+
+/// Where a corner lies as seen from `seat`: "far right pocket".
+pub fn pocket_seen_from(seat: Seat, corner: usize) -> &'static str {
+    let side = |bit: usize| if corner & bit == 0 { -1.0 } else { 1.0 };
+    let seen = seat.turn_back(glam::DVec2::new(side(1), side(2)));
+    match (seen.y > 0.0, seen.x > 0.0) {
+        (true, true) => "far right pocket",
+        (true, false) => "far left pocket",
+        (false, true) => "near right pocket",
+        (false, false) => "near left pocket",
+    }
+}
+
+/// What was played, and why the aim was where it was.
+pub(super) fn plan(story: &Story, seat: Seat, breaking: bool) -> String {
+    let Some(hit) = &story.first_hit else {
+        return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();
+    };
+    let Some(fall) = &story.fall else {
+        let why = if breaking {
+            "I broke the pack to spread the coins."
+        } else {
+            "I saw no coin that I could count on, so I played for a better position."
+        };
+        return format!("{why} {}", capital(&met(story, Teller::I)));
+    };
+    let pocket = pocket_seen_from(seat, fall.corner);
+    let also = match story.also {
+        0 => String::new(),
+        1 => ", and one more piece after it".to_owned(),
+        more => format!(", and {more} more pieces after it"),
+    };
+    if story.is_plain_cut() && !breaking {
+        return format!(
+            "I {} the {} into the {pocket}{also}: {}",
+            if is_full(hit) { "played" } else { "cut" },
+            fall.piece,
+            met(story, Teller::I)
+        );
+    }
+    let verb = if breaking {
+        "broke the pack and sent"
+    } else {
+        "sent"
+    };
+    format!(
+        "I {verb} the {} into the {pocket}{}{also}. {}",
+        fall.piece,
+        route(fall),
+        capital(&met(story, Teller::I))
+    )
+}
+
+/// By what way a piece fell, where it was not the plain one.
+fn route(fall: &Fall) -> String {
+    let mut way = match fall.sent_by {
+        Piece::Striker => String::new(),
+        Piece::Queen => " by way of the queen".to_owned(),
+        other if other == fall.piece => format!(" by way of another {other}"),
+        other => format!(" by way of a {other}"),
+    };
+    match fall.cushions {
+        0 => {}
+        1 => way.push_str(" off a cushion"),
+        more => {
+            let _ = write!(way, " off {more} cushions");
+        }
+    }
+    way
+}
+
+/// The first hit: cut, offset, and where the striker goes; nothing if there was none.
+pub(super) fn met(story: &Story, teller: Teller) -> String {
+    let Some(hit) = &story.first_hit else {
+        return String::new();
+    };
+    let (i_aimed, my, meets, goes) = match teller {
+        Teller::I => ("I aimed", "my", "met", "went"),
+        Teller::You => ("aim", "your", "meets", "will go"),
+    };
+    let piece = hit.piece;
+    let article = if piece == Piece::Queen { "the" } else { "a" };
+    let other = story.fall.is_some_and(|fall| fall.coin != hit.coin);
+    let before = match hit.cushions {
+        0 if !other => String::new(),
+        0 => format!("{my} striker {meets} {article} {piece} first: "),
+        1 => format!("{my} striker {meets} {article} {piece} after one cushion: "),
+        more => format!("{my} striker {meets} {article} {piece} after {more} cushions: "),
+    };
+    let leaves = if is_full(hit) {
+        format!("a full hit sends the {piece} straight on along the line of impact.")
+    } else {
+        // Positive α: the coin lies to the right of the way, so one aims to its left.
+        let right = hit.alpha > 0.0;
+        format!(
+            "the {piece} leaves along the line of impact, {} to the {}, so {i_aimed} {:.1} mm to the {} of its centre.",
+            degrees(hit.alpha),
+            side(!right),
+            mm_from_m(hit.offset.abs()),
+            side(right),
+        )
+    };
+    let striker = match hit.theta1.filter(|_| hit.kept > ALL_BUT_STOPPED) {
+        None => match teller {
+            Teller::I => "all but stopped".to_owned(),
+            Teller::You => "will all but stop".to_owned(),
+        },
+        Some(turn) if turn.abs() < FULL => format!("{goes} straight on"),
+        Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
+        Some(turn) => format!("{goes} on {} to the {}", degrees(turn), side(turn > 0.0)),
+    };
+    format!("{before}{leaves} {} striker {striker}.", capital(my))
+}
+
+fn is_full(hit: &FirstHit) -> bool {
+    hit.alpha.abs() < FULL
+}
+
+/// How sure the stroke was, where it was tried often enough to say.
+pub(super) fn odds(chance: Chance) -> Option<String> {
+    (chance.of >= 4).then(|| {
+        format!(
+            "I tried it {} times in my head with an unsteady hand, and it worked {}.",
+            chance.of,
+            match chance.fell {
+                0 => "not once".to_owned(),
+                1 => "once".to_owned(),
+                all if all == chance.of => "every time".to_owned(),
+                some => format!("{some} times"),
+            }
+        )
+    })
+}
+
+/// How far the hand slipped.
+pub(super) fn slipped(slip: Slip) -> String {
+    let turned = slip.turn.atan();
+    let percent = (100.0 * slip.push).round();
+    let direction = (turned.abs() >= SMALLEST_SLIP)
+        .then(|| format!("{} off to the {}", degrees(turned), side(turned > 0.0)));
+    let strength = (percent != 0.0).then(|| {
+        let way = if percent > 0.0 { "hard" } else { "soft" };
+        format!("{:.0} % too {way}", percent.abs())
+    });
+    match (direction, strength) {
+        (Some(direction), Some(strength)) => format!("My hand was {direction} and {strength}."),
+        (Some(slip), None) | (None, Some(slip)) => format!("My hand was {slip}."),
+        (None, None) => "My hand was just right.".to_owned(),
+    }
+}
+
+/// The same with a capital letter first.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+fn side(left: bool) -> &'static str {
+    if left { "left" } else { "right" }
+}
+
+/// The size of an angle, to a tenth of a degree below 10° and to a degree above.
+fn degrees(angle: f64) -> String {
+    let size = deg_from_rad(angle.abs());
+    if size < 9.95 {
+        format!("{size:.1}°")
+    } else {
+        format!("{size:.0}°")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::game::laws::Rules;
+    use crate::game::{Coin, Game, PieceSet, Setup};
+    use crate::physics::units::rad_from_deg;
+    use crate::physics::{Board, Limits, Motion, play};
+
+    fn coin(piece: Piece, x_mm: f64, y_mm: f64) -> Coin {
+        Coin {
+            piece,
+            at: DVec2::new(x_mm, y_mm) / 1000.0,
+        }
+    }
+
+    fn told(coins: &[Coin], set: PieceSet, striker: Motion) -> String {
+        let mut game = Game::new(Setup {
+            rules: Rules::Practice,
+            set,
+            ..Setup::default()
+        });
+        game.lay_out(coins.to_vec()).unwrap();
+        let (discs, motions) = game.discs(striker);
+        let shot = play(&Board::default(), &discs, &motions, Limits::default());
+        plan(&Story::of(&game, &shot.unwrap()), Seat::South, false)
+    }
+
+    /// A stroke along +y that meets a coin at (100, 100) mm at `alpha_deg`.
+    fn at_angle(set: PieceSet, alpha_deg: f64, speed: f64) -> Motion {
+        let reach = set.striker_radius() + set.coin_radius();
+        let offset = reach * rad_from_deg(alpha_deg).sin();
+        Motion {
+            position: DVec2::new(0.1 - offset, -0.2),
+            velocity: DVec2::Y * speed,
+        }
+    }
+
+    #[test]
+    fn a_cut_is_told_with_its_angles() {
+        // Up the board, 45° to the right: along the diagonal into the far right pocket.
+        let target = [coin(Piece::White, 100.0, 100.0)];
+        let set = PieceSet::EqualMass;
+        assert_eq!(
+            told(&target, set, at_angle(set, 45.0, 2.0)),
+            "I cut the white coin into the far right pocket: the white coin leaves along \
+             the line of impact, 45° to the right, so I aimed 25.8 mm to the left of its \
+             centre. My striker went on 45° to the left."
+        );
+        // 15 g on 5.5 g: tan θ₁ = k sin α cos α / (1 − k cos²α) with k = 11/20.5,
+        // which is 20.1° at 45°.
+        let set = PieceSet::Tournament;
+        let words = told(&target, set, at_angle(set, 45.0, 2.0));
+        assert!(
+            words.ends_with("My striker went on 20° to the left."),
+            "{words}"
+        );
+    }
+
+    #[test]
+    fn a_full_hit_a_combination_and_a_miss_are_told() {
+        let set = PieceSet::EqualMass;
+        let diagonal = Motion {
+            position: DVec2::splat(-0.1),
+            velocity: DVec2::splat(1.5),
+        };
+        let one = [coin(Piece::Queen, 100.0, 100.0)];
+        assert_eq!(
+            told(&one, set, diagonal),
+            "I played the queen into the far right pocket: a full hit sends the queen \
+             straight on along the line of impact. My striker all but stopped."
+        );
+        let two = [
+            coin(Piece::Black, 50.0, 50.0),
+            coin(Piece::White, 150.0, 150.0),
+        ];
+        assert_eq!(
+            told(&two, set, diagonal),
+            "I sent the white coin into the far right pocket by way of a black coin. My \
+             striker met a black coin first: a full hit sends the black coin straight on \
+             along the line of impact. My striker all but stopped."
+        );
+        let aside = [coin(Piece::Black, -300.0, 0.0)];
+        assert_eq!(
+            told(&aside, set, diagonal),
+            "I found no coin that I could reach, so I played a quiet stroke."
+        );
+    }
+
+    #[test]
+    fn a_pocket_is_named_from_the_seat() {
+        for (seat, names) in [
+            (
+                Seat::South,
+                ["near left", "near right", "far left", "far right"],
+            ),
+            (
+                Seat::East,
+                ["far left", "near left", "far right", "near right"],
+            ),
+            (
+                Seat::North,
+                ["far right", "far left", "near right", "near left"],
+            ),
+            (
+                Seat::West,
+                ["near right", "far right", "near left", "far left"],
+            ),
+        ] {
+            for (corner, name) in names.iter().enumerate() {
+                assert_eq!(pocket_seen_from(seat, corner), format!("{name} pocket"));
+            }
+        }
+    }
+
+    #[test]
+    fn a_slip_is_told_only_where_there_is_one() {
+        let slip = |turn_deg: f64, push| {
+            slipped(Slip {
+                turn: rad_from_deg(turn_deg).tan(),
+                push,
+            })
+        };
+        assert_eq!(slip(0.0, 0.0), "My hand was just right.");
+        assert_eq!(slip(-1.24, 0.001), "My hand was 1.2° off to the right.");
+        assert_eq!(slip(0.01, -0.05), "My hand was 5 % too soft.");
+        assert_eq!(
+            slip(12.0, 0.2),
+            "My hand was 12° off to the left and 20 % too hard."
+        );
+    }
+}

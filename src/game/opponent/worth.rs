@@ -1,0 +1,113 @@
+//! What a position is worth to a team, in coins.
+
+use super::hand::Hand;
+use super::shots::{straight, strikes};
+use super::sight::Sight;
+use super::wants::wants_from;
+use crate::game::laws::Rules;
+use crate::game::{BaseLines, Game, Seat, Team};
+use crate::physics::Board;
+
+/// A won board, before its points.
+const BOARD: f64 = 20.0;
+/// The queen, covered.
+const QUEEN: f64 = 2.5;
+/// A sure coin for whoever strikes next: it falls, and the turn goes on.
+const TO_STRIKE: f64 = 1.6;
+/// A sure coin for the side that has to wait: it may still lie there.
+const TO_WAIT: f64 = 0.5;
+/// Places from which the position is looked over.
+const PLACES: u16 = 7;
+
+/// How a position is looked at.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Judge<'a> {
+    pub(super) board: &'a Board,
+    pub(super) team: Team,
+    /// The hand that both sides are thought to have.
+    pub(super) hand: Hand,
+    pub(super) looks_ahead: bool,
+}
+
+impl Judge<'_> {
+    /// What `game` is worth to the team.
+    pub(super) fn worth(&self, game: &Game) -> f64 {
+        let sides = [(self.team, 1.0), (self.team.other(), -1.0)];
+        if let Some(won) = game.play().won() {
+            let sign = if won.winner == self.team { 1.0 } else { -1.0 };
+            return sign * (BOARD + f64::from(won.points));
+        }
+        if game.setup().rules == Rules::Practice {
+            // Nobody to play against: every coin is one's own.
+            return self.prospect(game, game.seat()) * TO_STRIKE - game.coins().len() as f64;
+        }
+        let counted: f64 = sides
+            .iter()
+            .map(|(team, sign)| {
+                let left = game.play().on_board(game.colour(*team)) + game.play().owed(*team);
+                let queen = game.play().queen_covered_by() == Some(*team);
+                sign * (if queen { QUEEN } else { 0.0 } - f64::from(left))
+            })
+            .sum();
+        counted + self.prospects(game)
+    }
+
+    /// What the next strokes of both sides promise.
+    fn prospects(&self, game: &Game) -> f64 {
+        if !self.looks_ahead {
+            return 0.0;
+        }
+        let (seat, next) = (game.seat(), game.setup().hands.next(game.seat()));
+        let sign = |seat| {
+            if game.team(seat) == self.team {
+                1.0
+            } else {
+                -1.0
+            }
+        };
+        let first = self.prospect(game, seat);
+        let queen = if game.play().queen_to_cover() {
+            QUEEN * first
+        } else {
+            0.0
+        };
+        sign(seat) * (TO_STRIKE * first + queen) + sign(next) * TO_WAIT * self.prospect(game, next)
+    }
+
+    /// How likely the player at `seat` pockets something with the easiest straight
+    /// shot, 0 to 1.
+    fn prospect(&self, game: &Game, seat: Seat) -> f64 {
+        if !self.looks_ahead {
+            return 0.0;
+        }
+        let set = game.setup().set;
+        let sight = Sight {
+            board: self.board,
+            set,
+            coins: game.coins(),
+        };
+        let places = BaseLines::new(self.board, set, seat, game.coins()).candidates(PLACES);
+        let wanted = game.coins().iter().enumerate();
+        let easiest = wanted
+            .filter(|(_, coin)| wants_from(game, seat, coin.piece))
+            .flat_map(|(i, _)| straight(&sight, i))
+            .map(|course| {
+                let aims = strikes(&sight, &course, &places);
+                aims.map(|aim| aim.allowance).fold(0.0, f64::max)
+            })
+            .fold(0.0, f64::max);
+        likelihood(easiest, self.hand)
+    }
+}
+
+/// How likely a normal error stays within `allowance`, near enough: at one, two
+/// standard deviations 0.67, 0.89 (exactly 0.68, 0.95).
+fn likelihood(allowance: f64, hand: Hand) -> f64 {
+    let deviations = allowance / hand.direction;
+    let square = deviations * deviations;
+    if square.is_finite() {
+        square / (square + 0.5)
+    } else {
+        1.0
+    }
+}
