@@ -109,11 +109,11 @@ fn circles_are_met_by_ways_and_by_resting_places() {
             "kind = \"rest\"\ndisc = 0\n{}",
             circle(x - 3.1 * cos, y + 3.1 * sin)
         ),
-        "the striker came to rest 3 mm outside the circle",
+        "the striker came to rest 3.00 mm outside the circle",
     );
     missed(
         &format!("kind = \"pass\"\ndisc = 2\n{}", circle(0.0, 290.0)),
-        "the queen passed 9.9 mm outside the circle",
+        "the queen passed 9.90 mm outside the circle",
     );
 }
 
@@ -137,7 +137,7 @@ fn pockets_and_touches() {
     // The queen never moves: 350.96 mm from the pocket's centre at (347.75, 347.75).
     missed(
         "kind = \"pocket\"\ndiscs = [2]",
-        "the queen came within 328.76 mm of a pocket",
+        "the queen came within 329 mm of a pocket",
     );
 }
 
