@@ -16,6 +16,7 @@ use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::levels::{Levels, Play};
 use crate::screens::quiz::Quiz;
+use crate::screens::table::Table;
 use crate::screens::{Context, Next, Place, Screen, Settings, Shelf};
 
 /// The size below which nothing but a line of advice is drawn.
@@ -220,6 +221,7 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
+            Place::Table => Box::new(Table::default()),
         };
         self.stack.push(screen);
     }

@@ -129,7 +129,9 @@ pub(super) mod metres {
         at.to_array().serialize(to)
     }
 
-    pub(in crate::game) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<DVec2, D::Error> {
+    pub(in crate::game) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<DVec2, D::Error> {
         <[f64; 2]>::deserialize(from).map(DVec2::from_array)
     }
 }

@@ -1,0 +1,274 @@
+//! A game in progress at the table.
+//!
+//! One file a thing that one does there: aiming, calling, watching a stroke,
+//! looking into one impact, laying coins out.
+
+mod aiming;
+mod arranging;
+mod calling;
+mod watching;
+
+use std::time::Duration;
+
+use super::aim::Aim;
+use super::arrange::Arrange;
+use super::calls::Called;
+use super::options::Options;
+use super::preview::{FirstHit, Preview};
+use super::replay::Replay;
+use super::session::Session;
+use crate::game::{Game, Move, PieceSet, Record, Rules, Seat, Stage};
+use crate::messages::{Input, Key, Mouse};
+use crate::physics::Shot;
+use crate::screens::Context;
+use crate::widgets::hit::Watch;
+use crate::widgets::{NumberEntry, RayInput};
+
+/// A game in progress, and what is being done at the table.
+#[derive(Debug, Clone)]
+pub(super) struct Sitting {
+    pub(super) options: Options,
+    pub(super) session: Session,
+    pub(super) aim: Aim,
+    /// What the aim will meet; kept, because it takes an engine to know.
+    pub(super) preview: Option<Preview>,
+    /// An angle being typed.
+    pub(super) entry: NumberEntry,
+    pub(super) phase: Phase,
+    /// What has to be said just now: why something cannot be done.
+    pub(super) notice: Option<String>,
+    /// Whether the player has been asked about leaving.
+    pub(super) leaving: bool,
+    /// What the mouse holds while its button is down.
+    grip: Grip,
+}
+
+/// What is being done at the table.
+#[derive(Debug, Clone)]
+pub(super) enum Phase {
+    /// Aiming the next stroke.
+    Aim,
+    /// Saying where the two of the first impact will go.
+    Call(Box<Calling>),
+    /// Watching a stroke.
+    Watch(Box<Replay>),
+    /// Looking into one impact of it.
+    Impact(Box<Zoom>),
+    /// Laying coins out, in practice.
+    Arrange(Arrange),
+    /// The board has ended.
+    Over,
+}
+
+/// A call in the making.
+#[derive(Debug, Clone)]
+pub(super) struct Calling {
+    pub(super) hit: FirstHit,
+    pub(super) rays: RayInput,
+}
+
+/// One impact of a stroke, enlarged.
+#[derive(Debug, Clone)]
+pub(super) struct Zoom {
+    pub(super) watch: Watch,
+    /// The stroke to go back to.
+    pub(super) replay: Replay,
+}
+
+/// What the mouse holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Grip {
+    /// The direction of the aim.
+    Aim,
+    /// The striker.
+    Striker,
+}
+
+/// What became of an input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Taken {
+    /// It was used.
+    Used,
+    /// It meant nothing here.
+    Ignored,
+    /// The player leaves the game.
+    Leave,
+}
+
+impl Sitting {
+    /// Sits down to a new game.
+    pub(super) fn new(options: Options, seed: u64) -> Self {
+        let session = Session::new(options.setup(seed));
+        let mut sitting = Self {
+            aim: Aim::begin(session.game()),
+            options,
+            session,
+            preview: None,
+            entry: NumberEntry::default(),
+            phase: Phase::Aim,
+            notice: None,
+            leaving: false,
+            grip: Grip::Aim,
+        };
+        sitting.look_ahead();
+        sitting
+    }
+
+    /// The game as it stands.
+    pub(super) fn game(&self) -> &Game {
+        self.session.game()
+    }
+
+    /// All that is needed to play the game again.
+    pub(super) fn record(&self) -> &Record {
+        self.session.record()
+    }
+
+    /// The pieces it is played with.
+    pub(super) fn set(&self) -> PieceSet {
+        self.game().setup().set
+    }
+
+    /// Whose turn it is.
+    pub(super) fn seat(&self) -> Seat {
+        self.game().seat()
+    }
+
+    /// Whether this is practice.
+    pub(super) fn is_practice(&self) -> bool {
+        self.game().setup().rules == Rules::Practice
+    }
+
+    /// What came of the call of a stroke.
+    pub(super) fn called(&self, number: usize) -> Option<&Called> {
+        self.session.past(number)?.called.as_ref()
+    }
+
+    /// Takes an input.
+    pub(super) fn update(&mut self, input: &Input, cx: &Context) -> Taken {
+        match input {
+            Input::Key(key) => self.key(*key, cx),
+            Input::Mouse(mouse) if !self.leaving => self.mouse(mouse, cx),
+            _ => Taken::Ignored,
+        }
+    }
+
+    fn key(&mut self, key: Key, cx: &Context) -> Taken {
+        if self.leaving {
+            self.leaving = false;
+            return match key {
+                Key::Escape | Key::Enter | Key::Char('y') => Taken::Leave,
+                _ => Taken::Used,
+            };
+        }
+        self.notice = None;
+        let taken = match &mut self.phase {
+            Phase::Aim => self.aiming_key(key, cx),
+            Phase::Call(_) => self.calling_key(key, cx),
+            Phase::Watch(_) => self.watching_key(key, cx),
+            Phase::Impact(_) => self.impact_key(key),
+            Phase::Arrange(_) => self.arranging_key(key),
+            Phase::Over => self.over_key(key, cx),
+        };
+        if taken == Taken::Leave && self.is_running() {
+            self.leaving = true;
+            return Taken::Used;
+        }
+        taken
+    }
+
+    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Taken {
+        self.notice = None;
+        match &mut self.phase {
+            Phase::Aim => self.aiming_mouse(mouse, cx),
+            Phase::Call(_) => self.calling_mouse(mouse, cx),
+            Phase::Watch(_) => self.watching_mouse(mouse, cx),
+            Phase::Impact(_) => self.impact_mouse(mouse),
+            Phase::Arrange(_) => self.arranging_mouse(mouse, cx),
+            Phase::Over => Taken::Ignored,
+        }
+    }
+
+    /// Lets time pass on the screen.
+    pub(super) fn advance(&mut self, passed: Duration) {
+        match &mut self.phase {
+            Phase::Watch(replay) => replay.advance(passed),
+            Phase::Impact(zoom) => zoom.watch.advance(passed),
+            _ => {}
+        }
+    }
+
+    /// When it next needs time.
+    pub(super) fn wake(&self) -> Option<Duration> {
+        match &self.phase {
+            Phase::Watch(replay) => replay.wake(),
+            Phase::Impact(zoom) => zoom.watch.wake(),
+            _ => None,
+        }
+    }
+
+    /// Whether leaving now would break a game off.
+    fn is_running(&self) -> bool {
+        self.session.len() > 0 && !matches!(self.game().stage(), Stage::MatchOver(_))
+    }
+
+    /// Goes on with the game as it stands: aiming, or the end of the board.
+    fn go_on(&mut self) {
+        self.phase = match self.game().stage() {
+            Stage::Playing => Phase::Aim,
+            _ => Phase::Over,
+        };
+    }
+
+    /// Makes a move and begins the turn that follows; says in words if it cannot be
+    /// made. Gives the shot if it was a stroke.
+    fn make(&mut self, next: Move) -> Option<Shot> {
+        match self.session.make(next) {
+            Ok(shot) => {
+                self.begin_turn();
+                shot
+            }
+            Err(error) => {
+                let why = error.to_string();
+                let mut letters = why.chars();
+                let first = letters.next().map(|c| c.to_ascii_uppercase());
+                let sentence: String = first.into_iter().chain(letters).collect();
+                self.notice = Some(format!("{sentence}."));
+                None
+            }
+        }
+    }
+
+    /// A fresh aim for the game as it stands.
+    fn begin_turn(&mut self) {
+        let speed = self.aim.speed;
+        self.aim = Aim::begin(self.game());
+        if !self.game().play().is_unbroken() {
+            self.aim.speed = speed;
+        }
+        self.entry.take();
+        self.look_ahead();
+    }
+
+    /// Works out what the aim will meet.
+    fn look_ahead(&mut self) {
+        self.preview = Preview::of(&self.aim.strike(self.seat()), self.game());
+    }
+
+    /// The board after one that has ended.
+    fn over_key(&mut self, key: Key, cx: &Context) -> Taken {
+        match key {
+            Key::Enter | Key::Char(' ') => {
+                if let Stage::MatchOver(_) = self.game().stage() {
+                    return Taken::Leave;
+                }
+                self.make(Move::NextBoard);
+                self.go_on();
+            }
+            Key::Char('i' | 'I') => self.look_back(self.session.len(), cx),
+            Key::Escape => return Taken::Leave,
+            _ => return Taken::Ignored,
+        }
+        Taken::Used
+    }
+}
