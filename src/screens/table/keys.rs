@@ -15,16 +15,18 @@ pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
                 Hint::new("arrows", "aim"),
                 Hint::new("+ -", "strength"),
                 Hint::new("[ ]", "place"),
+                Hint::new("h", "hint"),
                 Hint::new("c", "call"),
                 Hint::new("l g r", "aids"),
                 Hint::new("i", "impacts"),
             ];
             if sitting.is_practice() {
-                keys.insert(4, Hint::new("p", "lay out"));
-                keys.insert(5, Hint::new("z", "undo"));
+                keys.insert(5, Hint::new("p", "lay out"));
+                keys.insert(6, Hint::new("z", "undo"));
             }
             keys
         }
+        Phase::Think { .. } => vec![Hint::new("Esc", "leave")],
         Phase::Call(_) => vec![
             Hint::new("arrows", "turn"),
             Hint::new("0-9", "type"),
@@ -97,6 +99,7 @@ pub(super) fn help() -> Help {
             Hint::new("mouse", "drag the striker, or point where to aim"),
             Hint::new("Space", "strike; skip to the end; go on"),
             Hint::new("l g r", "aim line, ghost, departures on or off"),
+            Hint::new("h", "hint: where to look; again: the whole stroke"),
             Hint::new("c", "call it on or off"),
             Hint::new("i", "impacts of the stroke, or the last stroke again"),
             Hint::new(", . < >", "step and scrub; Home and End for the ends"),

@@ -26,7 +26,7 @@ use super::{Context, Help, Hint, Next, Screen};
 use crate::game::{Game, Record};
 use crate::messages::{Input, Key};
 use new_game::{Agreed, NewGame};
-pub use options::{Aids, Options};
+pub use options::{Aids, Options, Player};
 use sitting::{Sitting, Taken};
 
 /// The table.
@@ -107,7 +107,11 @@ impl Screen for Table {
                 };
                 match agreed {
                     Agreed::Changing => {}
-                    Agreed::Play => *self = Self::playing(page.options, cx.next_seed()),
+                    Agreed::Play => {
+                        let mut sitting = Sitting::new(page.options, cx.next_seed());
+                        sitting.hand_over(cx);
+                        self.page = Page::Sitting(Box::new(sitting));
+                    }
                     Agreed::Ignored => return Next::Ignored,
                 }
             }

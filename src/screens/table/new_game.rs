@@ -3,8 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::options::Options;
+use super::options::{Options, Player, compass};
 use super::{picture, view, words};
+use crate::game::opponent::Strength;
 use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
 use crate::messages::{Key, Mouse, MouseKind};
@@ -23,6 +24,8 @@ pub(super) struct NewGame {
 enum Row {
     Rules,
     Hands,
+    Seat(Seat),
+    Strength,
     Pieces,
     Call,
     Line,
@@ -51,6 +54,10 @@ impl NewGame {
         let mut rows = vec![Row::Rules];
         if self.options.rules != Rules::Practice {
             rows.push(Row::Hands);
+            rows.extend(self.options.seats().map(Row::Seat));
+            if self.options.count(Player::Computer) > 0 {
+                rows.push(Row::Strength);
+            }
         }
         rows.extend([Row::Pieces, Row::Call, Row::Line, Row::Ghost, Row::Rays]);
         rows
@@ -105,7 +112,7 @@ impl NewGame {
                 (" ", Role::Dim, Role::Text)
             };
             let name = format!("{mark} {}", row.name());
-            lines.pair(&name, row.value(&self.options), name_role, role);
+            lines.pair(&name, &row.value(&self.options), name_role, role);
         }
         lines.gap();
         lines.paragraph(self.row().about(&self.options), Role::Text);
@@ -129,6 +136,8 @@ impl Row {
         match self {
             Self::Rules => "rules",
             Self::Hands => "hands",
+            Self::Seat(seat) => compass(seat),
+            Self::Strength => "computer",
             Self::Pieces => "pieces",
             Self::Call => "call it",
             Self::Line => "aim line",
@@ -137,20 +146,27 @@ impl Row {
         }
     }
 
-    fn value(self, options: &Options) -> &'static str {
+    fn value(self, options: &Options) -> String {
         let switch = |on: bool| if on { "on" } else { "off" };
-        match self {
+        let value = match self {
+            Self::Strength => return options.strength.to_string(),
             Self::Rules => words::rules(options.rules),
             Self::Hands => match options.hands {
                 Hands::Two => "two",
                 Hands::Four => "four",
+            },
+            Self::Seat(seat) => match options.player(seat) {
+                Player::Person if options.count(Player::Person) == 1 => "you",
+                Player::Person => "a person",
+                Player::Computer => "computer",
             },
             Self::Pieces => words::masses(options.set),
             Self::Call => switch(options.call),
             Self::Line => switch(options.aids.line),
             Self::Ghost => switch(options.aids.ghost),
             Self::Rays => switch(options.aids.rays),
-        }
+        };
+        value.into()
     }
 
     fn about(self, options: &Options) -> &'static str {
@@ -165,9 +181,13 @@ impl Row {
                 "No turns and no dues: striker and coins anywhere, and every stroke can be taken back."
             }
             (Self::Hands, _) => match options.hands {
-                Hands::Two => "South against North, at one keyboard.",
+                Hands::Two => "South against North.",
                 Hands::Four => "Partners sit opposite: South and North against East and West.",
             },
+            (Self::Seat(_), _) => "A person at this keyboard, or the computer.",
+            (Self::Strength, _) => {
+                "How far the computer looks, and how steady its hand is. It always says what it saw."
+            }
             (Self::Pieces, _) => match options.set {
                 PieceSet::Tournament => {
                     "A heavy striker on light coins: it is turned aside by at most 21.5°, and they part at less than 90°."
@@ -208,6 +228,19 @@ impl Row {
                     PieceSet::Tournament => PieceSet::EqualMass,
                     PieceSet::EqualMass => PieceSet::Tournament,
                 };
+            }
+            Self::Seat(seat) => {
+                let other = match options.player(seat) {
+                    Player::Person => Player::Computer,
+                    Player::Computer => Player::Person,
+                };
+                options.set_player(seat, other);
+            }
+            Self::Strength => {
+                let all = Strength::ALL;
+                let now = all.iter().position(|s| *s == options.strength).unwrap_or(0);
+                let step = if forward { 1 } else { all.len() - 1 };
+                options.strength = all[(now + step) % all.len()];
             }
             Self::Call => options.call ^= true,
             Self::Line => options.aids.line ^= true,

@@ -11,7 +11,7 @@ use super::sitting::Sitting;
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::physics::{Board, State, stopping_distance};
-use crate::widgets::ink::{Pen, Sheet, Side};
+use crate::widgets::ink::{Layer, Pen, Sheet, Side};
 use crate::widgets::{Look, Role, board};
 
 /// Seconds after which a trail has faded.
@@ -114,7 +114,7 @@ fn own_side(sheet: &mut Sheet, seat: Seat) {
     sheet.line(
         end(-0.2),
         end(0.2),
-        Pen::new(Role::Selected).on(crate::widgets::ink::Layer::Trail),
+        Pen::new(Role::Striker).on(Layer::Trail),
     );
 }
 
@@ -199,7 +199,7 @@ pub(super) fn draw_arrange(
     let arm = 2.5 * sheet.view().per_row();
     let gap = 0.8 * sheet.view().per_row();
     for way in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
-        let pen = Pen::new(Role::Selected);
+        let pen = Pen::new(Role::Key);
         sheet.line(arrange.hand + gap * way, arrange.hand + arm * way, pen);
     }
     sheet.draw(buf, &look.theme);

@@ -21,6 +21,8 @@ pub(super) struct Past {
     pub(super) rulings: Vec<Ruling>,
     /// How good the player's call was, if one was made and something was hit.
     pub(super) called: Option<Called>,
+    /// What the computer says of its stroke.
+    pub(super) told: Option<String>,
 }
 
 /// What the calls of a team have brought.
@@ -78,8 +80,16 @@ impl Session {
             before,
             rulings,
             called,
+            told: None,
         });
         Ok(shot)
+    }
+
+    /// Adds what the computer says of a stroke it has made.
+    pub(super) fn tell(&mut self, number: usize, told: String) {
+        if let Some(past) = self.past.get_mut(number) {
+            past.told = Some(told);
+        }
     }
 
     /// Takes the last move back; says whether there was one.

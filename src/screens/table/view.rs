@@ -97,7 +97,9 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
         Phase::Arrange(arrange) => {
             picture::draw_arrange(sitting, arrange, layout.picture, buf, &look);
         }
-        Phase::Over => picture::draw_coins(sitting, layout.picture, buf, &look),
+        Phase::Think { .. } | Phase::Over => {
+            picture::draw_coins(sitting, layout.picture, buf, &look)
+        }
     }
     panel::draw(sitting, layout.panel, buf, cx);
 }
@@ -128,7 +130,7 @@ fn titles(sitting: &Sitting) -> (String, String) {
             };
             (time, name.into())
         }
-        Phase::Aim => (board_title(sitting), turn()),
+        Phase::Aim | Phase::Think { .. } => (board_title(sitting), turn()),
         Phase::Over => (board_title(sitting), "the end of the board".into()),
     }
 }

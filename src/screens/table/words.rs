@@ -68,6 +68,22 @@ pub(super) const fn masses(set: PieceSet) -> &'static str {
     }
 }
 
+/// What somebody does, as in "South plays" but "you play".
+pub(super) fn does(name: &str, third_person: &str) -> String {
+    let verb = match name {
+        "you" => third_person.strip_suffix('s').unwrap_or(third_person),
+        _ => third_person,
+    };
+    format!("{name} {verb}")
+}
+
+/// The same at the beginning of a sentence.
+pub(super) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+    first.into_iter().chain(letters).collect()
+}
+
 /// A ruling with the number of its law.
 pub(super) fn ruling(ruling: &Ruling) -> String {
     match ruling.law {

@@ -4,13 +4,15 @@ use super::{notice, score};
 use crate::game::Game;
 use crate::screens::table::aim::SPEEDS;
 use crate::screens::table::preview::{FirstHit, WayEnd};
-use crate::screens::table::sitting::Sitting;
+use crate::screens::table::sitting::{Hinted, Sitting};
 use crate::screens::table::words;
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role};
 
-/// Cells of the bar of strength.
-const BAR: u16 = 8;
+/// Most cells of the bar of strength.
+const BAR: u16 = 10;
+/// Columns of the name and the number beside it.
+const NAME_AND_SPEED: u16 = 18;
 
 /// The aim, what it will meet first, and how the game stands.
 pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
@@ -23,9 +25,10 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
         format!("{:.1}°", aim.direction_deg)
     };
     lines.pair("aim", &direction, Role::Dim, Role::Text);
+    let bar_width = lines.columns().saturating_sub(NAME_AND_SPEED).min(BAR);
     let strength = format!(
         "{} {:.1} m/s",
-        bar(aim.speed / SPEEDS.1, BAR, lines.charset()),
+        bar(aim.speed / SPEEDS.1, bar_width, lines.charset()),
         aim.speed
     );
     lines.pair("strength", &strength, Role::Dim, Role::Text);
@@ -33,6 +36,8 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     lines.gap();
     if sitting.notice.is_some() {
         notice(sitting, lines);
+    } else if let Some(hinted) = &sitting.hint {
+        hint(hinted, lines);
     } else if let Err(why) = aim.check(game) {
         lines.paragraph(&format!("Not from here: {why}."), Role::Warn);
     } else {
@@ -52,15 +57,23 @@ fn turn(sitting: &Sitting, lines: &mut Lines) {
     let name = sitting.options.seat_name(sitting.seat());
     let does = if game.play().is_unbroken() {
         "breaks"
-    } else if game.play().queen_to_cover() {
-        "covers the queen"
     } else {
         "plays"
     };
-    lines.line(
-        &format!("{name} {does}, {}", colour.adjective()),
-        Role::Title,
-    );
+    let turn = format!("{}, {}", words::does(name, does), colour.adjective());
+    lines.line(&words::sentence(&turn), Role::Title);
+}
+
+/// The hint: first where to look, then all of it.
+fn hint(hinted: &Hinted, lines: &mut Lines) {
+    match hinted {
+        Hinted::Asked { .. } => lines.line("looking for a stroke …", Role::Dim),
+        Hinted::Told { hint, whole: false } => {
+            lines.paragraph(&hint.which(), Role::Good);
+            lines.line("h: tell me more", Role::Key);
+        }
+        Hinted::Told { hint, whole: true } => lines.paragraph(&hint.how(), Role::Good),
+    }
 }
 
 /// What the striker will meet first.
@@ -95,6 +108,6 @@ fn first_hit(game: &Game, hit: &FirstHit, lines: &mut Lines) {
     );
     if let Some(alpha) = collision.alpha() {
         let alpha = format!("{:.1}°", alpha.to_degrees().abs());
-        lines.pair("  impact angle α", &alpha, Role::Dim, Role::Text);
+        lines.pair("  angle α", &alpha, Role::Dim, Role::Text);
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn draw(_sitting: &Sitting, zoom: &Zoom, lines: &mut Lines) {
         return;
     }
     if names[0] != "striker" {
-        let here = format!("Body 1 is the {} here, body 2 the {}.", names[0], names[1]);
+        let here = format!("Here the {} plays the striker's part.", names[0]);
         lines.paragraph(&here, Role::Dim);
     }
     let (title, text) = why(zoom);

@@ -13,6 +13,7 @@ use ratatui::layout::Rect;
 pub(super) use stroke::impact_at;
 
 use super::sitting::{Phase, Sitting};
+use super::words;
 use crate::screens::Context;
 use crate::widgets::{Lines, Role};
 
@@ -27,6 +28,7 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
     }
     match &sitting.phase {
         Phase::Aim => aim::draw(sitting, &mut lines),
+        Phase::Think { .. } => thinking(sitting, &mut lines),
         Phase::Call(calling) => call::draw(calling, &mut lines),
         Phase::Watch(replay) if replay.chosen.is_some() => stroke::list(replay, &mut lines),
         Phase::Watch(replay) => stroke::draw(sitting, replay, &mut lines),
@@ -41,6 +43,16 @@ fn notice(sitting: &Sitting, lines: &mut Lines) {
     if let Some(notice) = &sitting.notice {
         lines.paragraph(notice, Role::Warn);
     }
+}
+
+fn thinking(sitting: &Sitting, lines: &mut Lines) {
+    let name = sitting.options.seat_name(sitting.seat());
+    let thinks = words::does(name, "thinks");
+    lines.line(&format!("{} …", words::sentence(&thinks)), Role::Title);
+    lines.gap();
+    notice(sitting, lines);
+    lines.gap();
+    score::draw(sitting, lines);
 }
 
 fn arrange_help(sitting: &Sitting, holding: bool, lines: &mut Lines) {

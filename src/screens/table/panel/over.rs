@@ -11,13 +11,13 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     let game = sitting.game();
     let name = |team: Team| sitting.options.team_name(team);
     let headline = match game.stage() {
-        Stage::MatchOver(team) => format!("{} wins the match!", name(team)),
-        Stage::GameOver(team) => format!("{} wins the game!", name(team)),
+        Stage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
+        Stage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
         Stage::BoardOver(_) if sitting.is_practice() => "The board is empty.".into(),
         Stage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
         Stage::Playing => String::new(),
     };
-    lines.line(&headline, Role::Title);
+    lines.line(&words::sentence(&headline), Role::Title);
     lines.gap();
     if let Some(last) = sitting.session.len().checked_sub(1)
         && let Some(past) = sitting.session.past(last)

@@ -47,8 +47,8 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     for team in Team::BOTH {
         let owed = game.play().owed(team);
         if owed > 0 {
-            let name = sitting.options.team_name(team);
-            lines.line(&format!("{name} owes {owed}"), Role::Warn);
+            let owes = words::does(sitting.options.team_name(team), "owes");
+            lines.line(&format!("{owes} {owed}"), Role::Warn);
         }
     }
     calls(sitting, lines);

@@ -9,8 +9,11 @@ use crate::screens::table::calls::Called;
 use crate::screens::table::replay::Replay;
 use crate::screens::table::sitting::Sitting;
 use crate::screens::table::words;
+use crate::widgets::ink::token;
 use crate::widgets::{Lines, Role};
 
+/// Columns from which on the list has room for names.
+const ROOMY: u16 = 31;
 /// Rows above the list of impacts.
 const HEAD: usize = 2;
 
@@ -35,13 +38,19 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
             Role::Text,
         );
         lines.gap();
-        score::draw(sitting, lines);
+        left(replay, lines);
         return;
     }
     for ruling in &past.rulings {
         lines.paragraph(&words::ruling(ruling), Role::Text);
     }
     lines.gap();
+    if let Some(told) = &past.told {
+        let name = sitting.options.seat_name(past.before.seat());
+        lines.line(&format!("{}:", words::sentence(name)), Role::Title);
+        lines.paragraph(told, Role::Text);
+        lines.gap();
+    }
     if let Some(called) = &past.called {
         call(called, lines);
     }
@@ -53,29 +62,38 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
     lines.paragraph("Enter: go on.  i: look into the impacts.", Role::Key);
 }
 
+/// What lies on the board at this moment.
+fn left(replay: &Replay, lines: &mut Lines) {
+    for piece in [Piece::White, Piece::Black, Piece::Queen] {
+        let sign = token(words::role(piece), lines.charset());
+        let count = replay
+            .discs()
+            .filter(|(_, other, _)| *other == piece)
+            .count();
+        let name = format!("{} {sign}", words::short(piece));
+        lines.pair(&name, &count.to_string(), Role::Text, Role::Text);
+    }
+}
+
 /// What was called and what was true.
 fn call(called: &Called, lines: &mut Lines) {
     let points = format!("{} of {}", called.points(), Called::MOST);
     lines.pair("your call", &points, Role::Title, Role::Title);
-    for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, "coin")] {
-        let said = format!(
-            "{} / {}",
-            angle(called.said.get(ray)),
-            angle(called.truth.get(ray))
-        );
-        lines.pair(
-            &format!("  {name}, said / true"),
-            &said,
-            Role::Dim,
-            Role::Text,
-        );
+    lines.triple(["degrees", "you said", "truth"], [Role::Dim; 3]);
+    let rays = [
+        (Ray::Striker, "striker", Role::StrikerOut),
+        (Ray::Target, "coin", Role::CoinOut),
+    ];
+    for (ray, name, role) in rays {
+        let (said, truth) = (angle(called.said.get(ray)), angle(called.truth.get(ray)));
+        lines.triple([name, &said, &truth], [Role::Dim, Role::Predicted, role]);
     }
     lines.gap();
 }
 
 fn angle(angle: Option<f64>) -> String {
     angle.map_or("still".into(), |angle| {
-        format!("{:.0}°", angle.to_degrees().abs())
+        format!("{:.1}", angle.to_degrees().abs())
     })
 }
 
@@ -85,11 +103,17 @@ pub(super) fn list(replay: &Replay, lines: &mut Lines) {
     lines.gap();
     let chosen = replay.chosen.unwrap_or(0);
     let rows = usize::from(lines.left());
+    let roomy = lines.columns() >= ROOMY;
+    let charset = lines.charset();
     let first = first_row(chosen, rows, replay.impacts.len());
     for (i, impact) in replay.impacts.iter().enumerate().skip(first).take(rows) {
         let name = |disc: usize| {
-            let piece = replay.pieces.get(disc).copied();
-            words::short(piece.unwrap_or(Piece::White))
+            let piece = replay.pieces.get(disc).copied().unwrap_or(Piece::White);
+            if roomy {
+                words::short(piece)
+            } else {
+                token(words::role(piece), charset)
+            }
         };
         let [a, b] = impact.discs.map(name);
         let (mark, role) = if i == chosen {
@@ -98,7 +122,7 @@ pub(super) fn list(replay: &Replay, lines: &mut Lines) {
             (" ", Role::Text)
         };
         let text = format!("{mark}{:2} {a} on {b}", i + 1);
-        lines.pair(&text, &format!("{:.2} s", impact.time), role, role);
+        lines.pair(&text, &format!("{:.3} s", impact.time), role, role);
     }
 }
 

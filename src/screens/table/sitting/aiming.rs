@@ -22,7 +22,7 @@ const SPEED_STEP: f64 = 0.1;
 const HOLD: f64 = 1.6;
 
 impl Sitting {
-    pub(super) fn aiming_key(&mut self, key: Key, cx: &Context) -> Taken {
+    pub(super) fn aiming_key(&mut self, key: Key, cx: &mut Context) -> Taken {
         match key {
             // These two change the strength even between digits.
             Key::Char('+' | '=') => self.aim.set_speed(self.aim.speed + SPEED_STEP),
@@ -40,7 +40,7 @@ impl Sitting {
         Taken::Used
     }
 
-    fn command(&mut self, key: Key, cx: &Context) -> Taken {
+    fn command(&mut self, key: Key, cx: &mut Context) -> Taken {
         self.entry.take();
         let right = rightwards(self.seat());
         match key {
@@ -65,6 +65,7 @@ impl Sitting {
                 self.phase = Phase::Arrange(Arrange::new());
             }
             Key::Char('z' | 'Z') if self.is_practice() => self.take_back(),
+            Key::Char('h' | 'H') => self.ask_for_hint(cx),
             Key::Char(' ') | Key::Enter => self.strike(cx),
             Key::Escape => return Taken::Leave,
             _ => return Taken::Ignored,
@@ -98,15 +99,15 @@ impl Sitting {
 
     /// From aiming to the stroke, or to the call before it.
     fn strike(&mut self, cx: &Context) {
-        let lines = Board::default();
+        let board = Board::default();
         if !self.is_practice()
             && self
                 .game()
-                .base_lines(&lines)
+                .base_lines(&board)
                 .nearest(DVec2::ZERO)
                 .is_none()
         {
-            self.make(Move::NoPlace);
+            self.pass();
             return;
         }
         if let Err(why) = self.aim.check(self.game()) {

@@ -6,6 +6,7 @@
 mod aiming;
 mod arranging;
 mod calling;
+mod thinking;
 mod watching;
 
 use std::time::Duration;
@@ -17,6 +18,8 @@ use super::options::Options;
 use super::preview::{FirstHit, Preview};
 use super::replay::Replay;
 use super::session::Session;
+use super::words::sentence;
+use crate::game::opponent::Hint;
 use crate::game::{Game, Move, PieceSet, Record, Rules, Seat, Stage};
 use crate::messages::{Input, Key, Mouse};
 use crate::physics::Shot;
@@ -37,6 +40,8 @@ pub(super) struct Sitting {
     pub(super) phase: Phase,
     /// What has to be said just now: why something cannot be done.
     pub(super) notice: Option<String>,
+    /// Help with the next stroke.
+    pub(super) hint: Option<Hinted>,
     /// Whether the player has been asked about leaving.
     pub(super) leaving: bool,
     /// What the mouse holds while its button is down.
@@ -48,6 +53,11 @@ pub(super) struct Sitting {
 pub(super) enum Phase {
     /// Aiming the next stroke.
     Aim,
+    /// Waiting for the computer's stroke.
+    Think {
+        /// By which the answer is known.
+        ticket: u64,
+    },
     /// Saying where the two of the first impact will go.
     Call(Box<Calling>),
     /// Watching a stroke.
@@ -58,6 +68,22 @@ pub(super) enum Phase {
     Arrange(Arrange),
     /// The board has ended.
     Over,
+}
+
+/// A hint on its way, or there.
+#[derive(Debug, Clone)]
+pub(super) enum Hinted {
+    /// Asked for.
+    Asked {
+        /// By which the answer is known.
+        ticket: u64,
+    },
+    /// There.
+    Told {
+        hint: Box<Hint>,
+        /// Whether all of it is told, or only where to look.
+        whole: bool,
+    },
 }
 
 /// A call in the making.
@@ -107,6 +133,7 @@ impl Sitting {
             entry: NumberEntry::default(),
             phase: Phase::Aim,
             notice: None,
+            hint: None,
             leaving: false,
             grip: Grip::Aim,
         };
@@ -145,15 +172,21 @@ impl Sitting {
     }
 
     /// Takes an input.
-    pub(super) fn update(&mut self, input: &Input, cx: &Context) -> Taken {
-        match input {
+    pub(super) fn update(&mut self, input: &Input, cx: &mut Context) -> Taken {
+        let taken = match input {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) if !self.leaving => self.mouse(mouse, cx),
+            Input::Thought(thought) => {
+                self.thought(thought, cx);
+                Taken::Used
+            }
             _ => Taken::Ignored,
-        }
+        };
+        self.hand_over(cx);
+        taken
     }
 
-    fn key(&mut self, key: Key, cx: &Context) -> Taken {
+    fn key(&mut self, key: Key, cx: &mut Context) -> Taken {
         if self.leaving {
             self.leaving = false;
             return match key {
@@ -168,6 +201,7 @@ impl Sitting {
             Phase::Watch(_) => self.watching_key(key, cx),
             Phase::Impact(_) => self.impact_key(key),
             Phase::Arrange(_) => self.arranging_key(key),
+            Phase::Think { .. } => thinking_key(key),
             Phase::Over => self.over_key(key, cx),
         };
         if taken == Taken::Leave && self.is_running() {
@@ -185,7 +219,7 @@ impl Sitting {
             Phase::Watch(_) => self.watching_mouse(mouse, cx),
             Phase::Impact(_) => self.impact_mouse(mouse),
             Phase::Arrange(_) => self.arranging_mouse(mouse, cx),
-            Phase::Over => Taken::Ignored,
+            Phase::Think { .. } | Phase::Over => Taken::Ignored,
         }
     }
 
@@ -229,11 +263,7 @@ impl Sitting {
                 shot
             }
             Err(error) => {
-                let why = error.to_string();
-                let mut letters = why.chars();
-                let first = letters.next().map(|c| c.to_ascii_uppercase());
-                let sentence: String = first.into_iter().chain(letters).collect();
-                self.notice = Some(format!("{sentence}."));
+                self.notice = Some(format!("{}.", sentence(&error.to_string())));
                 None
             }
         }
@@ -247,7 +277,18 @@ impl Sitting {
             self.aim.speed = speed;
         }
         self.entry.take();
+        self.hint = None;
         self.look_ahead();
+    }
+
+    /// Passes, because coins bar every place for the striker.
+    fn pass(&mut self) {
+        let number = self.session.len();
+        self.phase = Phase::Aim;
+        self.make(Move::NoPlace);
+        if let Some(past) = self.session.past(number) {
+            self.notice = past.rulings.first().map(|ruling| ruling.text.clone());
+        }
     }
 
     /// Works out what the aim will meet.
@@ -270,5 +311,13 @@ impl Sitting {
             _ => return Taken::Ignored,
         }
         Taken::Used
+    }
+}
+
+/// While the computer thinks one can only leave.
+fn thinking_key(key: Key) -> Taken {
+    match key {
+        Key::Escape => Taken::Leave,
+        _ => Taken::Ignored,
     }
 }
