@@ -15,6 +15,7 @@ const PLACES: [Place; 5] = [
     Place::Home,
     Place::Lab,
     Place::Quiz { seed: None },
+    Place::Table,
     Place::Levels,
     Place::Level { number: 4 },
 ];

@@ -29,6 +29,8 @@ pub(super) struct Replay {
     pub(super) impacts: Vec<Impact>,
     /// The one that is chosen, while they are listed.
     pub(super) chosen: Option<usize>,
+    /// The time to go back to when the list is put away.
+    listed_at: f64,
     /// Its clock.
     pub(super) clock: Clock,
 }
@@ -42,6 +44,7 @@ impl Replay {
             pieces: std::iter::once(Piece::Striker).chain(coins).collect(),
             impacts: impacts(&shot).collect(),
             chosen: None,
+            listed_at: 0.0,
             clock: Clock::new(shot.duration(), reduced),
             shot,
         }
@@ -68,9 +71,10 @@ impl Replay {
     /// list away.
     pub(super) fn toggle_list(&mut self) {
         self.chosen = match self.chosen {
-            Some(_) => None,
+            Some(_) => return self.put_list_away(),
             None => {
                 let now = self.clock.time();
+                self.listed_at = now;
                 let over = self.clock.is_over();
                 let before = self.impacts.partition_point(|impact| impact.time <= now);
                 // At the end, the first: that is the one the player aimed at.
@@ -79,6 +83,11 @@ impl Replay {
             }
         };
         self.show_chosen();
+    }
+
+    fn put_list_away(&mut self) {
+        self.chosen = None;
+        self.clock.seek(self.listed_at);
     }
 
     fn choose(&mut self, further: bool) {
@@ -128,7 +137,7 @@ impl Replay {
             Key::Char('i' | 'I') => self.toggle_list(),
             Key::Up => self.choose(false),
             Key::Down => self.choose(true),
-            Key::Escape if self.chosen.is_some() => self.chosen = None,
+            Key::Escape if self.chosen.is_some() => self.put_list_away(),
             _ => return false,
         }
         true
