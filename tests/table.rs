@@ -231,7 +231,7 @@ fn a_call_is_graded_beside_the_score_never_in_it() {
     };
     let mut game = at_the_table(options, still());
     game.press("]] ");
-    assert!(game.screen().contains("call it: where will they go?"));
+    assert!(game.screen().contains("call it: where to?"));
     game.press("6<Enter>6<Enter>");
     let shown = panel(&mut game);
     assert!(shown.contains("your call"), "{shown}");

@@ -63,10 +63,7 @@ const CHOICES: [Choice; 4] = [
     Choice {
         key: 't',
         name: "Table",
-        about: [
-            "carrom itself: the whole board,",
-            "and why each hit went as it did",
-        ],
+        about: ["carrom itself: the whole board,", "and every hit explained"],
         place: Place::Table,
     },
     Choice {

@@ -102,6 +102,7 @@ pub(super) fn help() -> Help {
             Hint::new("h", "hint: where to look; again: the whole stroke"),
             Hint::new("c", "call it on or off"),
             Hint::new("i", "impacts of the stroke, or the last stroke again"),
+            Hint::new("w", "what the computer saw (watching)"),
             Hint::new(", . < >", "step and scrub; Home and End for the ends"),
             Hint::new("+ - (watching)", "faster or slower"),
             Hint::new("PageUp PageDown", "earlier and later strokes (watching)"),

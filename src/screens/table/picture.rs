@@ -146,11 +146,21 @@ pub(super) fn draw_replay(
 }
 
 /// Where a disc has been: fading while time runs; at the end the whole way of the
-/// striker and of what fell.
+/// striker, of the coin it met first and of what fell.
 fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
     let now = replay.clock.time();
-    let told =
-        replay.clock.is_over() && (disc == 0 || replay.shot.at(disc, now).state == State::Pocketed);
+    let told = replay.clock.is_over();
+    let first = replay.impacts.first().map(|impact| impact.discs[1]);
+    let fell = || replay.shot.at(disc, now).state == State::Pocketed;
+    if told && disc != 0 && first != Some(disc) && !fell() {
+        return;
+    }
+
+    let role = replay
+        .pieces
+        .get(disc)
+        .map_or(Role::Trail, |piece| words::role(*piece));
+    let pen = Pen::new(role).on(Layer::Trail);
     let since = if told { 0.0 } else { now - FADE };
     for leg in replay.shot.path(disc) {
         let (start, end) = (leg.start.max(since), leg.end.min(now));
@@ -158,7 +168,7 @@ fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
             continue;
         }
         if told {
-            sheet.line(leg.from, leg.to, Pen::new(Role::Trail).dotted());
+            sheet.line(leg.from, leg.to, pen.dotted());
             continue;
         }
         let time = |i: usize| start + (end - start) * i as f64 / SHADES as f64;
@@ -173,7 +183,7 @@ fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
         };
         for i in 0..SHADES {
             let age = (now - time(i + 1)) / FADE;
-            sheet.line(place(i), place(i + 1), Pen::new(Role::Trail).aged(age));
+            sheet.line(place(i), place(i + 1), pen.aged(age));
         }
     }
 }

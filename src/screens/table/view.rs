@@ -111,7 +111,7 @@ fn titles(sitting: &Sitting) -> (String, String) {
         name => format!("{name}'s stroke"),
     };
     match &sitting.phase {
-        Phase::Call(_) => ("call it: where will they go?".into(), "say it first".into()),
+        Phase::Call(_) => ("call it: where to?".into(), "say it first".into()),
         Phase::Impact(zoom) => (
             format!("the impact, slowed {:.0}×", zoom.watch.clock().slowed()),
             "why".into(),

@@ -54,8 +54,8 @@ pub(super) const fn coin(colour: Colour) -> Piece {
 /// The rules that are played.
 pub(super) const fn rules(rules: Rules) -> &'static str {
     match rules {
-        Rules::Tournament => "tournament rules",
-        Rules::Friendly => "friendly rules",
+        Rules::Tournament => "tournament",
+        Rules::Friendly => "friendly",
         Rules::Practice => "practice",
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn pieces(sitting: &Sitting, lines: &mut Lines) {
         let piece = words::coin(colour);
         let sign = token(words::role(piece), lines.charset());
         let left = format!(
-            "{} {sign}  {} left",
+            "{} {sign} {} left",
             colour.adjective(),
             game.play().on_board(colour)
         );

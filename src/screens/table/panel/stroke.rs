@@ -7,6 +7,7 @@ use crate::game::Piece;
 use crate::quiz::Ray;
 use crate::screens::table::calls::Called;
 use crate::screens::table::replay::Replay;
+use crate::screens::table::session::Past;
 use crate::screens::table::sitting::Sitting;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
@@ -14,6 +15,8 @@ use crate::widgets::{Lines, Role};
 
 /// Columns from which on the list has room for names.
 const ROOMY: u16 = 31;
+/// Rows to be kept below what the computer says, and its name above.
+const BELOW_TOLD: u16 = 6;
 /// Rows above the list of impacts.
 const HEAD: usize = 2;
 
@@ -41,14 +44,19 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
         left(replay, lines);
         return;
     }
+    if let Some(told) = past.told.as_ref().filter(|_| replay.why) {
+        return told_by(sitting, past, told, lines);
+    }
     for ruling in &past.rulings {
         lines.paragraph(&words::ruling(ruling), Role::Text);
     }
     lines.gap();
     if let Some(told) = &past.told {
-        let name = sitting.options.seat_name(past.before.seat());
-        lines.line(&format!("{}:", words::sentence(name)), Role::Title);
-        lines.paragraph(told, Role::Text);
+        if lines.rows_of(told) + BELOW_TOLD <= lines.left() {
+            told_by(sitting, past, told, lines);
+        } else {
+            lines.line("w: what it saw", Role::Key);
+        }
         lines.gap();
     }
     if let Some(called) = &past.called {
@@ -60,6 +68,13 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
     }
     lines.gap();
     lines.paragraph("Enter: go on.  i: look into the impacts.", Role::Key);
+}
+
+/// What the computer says of its stroke.
+fn told_by(sitting: &Sitting, past: &Past, told: &str, lines: &mut Lines) {
+    let name = sitting.options.seat_name(past.before.seat());
+    lines.line(&format!("{}:", words::sentence(name)), Role::Title);
+    lines.paragraph(told, Role::Text);
 }
 
 /// What lies on the board at this moment.
