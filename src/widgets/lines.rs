@@ -72,11 +72,6 @@ impl<'a> Lines<'a> {
         self.look.charset
     }
 
-    /// Columns that a row of text may take.
-    pub fn columns(&self) -> u16 {
-        self.area.width.saturating_sub(1)
-    }
-
     /// Rows that are left.
     pub fn left(&self) -> u16 {
         self.area.height.saturating_sub(self.written)

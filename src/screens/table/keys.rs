@@ -52,7 +52,7 @@ pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
                 Hint::new("< >", "scrub"),
                 Hint::new("+ -", "speed"),
                 Hint::new("a", "again"),
-                Hint::new("PgUp", "earlier"),
+                Hint::new("p n", "other strokes"),
             ]
         }
         Phase::Impact(_) => vec![
@@ -87,7 +87,7 @@ pub(super) fn help() -> Help {
             "Put the striker on your base line (the side whose turn it is is marked), aim, choose the strength, strike. After the stroke the referee says what follows, with the number of the law.",
             "The aim line and the ghost show where the striker will meet its first coin; the two arrows show where both leave that hit. Switch them off one by one as you get better.",
             "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
-            "After any stroke press i: choose one of its impacts and look at it as in the lab. PageUp goes to earlier strokes.",
+            "After any stroke press i: choose one of its impacts and look at it as in the lab; p and n go to other strokes.",
             "Angles of the aim are as you see the board from your own side: 90 is straight across.",
         ],
         keys: vec![
@@ -102,10 +102,13 @@ pub(super) fn help() -> Help {
             Hint::new("h", "hint: where to look; again: the whole stroke"),
             Hint::new("c", "call it on or off"),
             Hint::new("i", "impacts of the stroke, or the last stroke again"),
-            Hint::new("w", "what the computer saw (watching)"),
             Hint::new(", . < >", "step and scrub; Home and End for the ends"),
+            Hint::new(
+                "PageUp PageDown",
+                "scroll a text that is longer than its place",
+            ),
             Hint::new("+ - (watching)", "faster or slower"),
-            Hint::new("PageUp PageDown", "earlier and later strokes (watching)"),
+            Hint::new("p n", "previous and next stroke (watching)"),
             Hint::new("p", "practice: lay the coins out"),
             Hint::new("z", "practice: take the last stroke back"),
             Hint::new("w s", "practice: striker up or down"),

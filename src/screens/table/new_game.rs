@@ -100,7 +100,7 @@ impl NewGame {
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
         let layout = view::layout(area, false);
-        view::frames(&layout, ["the pack", "a new game"], buf, &look);
+        layout.draw(buf, &look, "the pack", "a new game");
         let coins = pack(self.options.set, Seat::South);
         picture::draw_pack(&coins, self.options.set, layout.picture, buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);

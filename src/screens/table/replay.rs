@@ -29,8 +29,6 @@ pub(super) struct Replay {
     pub(super) impacts: Vec<Impact>,
     /// The one that is chosen, while they are listed.
     pub(super) chosen: Option<usize>,
-    /// Whether only what the computer says of it is shown.
-    pub(super) why: bool,
     /// The time to go back to when the list is put away.
     listed_at: f64,
     /// Its clock.
@@ -46,7 +44,6 @@ impl Replay {
             pieces: std::iter::once(Piece::Striker).chain(coins).collect(),
             impacts: impacts(&shot).collect(),
             chosen: None,
-            why: false,
             listed_at: 0.0,
             clock: Clock::new(shot.duration(), reduced),
             shot,
@@ -138,7 +135,6 @@ impl Replay {
             Key::Char('+' | '=') => self.clock.change_rate(true),
             Key::Char('-') => self.clock.change_rate(false),
             Key::Char('i' | 'I') => self.toggle_list(),
-            Key::Char('w' | 'W') => self.why ^= true,
             Key::Up => self.choose(false),
             Key::Down => self.choose(true),
             Key::Escape if self.chosen.is_some() => self.put_list_away(),

@@ -8,73 +8,38 @@ use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
 use crate::widgets::hit::{Given, draw_setup};
-use crate::widgets::panel::draw_panel;
-use crate::widgets::{Look, board};
+use crate::widgets::{Beside, board};
 
 /// Fewest columns of the panel, with its frame.
 const PANEL: u16 = 27;
-/// Columns of the panel beside an enlarged impact.
-const PANEL_BESIDE_IMPACT: u16 = 30;
 
-/// Where the parts are: the inside of the picture's frame and of the panel's.
-pub(super) struct Layout {
-    pub(super) picture: Rect,
-    pub(super) panel: Rect,
-    frames: [Rect; 2],
+/// Where picture and panel are: for a whole board, which is square, or for one
+/// `enlarged` impact, which takes all there is.
+pub(super) fn layout(area: Rect, enlarged: bool) -> Beside {
+    if enlarged {
+        return Beside::new(area);
+    }
+    let inside = Rect::new(
+        0,
+        0,
+        area.width.saturating_sub(PANEL + 2),
+        area.height.saturating_sub(2),
+    );
+    let board = board::square(inside).width + 2;
+    Beside::with_panel(area, area.width.saturating_sub(board))
 }
 
-/// Lays the screen out: for a whole board, which is square, or for one `enlarged`
-/// impact, which takes all there is.
-pub(super) fn layout(area: Rect, enlarged: bool) -> Layout {
-    let panel = if enlarged {
-        let roomy = if area.width >= 110 { 8 } else { 0 };
-        PANEL_BESIDE_IMPACT + roomy
-    } else {
-        let inside = Rect::new(
-            0,
-            0,
-            area.width.saturating_sub(PANEL + 2),
-            area.height.saturating_sub(2),
-        );
-        area.width.saturating_sub(board::square(inside).width + 2)
-    };
-    let panel = panel.min(area.width / 2 + 8).min(area.width);
-    let picture = Rect {
-        width: area.width - panel,
-        ..area
-    };
-    let panel = Rect {
-        x: picture.right(),
-        width: panel,
-        ..area
-    };
-    let inside = |frame: Rect| Rect {
-        x: (frame.x + 1).min(frame.right()),
-        y: (frame.y + 1).min(frame.bottom()),
-        width: frame.width.saturating_sub(2),
-        height: frame.height.saturating_sub(2),
-    };
-    Layout {
-        picture: inside(picture),
-        panel: inside(panel),
-        frames: [picture, panel],
-    }
-}
-
-/// Draws both frames with their titles.
-pub(super) fn frames(layout: &Layout, titles: [&str; 2], buf: &mut Buffer, look: &Look) {
-    for (frame, title) in layout.frames.into_iter().zip(titles) {
-        draw_panel(buf, frame, title, look.charset, &look.theme);
-    }
+/// Whether what is being done is shown enlarged.
+pub(super) fn is_enlarged(sitting: &Sitting) -> bool {
+    matches!(sitting.phase, Phase::Call(_) | Phase::Impact(_))
 }
 
 /// Draws the game.
 pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let enlarged = matches!(sitting.phase, Phase::Call(_) | Phase::Impact(_));
-    let layout = layout(area, enlarged);
+    let layout = layout(area, is_enlarged(sitting));
     let (title, side_title) = titles(sitting);
-    frames(&layout, [&title, &side_title], buf, &look);
+    layout.draw(buf, &look, &title, &side_title);
     match &sitting.phase {
         Phase::Call(calling) => {
             let given = Given {

@@ -25,7 +25,7 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
         format!("{:.1}°", aim.direction_deg)
     };
     lines.pair("aim", &direction, Role::Dim, Role::Text);
-    let bar_width = lines.columns().saturating_sub(NAME_AND_SPEED).min(BAR);
+    let bar_width = lines.width().saturating_sub(NAME_AND_SPEED).min(BAR);
     let strength = format!(
         "{} {:.1} m/s",
         bar(aim.speed / SPEEDS.1, bar_width, lines.charset()),

@@ -2,13 +2,13 @@
 
 use crate::physics::{Frame, Meeting};
 use crate::quiz::{Answer, Confidence, Given, Pieces, Question, explain, reasoning};
-use crate::screens::table::sitting::{Sitting, Zoom};
+use crate::screens::table::sitting::Zoom;
 use crate::screens::table::words;
 use crate::screens::why::both_moving;
 use crate::widgets::{Lines, Role};
 
 /// Which two met, in numbers, and why they go where they go.
-pub(super) fn draw(_sitting: &Sitting, zoom: &Zoom, lines: &mut Lines) {
+pub(super) fn draw(zoom: &Zoom, lines: &mut Lines) {
     let watch = &zoom.watch;
     let collision = watch.collision();
     let outcome = watch.outcome();

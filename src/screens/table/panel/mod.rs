@@ -19,7 +19,14 @@ use crate::widgets::{Lines, Role};
 
 /// Draws what belongs to what is being done.
 pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context) {
-    let mut lines = Lines::new(area, buf, cx.settings.look());
+    let look = cx.settings.look();
+    sitting
+        .scroll
+        .draw(area, buf, look, |lines| write(sitting, lines));
+}
+
+/// Writes what belongs to what is being done.
+pub(super) fn write(sitting: &Sitting, lines: &mut Lines) {
     if sitting.leaving {
         lines.paragraph("Leave this game?", Role::Warn);
         lines.gap();
@@ -27,14 +34,14 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
         return;
     }
     match &sitting.phase {
-        Phase::Aim => aim::draw(sitting, &mut lines),
-        Phase::Think { .. } => thinking(sitting, &mut lines),
-        Phase::Call(calling) => call::draw(calling, &mut lines),
-        Phase::Watch(replay) if replay.chosen.is_some() => stroke::list(replay, &mut lines),
-        Phase::Watch(replay) => stroke::draw(sitting, replay, &mut lines),
-        Phase::Impact(zoom) => impact::draw(sitting, zoom, &mut lines),
-        Phase::Arrange(arrange) => arrange_help(sitting, arrange.held.is_some(), &mut lines),
-        Phase::Over => over::draw(sitting, &mut lines),
+        Phase::Aim => aim::draw(sitting, lines),
+        Phase::Think { .. } => thinking(sitting, lines),
+        Phase::Call(calling) => call::draw(calling, lines),
+        Phase::Watch(replay) if replay.chosen.is_some() => stroke::list(replay, lines),
+        Phase::Watch(replay) => stroke::draw(sitting, replay, lines),
+        Phase::Impact(zoom) => impact::draw(zoom, lines),
+        Phase::Arrange(arrange) => arrange_help(sitting, arrange.held.is_some(), lines),
+        Phase::Over => over::draw(sitting, lines),
     }
 }
 

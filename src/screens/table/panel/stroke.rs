@@ -7,16 +7,13 @@ use crate::game::Piece;
 use crate::quiz::Ray;
 use crate::screens::table::calls::Called;
 use crate::screens::table::replay::Replay;
-use crate::screens::table::session::Past;
 use crate::screens::table::sitting::Sitting;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, brief};
 
 /// Columns from which on the list has room for names.
 const ROOMY: u16 = 31;
-/// Rows to be kept below what the computer says, and its name above.
-const BELOW_TOLD: u16 = 6;
 /// Rows above the list of impacts.
 const HEAD: usize = 2;
 
@@ -44,19 +41,14 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
         left(replay, lines);
         return;
     }
-    if let Some(told) = past.told.as_ref().filter(|_| replay.why) {
-        return told_by(sitting, past, told, lines);
-    }
     for ruling in &past.rulings {
         lines.paragraph(&words::ruling(ruling), Role::Text);
     }
     lines.gap();
     if let Some(told) = &past.told {
-        if lines.rows_of(told) + BELOW_TOLD <= lines.left() {
-            told_by(sitting, past, told, lines);
-        } else {
-            lines.line("w: what it saw", Role::Key);
-        }
+        let name = sitting.options.seat_name(past.before.seat());
+        lines.line(&format!("{}:", words::sentence(name)), Role::Title);
+        lines.paragraph(told, Role::Text);
         lines.gap();
     }
     if let Some(called) = &past.called {
@@ -68,13 +60,6 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
     }
     lines.gap();
     lines.paragraph("Enter: go on.  i: look into the impacts.", Role::Key);
-}
-
-/// What the computer says of its stroke.
-fn told_by(sitting: &Sitting, past: &Past, told: &str, lines: &mut Lines) {
-    let name = sitting.options.seat_name(past.before.seat());
-    lines.line(&format!("{}:", words::sentence(name)), Role::Title);
-    lines.paragraph(told, Role::Text);
 }
 
 /// What lies on the board at this moment.
@@ -94,22 +79,22 @@ fn left(replay: &Replay, lines: &mut Lines) {
 fn call(called: &Called, lines: &mut Lines) {
     let points = format!("{} of {}", called.points(), Called::MOST);
     lines.pair("your call", &points, Role::Title, Role::Title);
-    lines.triple(["degrees", "you said", "truth"], [Role::Dim; 3]);
+    let head = |text| (text, Role::Dim);
+    lines.columns(head("degrees"), ["you said", "truth"].map(head));
     let rays = [
         (Ray::Striker, "striker", Role::StrikerOut),
         (Ray::Target, "coin", Role::CoinOut),
     ];
     for (ray, name, role) in rays {
-        let (said, truth) = (angle(called.said.get(ray)), angle(called.truth.get(ray)));
-        lines.triple([name, &said, &truth], [Role::Dim, Role::Predicted, role]);
+        let said = brief(degrees(called.said.get(ray)));
+        let truth = brief(degrees(called.truth.get(ray)));
+        lines.columns(head(name), [(&said, Role::Predicted), (&truth, role)]);
     }
     lines.gap();
 }
 
-fn angle(angle: Option<f64>) -> String {
-    angle.map_or("still".into(), |angle| {
-        format!("{:.1}", angle.to_degrees().abs())
-    })
+fn degrees(angle: Option<f64>) -> Option<f64> {
+    angle.map(|angle| angle.to_degrees().abs())
 }
 
 /// All impacts of the stroke, the chosen one marked.
@@ -118,7 +103,7 @@ pub(super) fn list(replay: &Replay, lines: &mut Lines) {
     lines.gap();
     let chosen = replay.chosen.unwrap_or(0);
     let rows = usize::from(lines.left());
-    let roomy = lines.columns() >= ROOMY;
+    let roomy = lines.width() >= ROOMY;
     let charset = lines.charset();
     let first = first_row(chosen, rows, replay.impacts.len());
     for (i, impact) in replay.impacts.iter().enumerate().skip(first).take(rows) {

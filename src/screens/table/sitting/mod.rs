@@ -19,13 +19,14 @@ use super::preview::{FirstHit, Preview};
 use super::replay::Replay;
 use super::session::Session;
 use super::words::sentence;
+use super::{panel, view};
 use crate::game::opponent::Hint;
 use crate::game::{Game, Move, PieceSet, Record, Rules, Seat, Stage};
 use crate::messages::{Input, Key, Mouse};
 use crate::physics::Shot;
 use crate::screens::Context;
 use crate::widgets::hit::Watch;
-use crate::widgets::{NumberEntry, RayInput};
+use crate::widgets::{NumberEntry, RayInput, Scroll};
 
 /// A game in progress, and what is being done at the table.
 #[derive(Debug, Clone)]
@@ -42,6 +43,8 @@ pub(super) struct Sitting {
     pub(super) notice: Option<String>,
     /// Help with the next stroke.
     pub(super) hint: Option<Hinted>,
+    /// How far the panel is scrolled.
+    pub(super) scroll: Scroll,
     /// Whether the player has been asked about leaving.
     pub(super) leaving: bool,
     /// What the mouse holds while its button is down.
@@ -134,6 +137,7 @@ impl Sitting {
             phase: Phase::Aim,
             notice: None,
             hint: None,
+            scroll: Scroll::default(),
             leaving: false,
             grip: Grip::Aim,
         };
@@ -194,6 +198,13 @@ impl Sitting {
                 _ => Taken::Used,
             };
         }
+        if !matches!(self.phase, Phase::Aim)
+            && let Key::PageUp | Key::PageDown = key
+        {
+            self.scroll_by(if key == Key::PageUp { -8 } else { 8 }, cx);
+            return Taken::Used;
+        }
+        self.scroll = Scroll::default();
         self.notice = None;
         let taken = match &mut self.phase {
             Phase::Aim => self.aiming_key(key, cx),
@@ -221,6 +232,15 @@ impl Sitting {
             Phase::Arrange(_) => self.arranging_mouse(mouse, cx),
             Phase::Think { .. } | Phase::Over => Taken::Ignored,
         }
+    }
+
+    fn scroll_by(&mut self, rows: i16, cx: &Context) {
+        let area = view::layout(cx.body, view::is_enlarged(self)).panel;
+        let mut scroll = self.scroll;
+        scroll.by(rows, area, cx.settings.look(), |lines| {
+            panel::write(self, lines)
+        });
+        self.scroll = scroll;
     }
 
     /// Lets time pass on the screen.

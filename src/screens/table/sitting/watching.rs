@@ -37,8 +37,8 @@ impl Sitting {
             Key::Enter if replay.chosen.is_some() => self.zoom_in(cx),
             Key::Enter | Key::Char(' ') | Key::Escape if replay.clock.is_over() => self.go_on(),
             Key::Enter | Key::Escape => replay.clock.seek(f64::INFINITY),
-            Key::PageUp => self.look_back(number, cx),
-            Key::PageDown => {
+            Key::Char('p' | 'P') => self.look_back(number, cx),
+            Key::Char('n' | 'N') => {
                 if let Some(stroke) = self.session.stroke_after(number) {
                     self.look_at(stroke, cx);
                 }
