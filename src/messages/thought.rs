@@ -27,7 +27,7 @@ pub enum Wanted {
 }
 
 /// What came of a [`Task`].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thought {
     /// The number of the task.
     pub ticket: u64,

@@ -63,7 +63,7 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
             picture::draw_arrange(sitting, arrange, layout.picture, buf, &look);
         }
         Phase::Think { .. } | Phase::Over => {
-            picture::draw_coins(sitting, layout.picture, buf, &look)
+            picture::draw_coins(sitting, layout.picture, buf, &look);
         }
     }
     panel::draw(sitting, layout.panel, buf, cx);

@@ -238,7 +238,7 @@ impl Sitting {
         let area = view::layout(cx.body, view::is_enlarged(self)).panel;
         let mut scroll = self.scroll;
         scroll.by(rows, area, cx.settings.look(), |lines| {
-            panel::write(self, lines)
+            panel::write(self, lines);
         });
         self.scroll = scroll;
     }
@@ -289,12 +289,15 @@ impl Sitting {
         }
     }
 
-    /// A fresh aim for the game as it stands.
+    /// A fresh aim for the game as it stands. In practice the aim stays as long as it
+    /// can, to try the same again with a little more or less of something.
     fn begin_turn(&mut self) {
-        let speed = self.aim.speed;
-        self.aim = Aim::begin(self.game());
-        if !self.game().play().is_unbroken() {
-            self.aim.speed = speed;
+        if !self.is_practice() || self.aim.check(self.game()).is_err() {
+            let speed = self.aim.speed;
+            self.aim = Aim::begin(self.game());
+            if !self.game().play().is_unbroken() {
+                self.aim.speed = speed;
+            }
         }
         self.entry.take();
         self.hint = None;
@@ -339,5 +342,119 @@ fn thinking_key(key: Key) -> Taken {
     match key {
         Key::Escape => Taken::Leave,
         _ => Taken::Ignored,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::messages::{Effect, Found, Task, Thought};
+    use crate::screens::Settings;
+
+    fn context() -> Context {
+        let settings = Settings {
+            reduced_motion: true,
+            ..Settings::default()
+        };
+        Context::new(settings, 1)
+    }
+
+    fn press(sitting: &mut Sitting, keys: &str, cx: &mut Context) {
+        for letter in keys.chars() {
+            let key = match letter {
+                '\n' => Key::Enter,
+                '\t' => Key::Tab,
+                '^' => Key::Up,
+                other => Key::Char(other),
+            };
+            sitting.update(&Input::Key(key), cx);
+        }
+    }
+
+    fn asked(cx: &mut Context) -> Vec<Task> {
+        let effects = cx.take_asked().into_iter();
+        effects
+            .filter_map(|effect| match effect {
+                Effect::Think(task) => Some(*task),
+                Effect::Quit => None,
+            })
+            .collect()
+    }
+
+    /// What was written down leads to what is on the table, to the last bit, also by
+    /// way of a file.
+    fn assert_recorded(sitting: &Sitting) {
+        let text = toml::to_string(sitting.record()).unwrap();
+        let read: Record = toml::from_str(&text).unwrap();
+        assert_eq!(read.replay().as_ref(), Ok(sitting.game()));
+    }
+
+    #[test]
+    fn the_record_replays_to_the_game_on_the_table() {
+        let mut cx = context();
+        let mut sitting = Sitting::new(Options::two_people(), 4);
+        press(&mut sitting, "c[[97.3 60\n30\n\n", &mut cx);
+        press(&mut sitting, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
+        assert_eq!(sitting.session.len(), 4);
+        assert!(sitting.session.has_calls());
+        assert_recorded(&sitting);
+
+        let practice = Options {
+            rules: Rules::Practice,
+            ..Options::default()
+        };
+        let mut sitting = Sitting::new(practice, 4);
+        press(&mut sitting, "91 \np\t ^^^^^^^^ p80 \n85 \nz", &mut cx);
+        assert_eq!(sitting.session.len(), 3);
+        assert_recorded(&sitting);
+    }
+
+    #[test]
+    fn only_the_thought_that_is_waited_for_is_taken_in() {
+        let mut cx = context();
+        let options = Options {
+            players: [super::super::options::Player::Computer; 4],
+            ..Options::default()
+        };
+        let mut sitting = Sitting::new(options, 4);
+        sitting.hand_over(&mut cx);
+        let tasks = asked(&mut cx);
+        assert_eq!(tasks.len(), 1);
+        let thought = tasks[0].think();
+        let stale = Thought {
+            ticket: thought.ticket + 1,
+            ..thought
+        };
+        for unwanted in [
+            stale,
+            Thought {
+                found: Found::Hint(None),
+                ..thought
+            },
+        ] {
+            sitting.update(&Input::Thought(Box::new(unwanted)), &mut cx);
+            assert!(matches!(sitting.phase, Phase::Think { .. }));
+        }
+        sitting.update(&Input::Thought(Box::new(thought)), &mut cx);
+        assert!(matches!(sitting.phase, Phase::Watch(_)));
+        assert!(sitting.session.past(0).unwrap().told.is_some());
+        // The same thought again comes too late.
+        sitting.update(&Input::Thought(Box::new(thought)), &mut cx);
+        assert_eq!(sitting.session.len(), 1);
+        assert_recorded(&sitting);
+        assert_eq!(asked(&mut cx), vec![]);
+        press(&mut sitting, "\n", &mut cx);
+        assert_eq!(asked(&mut cx).len(), 1);
+    }
+
+    #[test]
+    fn nothing_moves_but_a_stroke_that_is_watched() {
+        let mut cx = Context::new(Settings::default(), 1);
+        let mut sitting = Sitting::new(Options::two_people(), 4);
+        assert_eq!(sitting.wake(), None);
+        press(&mut sitting, " ", &mut cx);
+        assert!(sitting.wake().is_some());
+        sitting.advance(Duration::from_secs(60));
+        assert_eq!(sitting.wake(), None);
     }
 }
