@@ -141,15 +141,29 @@ impl Record {
     /// # Errors
     /// The first thing that is wrong with it.
     pub fn replay(&self) -> Result<Game, RecordError> {
+        self.play_through(|_, _, _, _| {})
+    }
+
+    /// Plays the whole record and shows each move on the way: the game before it, the
+    /// move, its shot if it was a stroke, what the referee announced.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn play_through(
+        &self,
+        mut each: impl FnMut(Game, &Move, Option<Shot>, Vec<Ruling>),
+    ) -> Result<Game, RecordError> {
         if self.format != FORMAT {
             return Err(RecordError::Format(self.format));
         }
         let mut game = Game::new(self.setup);
         for (i, next) in self.moves.iter().enumerate() {
-            next.make(&mut game).map_err(|error| RecordError::Move {
+            let before = game.clone();
+            let (shot, rulings) = next.make(&mut game).map_err(|error| RecordError::Move {
                 number: i + 1,
                 error,
             })?;
+            each(before, next, shot, rulings);
         }
         Ok(game)
     }

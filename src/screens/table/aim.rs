@@ -43,6 +43,18 @@ impl Aim {
         }
     }
 
+    /// The aim of a stroke that was made from `seat`.
+    pub(super) fn of(strike: &Strike, seat: Seat) -> Self {
+        let mut aim = Self {
+            place: strike.place,
+            direction_deg: 90.0,
+            speed: FIRST_SPEED,
+        };
+        aim.point_at(strike.place + strike.velocity, seat);
+        aim.set_speed(strike.velocity.length());
+        aim
+    }
+
     /// The stroke this is for the player at `seat`.
     pub(super) fn strike(&self, seat: Seat) -> Strike {
         Strike {

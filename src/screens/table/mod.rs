@@ -23,7 +23,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
-use crate::game::{Game, Record};
+use crate::game::{Game, Record, RecordError};
 use crate::messages::{Input, Key};
 use new_game::{Agreed, NewGame};
 pub use options::{Aids, Options, Player};
@@ -60,6 +60,18 @@ impl Table {
         Self {
             page: Page::Sitting(Box::new(Sitting::new(options, seed))),
         }
+    }
+
+    /// A table at which a recorded game goes on. Rules, hands and pieces are the
+    /// record's, whatever the options say.
+    ///
+    /// # Errors
+    /// If the record cannot be played.
+    pub fn resuming(options: Options, record: Record) -> Result<Self, RecordError> {
+        let sitting = Sitting::resume(options, record)?;
+        Ok(Self {
+            page: Page::Sitting(Box::new(sitting)),
+        })
     }
 
     /// The game that is played, if one is.
@@ -107,11 +119,7 @@ impl Screen for Table {
                 };
                 match agreed {
                     Agreed::Changing => {}
-                    Agreed::Play => {
-                        let mut sitting = Sitting::new(page.options, cx.next_seed());
-                        sitting.hand_over(cx);
-                        self.page = Page::Sitting(Box::new(sitting));
-                    }
+                    Agreed::Play => *self = Self::playing(page.options, cx.next_seed()),
                     Agreed::Ignored => return Next::Ignored,
                 }
             }
@@ -124,9 +132,9 @@ impl Screen for Table {
         Next::Stay
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
         if let Page::Sitting(sitting) = &mut self.page {
-            sitting.advance(passed);
+            sitting.advance(passed, cx);
         }
         Next::Stay
     }

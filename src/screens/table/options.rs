@@ -1,10 +1,13 @@
 //! What is agreed at the table before the first break.
 
+use serde::{Deserialize, Serialize};
+
 use crate::game::opponent::Strength;
 use crate::game::{Hands, PieceSet, Rules, Seat, Setup, Team};
 
 /// Helps drawn while aiming, each to be switched on or off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Aids {
     /// The way of the striker to the first disc it meets.
     pub line: bool,
@@ -25,7 +28,8 @@ impl Default for Aids {
 }
 
 /// Who plays from a seat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Player {
     /// Somebody at the keyboard.
     Person,
@@ -34,7 +38,8 @@ pub enum Player {
 }
 
 /// Everything that can be chosen for a game.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Options {
     /// The rules.
     pub rules: Rules,

@@ -1,7 +1,9 @@
 //! A game being played, with all that led to it.
 
 use super::calls::Called;
-use crate::game::{ByTeam, Game, Move, MoveError, Record, Ruling, Setup, Strike, Team};
+use crate::game::{
+    ByTeam, Game, Move, MoveError, Record, RecordError, Ruling, Setup, Strike, Team,
+};
 use crate::physics::Shot;
 
 /// A game and its record, always in step.
@@ -25,6 +27,20 @@ pub(super) struct Past {
     pub(super) told: Option<String>,
 }
 
+impl Past {
+    fn new(before: Game, made: &Move, shot: Option<&Shot>, rulings: Vec<Ruling>) -> Self {
+        Self {
+            before,
+            rulings,
+            called: match (made, shot) {
+                (Move::Strike(strike), Some(shot)) => Called::new(strike, shot),
+                _ => None,
+            },
+            told: None,
+        }
+    }
+}
+
 /// What the calls of a team have brought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Tally {
@@ -42,6 +58,18 @@ impl Session {
             game: Game::new(setup),
             past: Vec::new(),
         }
+    }
+
+    /// The game that a record leads to, with all that led to it.
+    ///
+    /// # Errors
+    /// If the record cannot be played.
+    pub(super) fn from_record(record: Record) -> Result<Self, RecordError> {
+        let mut past = Vec::new();
+        let game = record.play_through(|before, made, shot, rulings| {
+            past.push(Past::new(before, made, shot.as_ref(), rulings));
+        })?;
+        Ok(Self { record, game, past })
     }
 
     /// The game as it stands.
@@ -71,17 +99,9 @@ impl Session {
     pub(super) fn make(&mut self, next: Move) -> Result<Option<Shot>, MoveError> {
         let before = self.game.clone();
         let (shot, rulings) = next.make(&mut self.game)?;
-        let called = match (&next, &shot) {
-            (Move::Strike(strike), Some(shot)) => Called::new(strike, shot),
-            _ => None,
-        };
+        self.past
+            .push(Past::new(before, &next, shot.as_ref(), rulings));
         self.record.push(next);
-        self.past.push(Past {
-            before,
-            rulings,
-            called,
-            told: None,
-        });
         Ok(shot)
     }
 

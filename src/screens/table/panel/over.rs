@@ -1,7 +1,7 @@
 //! The panel at the end of a board, a game or the match.
 
 use super::{notice, score};
-use crate::game::{Rules, Stage, Team};
+use crate::game::{Game, Rules, Seat, Stage, Team};
 use crate::screens::table::sitting::Sitting;
 use crate::screens::table::words;
 use crate::widgets::{Lines, Role};
@@ -51,6 +51,10 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     score::calls(sitting, lines);
     notice(sitting, lines);
     lines.gap();
+    if let Some(breaker) = next_breaker(game) {
+        let breaks = words::does(sitting.options.seat_name(breaker), "breaks");
+        lines.line(&format!("{} next.", words::sentence(&breaks)), Role::Text);
+    }
     let next = match game.stage() {
         Stage::MatchOver(_) => "Enter: a new game.",
         Stage::GameOver(_) => "Enter: the next game.",
@@ -58,4 +62,14 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     };
     lines.paragraph(next, Role::Key);
     lines.paragraph("i: look at the strokes again.", Role::Key);
+}
+
+/// Who breaks the next board, if there is one with sides.
+fn next_breaker(game: &Game) -> Option<Seat> {
+    if game.setup().rules == Rules::Practice {
+        return None;
+    }
+    let mut next = game.clone();
+    next.next_board().ok()?;
+    Some(next.seat())
 }

@@ -7,7 +7,7 @@ use crate::game::Move;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Board;
 use crate::screens::Context;
-use crate::screens::table::aim::{along_the_screen, rightwards};
+use crate::screens::table::aim::{Aim, along_the_screen, rightwards};
 use crate::screens::table::arrange::Arrange;
 use crate::screens::table::replay::Replay;
 use crate::screens::table::view;
@@ -89,9 +89,16 @@ impl Sitting {
         self.look_ahead();
     }
 
+    /// Takes the last move back; after a stroke, with its aim, to try it again.
     fn take_back(&mut self) {
+        let last = self.session.len().checked_sub(1);
+        let strike = last.and_then(|last| self.session.strike(last).copied());
         if self.session.undo() {
             self.begin_turn();
+            if let Some(strike) = strike {
+                self.aim = Aim::of(&strike, self.seat());
+                self.look_ahead();
+            }
         } else {
             self.notice = Some("There is nothing to take back.".into());
         }

@@ -21,7 +21,7 @@ use super::session::Session;
 use super::words::sentence;
 use super::{panel, view};
 use crate::game::opponent::Hint;
-use crate::game::{Game, Move, PieceSet, Record, Rules, Seat, Stage};
+use crate::game::{Game, Move, PieceSet, Record, RecordError, Rules, Seat, Stage};
 use crate::messages::{Input, Key, Mouse};
 use crate::physics::Shot;
 use crate::screens::Context;
@@ -127,7 +127,28 @@ pub(super) enum Taken {
 impl Sitting {
     /// Sits down to a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
-        let session = Session::new(options.setup(seed));
+        Self::with(options, Session::new(options.setup(seed)))
+    }
+
+    /// Sits down to a game that has been begun. What the record was agreed on counts,
+    /// whatever the options say.
+    ///
+    /// # Errors
+    /// If the record cannot be played.
+    pub(super) fn resume(options: Options, record: Record) -> Result<Self, RecordError> {
+        let setup = *record.setup();
+        let options = Options {
+            rules: setup.rules,
+            hands: setup.hands,
+            set: setup.set,
+            ..options
+        };
+        let mut sitting = Self::with(options, Session::from_record(record)?);
+        sitting.go_on();
+        Ok(sitting)
+    }
+
+    fn with(options: Options, session: Session) -> Self {
         let mut sitting = Self {
             aim: Aim::begin(session.game()),
             options,
@@ -177,6 +198,7 @@ impl Sitting {
 
     /// Takes an input.
     pub(super) fn update(&mut self, input: &Input, cx: &mut Context) -> Taken {
+        self.hand_over(cx);
         let taken = match input {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) if !self.leaving => self.mouse(mouse, cx),
@@ -186,7 +208,9 @@ impl Sitting {
             }
             _ => Taken::Ignored,
         };
-        self.hand_over(cx);
+        if taken != Taken::Leave {
+            self.hand_over(cx);
+        }
         taken
     }
 
@@ -244,7 +268,8 @@ impl Sitting {
     }
 
     /// Lets time pass on the screen.
-    pub(super) fn advance(&mut self, passed: Duration) {
+    pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        self.hand_over(cx);
         match &mut self.phase {
             Phase::Watch(replay) => replay.advance(passed),
             Phase::Impact(zoom) => zoom.watch.advance(passed),
@@ -257,6 +282,7 @@ impl Sitting {
         match &self.phase {
             Phase::Watch(replay) => replay.wake(),
             Phase::Impact(zoom) => zoom.watch.wake(),
+            Phase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
             _ => None,
         }
     }
@@ -387,6 +413,9 @@ mod tests {
         let text = toml::to_string(sitting.record()).unwrap();
         let read: Record = toml::from_str(&text).unwrap();
         assert_eq!(read.replay().as_ref(), Ok(sitting.game()));
+        let again = Sitting::resume(sitting.options, read).unwrap();
+        assert_eq!(again.session.len(), sitting.session.len());
+        assert_eq!(again.session.calls(), sitting.session.calls());
     }
 
     #[test]
@@ -417,7 +446,10 @@ mod tests {
             ..Options::default()
         };
         let mut sitting = Sitting::new(options, 4);
-        sitting.hand_over(&mut cx);
+        // Nobody has to press a key for it.
+        assert!(sitting.wake().is_some());
+        sitting.advance(Duration::ZERO, &mut cx);
+        assert_eq!(sitting.wake(), None);
         let tasks = asked(&mut cx);
         assert_eq!(tasks.len(), 1);
         let thought = tasks[0].think();
@@ -454,7 +486,7 @@ mod tests {
         assert_eq!(sitting.wake(), None);
         press(&mut sitting, " ", &mut cx);
         assert!(sitting.wake().is_some());
-        sitting.advance(Duration::from_secs(60));
+        sitting.advance(Duration::from_secs(60), &mut cx);
         assert_eq!(sitting.wake(), None);
     }
 }

@@ -9,10 +9,14 @@ use crate::screens::Context;
 use crate::screens::table::options::Player;
 
 impl Sitting {
+    /// Whether the computer is to play and has not been asked yet.
+    pub(super) fn is_computers_turn(&self) -> bool {
+        matches!(self.phase, Phase::Aim) && self.options.player(self.seat()) == Player::Computer
+    }
+
     /// Asks the computer for its stroke, if it is to play.
-    pub(in crate::screens::table) fn hand_over(&mut self, cx: &mut Context) {
-        if matches!(self.phase, Phase::Aim) && self.options.player(self.seat()) == Player::Computer
-        {
+    pub(super) fn hand_over(&mut self, cx: &mut Context) {
+        if self.is_computers_turn() {
             let wanted = Wanted::Stroke(self.options.strength);
             let ticket = cx.think(self.game().clone(), self.next_seed(), wanted);
             self.phase = Phase::Think { ticket };
