@@ -3,8 +3,6 @@
 mod aim;
 mod arrange;
 mod calls;
-mod clock;
-mod impact;
 mod keys;
 mod new_game;
 mod options;

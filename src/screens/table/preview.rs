@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use super::impact::{Impact, impacts};
 use crate::game::{Game, Strike};
 use crate::physics::{Shot, State};
+use crate::widgets::replay::{Impact, impacts};
 
 /// The way of the striker to the first disc it meets.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +69,7 @@ impl Preview {
 /// The first impact of a stroke's shot: always the striker's, as nothing else moves
 /// before it.
 pub(super) fn first_hit(shot: &Shot) -> Option<FirstHit> {
-    let impact = impacts(shot).next()?;
+    let impact = impacts(shot, 0).next()?;
     let coin = impact.discs[1];
     Some(FirstHit {
         coin: coin.checked_sub(1)?,

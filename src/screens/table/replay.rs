@@ -4,12 +4,11 @@ use std::time::Duration;
 
 use glam::DVec2;
 
-use super::clock::Clock;
-use super::impact::{Impact, impacts};
 use crate::game::{Game, Piece};
 use crate::messages::Key;
 use crate::physics::{Shot, State};
 use crate::widgets::hit::FRAME;
+use crate::widgets::replay::{Clock, Impact, impacts};
 
 /// Seconds that `,` and `.` step by.
 const STEP: f64 = 0.02;
@@ -42,7 +41,7 @@ impl Replay {
         Self {
             number,
             pieces: std::iter::once(Piece::Striker).chain(coins).collect(),
-            impacts: impacts(&shot).collect(),
+            impacts: impacts(&shot, 0).collect(),
             chosen: None,
             listed_at: 0.0,
             clock: Clock::new(shot.duration(), reduced),

@@ -7,26 +7,17 @@ use super::sitting::{Phase, Sitting};
 use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
+use crate::widgets::Beside;
 use crate::widgets::hit::{Given, draw_setup};
-use crate::widgets::{Beside, board};
-
-/// Fewest columns of the panel, with its frame.
-const PANEL: u16 = 27;
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
 pub(super) fn layout(area: Rect, enlarged: bool) -> Beside {
     if enlarged {
-        return Beside::new(area);
+        Beside::new(area)
+    } else {
+        Beside::square(area)
     }
-    let inside = Rect::new(
-        0,
-        0,
-        area.width.saturating_sub(PANEL + 2),
-        area.height.saturating_sub(2),
-    );
-    let board = board::square(inside).width + 2;
-    Beside::with_panel(area, area.width.saturating_sub(board))
 }
 
 /// Whether what is being done is shown enlarged.

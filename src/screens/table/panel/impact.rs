@@ -1,10 +1,9 @@
 //! The panel beside an enlarged impact: the explanation of the lab.
 
-use crate::physics::{Frame, Meeting};
-use crate::quiz::{Answer, Confidence, Given, Pieces, Question, explain, reasoning};
+use crate::physics::Frame;
 use crate::screens::table::sitting::Zoom;
 use crate::screens::table::words;
-use crate::screens::why::both_moving;
+use crate::screens::why;
 use crate::widgets::{Lines, Role};
 
 /// Which two met, in numbers, and why they go where they go.
@@ -39,7 +38,7 @@ pub(super) fn draw(zoom: &Zoom, lines: &mut Lines) {
         let here = format!("Here the {} plays the striker's part.", names[0]);
         lines.paragraph(&here, Role::Dim);
     }
-    let (title, text) = why(zoom);
+    let (title, text) = why::of_impact(collision, watch.said().copied());
     if !title.is_empty() {
         lines.line(&title, Role::Title);
     }
@@ -64,43 +63,5 @@ fn frame_words(frame: Frame) -> &'static str {
         _ => {
             "Seen riding with body 2: here it lies still before the hit, so all you know of a resting coin holds."
         }
-    }
-}
-
-/// A title and the reason.
-fn why(zoom: &Zoom) -> (String, String) {
-    let watch = &zoom.watch;
-    let collision = watch.collision();
-    if watch.outcome().meeting != Meeting::Hit {
-        return (
-            String::new(),
-            "They just brush: nothing is pushed, and both go on as before.".into(),
-        );
-    }
-    if collision.u2 != glam::DVec2::ZERO {
-        return (String::new(), both_moving(collision));
-    }
-    let question = Question {
-        pieces: Pieces::Own {
-            striker: collision.striker,
-            target: collision.target,
-        },
-        given: Given::Offset {
-            offset_mm: collision.offset * 1000.0,
-        },
-        restitution: collision.restitution,
-        speed: collision.u1.length(),
-        direction_deg: collision.u1.to_angle().to_degrees(),
-    };
-    match watch.said() {
-        Some(said) => {
-            let answer = Answer {
-                rays: *said,
-                confidence: Confidence::ThinkSo,
-            };
-            let explanation = explain(&question, &answer);
-            (explanation.title.into(), explanation.text)
-        }
-        None => (String::new(), reasoning(&question)),
     }
 }
