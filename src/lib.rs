@@ -16,9 +16,9 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · lab · quiz · levels
+//!                  home · lab · quiz · table · levels
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
-//!   messages/      what goes into the app and what comes out: keys, mouse, effects
+//!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the

@@ -11,10 +11,11 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 5] = [
+const PLACES: [Place; 6] = [
     Place::Home,
     Place::Lab,
     Place::Quiz { seed: None },
+    Place::Table,
     Place::Levels,
     Place::Level { number: 4 },
 ];

@@ -370,3 +370,18 @@ impl Screen for Restless {
         }
     }
 }
+
+#[test]
+fn the_computer_thinks_beside_the_screen() {
+    let mut pty = started(carrom(&["table", "--seed", "11"]));
+    pty.press("\r");
+    pty.wait_for("You break, white");
+    // A break too soft to pocket anything, watched at its end at once.
+    pty.press(&format!("M{} ", "-".repeat(30)));
+    pty.wait_for("(law 21)");
+    pty.press("\r");
+    pty.wait_for("Computer:");
+    pty.press("\x03");
+    assert_eq!(pty.wait(), 0);
+    pty.assert_restored();
+}

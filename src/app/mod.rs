@@ -16,6 +16,7 @@ use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::levels::{Levels, Play};
 use crate::screens::quiz::Quiz;
+use crate::screens::table::Table;
 use crate::screens::{Context, Next, Place, Screen, Settings, Shelf};
 
 /// The size below which nothing but a line of advice is drawn.
@@ -91,6 +92,8 @@ impl App {
                 self.context.body = chrome::body(self.size);
             }
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
+            // Waited for by the screen that asked, whatever lies over it.
+            Input::Thought(_) => return self.pass_on(input),
             // Too small to see what a key would do.
             _ if self.too_small() => {}
             _ if self.help.is_some() => return self.update_help(input),
@@ -113,7 +116,9 @@ impl App {
             return vec![];
         };
         let next = screen.advance(passed, &mut self.context);
-        self.follow(next)
+        let mut effects = self.follow(next);
+        effects.extend(self.context.take_asked());
+        effects
     }
 
     /// When the app next needs time; `None` while nothing moves.
@@ -144,10 +149,12 @@ impl App {
         let Some(screen) = self.stack.last_mut() else {
             return vec![];
         };
-        match screen.update(input, &mut self.context) {
+        let mut effects = match screen.update(input, &mut self.context) {
             Next::Ignored => self.shared_key(input),
             next => self.follow(next),
-        }
+        };
+        effects.extend(self.context.take_asked());
+        effects
     }
 
     /// Keys that mean the same on every screen that leaves them over.
@@ -220,6 +227,7 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
+            Place::Table => Box::new(Table::default()),
         };
         self.stack.push(screen);
     }

@@ -70,6 +70,8 @@ enum Screen {
     Lab,
     /// Open the quiz: ten hits to predict (with --seed N always the same ten)
     Quiz,
+    /// Open the table: carrom itself, the whole board
+    Table,
     /// Open the levels: small puzzles on the board, solved by aiming
     Levels {
         /// A level to play at once: its id, or PACK/ID
@@ -87,6 +89,7 @@ impl Screen {
             Self::Lab => Place::Lab,
             // The first round takes the app's own seed.
             Self::Quiz => Place::Quiz { seed: None },
+            Self::Table => Place::Table,
             Self::Levels { name: None } => Place::Levels,
             Self::Levels { name: Some(name) } => {
                 let number = shelf.find(name);

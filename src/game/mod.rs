@@ -1,9 +1,9 @@
 //! Carrom itself: pieces, the pack, placing the striker, the laws, the score.
 //!
-//! A pure room: no screen, no clock. A [`Stroke`] comes in as data,
+//! A pure room: no screen and no clock. A [`Stroke`] comes in as data,
 //! [`Game::apply`] answers with [`Ruling`]s, and a game is a plain value: keep
-//! the old one and you can undo. Only the opponent plays shots on the engine, in
-//! its head.
+//! the old one and you can undo. Two know the engine: a [`Record`], to play its
+//! moves again, and the opponent, to play shots in its head.
 //!
 //! | file | holds |
 //! |---|---|
@@ -18,6 +18,7 @@
 //! | `play` | one board, from the break to its end |
 //! | `table` | a whole game at the table |
 //! | `validity` | what no game can be |
+//! | `record` | a game move by move, to be played again bit for bit |
 //! | `opponent` | the computer opponent, and hints for the player |
 
 pub mod free_place;
@@ -27,6 +28,7 @@ pub mod pack;
 pub mod pieces;
 pub mod placing;
 mod play;
+mod record;
 mod score;
 mod seat;
 mod stroke;
@@ -37,6 +39,7 @@ pub use laws::{BoardWon, Effect, Law, Rules, Ruling};
 pub use pieces::{Coin, Colour, Piece, PieceSet};
 pub use placing::{BaseLines, Misplaced};
 pub use play::Play;
+pub use record::{Call, Move, MoveError, Record, RecordError, Strike};
 pub use score::Score;
 pub use seat::{ByTeam, Hands, Seat, Team};
 pub use stroke::{Stroke, StrokeError};

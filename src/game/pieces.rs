@@ -119,16 +119,19 @@ pub fn count(coins: &[Coin], piece: Piece) -> u8 {
     u8::try_from(found).unwrap_or(u8::MAX)
 }
 
-/// A point as a pair of metres, so that it reads back to the same bits.
-mod metres {
+/// A point or a velocity as a pair of numbers in SI units, so that it reads back to
+/// the same bits.
+pub(super) mod metres {
     use glam::DVec2;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-    pub(super) fn serialize<S: Serializer>(at: &DVec2, to: S) -> Result<S::Ok, S::Error> {
+    pub(in crate::game) fn serialize<S: Serializer>(at: &DVec2, to: S) -> Result<S::Ok, S::Error> {
         at.to_array().serialize(to)
     }
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<DVec2, D::Error> {
+    pub(in crate::game) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<DVec2, D::Error> {
         <[f64; 2]>::deserialize(from).map(DVec2::from_array)
     }
 }

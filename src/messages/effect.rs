@@ -1,8 +1,12 @@
 //! What the app asks of the shell that drives it.
 
+use super::Task;
+
 /// A thing only the world outside can do.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Leave the program.
     Quit,
+    /// Think, and hand the [`Thought`](super::Thought) back as an input.
+    Think(Box<Task>),
 }

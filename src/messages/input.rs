@@ -1,6 +1,6 @@
 //! What a shell tells the app.
 
-use super::Key;
+use super::{Key, Thought};
 
 /// One thing that happened outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,6 +13,8 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
+    /// What came of an [`Effect::Think`](super::Effect::Think).
+    Thought(Box<Thought>),
 }
 
 impl From<Key> for Input {

@@ -7,7 +7,9 @@
 mod effect;
 mod input;
 mod key;
+mod thought;
 
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;
+pub use thought::{Found, Task, Thought, Wanted};

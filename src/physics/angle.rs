@@ -19,6 +19,17 @@ pub fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
     Some(across.atan2(from.dot(to)))
 }
 
+/// The unit vector at `angle_deg` degrees from +x, anticlockwise; exact along the
+/// axes, where a cosine would leave a trace of rounding.
+pub fn unit_vector(angle_deg: f64) -> DVec2 {
+    let quarters = angle_deg / 90.0;
+    if quarters.fract() == 0.0 {
+        [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][quarters.rem_euclid(4.0) as usize]
+    } else {
+        DVec2::from_angle(quarters * std::f64::consts::FRAC_PI_2)
+    }
+}
+
 /// The angle between two velocities in radians, in [0, π]; `None` where either is
 /// zero.
 pub fn angle_between(a: DVec2, b: DVec2) -> Option<f64> {
@@ -29,6 +40,17 @@ pub fn angle_between(a: DVec2, b: DVec2) -> Option<f64> {
 mod tests {
     use super::*;
     use std::f64::consts::{FRAC_PI_2, PI};
+
+    #[test]
+    fn unit_vectors_along_the_axes_are_exact() {
+        assert_eq!(unit_vector(90.0), DVec2::Y);
+        assert_eq!(unit_vector(-90.0), DVec2::NEG_Y);
+        assert_eq!(unit_vector(180.0), DVec2::NEG_X);
+        assert_eq!(unit_vector(-180.0), DVec2::NEG_X);
+        assert_eq!(unit_vector(720.0), DVec2::X);
+        let diagonal = DVec2::splat(0.5_f64.sqrt());
+        assert!(unit_vector(45.0).distance(diagonal) < 1e-15);
+    }
 
     #[test]
     fn quarter_turns_either_way() {

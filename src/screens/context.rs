@@ -5,6 +5,8 @@ use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
 use super::Shelf;
+use crate::game::Game;
+use crate::messages::{Effect, Task, Wanted};
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -64,6 +66,8 @@ pub struct Context {
     pub shelf: Shelf,
     seed: u64,
     rounds: u64,
+    tickets: u64,
+    asked: Vec<Effect>,
 }
 
 impl Context {
@@ -75,7 +79,27 @@ impl Context {
             shelf: Shelf::default(),
             seed,
             rounds: 0,
+            tickets: 0,
+            asked: Vec::new(),
         }
+    }
+
+    /// Asks for something to be thought about and gives the ticket by which the
+    /// [`Thought`](crate::messages::Thought) will be known.
+    pub fn think(&mut self, game: Game, seed: u64, wanted: Wanted) -> u64 {
+        self.tickets += 1;
+        self.asked.push(Effect::Think(Box::new(Task {
+            ticket: self.tickets,
+            game,
+            seed,
+            wanted,
+        })));
+        self.tickets
+    }
+
+    /// What the screens have asked of the shell since the last call.
+    pub fn take_asked(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.asked)
     }
 
     /// The seed of the next round: the app's own seed first, then others that

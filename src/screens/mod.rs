@@ -9,6 +9,7 @@ pub mod home;
 pub mod lab;
 pub mod levels;
 pub mod quiz;
+pub mod table;
 
 use std::time::Duration;
 

@@ -12,6 +12,8 @@ pub enum Place {
         /// The code of the round; `None` takes the app's next.
         seed: Option<u64>,
     },
+    /// The table: carrom itself.
+    Table,
     /// The list of levels.
     Levels,
     /// A level.

@@ -149,6 +149,8 @@ impl Headless {
         for effect in effects {
             match effect {
                 Effect::Quit => self.quit = true,
+                // On the spot, so that it is the same every time.
+                Effect::Think(task) => self.input(&Input::Thought(Box::new(task.think()))),
             }
         }
     }

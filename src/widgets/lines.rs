@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Look, Role, text};
+use super::{Charset, Look, Role, text};
 
 /// A column of text being written from the top of an area.
 pub struct Lines<'a> {
@@ -65,6 +65,11 @@ impl<'a> Lines<'a> {
     /// Rows written so far, seen or not.
     pub fn written(&self) -> u16 {
         self.written
+    }
+
+    /// The glyphs it is written in.
+    pub fn charset(&self) -> Charset {
+        self.look.charset
     }
 
     /// Rows that are left.

@@ -44,7 +44,7 @@ struct Choice {
     place: Place,
 }
 
-const CHOICES: [Choice; 3] = [
+const CHOICES: [Choice; 4] = [
     Choice {
         key: 'l',
         name: "Lab",
@@ -59,6 +59,12 @@ const CHOICES: [Choice; 3] = [
         name: "Quiz",
         about: ["ten hits to predict; find out", "what you really think"],
         place: Place::Quiz { seed: None },
+    },
+    Choice {
+        key: 't',
+        name: "Table",
+        about: ["carrom itself: the whole board,", "and every hit explained"],
+        place: Place::Table,
     },
     Choice {
         key: 'v',

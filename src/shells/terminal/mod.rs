@@ -2,7 +2,8 @@
 //!
 //! Three threads: one reads the keyboard and the mouse, one waits for signals,
 //! and the one that called [`run`] holds the app and draws. The first two only
-//! send messages; while nothing moves, all three are blocked.
+//! send messages; while nothing moves, all three are blocked. What the app wants
+//! thought about gets a thread of its own for as long as that takes.
 
 mod crash;
 mod guard;
@@ -12,10 +13,11 @@ mod reader;
 #[cfg(unix)]
 mod signals;
 mod surroundings;
+mod thinker;
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::time::Instant;
 
 use crossterm::queue;
@@ -72,7 +74,7 @@ pub fn run(app: App) -> Result<Ending, TerminalError> {
     #[cfg(unix)]
     signals::watch(sender.clone()).map_err(TerminalError::SetUp)?;
     let guard = Guard::take().map_err(TerminalError::SetUp)?;
-    reader::start(sender).map_err(TerminalError::SetUp)?;
+    reader::start(sender.clone()).map_err(TerminalError::SetUp)?;
     // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
     // by wiping bold and reverse too.
     crossterm::style::force_color_output(true);
@@ -83,6 +85,7 @@ pub fn run(app: App) -> Result<Ending, TerminalError> {
         screen: ManuallyDrop::new(screen),
         guard,
         messages,
+        sender,
         pace: Pace::new(Instant::now()),
     }
     .play()
@@ -94,6 +97,8 @@ struct Run {
     screen: Screen,
     guard: Guard,
     messages: Receiver<Message>,
+    /// For those who think.
+    sender: Sender<Message>,
     pace: Pace,
 }
 
@@ -111,7 +116,7 @@ impl Run {
             }
             let mut first = self.wait()?;
             let effects = self.pace.live(&mut self.app, Instant::now());
-            if let Flow::Break(ending) = carry_out(&effects) {
+            if let Flow::Break(ending) = self.carry_out(&effects) {
                 return Ok(ending);
             }
             // All there is, then one picture of it.
@@ -147,7 +152,7 @@ impl Run {
             Message::Input(input) => {
                 let effects = self.app.update(&input);
                 self.pace.outdated();
-                return Ok(carry_out(&effects));
+                return Ok(self.carry_out(&effects));
             }
             Message::Lost(error) => return Err(TerminalError::Read(error)),
             #[cfg(unix)]
@@ -181,14 +186,15 @@ impl Run {
         queue!(self.screen.backend_mut(), EndSynchronizedUpdate)?;
         Write::flush(self.screen.backend_mut())
     }
-}
 
-fn carry_out(effects: &[Effect]) -> Flow {
-    let mut flow = Flow::Continue(());
-    for effect in effects {
-        match effect {
-            Effect::Quit => flow = Flow::Break(Ending::Quit),
+    fn carry_out(&self, effects: &[Effect]) -> Flow {
+        let mut flow = Flow::Continue(());
+        for effect in effects {
+            match effect {
+                Effect::Quit => flow = Flow::Break(Ending::Quit),
+                Effect::Think(task) => thinker::start(task, &self.sender),
+            }
         }
+        flow
     }
-    flow
 }

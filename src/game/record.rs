@@ -1,0 +1,327 @@
+//! A game move by move: enough to play it again, bit for bit, through engine and
+//! laws.
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::laws::Ruling;
+use super::pieces::{Coin, metres};
+use super::placing::Misplaced;
+use super::stroke::{Stroke, StrokeError};
+use super::table::{Game, Setup};
+use super::validity::GameError;
+use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
+
+/// The format of records written now.
+const FORMAT: u32 = 1;
+
+/// What was agreed and every move since. All else follows from them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Record {
+    format: u32,
+    setup: Setup,
+    #[serde(default)]
+    moves: Vec<Move>,
+}
+
+/// One thing that a player does.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Move {
+    /// Strikes.
+    Strike(Strike),
+    /// Finds every place for the striker barred by coins, and passes.
+    NoPlace,
+    /// Lays the pack for the next board.
+    NextBoard,
+    /// Lays the coins out anew, in practice.
+    LayOut(Vec<Coin>),
+}
+
+/// How the striker was struck.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Strike {
+    /// Where it stood, in metres from the centre of the board.
+    #[serde(rename = "place_m", with = "metres")]
+    pub place: DVec2,
+    /// Its velocity in m/s.
+    #[serde(rename = "velocity_m_s", with = "metres")]
+    pub velocity: DVec2,
+    /// What the player said of the first impact beforehand.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub call: Option<Call>,
+}
+
+/// Where the two of the first impact were said to go, in degrees from the striker's
+/// direction, with the signs of physics: the striker's positive anticlockwise, the
+/// coin's positive clockwise. `None` is a disc that stays still.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Call {
+    /// Scattering angle of the striker.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub striker_deg: Option<f64>,
+    /// Recoil angle of the coin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coin_deg: Option<f64>,
+}
+
+/// Why a move cannot be made.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum MoveError {
+    /// The striker may not stand there.
+    #[error(transparent)]
+    Place(#[from] Misplaced),
+    /// The engine cannot play it.
+    #[error("this stroke cannot be played: {0}")]
+    Engine(#[from] EngineError),
+    /// The laws know no such stroke.
+    #[error(transparent)]
+    Stroke(#[from] StrokeError),
+    /// The game does not allow it.
+    #[error(transparent)]
+    Game(#[from] GameError),
+    /// There is a place for the striker after all.
+    #[error("there is a place for the striker on the base lines")]
+    RoomLeft,
+}
+
+/// Why a record cannot be played.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum RecordError {
+    /// It is written in a format that this carrom does not know.
+    #[error("format {0} is not known: expected {FORMAT}")]
+    Format(u32),
+    /// One of its moves cannot be made.
+    #[error("move {number}: {error}")]
+    Move {
+        /// Which, from 1.
+        number: usize,
+        /// Why not.
+        error: MoveError,
+    },
+}
+
+impl Record {
+    /// A game in which nobody has moved yet.
+    pub const fn new(setup: Setup) -> Self {
+        Self {
+            format: FORMAT,
+            setup,
+            moves: Vec::new(),
+        }
+    }
+
+    /// What was agreed before the first break.
+    pub const fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The moves, in order.
+    pub fn moves(&self) -> &[Move] {
+        &self.moves
+    }
+
+    /// Writes a move down. Whether it can be made shows when it is
+    /// [made](Move::make).
+    pub fn push(&mut self, made: Move) {
+        self.moves.push(made);
+    }
+
+    /// Takes the last move back.
+    pub fn pop(&mut self) -> Option<Move> {
+        self.moves.pop()
+    }
+
+    /// Plays the whole record and gives the game it leads to.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn replay(&self) -> Result<Game, RecordError> {
+        self.play_through(|_, _, _, _| {})
+    }
+
+    /// Plays the whole record and shows each move on the way: the game before it, the
+    /// move, its shot if it was a stroke, what the referee announced.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn play_through(
+        &self,
+        mut each: impl FnMut(Game, &Move, Option<Shot>, Vec<Ruling>),
+    ) -> Result<Game, RecordError> {
+        if self.format != FORMAT {
+            return Err(RecordError::Format(self.format));
+        }
+        let mut game = Game::new(self.setup);
+        for (i, next) in self.moves.iter().enumerate() {
+            let before = game.clone();
+            let (shot, rulings) = next.make(&mut game).map_err(|error| RecordError::Move {
+                number: i + 1,
+                error,
+            })?;
+            each(before, next, shot, rulings);
+        }
+        Ok(game)
+    }
+}
+
+impl Move {
+    /// Makes the move: gives the shot, if it was a stroke, and what the referee
+    /// announces.
+    ///
+    /// # Errors
+    /// Why it cannot be made; the game is then unchanged.
+    pub fn make(&self, game: &mut Game) -> Result<(Option<Shot>, Vec<Ruling>), MoveError> {
+        match self {
+            Self::Strike(strike) => {
+                let shot = strike.shot(game)?;
+                let stroke = Stroke::from_shot(game.coins(), &shot)?;
+                let rulings = game.apply(&stroke)?;
+                Ok((Some(shot), rulings))
+            }
+            Self::NoPlace => {
+                let board = Board::default();
+                if game.base_lines(&board).nearest(DVec2::ZERO).is_some() {
+                    return Err(MoveError::RoomLeft);
+                }
+                Ok((None, game.no_place()?))
+            }
+            Self::NextBoard => {
+                game.next_board()?;
+                Ok((None, Vec::new()))
+            }
+            Self::LayOut(coins) => {
+                game.lay_out(coins.clone())?;
+                Ok((None, Vec::new()))
+            }
+        }
+    }
+}
+
+impl Strike {
+    /// The shot this is on the board as it lies.
+    ///
+    /// # Errors
+    /// If the striker may not stand there or the engine cannot play it.
+    pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
+        let board = Board::default();
+        game.check_place(&board, self.place)?;
+        let (discs, motions) = game.discs(Motion {
+            position: self.place,
+            velocity: self.velocity,
+        });
+        Ok(physics::play(&board, &discs, &motions, Limits::default())?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    use super::super::{Hands, Rules};
+    use super::*;
+
+    /// Hard random strokes from legal places, next boards included.
+    fn played(setup: Setup, strokes: usize, seed: u64) -> (Record, Game) {
+        let mut hand = Pcg64::seed_from_u64(seed);
+        let mut record = Record::new(setup);
+        let mut game = Game::new(setup);
+        for _ in 0..strokes {
+            let board = Board::default();
+            let lines = game.base_lines(&board);
+            let wanted = lines.at(hand.random_range(-0.2..0.2));
+            let next = match lines.nearest(wanted) {
+                _ if game.play().won().is_some() => Move::NextBoard,
+                None => Move::NoPlace,
+                Some(place) => {
+                    let way = DVec2::from_angle(hand.random_range(0.0..3.1));
+                    Move::Strike(Strike {
+                        place,
+                        velocity: game.seat().turn(way) * hand.random_range(0.5..5.0),
+                        call: hand.random_bool(0.5).then_some(Call {
+                            striker_deg: None,
+                            coin_deg: Some(12.3),
+                        }),
+                    })
+                }
+            };
+            if next.make(&mut game).is_err() {
+                break;
+            }
+            record.push(next);
+        }
+        (record, game)
+    }
+
+    #[test]
+    fn a_record_leads_to_the_same_game_bit_for_bit_and_survives_writing() {
+        for (seed, hands, rules) in [
+            (1, Hands::Two, Rules::Tournament),
+            (2, Hands::Four, Rules::Tournament),
+            (3, Hands::Two, Rules::Friendly),
+        ] {
+            let setup = Setup {
+                rules,
+                hands,
+                seed: Some(seed),
+                ..Setup::default()
+            };
+            let (record, game) = played(setup, 60, seed);
+            assert!(record.moves().len() > 20);
+            assert_eq!(record.replay().unwrap(), game);
+            let text = toml::to_string(&record).unwrap();
+            let read: Record = toml::from_str(&text).unwrap();
+            assert_eq!(read, record);
+            // Equal may hide a negative zero; what is written shows every bit.
+            let again = read.replay().unwrap();
+            assert_eq!(
+                toml::to_string(&again).unwrap(),
+                toml::to_string(&game).unwrap()
+            );
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_played_is_refused_with_the_move_it_fails_at() {
+        let mut record = Record::new(Setup::default());
+        let breaking = Strike {
+            place: DVec2::new(0.0, -0.2526),
+            velocity: DVec2::new(0.0, 4.0),
+            call: None,
+        };
+        record.push(Move::Strike(breaking));
+        assert!(record.replay().is_ok());
+        record.push(Move::NextBoard);
+        assert_eq!(
+            record.replay(),
+            Err(RecordError::Move {
+                number: 2,
+                error: GameError::StillPlaying.into()
+            })
+        );
+        for (place, velocity) in [
+            (DVec2::ZERO, DVec2::Y),
+            (DVec2::NAN, DVec2::Y),
+            (breaking.place, DVec2::NAN),
+        ] {
+            let strike = Strike {
+                place,
+                velocity,
+                call: None,
+            };
+            let mut game = Game::new(Setup::default());
+            assert!(Move::Strike(strike).make(&mut game).is_err());
+            assert_eq!(game, Game::new(Setup::default()));
+        }
+        let newer = toml::to_string(&record)
+            .unwrap()
+            .replace("format = 1", "format = 2");
+        let read: Record = toml::from_str(&newer).unwrap();
+        assert_eq!(read.replay(), Err(RecordError::Format(2)));
+    }
+}

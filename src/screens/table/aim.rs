@@ -1,0 +1,220 @@
+//! Where the striker stands, where it is aimed, how hard it will be struck.
+
+use glam::DVec2;
+
+use crate::game::{BaseLines, Game, Misplaced, Rules, Seat, Strike};
+use crate::physics::Board;
+use crate::physics::angle::unit_vector;
+
+/// Slowest and fastest stroke, in m/s.
+pub(super) const SPEEDS: (f64, f64) = (0.2, 6.0);
+/// Speed a break begins with, in m/s.
+const BREAK_SPEED: f64 = 4.0;
+/// Speed any other stroke begins with, in m/s.
+const FIRST_SPEED: f64 = 2.5;
+
+/// An aim in the making.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Aim {
+    /// Where the striker stands, in metres from the centre of the board.
+    pub(super) place: DVec2,
+    /// Direction in degrees as the player at that side sees it: 90 is straight
+    /// across the board. 0 to 360.
+    pub(super) direction_deg: f64,
+    /// Speed in m/s.
+    pub(super) speed: f64,
+}
+
+impl Aim {
+    /// The aim that a turn begins with: from the middle, or the place nearest to it,
+    /// straight across.
+    pub(super) fn begin(game: &Game) -> Self {
+        let board = Board::default();
+        let lines = game.base_lines(&board);
+        let middle = lines.at(0.0);
+        Self {
+            place: lines.nearest(middle).unwrap_or(middle),
+            direction_deg: 90.0,
+            speed: if game.play().is_unbroken() {
+                BREAK_SPEED
+            } else {
+                FIRST_SPEED
+            },
+        }
+    }
+
+    /// The aim of a stroke that was made from `seat`.
+    pub(super) fn of(strike: &Strike, seat: Seat) -> Self {
+        let mut aim = Self {
+            place: strike.place,
+            direction_deg: 90.0,
+            speed: FIRST_SPEED,
+        };
+        aim.point_at(strike.place + strike.velocity, seat);
+        aim.set_speed(strike.velocity.length());
+        aim
+    }
+
+    /// The stroke this is for the player at `seat`.
+    pub(super) fn strike(&self, seat: Seat) -> Strike {
+        Strike {
+            place: self.place,
+            velocity: self.speed * self.heading(seat),
+            call: None,
+        }
+    }
+
+    /// The direction on the board, a unit vector.
+    pub(super) fn heading(&self, seat: Seat) -> DVec2 {
+        seat.turn(unit_vector(self.direction_deg))
+    }
+
+    /// Why the striker may not stand there.
+    ///
+    /// # Errors
+    /// The reason.
+    pub(super) fn check(&self, game: &Game) -> Result<(), Misplaced> {
+        game.check_place(&Board::default(), self.place)
+    }
+
+    /// Aims in a direction in degrees; any number will do.
+    pub(super) fn set_direction(&mut self, degrees: f64) {
+        // To a hundredth, so that steps do not gather rounding.
+        let hundredths = (degrees * 100.0).round().rem_euclid(36_000.0);
+        self.direction_deg = hundredths / 100.0;
+    }
+
+    /// Aims at a point of the board.
+    pub(super) fn point_at(&mut self, at: DVec2, seat: Seat) {
+        if let Some(way) = (at - self.place).try_normalize() {
+            self.set_direction(seat.turn_back(way).to_angle().to_degrees());
+        }
+    }
+
+    /// Sets the speed, held to what a finger can do.
+    pub(super) fn set_speed(&mut self, speed: f64) {
+        let tenths = (speed * 10.0).round() / 10.0;
+        self.speed = tenths.clamp(SPEEDS.0, SPEEDS.1);
+    }
+
+    /// Moves the striker, by so many metres to the right and up on the screen; in a
+    /// game only along the base lines, and not beyond their ends.
+    pub(super) fn move_by(&mut self, step: DVec2, game: &Game) {
+        self.put(self.place + step, game);
+    }
+
+    /// Puts the striker where it is wanted, in a game on the nearest point of the
+    /// base lines. It need not be a legal place.
+    pub(super) fn put(&mut self, at: DVec2, game: &Game) {
+        let board = Board::default();
+        if game.setup().rules == Rules::Practice {
+            let room = board.side / 2.0 - game.setup().set.striker_radius();
+            let grid = (at * 10_000.0).round() / 10_000.0;
+            self.place = grid.clamp(DVec2::splat(-room), DVec2::splat(room));
+            return;
+        }
+        let lines = game.base_lines(&board);
+        let end = BaseLines::base_circle_along();
+        let along = (lines.along(at) * 10_000.0).round() / 10_000.0;
+        // The very end covers a base circle.
+        self.place = lines.at(along.clamp(-end, end));
+    }
+
+    /// Where the striker stands in words, as the player sees it: "12 mm left".
+    pub(super) fn place_words(&self, game: &Game) -> String {
+        let seen = game.seat().turn_back(self.place);
+        let side = |along: f64| match (along * 1000.0).round() {
+            0.0 => "the middle".to_owned(),
+            mm if mm < 0.0 => format!("{:.0} mm left", -mm),
+            mm => format!("{mm:.0} mm right"),
+        };
+        if game.setup().rules == Rules::Practice {
+            return format!(
+                "{:.0}, {:.0} mm",
+                seen.x * 1000.0 + 0.0,
+                seen.y * 1000.0 + 0.0
+            );
+        }
+        if (seen.x.abs() - BaseLines::base_circle_along()).abs() < 1e-9 {
+            let side = if seen.x < 0.0 { "left" } else { "right" };
+            return format!("the {side} circle");
+        }
+        side(seen.x)
+    }
+}
+
+/// The step that means right or up on the screen: along the base lines of a side, or
+/// just to the right in practice.
+pub(super) fn along_the_screen(seat: Seat, rules: Rules) -> DVec2 {
+    match seat {
+        Seat::East | Seat::West if rules != Rules::Practice => DVec2::Y,
+        _ => DVec2::X,
+    }
+}
+
+/// The sense in which a turn to the right on the screen changes the direction, in
+/// degrees: clockwise for those who look up or left, anticlockwise for the others.
+pub(super) fn rightwards(seat: Seat) -> f64 {
+    match seat {
+        Seat::South | Seat::East => -1.0,
+        Seat::North | Seat::West => 1.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Hands, Setup};
+
+    #[test]
+    fn whatever_is_done_to_it_the_striker_stays_on_the_base_lines() {
+        for seat in Seat::ALL {
+            let game = Game::new(Setup {
+                hands: Hands::Four,
+                first_breaker: seat,
+                ..Setup::default()
+            });
+            let mut aim = Aim::begin(&game);
+            assert_eq!(aim.check(&game), Ok(()));
+            for step in [
+                DVec2::splat(0.05),
+                DVec2::splat(-9.0),
+                DVec2::new(9.0, -3.0),
+            ] {
+                aim.move_by(step, &game);
+                let seen = seat.turn_back(aim.place);
+                assert!((seen.y - seat.turn_back(Aim::begin(&game).place).y).abs() < 1e-12);
+                assert!(seen.x.abs() <= BaseLines::base_circle_along());
+            }
+            // Both ends cover a base circle, which is allowed.
+            assert_eq!(aim.check(&game), Ok(()));
+            assert!(aim.place_words(&game).ends_with("circle"));
+        }
+    }
+
+    #[test]
+    fn straight_across_is_exact_from_every_side() {
+        for seat in Seat::ALL {
+            let game = Game::new(Setup {
+                hands: Hands::Four,
+                first_breaker: seat,
+                ..Setup::default()
+            });
+            let velocity = Aim::begin(&game).strike(seat).velocity;
+            assert_eq!(seat.turn_back(velocity), DVec2::new(0.0, BREAK_SPEED));
+        }
+    }
+
+    #[test]
+    fn aiming_at_a_point_aims_at_it() {
+        let game = Game::new(Setup::default());
+        let mut aim = Aim::begin(&game);
+        for at in [DVec2::new(0.1, 0.2), DVec2::new(-0.3, -0.3), DVec2::ZERO] {
+            aim.point_at(at, Seat::South);
+            let way = (at - aim.place).normalize();
+            assert!(aim.heading(Seat::South).distance(way) < 1e-4);
+        }
+        aim.set_direction(-725.0);
+        assert_eq!(aim.direction_deg, 355.0);
+    }
+}

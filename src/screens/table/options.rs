@@ -1,0 +1,185 @@
+//! What is agreed at the table before the first break.
+
+use serde::{Deserialize, Serialize};
+
+use crate::game::opponent::Strength;
+use crate::game::{Hands, PieceSet, Rules, Seat, Setup, Team};
+
+/// Helps drawn while aiming, each to be switched on or off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Aids {
+    /// The way of the striker to the first disc it meets.
+    pub line: bool,
+    /// The striker as it will stand when it meets it.
+    pub ghost: bool,
+    /// Where both will leave that hit.
+    pub rays: bool,
+}
+
+impl Default for Aids {
+    fn default() -> Self {
+        Self {
+            line: true,
+            ghost: true,
+            rays: true,
+        }
+    }
+}
+
+/// Who plays from a seat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Player {
+    /// Somebody at the keyboard.
+    Person,
+    /// The computer.
+    Computer,
+}
+
+/// Everything that can be chosen for a game.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Options {
+    /// The rules.
+    pub rules: Rules,
+    /// Singles or doubles.
+    pub hands: Hands,
+    /// Who plays from each seat, in the order of [`Seat::ALL`]; in singles only
+    /// South and North count.
+    pub players: [Player; 4],
+    /// How strong the computer is.
+    pub strength: Strength,
+    /// The pieces.
+    pub set: PieceSet,
+    /// Whether the players call the first impact before each stroke.
+    pub call: bool,
+    /// Helps while aiming.
+    pub aids: Aids,
+}
+
+impl Default for Options {
+    /// One person against the computer.
+    fn default() -> Self {
+        use Player::{Computer, Person};
+        Self {
+            rules: Rules::default(),
+            hands: Hands::default(),
+            players: [Person, Computer, Computer, Computer],
+            strength: Strength::default(),
+            set: PieceSet::default(),
+            call: false,
+            aids: Aids::default(),
+        }
+    }
+}
+
+impl Options {
+    /// Singles of two people, without the computer.
+    pub fn two_people() -> Self {
+        Self {
+            players: [Player::Person; 4],
+            ..Self::default()
+        }
+    }
+
+    /// The game these options make, its packs shaken by `seed`.
+    pub fn setup(&self, seed: u64) -> Setup {
+        Setup {
+            rules: self.rules,
+            hands: match self.rules {
+                Rules::Practice => Hands::Two,
+                Rules::Tournament | Rules::Friendly => self.hands,
+            },
+            set: self.set,
+            first_breaker: Seat::South,
+            seed: Some(seed),
+        }
+    }
+
+    /// Who plays from a seat; practice is for people.
+    pub fn player(&self, seat: Seat) -> Player {
+        match self.rules {
+            Rules::Practice => Player::Person,
+            Rules::Tournament | Rules::Friendly => self.players[index(seat)],
+        }
+    }
+
+    /// Sets who plays from a seat.
+    pub fn set_player(&mut self, seat: Seat, player: Player) {
+        self.players[index(seat)] = player;
+    }
+
+    /// The seats that are played from, in the order of turns.
+    pub fn seats(&self) -> impl Iterator<Item = Seat> + '_ {
+        Seat::ALL.into_iter().filter(|seat| self.hands.plays(*seat))
+    }
+
+    /// How many play as this one does.
+    pub fn count(&self, player: Player) -> usize {
+        self.seats()
+            .filter(|seat| self.player(*seat) == player)
+            .count()
+    }
+
+    /// What the player at a seat is called: "you" if nobody else is at the keyboard.
+    pub fn seat_name(&self, seat: Seat) -> &'static str {
+        match self.player(seat) {
+            Player::Person if self.rules == Rules::Practice => "you",
+            Player::Person if self.count(Player::Person) == 1 => "you",
+            Player::Computer if self.count(Player::Computer) == 1 => "computer",
+            _ => compass(seat),
+        }
+    }
+
+    /// What a team is called.
+    pub fn team_name(&self, team: Team) -> &'static str {
+        match (self.hands, team) {
+            _ if self.rules == Rules::Practice => "you",
+            (Hands::Two, Team::First) => self.seat_name(Seat::South),
+            (Hands::Two, Team::Second) => self.seat_name(Seat::North),
+            (Hands::Four, Team::First) => "S + N",
+            (Hands::Four, Team::Second) => "E + W",
+        }
+    }
+}
+
+const fn index(seat: Seat) -> usize {
+    match seat {
+        Seat::South => 0,
+        Seat::East => 1,
+        Seat::North => 2,
+        Seat::West => 3,
+    }
+}
+
+/// The name of a side of the board.
+pub(super) const fn compass(seat: Seat) -> &'static str {
+    match seat {
+        Seat::South => "South",
+        Seat::East => "East",
+        Seat::North => "North",
+        Seat::West => "West",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_who_is_at_the_keyboard() {
+        let alone = Options::default();
+        assert_eq!(alone.seat_name(Seat::South), "you");
+        assert_eq!(alone.team_name(Team::Second), "computer");
+        let two = Options::two_people();
+        assert_eq!(two.seat_name(Seat::South), "South");
+        let doubles = Options {
+            hands: Hands::Four,
+            ..alone
+        };
+        assert_eq!(doubles.seat_name(Seat::South), "you");
+        assert_eq!(doubles.seat_name(Seat::West), "West");
+        assert_eq!(doubles.count(Player::Computer), 3);
+    }
+}

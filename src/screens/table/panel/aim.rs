@@ -1,0 +1,113 @@
+//! The panel while aiming.
+
+use super::{notice, score};
+use crate::game::Game;
+use crate::screens::table::aim::SPEEDS;
+use crate::screens::table::preview::{FirstHit, WayEnd};
+use crate::screens::table::sitting::{Hinted, Sitting};
+use crate::screens::table::words;
+use crate::widgets::bar::bar;
+use crate::widgets::{Lines, Role};
+
+/// Most cells of the bar of strength.
+const BAR: u16 = 10;
+/// Columns of the name and the number beside it.
+const NAME_AND_SPEED: u16 = 18;
+
+/// The aim, what it will meet first, and how the game stands.
+pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
+    let game = sitting.game();
+    turn(sitting, lines);
+    let aim = &sitting.aim;
+    let direction = if sitting.entry.is_open() {
+        format!("{}_", sitting.entry.text())
+    } else {
+        format!("{:.1}°", aim.direction_deg)
+    };
+    lines.pair("aim", &direction, Role::Dim, Role::Text);
+    let bar_width = lines.width().saturating_sub(NAME_AND_SPEED).min(BAR);
+    let strength = format!(
+        "{} {:.1} m/s",
+        bar(aim.speed / SPEEDS.1, bar_width, lines.charset()),
+        aim.speed
+    );
+    lines.pair("strength", &strength, Role::Dim, Role::Text);
+    lines.pair("place", &aim.place_words(game), Role::Dim, Role::Text);
+    lines.gap();
+    if sitting.notice.is_some() {
+        notice(sitting, lines);
+    } else if let Some(hinted) = &sitting.hint {
+        hint(hinted, lines);
+    } else if let Err(why) = aim.check(game) {
+        lines.paragraph(&format!("Not from here: {why}."), Role::Warn);
+    } else {
+        ahead(sitting, lines);
+    }
+    lines.gap();
+    score::draw(sitting, lines);
+}
+
+/// Whose turn it is, with what colour, and what the laws ask of the stroke.
+fn turn(sitting: &Sitting, lines: &mut Lines) {
+    if sitting.is_practice() {
+        return;
+    }
+    let game = sitting.game();
+    let colour = game.colour(game.team(sitting.seat()));
+    let name = sitting.options.seat_name(sitting.seat());
+    let does = if game.play().is_unbroken() {
+        "breaks"
+    } else {
+        "plays"
+    };
+    let turn = format!("{}, {}", words::does(name, does), colour.adjective());
+    lines.line(&words::sentence(&turn), Role::Title);
+}
+
+/// The hint: first where to look, then all of it.
+fn hint(hinted: &Hinted, lines: &mut Lines) {
+    match hinted {
+        Hinted::Asked { .. } => lines.line("looking for a stroke …", Role::Dim),
+        Hinted::Told { hint, whole: false } => {
+            lines.paragraph(&hint.which(), Role::Good);
+            lines.line("h: tell me more", Role::Key);
+        }
+        Hinted::Told { hint, whole: true } => lines.paragraph(&hint.how(), Role::Good),
+    }
+}
+
+/// What the striker will meet first.
+fn ahead(sitting: &Sitting, lines: &mut Lines) {
+    let Some(preview) = &sitting.preview else {
+        return;
+    };
+    match &preview.end {
+        WayEnd::Meets(hit) => first_hit(sitting.game(), hit, lines),
+        WayEnd::Falls => lines.line("no hit: into the pocket", Role::Warn),
+        WayEnd::Stops => lines.line("no hit", Role::Dim),
+    }
+    if sitting.options.call {
+        lines.line("you will call this hit", Role::Key);
+    }
+}
+
+/// A first hit in numbers: which coin, b and α.
+fn first_hit(game: &Game, hit: &FirstHit, lines: &mut Lines) {
+    let piece = game.coins().get(hit.coin).map(|coin| coin.piece);
+    let name = piece.map_or("coin", words::short);
+    lines.pair("first hit", name, Role::Dim, Role::Text);
+    let collision = &hit.impact.collision;
+    let offset = collision.offset * 1000.0;
+    // Adding 0 turns −0 into 0.
+    let offset = (offset * 10.0).round() / 10.0 + 0.0;
+    lines.pair(
+        "  offset b",
+        &format!("{offset:.1} mm"),
+        Role::Dim,
+        Role::Text,
+    );
+    if let Some(alpha) = collision.alpha() {
+        let alpha = format!("{:.1}°", alpha.to_degrees().abs());
+        lines.pair("  angle α", &alpha, Role::Dim, Role::Text);
+    }
+}

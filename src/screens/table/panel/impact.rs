@@ -1,0 +1,67 @@
+//! The panel beside an enlarged impact: the explanation of the lab.
+
+use crate::physics::Frame;
+use crate::screens::table::sitting::Zoom;
+use crate::screens::table::words;
+use crate::screens::why;
+use crate::widgets::{Lines, Role};
+
+/// Which two met, in numbers, and why they go where they go.
+pub(super) fn draw(zoom: &Zoom, lines: &mut Lines) {
+    let watch = &zoom.watch;
+    let collision = watch.collision();
+    let outcome = watch.outcome();
+    let names = names(zoom);
+    lines.line(&format!("{} on {}", names[0], names[1]), Role::Title);
+    let mm = collision.offset.abs() * 1000.0;
+    lines.pair("offset b", &format!("{mm:.1} mm"), Role::Dim, Role::Text);
+    if let Some(alpha) = collision.alpha() {
+        let alpha = format!("{:.1}°", alpha.to_degrees().abs());
+        lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
+    }
+    let masses = [collision.striker, collision.target].map(|disc| disc.mass * 1000.0);
+    let masses = format!("{:.1} on {:.1} g", masses[0], masses[1]);
+    lines.pair("masses", &masses, Role::Dim, Role::Text);
+    if !watch.is_told() {
+        return;
+    }
+    let separation = outcome.separation.map_or("none".into(), |separation| {
+        format!("{:.1}°", separation.to_degrees())
+    });
+    lines.pair("separation", &separation, Role::Dim, Role::Text);
+    lines.gap();
+    if watch.frame() != Frame::Laboratory {
+        lines.paragraph(frame_words(watch.frame()), Role::Text);
+        return;
+    }
+    if names[0] != "striker" {
+        let here = format!("Here the {} plays the striker's part.", names[0]);
+        lines.paragraph(&here, Role::Dim);
+    }
+    let (title, text) = why::of_impact(collision, watch.said().copied());
+    if !title.is_empty() {
+        lines.line(&title, Role::Title);
+    }
+    lines.paragraph(&text, Role::Text);
+}
+
+/// What the two are.
+fn names(zoom: &Zoom) -> [&'static str; 2] {
+    let impact = zoom.replay.impact();
+    [0, 1].map(|body| {
+        let disc = impact.map(|impact| impact.discs[body]);
+        let piece = disc.and_then(|disc| zoom.replay.pieces.get(disc).copied());
+        piece.map_or("disc", words::short)
+    })
+}
+
+fn frame_words(frame: Frame) -> &'static str {
+    match frame {
+        Frame::CentreOfMass => {
+            "Seen from the centre of mass: momentum is zero before and after, so the two always fly back to back."
+        }
+        _ => {
+            "Seen riding with body 2: here it lies still before the hit, so all you know of a resting coin holds."
+        }
+    }
+}

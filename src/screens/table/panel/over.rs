@@ -1,0 +1,75 @@
+//! The panel at the end of a board, a game or the match.
+
+use super::{notice, score};
+use crate::game::{Game, Rules, Seat, Stage, Team};
+use crate::screens::table::sitting::Sitting;
+use crate::screens::table::words;
+use crate::widgets::{Lines, Role};
+
+/// Who won what, and what follows.
+pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
+    let game = sitting.game();
+    let name = |team: Team| sitting.options.team_name(team);
+    let headline = match game.stage() {
+        Stage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
+        Stage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
+        Stage::BoardOver(_) if sitting.is_practice() => "The board is empty.".into(),
+        Stage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
+        Stage::Playing => String::new(),
+    };
+    lines.line(&words::sentence(&headline), Role::Title);
+    lines.gap();
+    if let Some(last) = sitting.session.len().checked_sub(1)
+        && let Some(past) = sitting.session.past(last)
+    {
+        for ruling in &past.rulings {
+            lines.paragraph(&words::ruling(ruling), Role::Text);
+        }
+        lines.gap();
+    }
+    let score = game.score();
+    if game.setup().rules == Rules::Tournament {
+        if let Some(won) = game.play().won() {
+            lines.pair(
+                "this board",
+                &format!("+{}", won.points),
+                Role::Dim,
+                Role::Text,
+            );
+        }
+        for team in Team::BOTH {
+            let points = format!("{} points", score.points[team]);
+            lines.pair(name(team), &points, Role::Dim, Role::Text);
+        }
+        let games = format!(
+            "{} : {}",
+            score.games[Team::First],
+            score.games[Team::Second]
+        );
+        lines.pair("games before this", &games, Role::Dim, Role::Text);
+    }
+    score::calls(sitting, lines);
+    notice(sitting, lines);
+    lines.gap();
+    if let Some(breaker) = next_breaker(game) {
+        let breaks = words::does(sitting.options.seat_name(breaker), "breaks");
+        lines.line(&format!("{} next.", words::sentence(&breaks)), Role::Text);
+    }
+    let next = match game.stage() {
+        Stage::MatchOver(_) => "Enter: a new game.",
+        Stage::GameOver(_) => "Enter: the next game.",
+        _ => "Enter: the next board.",
+    };
+    lines.paragraph(next, Role::Key);
+    lines.paragraph("i: look at the strokes again.", Role::Key);
+}
+
+/// Who breaks the next board, if there is one with sides.
+fn next_breaker(game: &Game) -> Option<Seat> {
+    if game.setup().rules == Rules::Practice {
+        return None;
+    }
+    let mut next = game.clone();
+    next.next_board().ok()?;
+    Some(next.seat())
+}

@@ -1,0 +1,216 @@
+//! The board with what lies and moves on it.
+
+use glam::DVec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::arrange::Arrange;
+use super::preview::FirstHit;
+use super::replay::Replay;
+use super::sitting::Sitting;
+use super::words;
+use crate::game::{Coin, Piece, PieceSet, Seat};
+use crate::physics::{Board, State, stopping_distance};
+use crate::widgets::ink::{Layer, Pen, Sheet, Side};
+use crate::widgets::{Look, Role, board};
+
+/// Seconds after which a trail has faded.
+const FADE: f64 = 0.9;
+/// Pieces a trail is cut into, each fainter than the one after it.
+const SHADES: usize = 4;
+/// Longest that a departure is drawn, in metres.
+const LONGEST_RAY: f64 = 0.16;
+/// Length of the arrow that shows the aim where the whole line is not drawn.
+const STUB: f64 = 0.09;
+
+fn sheet(area: Rect, look: &Look) -> Sheet {
+    let view = board::view(board::square(area), &Board::default());
+    let mut sheet = Sheet::new(view, look.charset);
+    board::ground(&mut sheet, &Board::default());
+    sheet
+}
+
+fn disc(sheet: &mut Sheet, set: PieceSet, piece: Piece, at: DVec2) {
+    let radius = set.disc(piece).radius;
+    sheet.disc(at, radius, words::role(piece), words::letter(piece));
+}
+
+/// Coins on an otherwise empty board.
+pub(super) fn draw_pack(coins: &[Coin], set: PieceSet, area: Rect, buf: &mut Buffer, look: &Look) {
+    let mut sheet = sheet(area, look);
+    for coin in coins {
+        disc(&mut sheet, set, coin.piece, coin.at);
+    }
+    sheet.draw(buf, &look.theme);
+}
+
+/// The board as it lies.
+pub(super) fn draw_coins(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &Look) {
+    draw_pack(sitting.game().coins(), sitting.set(), area, buf, look);
+}
+
+/// The board with the striker, its aim and what helps to aim.
+pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &Look) {
+    let mut sheet = sheet(area, look);
+    let seat = sitting.seat();
+    let place = sitting.aim.place;
+    let radius = sitting.set().striker_radius();
+    let heading = sitting.aim.heading(seat);
+    let aids = sitting.options.aids;
+    let hit = sitting
+        .preview
+        .as_ref()
+        .and_then(|preview| preview.first_hit());
+    if !sitting.is_practice() {
+        own_side(&mut sheet, seat);
+    }
+    if let Some(preview) = sitting.preview.as_ref().filter(|_| aids.line) {
+        sheet.polyline(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
+    } else {
+        let from = place + radius * heading;
+        sheet.arrow(from, from + STUB * heading, Role::Aim);
+    }
+    for coin in sitting.game().coins() {
+        disc(&mut sheet, sitting.set(), coin.piece, coin.at);
+    }
+    disc(&mut sheet, sitting.set(), Piece::Striker, place);
+    if let Some(hit) = hit {
+        let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
+        if aids.ghost {
+            sheet.circle(ghost, radius, Pen::new(Role::Predicted).dotted());
+        }
+        if aids.rays && !sitting.options.call {
+            departures(&mut sheet, hit, ghost);
+        }
+    }
+    sheet.draw(buf, &look.theme);
+}
+
+/// The line of impact of a first hit; it has one, or it would be none.
+fn normal(hit: &FirstHit) -> DVec2 {
+    hit.impact.collision.normal().unwrap_or(DVec2::ZERO)
+}
+
+/// Where both leave the first hit: as far as each would slide if it met nothing.
+fn departures(sheet: &mut Sheet, hit: &FirstHit, ghost: DVec2) {
+    let outcome = hit.impact.collision.outcome();
+    let slowing = Board::default().deceleration();
+    let bodies = [
+        (ghost, outcome.v1, Role::StrikerOut),
+        (hit.at, outcome.v2, Role::CoinOut),
+    ];
+    for (from, v, role) in bodies {
+        let way = stopping_distance(v.length(), slowing).min(LONGEST_RAY);
+        if way > 1.5 * sheet.view().per_column() {
+            sheet.arrow(from, from + way * v.normalize_or_zero(), role);
+        }
+    }
+}
+
+/// Marks the side whose turn it is, between its base line and the frame.
+fn own_side(sheet: &mut Sheet, seat: Seat) {
+    let half = Board::default().side / 2.0;
+    let end = |along: f64| seat.turn(DVec2::new(along, -half));
+    sheet.line(
+        end(-0.2),
+        end(0.2),
+        Pen::new(Role::Striker).on(Layer::Trail),
+    );
+}
+
+/// A stroke at the time its clock shows.
+pub(super) fn draw_replay(
+    sitting: &Sitting,
+    replay: &Replay,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    let mut sheet = sheet(area, look);
+    for disc in 0..replay.pieces.len() {
+        trail(&mut sheet, replay, disc);
+    }
+    for (_, piece, at) in replay.discs() {
+        disc(&mut sheet, sitting.set(), piece, at);
+    }
+    if let Some(impact) = replay.impact() {
+        let [a, b] = impact
+            .discs
+            .map(|disc| replay.shot.at(disc, impact.time).position);
+        let number = replay.chosen.unwrap_or(0) + 1;
+        let share = impact.collision.striker.radius / impact.collision.reach();
+        let contact = a.lerp(b, share);
+        sheet.label(&format!("{number}"), contact, &Side::ALL, Role::Contact);
+    }
+    sheet.draw(buf, &look.theme);
+}
+
+/// Where a disc has been: fading while time runs; at the end the whole way of the
+/// striker, of the coin it met first and of what fell.
+fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
+    let now = replay.clock.time();
+    let told = replay.clock.is_over();
+    let first = replay.impacts.first().map(|impact| impact.discs[1]);
+    let fell = || replay.shot.at(disc, now).state == State::Pocketed;
+    if told && disc != 0 && first != Some(disc) && !fell() {
+        return;
+    }
+
+    let role = replay
+        .pieces
+        .get(disc)
+        .map_or(Role::Trail, |piece| words::role(*piece));
+    let pen = Pen::new(role).on(Layer::Trail);
+    let since = if told { 0.0 } else { now - FADE };
+    for leg in replay.shot.path(disc) {
+        let (start, end) = (leg.start.max(since), leg.end.min(now));
+        if start >= end {
+            continue;
+        }
+        if told {
+            sheet.line(leg.from, leg.to, pen.dotted());
+            continue;
+        }
+        let time = |i: usize| start + (end - start) * i as f64 / SHADES as f64;
+        let place = |i: usize| {
+            let share = (time(i) - leg.start) / (leg.end - leg.start);
+            // The way is straight; where on it the disc is, the shot knows.
+            match share {
+                0.0 => leg.from,
+                _ if time(i) >= leg.end => leg.to,
+                _ => replay.shot.at(disc, time(i)).position,
+            }
+        };
+        for i in 0..SHADES {
+            let age = (now - time(i + 1)) / FADE;
+            sheet.line(place(i), place(i + 1), pen.aged(age));
+        }
+    }
+}
+
+/// The board with a hand over it.
+pub(super) fn draw_arrange(
+    sitting: &Sitting,
+    arrange: &Arrange,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    let mut sheet = sheet(area, look);
+    for (i, coin) in sitting.game().coins().iter().enumerate() {
+        if arrange.held != Some(i) {
+            disc(&mut sheet, sitting.set(), coin.piece, coin.at);
+        }
+    }
+    let held = arrange.held.and_then(|i| sitting.game().coins().get(i));
+    if let Some(coin) = held {
+        disc(&mut sheet, sitting.set(), coin.piece, arrange.hand);
+    }
+    let arm = 2.5 * sheet.view().per_row();
+    let gap = 0.8 * sheet.view().per_row();
+    for way in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
+        let pen = Pen::new(Role::Key);
+        sheet.line(arrange.hand + gap * way, arrange.hand + arm * way, pen);
+    }
+    sheet.draw(buf, &look.theme);
+}

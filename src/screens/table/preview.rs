@@ -1,0 +1,120 @@
+//! What an aim will meet first: the exact way of the striker up to there.
+
+use glam::DVec2;
+
+use crate::game::{Game, Strike};
+use crate::physics::{Shot, State};
+use crate::widgets::replay::{Impact, impacts};
+
+/// The way of the striker to the first disc it meets.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Preview {
+    /// Corners of the way, from where the striker stands to where the way ends.
+    pub(super) way: Vec<DVec2>,
+    /// How it ends.
+    pub(super) end: WayEnd,
+}
+
+/// How the way of the striker ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum WayEnd {
+    /// It meets a coin.
+    Meets(FirstHit),
+    /// It falls into a pocket without touching anything.
+    Falls,
+    /// It comes to rest without touching anything.
+    Stops,
+}
+
+/// The first impact of a stroke.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FirstHit {
+    /// Which coin, counted as the game counts them.
+    pub(super) coin: usize,
+    /// Where the coin lies.
+    pub(super) at: DVec2,
+    /// The hit by itself.
+    pub(super) impact: Impact,
+}
+
+impl Preview {
+    /// What `strike` will meet first; `None` if it cannot be played.
+    pub(super) fn of(strike: &Strike, game: &Game) -> Option<Self> {
+        let shot = strike.shot(game).ok()?;
+        let first = first_hit(&shot);
+        let until = first.map_or(f64::INFINITY, |hit| hit.impact.time);
+        let mut way = vec![strike.place];
+        way.extend(
+            shot.path(0)
+                .take_while(|leg| leg.start < until)
+                .map(|leg| leg.to),
+        );
+        let end = match first {
+            Some(hit) => WayEnd::Meets(hit),
+            None if shot.at(0, shot.duration()).state == State::Pocketed => WayEnd::Falls,
+            None => WayEnd::Stops,
+        };
+        Some(Self { way, end })
+    }
+
+    /// The first impact, if there is one.
+    pub(super) fn first_hit(&self) -> Option<&FirstHit> {
+        match &self.end {
+            WayEnd::Meets(hit) => Some(hit),
+            WayEnd::Falls | WayEnd::Stops => None,
+        }
+    }
+}
+
+/// The first impact of a stroke's shot: always the striker's, as nothing else moves
+/// before it.
+pub(super) fn first_hit(shot: &Shot) -> Option<FirstHit> {
+    let impact = impacts(shot, 0).next()?;
+    let coin = impact.discs[1];
+    Some(FirstHit {
+        coin: coin.checked_sub(1)?,
+        at: shot.start(coin).position,
+        impact,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Piece, Setup};
+
+    #[test]
+    fn straight_at_the_pack_the_first_hit_is_head_on() {
+        let game = Game::new(Setup::default());
+        let strike = Strike {
+            place: DVec2::new(0.0, -0.2526),
+            velocity: DVec2::new(0.0, 4.0),
+            call: None,
+        };
+        let preview = Preview::of(&strike, &game).unwrap();
+        let hit = preview.first_hit().unwrap();
+        assert_eq!(game.coins()[hit.coin].piece, Piece::White);
+        assert!(hit.impact.collision.offset.abs() < 1e-12);
+        let reach = hit.impact.collision.reach();
+        let end = preview.way.last().unwrap();
+        assert!((end.distance(hit.at) - reach).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_striker_that_meets_nothing_is_followed_to_its_end() {
+        let game = Game::new(Setup::default());
+        let mut strike = Strike {
+            place: DVec2::new(0.0, -0.2526),
+            velocity: DVec2::new(0.3, 0.0),
+            call: None,
+        };
+        let preview = Preview::of(&strike, &game).unwrap();
+        assert_eq!((preview.end, preview.way.len()), (WayEnd::Stops, 2));
+        // Into the corner next to the base line.
+        let corner = DVec2::new(0.370 - 0.022_25, -0.370 + 0.022_25);
+        strike.velocity = (corner - strike.place).normalize() * 2.0;
+        assert_eq!(Preview::of(&strike, &game).unwrap().end, WayEnd::Falls);
+        strike.place = DVec2::ZERO;
+        assert_eq!(Preview::of(&strike, &game), None);
+    }
+}

@@ -1,0 +1,97 @@
+//! The computer's strokes and the player's hints: asked for, and what comes back.
+
+use super::{Hinted, Phase, Sitting};
+use crate::game::opponent::{Decision, Hint};
+use crate::game::{Move, Strike};
+use crate::messages::{Found, Thought, Wanted};
+use crate::physics::Motion;
+use crate::screens::Context;
+use crate::screens::table::options::Player;
+
+impl Sitting {
+    /// Whether the computer is to play and has not been asked yet.
+    pub(super) fn is_computers_turn(&self) -> bool {
+        matches!(self.phase, Phase::Aim) && self.options.player(self.seat()) == Player::Computer
+    }
+
+    /// Asks the computer for its stroke, if it is to play.
+    pub(super) fn hand_over(&mut self, cx: &mut Context) {
+        if self.is_computers_turn() {
+            let wanted = Wanted::Stroke(self.options.strength);
+            let ticket = cx.think(self.game().clone(), self.next_seed(), wanted);
+            self.phase = Phase::Think { ticket };
+        }
+    }
+
+    /// Asks for a hint; once it is there, tells more of it.
+    pub(super) fn ask_for_hint(&mut self, cx: &mut Context) {
+        match &mut self.hint {
+            Some(Hinted::Told { whole, .. }) => *whole = true,
+            Some(Hinted::Asked { .. }) => {}
+            None => {
+                let ticket = cx.think(self.game().clone(), self.next_seed(), Wanted::Hint);
+                self.hint = Some(Hinted::Asked { ticket });
+            }
+        }
+    }
+
+    /// What is left to chance in the next stroke: another each time, and the same
+    /// when the game is played again.
+    fn next_seed(&self) -> u64 {
+        let seed = self.game().setup().seed.unwrap_or(0);
+        seed.rotate_left(32) ^ self.session.len() as u64
+    }
+
+    /// Takes a thought in, if it is still waited for.
+    pub(super) fn thought(&mut self, thought: &Thought, cx: &Context) {
+        match (&self.phase, &self.hint, thought.found) {
+            (Phase::Think { ticket }, _, Found::Stroke(decision)) if *ticket == thought.ticket => {
+                match decision {
+                    Some(decision) => self.play_for_the_computer(&decision, cx),
+                    None => self.pass(),
+                }
+            }
+            (_, Some(Hinted::Asked { ticket }), Found::Hint(hint)) if *ticket == thought.ticket => {
+                self.take_hint(hint);
+            }
+            _ => {}
+        }
+    }
+
+    fn play_for_the_computer(&mut self, decision: &Decision, cx: &Context) {
+        self.phase = Phase::Aim;
+        let number = self.session.len();
+        for motion in [decision.struck(), decision.meant] {
+            self.play(strike(motion), cx);
+            if self.session.len() > number {
+                self.session.tell(number, decision.afterwards());
+                self.notice = None;
+                return;
+            }
+        }
+        // Neither can be played: somebody has to, or the game would stand still.
+        let seat = self.seat();
+        self.options.set_player(seat, Player::Person);
+    }
+
+    fn take_hint(&mut self, hint: Option<Hint>) {
+        self.hint = match hint {
+            Some(hint) => Some(Hinted::Told {
+                hint: Box::new(hint),
+                whole: false,
+            }),
+            None => {
+                self.notice = Some("There is no stroke to be found here.".into());
+                None
+            }
+        };
+    }
+}
+
+fn strike(motion: Motion) -> Move {
+    Move::Strike(Strike {
+        place: motion.position,
+        velocity: motion.velocity,
+        call: None,
+    })
+}

@@ -1,0 +1,114 @@
+//! How a game at the table looks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::sitting::{Phase, Sitting};
+use super::{panel, picture};
+use crate::game::Rules;
+use crate::screens::Context;
+use crate::widgets::Beside;
+use crate::widgets::hit::{Given, draw_setup};
+
+/// Where picture and panel are: for a whole board, which is square, or for one
+/// `enlarged` impact, which takes all there is.
+pub(super) fn layout(area: Rect, enlarged: bool) -> Beside {
+    if enlarged {
+        Beside::new(area)
+    } else {
+        Beside::square(area)
+    }
+}
+
+/// Whether what is being done is shown enlarged.
+pub(super) fn is_enlarged(sitting: &Sitting) -> bool {
+    matches!(sitting.phase, Phase::Call(_) | Phase::Impact(_))
+}
+
+/// Draws the game.
+pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context) {
+    let look = cx.settings.look();
+    let layout = layout(area, is_enlarged(sitting));
+    let (title, side_title) = titles(sitting);
+    layout.draw(buf, &look, &title, &side_title);
+    match &sitting.phase {
+        Phase::Call(calling) => {
+            let given = Given {
+                offset: true,
+                angle: true,
+            };
+            let collision = &calling.hit.impact.collision;
+            draw_setup(
+                layout.picture,
+                buf,
+                &look,
+                collision,
+                given,
+                Some(&calling.rays),
+            );
+        }
+        Phase::Impact(zoom) => zoom.watch.draw(layout.picture, buf, &look),
+        Phase::Aim => picture::draw_aim(sitting, layout.picture, buf, &look),
+        Phase::Watch(replay) => picture::draw_replay(sitting, replay, layout.picture, buf, &look),
+        Phase::Arrange(arrange) => {
+            picture::draw_arrange(sitting, arrange, layout.picture, buf, &look);
+        }
+        Phase::Think { .. } | Phase::Over => {
+            picture::draw_coins(sitting, layout.picture, buf, &look);
+        }
+    }
+    panel::draw(sitting, layout.panel, buf, cx);
+}
+
+/// The titles of picture and panel.
+fn titles(sitting: &Sitting) -> (String, String) {
+    let turn = || match sitting.options.seat_name(sitting.seat()) {
+        "you" => "your stroke".to_owned(),
+        name => format!("{name}'s stroke"),
+    };
+    match &sitting.phase {
+        Phase::Call(_) => ("call it: where to?".into(), "say it first".into()),
+        Phase::Impact(zoom) => (
+            format!("the impact, slowed {:.0}×", zoom.watch.clock().slowed()),
+            "why".into(),
+        ),
+        Phase::Arrange(_) => (board_title(sitting), "lay the coins out".into()),
+        Phase::Watch(replay) => {
+            let time = format!(
+                "{:.2} s, {}",
+                replay.clock.time(),
+                replay.clock.rate_words()
+            );
+            let name = if replay.chosen.is_some() {
+                "impacts"
+            } else {
+                "the stroke"
+            };
+            (time, name.into())
+        }
+        Phase::Aim | Phase::Think { .. } => (board_title(sitting), turn()),
+        Phase::Over => (board_title(sitting), "the end of the board".into()),
+    }
+}
+
+/// Which board it is, and the score.
+fn board_title(sitting: &Sitting) -> String {
+    use crate::game::Team::{First, Second};
+    let game = sitting.game();
+    let score = game.score();
+    let number = game.board_number();
+    match game.setup().rules {
+        Rules::Practice => "practice".into(),
+        Rules::Friendly => format!(
+            "boards won {} : {}",
+            score.games[First], score.games[Second]
+        ),
+        Rules::Tournament => format!(
+            "board {number}   {} {} : {} {}",
+            sitting.options.team_name(First),
+            score.points[First],
+            score.points[Second],
+            sitting.options.team_name(Second),
+        ),
+    }
+}
