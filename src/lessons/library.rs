@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
@@ -27,9 +27,9 @@ pub struct Library {
 impl Library {
     /// The chapters that come with the program, read once for the whole process, as
     /// they never change.
-    pub fn embedded_once() -> Arc<Self> {
-        static READ: LazyLock<Arc<Library>> = LazyLock::new(|| Arc::new(Library::embedded()));
-        Arc::clone(&READ)
+    pub fn embedded_once() -> &'static Self {
+        static READ: LazyLock<Library> = LazyLock::new(Library::embedded);
+        &READ
     }
 
     /// The chapters that come with the program.

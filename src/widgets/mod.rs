@@ -16,6 +16,8 @@ pub mod theme;
 
 mod beside;
 mod entry;
+pub mod flow;
+pub mod formula;
 pub mod hit;
 mod lines;
 mod look;
