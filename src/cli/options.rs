@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
-use crate::levels::Library;
-use crate::screens::{Settings, Shelf};
+use crate::screens::{Book, Settings, Shelf};
 use crate::widgets::{Charset, Depth};
+use crate::{lessons, levels};
 
 /// Options that every command takes.
 #[derive(Debug, Clone, Default, Args)]
@@ -29,6 +29,10 @@ pub struct Options {
     /// several times
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     levels: Vec<PathBuf>,
+    /// Folder with chapters of your own, added to those of the program; may be given
+    /// several times
+    #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
+    lessons: Vec<PathBuf>,
     /// Folder for what carrom keeps, such as crash.log (default: the system's place
     /// for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
@@ -85,6 +89,11 @@ impl Options {
             },
             seed: self.seed.or(other.seed),
             player: self.player.or(other.player),
+            lessons: if self.lessons.is_empty() {
+                other.lessons
+            } else {
+                self.lessons
+            },
             levels: if self.levels.is_empty() {
                 other.levels
             } else {
@@ -126,11 +135,24 @@ impl Options {
         if self.levels.is_empty() {
             return Shelf::default();
         }
-        let mut library = Library::embedded();
+        let mut library = levels::Library::embedded();
         for dir in &self.levels {
             library.add_dir(dir);
         }
         Shelf::new(library)
+    }
+
+    /// The chapters of the program and those of the folders given. Files that are no
+    /// good are left out and listed in the contents.
+    pub(super) fn book(&self) -> Book {
+        if self.lessons.is_empty() {
+            return Book::default();
+        }
+        let mut library = lessons::Library::embedded();
+        for dir in &self.lessons {
+            library.add_dir(dir);
+        }
+        Book::new(library)
     }
 
     /// The folder for what carrom keeps; `None` if none is given and the system

@@ -117,6 +117,11 @@ impl Shot {
         Ok(())
     }
 
+    /// Whether it says where the two meet by the offset rather than by the angle.
+    pub fn is_by_offset(&self) -> bool {
+        matches!(self.place, Place::Offset(_))
+    }
+
     /// Checks what no field can tell alone.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! What the app asks of the shell that drives it.
 
 use super::Task;
+use crate::quiz::Attempt;
 
 /// A thing only the world outside can do.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,4 +10,14 @@ pub enum Effect {
     Quit,
     /// Think, and hand the [`Thought`](super::Thought) back as an input.
     Think(Box<Task>),
+    /// Keep an answer that was given, for as long as the shell keeps anything.
+    Record(Attempt),
+    /// Write a text to a file of this name where the player will find it, and hand
+    /// back as an [`Input::Exported`](super::Input::Exported) where it is.
+    Export {
+        /// The name: letters, digits, hyphens and an ending.
+        name: String,
+        /// The text.
+        content: String,
+    },
 }

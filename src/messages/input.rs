@@ -15,6 +15,9 @@ pub enum Input {
     Resize(u16, u16),
     /// What came of an [`Effect::Think`](super::Effect::Think).
     Thought(Box<Thought>),
+    /// What came of an [`Effect::Export`](super::Effect::Export): where the file is,
+    /// or why there is none.
+    Exported(Result<String, String>),
 }
 
 impl From<Key> for Input {

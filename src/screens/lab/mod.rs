@@ -16,6 +16,7 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::hit::{Watch, drag_offset, point_at, side};
 use crate::widgets::{Beside, NumberEntry, RayInput, Scroll, Turned, Typed};
 
+pub(super) use explain::explain;
 pub use field::Field;
 pub use setup::{PIECE_SETS, PieceSet, Setup};
 
@@ -44,6 +45,14 @@ enum Phase {
 }
 
 impl Lab {
+    /// The lab with a hit set up.
+    pub fn of(setup: Setup) -> Self {
+        Self {
+            setup,
+            ..Self::default()
+        }
+    }
+
     /// The setting that keys change.
     fn field(&self) -> Field {
         Field::ALL[self.field.min(Field::ALL.len() - 1)]

@@ -6,6 +6,7 @@
 //! thought about gets a thread of its own for as long as that takes.
 
 mod crash;
+mod export;
 mod guard;
 mod message;
 mod pace;
@@ -193,6 +194,13 @@ impl Run {
             match effect {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
+                // Kept by the app for as long as it runs; nothing is stored yet.
+                Effect::Record(_) => {}
+                Effect::Export { name, content } => {
+                    let exported = Input::Exported(export::write(name, content));
+                    // Should nobody listen any more, nobody waits for it either.
+                    let _ = self.sender.send(Message::Input(exported));
+                }
             }
         }
         flow

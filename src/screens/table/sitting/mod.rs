@@ -402,7 +402,7 @@ mod tests {
         effects
             .filter_map(|effect| match effect {
                 Effect::Think(task) => Some(*task),
-                Effect::Quit => None,
+                _ => None,
             })
             .collect()
     }
