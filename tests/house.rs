@@ -7,14 +7,15 @@ use std::fs;
 use std::path::Path;
 
 /// The floors from the top, as the map in `lib.rs` draws them.
-const FLOORS: [&[&str]; 8] = [
+const FLOORS: [&[&str]; 9] = [
     &["cli"],
     &["shells"],
     &["app"],
     &["screens"],
     &["widgets"],
     &["messages"],
-    &["quiz", "levels", "game", "lessons", "progress"],
+    &["lessons"],
+    &["quiz", "levels", "game", "progress"],
     &["physics"],
 ];
 

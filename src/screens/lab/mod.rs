@@ -324,7 +324,10 @@ impl Screen for Lab {
                     "layers: line of impact, split, velocities, angles, triangle, trails, what you said",
                 ),
                 Hint::new("n", "set up another shot"),
-                Hint::new("PageUp PageDown", "scroll an explanation that is longer than its place"),
+                Hint::new(
+                    "PageUp PageDown",
+                    "scroll an explanation that is longer than its place",
+                ),
             ],
         }
     }
