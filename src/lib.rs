@@ -18,9 +18,13 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · lab · quiz · table · levels
+//!                  home · learn · lab · quiz · table · levels
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
+//!   ─────────────────────────────────────────────────────────────
+//!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
+//!   ─────────────────────────────────────────────────────────────
+//!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
@@ -37,6 +41,7 @@ pub mod app;
 pub mod cli;
 pub mod files;
 pub mod game;
+pub mod lessons;
 pub mod levels;
 pub mod messages;
 pub mod physics;

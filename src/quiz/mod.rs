@@ -8,6 +8,7 @@
 //! Nothing here draws, and nothing is random but what follows from the seed.
 
 mod answer;
+mod attempt;
 mod dice;
 mod explain;
 mod family;
@@ -22,6 +23,7 @@ mod summary;
 pub mod words;
 
 pub use answer::{Answer, Confidence};
+pub use attempt::{AskedIn, Attempt};
 pub use explain::{Explanation, explain, reasoning};
 pub use family::Family;
 pub use grade::{Grade, RayGrade};

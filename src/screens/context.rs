@@ -4,9 +4,10 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
-use super::Shelf;
+use super::{Book, Shelf};
 use crate::game::Game;
 use crate::messages::{Effect, Request, Task, Wanted, Wish};
+use crate::quiz::Attempt;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -64,6 +65,8 @@ pub struct Context {
     pub body: Rect,
     /// The levels.
     pub shelf: Shelf,
+    /// The chapters.
+    pub book: Book,
     seed: u64,
     rounds: u64,
     tickets: u64,
@@ -77,6 +80,7 @@ impl Context {
             settings,
             body: Rect::default(),
             shelf: Shelf::default(),
+            book: Book::default(),
             seed,
             rounds: 0,
             tickets: 0,
@@ -108,6 +112,16 @@ impl Context {
     pub fn ticket(&mut self) -> u64 {
         self.tickets += 1;
         self.tickets
+    }
+
+    /// Has an answer kept.
+    pub fn record(&mut self, attempt: Attempt) {
+        self.asked.push(Effect::Record(attempt));
+    }
+
+    /// Asks for a text to be written to a file of this name.
+    pub fn export(&mut self, name: String, content: String) {
+        self.asked.push(Effect::Export { name, content });
     }
 
     /// What the screens have asked of the shell since the last call.

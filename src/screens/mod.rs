@@ -1,5 +1,6 @@
 //! The screens: one folder each, with its state and update, and its view beside it.
 
+mod book;
 mod context;
 mod place;
 mod shelf;
@@ -7,6 +8,7 @@ mod why;
 
 pub mod home;
 pub mod lab;
+pub mod learn;
 pub mod levels;
 pub mod quiz;
 pub mod table;
@@ -16,6 +18,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+pub use book::{Book, Bookmark};
 pub use context::{Context, Settings};
 pub use place::Place;
 pub use shelf::Shelf;
@@ -59,7 +62,7 @@ pub trait Screen {
 }
 
 /// What follows from an input or from time that passed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
     /// The input meant nothing here; the app may use it.
     Ignored,

@@ -5,13 +5,14 @@ use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use ratatui::buffer::{Buffer, Cell};
-use unicode_width::UnicodeWidthStr;
+use ratatui::buffer::Buffer;
 
 use super::FRAME;
 use crate::app::App;
 use crate::messages::{Effect, Input, Key, Mouse, MouseKind};
+use crate::quiz::Attempt;
 use crate::store::Store;
+use crate::widgets::cells::text;
 
 /// An app with a screen in memory.
 ///
@@ -30,6 +31,8 @@ pub struct Headless {
     terminal: Terminal<TestBackend>,
     store: Store,
     quit: bool,
+    attempts: Vec<Attempt>,
+    exports: Vec<(String, String)>,
 }
 
 impl Headless {
@@ -41,6 +44,8 @@ impl Headless {
             terminal,
             store: Store::in_memory(),
             quit: false,
+            attempts: Vec::new(),
+            exports: Vec::new(),
         };
         headless.input(&Input::Resize(columns, rows));
         headless
@@ -64,6 +69,16 @@ impl Headless {
     /// Whether the app has asked to be left; from then on nothing reaches it.
     pub fn has_quit(&self) -> bool {
         self.quit
+    }
+
+    /// The answers that were given, in order.
+    pub fn attempts(&self) -> &[Attempt] {
+        &self.attempts
+    }
+
+    /// What was exported, kept in memory: names and contents.
+    pub fn exports(&self) -> &[(String, String)] {
+        &self.exports
     }
 
     /// Hands one input over.
@@ -163,6 +178,11 @@ impl Headless {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));
                 }
+                Effect::Record(attempt) => self.attempts.push(attempt.clone()),
+                Effect::Export { name, content } => {
+                    self.exports.push((name.clone(), content.clone()));
+                    self.input(&Input::Exported(Ok(name.clone())));
+                }
             }
         }
     }
@@ -175,47 +195,11 @@ impl From<App> for Headless {
     }
 }
 
-/// The rows of a screen, without the blanks at their ends, a line break after
-/// each.
-pub fn text(buffer: &Buffer) -> String {
-    let mut text = String::new();
-    for cells in rows(buffer) {
-        let start = text.len();
-        for (_, cell) in symbols(cells) {
-            text.push_str(cell.symbol());
-        }
-        let end = start + text[start..].trim_end().len();
-        text.truncate(end);
-        text.push('\n');
-    }
-    text
-}
-
-/// The cells of each row.
-pub(super) fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
-    let columns = usize::from(buffer.area.width).max(1);
-    buffer.content.chunks(columns)
-}
-
-/// The cells of a row that show something of their own, with their columns: a
-/// wide symbol hides the cell after it.
-pub(super) fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
-    let mut next = 0;
-    cells.iter().enumerate().filter(move |(column, cell)| {
-        let shown = *column >= next;
-        if shown {
-            next = column + cell.symbol().width().max(1);
-        }
-        shown
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::screens::{Context, Help, Hint, Next, Place, Screen, Settings};
     use ratatui::layout::Rect;
-    use ratatui::style::Style;
 
     /// Counts what it is told, and moves for a second after a space.
     #[derive(Default)]
@@ -311,12 +295,5 @@ mod tests {
                 if columns == 0 { 0 } else { rows.into() }
             );
         }
-    }
-
-    #[test]
-    fn a_wide_symbol_takes_two_cells() {
-        let mut buffer = Buffer::empty(Rect::new(0, 0, 6, 1));
-        buffer.set_string(0, 0, "a球b", Style::new());
-        assert_eq!(text(&buffer), "a球b\n");
     }
 }

@@ -15,6 +15,11 @@ pub struct Scroll {
 }
 
 impl Scroll {
+    /// Rows that are scrolled away.
+    pub fn rows(self) -> u16 {
+        self.rows
+    }
+
     /// Scrolls down by `rows` (up if negative), no further than to the last row of
     /// what `write` writes into `area`.
     pub fn by(&mut self, rows: i16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) {
@@ -47,7 +52,7 @@ impl Scroll {
 }
 
 /// Rows of what `write` writes that `area` has no room for.
-fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
+pub fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
     let mut scratch = Buffer::empty(area);
     let mut lines = Lines::new(area, &mut scratch, look);
     write(&mut lines);

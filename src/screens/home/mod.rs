@@ -44,7 +44,13 @@ struct Choice {
     place: Place,
 }
 
-const CHOICES: [Choice; 4] = [
+const CHOICES: [Choice; 5] = [
+    Choice {
+        key: 'c',
+        name: "Learn",
+        about: ["chapter by chapter, with", "figures that obey you"],
+        place: Place::Learn,
+    },
     Choice {
         key: 'l',
         name: "Lab",

@@ -20,6 +20,7 @@ use crate::widgets::{Beside, NumberEntry, RayInput, Scroll, Turned, Typed};
 
 use mystery::Mystery;
 
+pub(super) use explain::explain;
 pub use field::Field;
 pub use setup::{PIECE_SETS, PieceSet, Setup};
 
@@ -50,6 +51,14 @@ enum Phase {
 }
 
 impl Lab {
+    /// The lab with a hit set up.
+    pub fn of(setup: Setup) -> Self {
+        Self {
+            setup,
+            ..Self::default()
+        }
+    }
+
     /// The setting that keys change.
     fn field(&self) -> Field {
         Field::ALL[self.field.min(Field::ALL.len() - 1)]

@@ -7,6 +7,7 @@
 //! keeps its games.
 
 mod crash;
+mod export;
 mod guard;
 mod keeper;
 mod message;
@@ -201,6 +202,13 @@ impl Run {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
                 Effect::Keep(request) => self.keeper.ask(request, &self.sender),
+                // Kept by the app for as long as it runs; nothing is stored yet.
+                Effect::Record(_) => {}
+                Effect::Export { name, content } => {
+                    let exported = Input::Exported(export::write(name, content));
+                    // Should nobody listen any more, nobody waits for it either.
+                    let _ = self.sender.send(Message::Input(exported));
+                }
             }
         }
         flow
