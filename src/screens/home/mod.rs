@@ -40,7 +40,7 @@ fn worked_shot() -> Collision {
 struct Choice {
     key: char,
     name: &'static str,
-    about: [&'static str; 2],
+    about: &'static str,
     place: Place,
 }
 
@@ -48,34 +48,31 @@ const CHOICES: [Choice; 5] = [
     Choice {
         key: 'c',
         name: "Learn",
-        about: ["chapter by chapter, with", "figures that obey you"],
+        about: "chapters, read by doing",
         place: Place::Learn,
     },
     Choice {
         key: 'l',
         name: "Lab",
-        about: [
-            "set up a hit, say where they",
-            "go, watch it slowed, see why",
-        ],
+        about: "one hit: set it, say, watch",
         place: Place::Lab,
     },
     Choice {
         key: 'z',
         name: "Quiz",
-        about: ["ten hits to predict; find out", "what you really think"],
+        about: "ten hits to predict",
         place: Place::Quiz { seed: None },
     },
     Choice {
         key: 't',
         name: "Table",
-        about: ["carrom itself: the whole board,", "and every hit explained"],
+        about: "carrom, every hit explained",
         place: Place::Table,
     },
     Choice {
         key: 'v',
         name: "Levels",
-        about: ["small puzzles on the board,", "solved by aiming"],
+        about: "puzzles, solved by aiming",
         place: Place::Levels,
     },
 ];

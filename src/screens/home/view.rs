@@ -10,8 +10,6 @@ use crate::widgets::{Lines, Role};
 
 /// Columns of the menu.
 const MENU: u16 = 36;
-/// Rows of a choice, with the empty one after it.
-const CHOICE_ROWS: u16 = 4;
 /// Rows above the first choice.
 const HEAD_ROWS: u16 = 3;
 
@@ -40,11 +38,11 @@ pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
     (choice < CHOICES.len()).then_some(choice)
 }
 
-/// Where there is not room for all choices with what they are about, each takes
-/// a row.
+/// A choice takes a row for its name, one for what it is about and an empty one, as
+/// far as there is room for all of them.
 fn rows_of_a_choice(menu: Rect) -> u16 {
-    let roomy = HEAD_ROWS + CHOICE_ROWS * CHOICES.len() as u16;
-    if roomy <= menu.height { CHOICE_ROWS } else { 1 }
+    let room = menu.height.saturating_sub(HEAD_ROWS);
+    (room / CHOICES.len() as u16).clamp(1, 3)
 }
 
 /// Draws the menu beside a hit.
@@ -68,9 +66,9 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
         };
         lines.line(&format!("{mark} {}  {} ", choice.key, choice.name), role);
         if rows > 1 {
-            for about in choice.about {
-                lines.line(&format!("     {about}"), Role::Dim);
-            }
+            lines.line(&format!("     {}", choice.about), Role::Dim);
+        }
+        if rows > 2 {
             lines.line("", Role::Text);
         }
     }
