@@ -18,7 +18,7 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · learn · lab · quiz · table · levels
+//!                  home · learn · lab · foil · quiz · table · levels
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
