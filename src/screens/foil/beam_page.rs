@@ -150,12 +150,12 @@ pub(super) fn write(foil: &Foil, lines: &mut Lines, cx: &Context) {
     }
     lines.paragraph(&reason(run.law(), share), Role::Text);
     lines.gap();
-    let off = (back as f64).sqrt().max(1.0);
+    // The standard deviation of a count with this share, √(n p (1 − p)).
+    let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
     lines.paragraph(
         &format!(
-            "Chance alone makes a count of {} differ by about {}, its square root.",
-            words::count(back),
-            words::count(off.round() as u64)
+            "By chance alone such a count differs by about {} from one beam to the next.",
+            words::count(words::rounded(chance.max(1.0)) as u64)
         ),
         Role::Dim,
     );

@@ -55,9 +55,9 @@ mod tests {
 
     #[test]
     fn the_nearest_answer_is_right_and_others_are_told_how_far_off() {
-        assert!(explain(0.7, 0.7071).starts_with("You said so"));
+        assert!(explain(0.7, 0.707).starts_with("You said so"));
         assert!(explain(1e-5, 8.5e-6).starts_with("You said so"));
         assert!(explain(0.5, 8.5e-6).contains("58,800 times as many"));
-        assert!(explain(0.5, 0.7071).contains("1.4 times what you expected"));
+        assert!(explain(0.5, 0.707).contains("1.4 times what you expected"));
     }
 }

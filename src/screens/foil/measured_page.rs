@@ -12,10 +12,34 @@ use crate::widgets::ink::{Pen, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Lines, Look, Role};
 
-/// Two series: name, which count, symbol in ASCII and in Unicode, role.
-const METALS: [(&str, fn(&Angle) -> f64, [char; 2], Role); 2] = [
-    ("gold", |angle| angle.gold, ['o', '●'], Role::CoinOut),
-    ("silver", |angle| angle.silver, ['x', '×'], Role::StrikerOut),
+/// A metal and how it is shown.
+struct Metal {
+    name: &'static str,
+    count: fn(&Angle) -> f64,
+    /// Its mark in ASCII and in Unicode.
+    marks: [char; 2],
+    role: Role,
+}
+
+impl Metal {
+    fn mark(&self, charset: Charset) -> char {
+        self.marks[usize::from(charset == Charset::Unicode)]
+    }
+}
+
+const METALS: [Metal; 2] = [
+    Metal {
+        name: "gold",
+        count: |angle| angle.gold,
+        marks: ['o', '●'],
+        role: Role::CoinOut,
+    },
+    Metal {
+        name: "silver",
+        count: |angle| angle.silver,
+        marks: ['x', '×'],
+        role: Role::StrikerOut,
+    },
 ];
 
 /// The title of the picture.
@@ -30,7 +54,7 @@ pub(super) fn title(levelled: bool) -> &'static str {
 /// The two series, or why they cannot be had.
 fn series() -> Result<[Option<Series>; 2], String> {
     let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
-    Ok(METALS.map(|(_, of, ..)| Series::new(&angles, of)))
+    Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
 }
 
 /// Draws the counts: against 1/sin⁴(φ/2), or as what they are above the law.
@@ -62,19 +86,13 @@ pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
     plot.draw(buf);
 }
 
-type Metal = (&'static str, fn(&Angle) -> f64, [char; 2], Role);
-
-fn symbol(metal: &Metal, charset: Charset) -> char {
-    metal.2[usize::from(charset == Charset::Unicode)]
-}
-
 /// Counts with the line that the law draws through them.
 fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
-    let (name, _, _, role) = *metal;
+    let Metal { name, role, .. } = *metal;
     let line = [1.0, 5000.0].map(|law| dvec2(law, law * series.scale));
     plot.curve(line, Role::Dim);
     for (_, law, count) in &series.points {
-        plot.mark(dvec2(*law, *count), symbol(metal, look.charset), role);
+        plot.mark(dvec2(*law, *count), metal.mark(look.charset), role);
     }
     if let Some((_, law, count)) = series.points.get(series.points.len() / 2) {
         let sides = if name == "gold" {
@@ -83,7 +101,7 @@ fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
             [Side::BelowRight, Side::Right]
         };
         plot.label(
-            &format!("{name} {}", symbol(metal, look.charset)),
+            &format!("{name} {}", metal.mark(look.charset)),
             dvec2(*law, *count),
             &sides,
             role,
@@ -93,7 +111,7 @@ fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
 
 /// What each count is above the law, in per cent, and the band of gold.
 fn levels(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
-    let (name, _, _, role) = *metal;
+    let Metal { name, role, .. } = *metal;
     let percent = |excess: f64| 100.0 * excess;
     if name == "gold" {
         let (low, high) = series.band();
@@ -104,7 +122,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
     }
     for point in &series.points {
         let at = dvec2(point.1, percent(series.excess(*point)));
-        plot.mark(at, symbol(metal, look.charset), role);
+        plot.mark(at, metal.mark(look.charset), role);
     }
     // In the upper left corner there is nothing to see.
     let mut at = dvec2(1.5, 35.0);
@@ -116,7 +134,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
         }
         at.y = 42.0;
     }
-    let legend = format!("{} {name}", symbol(metal, look.charset));
+    let legend = format!("{} {name}", metal.mark(look.charset));
     plot.label(&legend, at, &[Side::Right], role);
 }
 
@@ -150,7 +168,7 @@ pub(super) fn write(lines: &mut Lines) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     lines.paragraph(
         &format!(
-            "Gold went from {least} to {}, {}-fold, and stays between {} and {} of the law. That is not nothing: at small angles the counts are too high. Silver: {} to {}. Enter shows it enlarged.",
+            "Gold went from {least} to {}, {}-fold, and stays between {} and {} of the law. That is not nothing: at small angles the counts are too high. Silver: {} to {}. The second plot (Enter) enlarges it.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -162,7 +180,7 @@ pub(super) fn write(lines: &mut Lines) {
     );
     lines.gap();
     lines.paragraph(
-        "The two were never counted on one scale, so each has a line of its own. Where the line lies is fitted; how steep it is, is not.",
+        "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has a scale of its own again: it cannot be joined to this one, and is not.",
         Role::Dim,
     );
     lines.gap();

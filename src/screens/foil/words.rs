@@ -19,7 +19,7 @@ pub fn share(share: f64) -> String {
         return format!("{:.1} %", 100.0 * share);
     }
     let one_in = 1.0 / share;
-    if !(one_in < 1e15) {
+    if one_in.is_nan() || one_in >= 1e15 {
         return "none".into();
     }
     format!("1 in {}", count(rounded(one_in) as u64))

@@ -181,11 +181,11 @@ impl Plot {
         }
     }
 
-    /// Every column takes the bar that its middle is in.
+    /// Every column but that of the axis takes the bar that its middle is in.
     fn draw_bars(&self, buf: &mut Buffer) {
         let paper = self.paper();
         let view = self.sheet.view();
-        for column in paper.left()..paper.right() {
+        for column in paper.left() + 1..paper.right() {
             let x = view.world_at(column, paper.y).x;
             let over = |bar: &&Bar| bar.from <= x && x < bar.to;
             let Some(bar) = self.bars.iter().find(over) else {
