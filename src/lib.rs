@@ -18,7 +18,7 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · learn · lab · quiz · table · levels
+//!                  home · learn · lab · foil · quiz · table · levels
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
@@ -30,6 +30,8 @@
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
+//!   beams/         particles thrown by the million and counted; Geiger and Marsden's
+//!                  own counts  (data: assets/)
 //!   ─────────────────────────────────────────────────────────────
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-
 //!                  driven engine and the exact record of a shot. Knows no game, no
@@ -38,6 +40,7 @@
 //! ```
 
 pub mod app;
+pub mod beams;
 pub mod cli;
 pub mod files;
 pub mod game;

@@ -11,10 +11,11 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 6] = [
+const PLACES: [Place; 7] = [
     Place::Home,
     Place::Lab,
     Place::Quiz { seed: None },
+    Place::Foil,
     Place::Table,
     Place::Levels,
     Place::Level { number: 4 },

@@ -16,7 +16,7 @@ const FLOORS: [&[&str]; 10] = [
     &["widgets"],
     &["messages"],
     &["lessons"],
-    &["quiz", "levels", "game", "progress"],
+    &["quiz", "levels", "game", "beams", "progress"],
     &["physics", "files"],
 ];
 

@@ -12,6 +12,7 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Effect, Input, Key, Mouse};
+use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
@@ -253,6 +254,7 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
+            Place::Foil => Box::new(Foil::default()),
             Place::Table => Box::new(Table::default()),
         };
         self.stack.push(screen);

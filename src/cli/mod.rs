@@ -84,6 +84,8 @@ enum Screen {
     },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
     Lab,
+    /// Open the foil: beams of particles, from the carrom board to the atom
+    Foil,
     /// Open the quiz: ten hits to predict (with --seed N always the same ten)
     Quiz,
     /// Open the table: carrom itself, the whole board
@@ -118,6 +120,7 @@ impl Screen {
             Self::Lab => Place::Lab,
             // The first round takes the app's own seed.
             Self::Quiz => Place::Quiz { seed: None },
+            Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Levels { name: None } => Place::Levels,
             Self::Levels { name: Some(name) } => {

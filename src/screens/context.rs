@@ -129,6 +129,11 @@ impl Context {
         std::mem::take(&mut self.asked)
     }
 
+    /// The app's own seed.
+    pub const fn seed(&self) -> u64 {
+        self.seed
+    }
+
     /// The seed of the next round: the app's own seed first, then others that
     /// follow from it.
     pub fn next_seed(&mut self) -> u64 {

@@ -6,6 +6,7 @@ mod place;
 mod shelf;
 mod why;
 
+pub mod foil;
 pub mod home;
 pub mod lab;
 pub mod learn;

@@ -26,6 +26,8 @@ pub enum Place {
         /// The code of the round; `None` takes the app's next.
         seed: Option<u64>,
     },
+    /// The foil: beams of many particles.
+    Foil,
     /// The table: carrom itself.
     Table,
     /// The list of levels.

@@ -100,7 +100,9 @@ const fn spelling(letter: char) -> &'static str {
         'η' => "eta",
         'θ' | 'ϑ' => "theta",
         'λ' => "lambda",
-        'μ' | 'µ' => "mu",
+        'μ' => "mu",
+        // The micro of a unit.
+        'µ' => "u",
         'ν' => "nu",
         'π' => "pi",
         'ρ' => "rho",
@@ -203,6 +205,7 @@ mod tests {
             ("m⁴, 3.7·10⁻²⁷ m⁻²", "m^4, 3.7.10^-27 m^-2"),
             ("2√3 or √(a + b)", "2 sqrt 3 or sqrt (a + b)"),
             ("“far” — it’s", "\"far\" -- it's"),
+            ("0.21 µm", "0.21 um"),
             ("plain", "plain"),
         ] {
             assert_eq!(Charset::Ascii.text(written), spelt);

@@ -44,7 +44,7 @@ struct Choice {
     place: Place,
 }
 
-const CHOICES: [Choice; 5] = [
+const CHOICES: [Choice; 6] = [
     Choice {
         key: 'c',
         name: "Learn",
@@ -74,6 +74,12 @@ const CHOICES: [Choice; 5] = [
         name: "Levels",
         about: "puzzles, solved by aiming",
         place: Place::Levels,
+    },
+    Choice {
+        key: 'f',
+        name: "Foil",
+        about: "beams: from board to atom",
+        place: Place::Foil,
     },
 ];
 
