@@ -15,11 +15,6 @@ pub struct Scroll {
 }
 
 impl Scroll {
-    /// Rows that are scrolled away.
-    pub fn rows(self) -> u16 {
-        self.rows
-    }
-
     /// Scrolls down by `rows` (up if negative), no further than to the last row of
     /// what `write` writes into `area`.
     pub fn by(&mut self, rows: i16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) {

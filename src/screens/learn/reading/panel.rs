@@ -30,7 +30,10 @@ pub(super) fn choice_at(
     let mut lines = Lines::new(area, &mut scratch, look);
     let mut starts = Vec::new();
     write_noting(reading, &mut lines, |line, row| starts.push((line, row)));
-    let row = row - area.y + reading.scroll.rows();
+    let scrolled = reading
+        .scroll
+        .rows(area, look, |lines| write(reading, lines));
+    let row = row.saturating_sub(area.y) + scrolled;
     let is_last = starts.last().is_some_and(|(_, start)| row > start + 3);
     let line = starts.into_iter().rfind(|(_, start)| *start <= row)?;
     (!is_last).then_some(line.0)
