@@ -141,7 +141,7 @@ impl Shown {
     /// Its title.
     pub(super) fn title(&self) -> String {
         if self.hidden && self.covers_outcome() {
-            return "where will they go?".into();
+            return "before the hit".into();
         }
         match self.figure.kind {
             FigureKind::Lab | FigureKind::Split => "the hit".into(),

@@ -130,7 +130,10 @@ fn number_told(
     let (_, unit) = sign_and_unit(expected);
     // As many decimals as the tolerance asks for.
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
-    let shown = |value: f64| format!("{value:.decimals$} {unit}").replace('-', "−");
+    let shown = |value: f64| {
+        let gap = if unit == "°" { "" } else { " " };
+        format!("{value:.decimals$}{gap}{unit}").replace('-', "−")
+    };
     let role = if right { Role::Good } else { Role::Warn };
     lines.pair("you said", &shown(number), Role::Dim, role);
     if let Some(truth) = truth(expected, figure) {
