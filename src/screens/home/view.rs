@@ -40,11 +40,14 @@ pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
     (choice < CHOICES.len()).then_some(choice)
 }
 
-/// Where there is not room for all choices with what they are about, each takes
-/// a row.
+/// Where there is not room for all choices with what they are about, the empty rows
+/// between them go first.
 fn rows_of_a_choice(menu: Rect) -> u16 {
-    let roomy = HEAD_ROWS + CHOICE_ROWS * CHOICES.len() as u16;
-    if roomy <= menu.height { CHOICE_ROWS } else { 1 }
+    let fits = |rows: &u16| HEAD_ROWS + rows * CHOICES.len() as u16 <= menu.height;
+    [CHOICE_ROWS, CHOICE_ROWS - 1]
+        .into_iter()
+        .find(fits)
+        .unwrap_or(1)
 }
 
 /// Draws the menu beside a hit.
@@ -71,6 +74,8 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
             for about in choice.about {
                 lines.line(&format!("     {about}"), Role::Dim);
             }
+        }
+        if rows == CHOICE_ROWS {
             lines.line("", Role::Text);
         }
     }

@@ -282,7 +282,7 @@ impl Reading {
         let area = view::layout(self, cx.body).panel;
         let mut scroll = self.scroll;
         scroll.by(rows, area, cx.settings.look(), |lines| {
-            panel::write(self, lines)
+            panel::write(self, lines);
         });
         let moved = scroll != self.scroll;
         self.scroll = scroll;

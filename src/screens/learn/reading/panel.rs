@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::Reading;
 use crate::lessons::{Asked, Checkpoint, Choice};
 use crate::physics::Collision;
-use crate::quiz::Rays;
+use crate::quiz::{self, Confidence, Rays};
 use crate::screens::lab::explain;
 use crate::screens::learn::answer::{Answer, sign_and_unit, truth};
 use crate::screens::learn::figure::Shown;
@@ -105,7 +105,17 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
         );
     }
     lines.gap();
-    let (title, text) = explain(&figure.setup(), watch);
+    let (title, text) = match figure.question_by_angle() {
+        Some(question) => {
+            let answer = quiz::Answer {
+                rays: *rays,
+                confidence: Confidence::ThinkSo,
+            };
+            let explanation = quiz::explain(&question, &answer);
+            (explanation.title.into(), explanation.text)
+        }
+        None => explain(&figure.setup(), watch),
+    };
     if !title.is_empty() {
         lines.paragraph(&title, Role::Title);
     }

@@ -48,7 +48,7 @@ pub(super) fn draw(reading: &Reading, area: Rect, buf: &mut Buffer, cx: &Context
         figure.draw(layout.picture, buf, &look, rays);
     }
     reading.scroll.draw(layout.panel, buf, look, |lines| {
-        panel::write(reading, lines)
+        panel::write(reading, lines);
     });
     if let Some(notice) = &reading.notice {
         let row = Rect {
