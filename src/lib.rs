@@ -24,8 +24,6 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   ─────────────────────────────────────────────────────────────
-//!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
-//!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent

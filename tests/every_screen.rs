@@ -11,9 +11,12 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 7] = [
+const PLACES: [Place; 10] = [
     Place::Home,
     Place::Lab,
+    Place::Learn,
+    Place::Chapter { number: 2 },
+    Place::Chapter { number: 3 },
     Place::Quiz { seed: None },
     Place::Foil,
     Place::Table,

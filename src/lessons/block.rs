@@ -57,10 +57,9 @@ pub(super) fn read(
             .strip_prefix("$$")
             .and_then(|rest| rest.strip_suffix("$$"));
         let (item, rest) = item(text);
-        if text.is_empty() || formula.is_some() || item.is_some() {
-            if let Some(open) = open.take() {
-                blocks.push(open.close(source, meaning)?);
-            }
+        let ends = text.is_empty() || formula.is_some() || item.is_some();
+        if let Some(done) = open.take_if(|_| ends) {
+            blocks.push(done.close(source, meaning)?);
         }
         if let Some(formula) = formula {
             let formula = Formula::read(formula);

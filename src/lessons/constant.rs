@@ -67,8 +67,11 @@ impl Fields {
 /// The solid angle of 1 mm² at 1 cm, in steradians.
 const SCREEN: f64 = 1e-6 / 1e-4;
 
+/// How a number follows from its fields.
+type Formula = fn(&Fields) -> Option<f64>;
+
 /// Names and how each is computed.
-const ALL: [(&str, fn(&Fields) -> Option<f64>); 8] = [
+const ALL: [(&str, Formula); 8] = [
     ("board_share", |f| Some(Beam::Board.share_beyond(f.angle()))),
     ("space_share", |f| Some(Beam::Space.share_beyond(f.angle()))),
     ("rutherford_d_fm", |f| {
@@ -95,7 +98,7 @@ const ALL: [(&str, fn(&Fields) -> Option<f64>); 8] = [
 /// A number that follows from no collision.
 #[derive(Debug, Clone, Copy)]
 pub struct Constant {
-    of: fn(&Fields) -> Option<f64>,
+    of: Formula,
     fields: Fields,
 }
 

@@ -62,7 +62,7 @@ pub(super) fn read(
         rest = after;
     }
     plain.push_str(rest);
-    markdown(&plain, kept).map_err(|message| source.fault(line, message))
+    markdown(&plain, &kept).map_err(|message| source.fault(line, message))
 }
 
 fn stand_in(number: usize) -> Option<char> {
@@ -117,13 +117,13 @@ fn agreed(name: &str, written: &Written, truth: Option<f64>) -> Result<Piece, St
 }
 
 /// The pieces of a text with stand-ins for those that are kept.
-fn markdown(text: &str, kept: Vec<Piece>) -> Result<Vec<Piece>, String> {
+fn markdown(text: &str, kept: &[Piece]) -> Result<Vec<Piece>, String> {
     let mut pieces = Vec::new();
     let mut tones = vec![Tone::Plain];
     for event in Parser::new_ext(text, Options::empty()) {
         let tone = tones.last().copied().unwrap_or(Tone::Plain);
         match event {
-            Event::Text(words) => substitute(&words, tone, &kept, &mut pieces),
+            Event::Text(words) => substitute(&words, tone, kept, &mut pieces),
             Event::Code(words) => pieces.push(Piece::Text(words.to_string(), Tone::Key)),
             Event::SoftBreak | Event::HardBreak => pieces.push(Piece::Text(" ".into(), tone)),
             Event::Start(Tag::Emphasis) => tones.push(Tone::Emphasis),

@@ -135,7 +135,7 @@ impl Screen for Home {
             text: vec![
                 "carrom teaches one thing well: what happens when one disc hits another off-centre.",
                 "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
-                "New here? Open the lab and press Enter.",
+                "New here? Open Learn for the whole story, or the lab and press Enter.",
             ],
             keys: self.keys(_cx),
         }

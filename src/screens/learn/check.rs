@@ -8,7 +8,7 @@ use super::reading::Reading;
 use crate::lessons::{Asked, Block, Chapter, Fault, Page};
 use crate::quiz::Rays;
 use crate::screens::{Context, Screen, Settings};
-use crate::widgets::{Charset, formula, text};
+use crate::widgets::{Beside, Charset, formula, text};
 
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
@@ -44,13 +44,15 @@ pub fn check(chapter: &Chapter) -> Vec<Fault> {
 /// Every answer that is answered differently.
 fn answers(asked: &Asked) -> Vec<Answer> {
     match asked {
-        // Straight ahead, both: wrong in most ways there are.
+        // Straight ahead, half and half, thrown back: each is explained at length.
         Asked::Rays => {
-            let ahead = Rays {
-                striker: Some(0.0),
-                target: Some(0.0),
+            let rays = |degrees: f64| Rays {
+                striker: Some(degrees.to_radians()),
+                target: Some(degrees.to_radians()),
             };
-            vec![Answer::Rays(ahead)]
+            [0.0, 45.0, 150.0]
+                .map(|degrees| Answer::Rays(rays(degrees)))
+                .to_vec()
         }
         Asked::Number { .. } => vec![Answer::Number(-123.0)],
         Asked::Choice(choices) => (0..choices.len()).map(Answer::Choice).collect(),
@@ -90,7 +92,12 @@ fn name(charset: Charset) -> &'static str {
 
 /// Formulas that are wider than the text.
 fn formulas(chapter: &Chapter, page: &Page, charset: Charset) -> Vec<Fault> {
-    let room = usize::from(crate::widgets::Beside::square(BODY).panel.width).saturating_sub(4);
+    let layout = match page.figure {
+        Some(_) => Beside::square(BODY),
+        None => Beside::text_alone(BODY),
+    };
+    // Less the margin, and what formulas are set in by.
+    let room = usize::from(layout.panel.width).saturating_sub(3);
     let checkpoint = page.checkpoint.iter();
     let asked =
         checkpoint.flat_map(|checkpoint| checkpoint.question.iter().chain(&checkpoint.after));

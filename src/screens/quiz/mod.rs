@@ -11,7 +11,9 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::quiz::{Answer, Confidence, Question, Round, Summary};
+use crate::quiz::{
+    Answer, AskedIn, Attempt, Confidence, Grade, Question, Round, Summary, diagnose,
+};
 use crate::widgets::hit::{Layers, Watch, point_at};
 use crate::widgets::{Beside, RayInput, Scroll, Turned};
 
@@ -91,12 +93,29 @@ impl Quiz {
         self.scroll = Scroll::default();
     }
 
+    /// Has an answer kept.
+    fn record(&self, question: &Question, answer: &Answer, cx: &mut Context) {
+        let grade = Grade::new(question, answer);
+        let diagnosis = diagnose(question, answer);
+        cx.record(Attempt {
+            asked: AskedIn::Round {
+                seed: self.round.seed(),
+                number: self.answers.len(),
+            },
+            credit: grade.credit(),
+            right: grade.is_right(),
+            confidence: Some(answer.confidence),
+            misconception: diagnosis.map(|diagnosis| diagnosis.misconception.name),
+        });
+    }
+
     /// Takes the answer and shows the hit.
-    fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &Context) {
+    fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &mut Context) {
         let answer = Answer {
             rays: asked.rays.said(),
             confidence,
         };
+        self.record(&asked.question, &answer, cx);
         self.answers.push(answer);
         let collision = asked.question.collision();
         let watch = Watch::new(collision, Some(answer.rays), cx.settings.reduced_motion)
@@ -157,7 +176,7 @@ impl Quiz {
         Next::Stay
     }
 
-    fn confidence_key(&mut self, key: Key, cx: &Context) -> Next {
+    fn confidence_key(&mut self, key: Key, cx: &mut Context) -> Next {
         let Phase::Confidence(asked, chosen) = &mut self.phase else {
             return Next::Ignored;
         };
@@ -230,7 +249,7 @@ impl Quiz {
         Next::Stay
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let layout = Beside::new(cx.body);
         let cell = (mouse.column, mouse.row);
         let on_picture =

@@ -174,7 +174,7 @@ fn mark(plot: &mut Plot, look: &Look, at: DVec2, role: Role) {
 /// Only what can be seen in a small picture.
 fn bare() -> Layers {
     let mut layers = Layers::default();
-    for layer in [Layer::Angles, Layer::Triangle, Layer::Trails] {
+    for layer in [Layer::Lines, Layer::Angles, Layer::Triangle, Layer::Trails] {
         layers.toggle(layer);
     }
     layers

@@ -25,7 +25,7 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, look: &Look) {
         sheet.polyline(track(d, offset * d), Pen::new(Role::StrikerOut));
     }
     sheet.circle(DVec2::ZERO, d, Pen::new(Role::Arc).dotted());
-    sheet.disc(DVec2::ZERO, 0.12 * d, Role::Queen, '+');
+    sheet.disc(DVec2::ZERO, 0.1 * d, Role::Coin, ' ');
     sheet.reserve(DVec2::ZERO);
     let text = format!("d = {:.1} fm", d / FM);
     let below = DVec2::new(0.0, -d);

@@ -22,14 +22,15 @@ pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
 
 /// Draws them side by side where there is room, else one above the other.
 pub(super) fn draw(watches: &[Watch; 2], area: Rect, buf: &mut Buffer, look: &Look) {
-    let wide = area.width >= 3 * area.height;
+    let wide = area.width + 2 >= area.height.saturating_mul(2);
     let halves = if wide {
-        let width = area.width / 2;
+        // Of one size, so that they are drawn alike: the middle column may be shared.
+        let width = area.width.div_ceil(2);
         [
             Rect { width, ..area },
             Rect {
-                x: area.x + width,
-                width: area.width - width,
+                x: area.right() - width,
+                width,
                 ..area
             },
         ]
@@ -44,7 +45,7 @@ pub(super) fn draw(watches: &[Watch; 2], area: Rect, buf: &mut Buffer, look: &Lo
             },
         ]
     };
-    let names = ["from the board", "from the centre of mass"];
+    let names = ["the board", "centre of mass"];
     for ((watch, half), name) in watches.iter().zip(halves).zip(names) {
         let picture = Rect {
             y: half.y + 1.min(half.height),

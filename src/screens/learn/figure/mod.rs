@@ -14,9 +14,9 @@ use ratatui::layout::Rect;
 
 use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
-use crate::physics::Collision;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::quiz::Rays;
+use crate::physics::{Bond, Collision, Meeting};
+use crate::quiz::{self, Question, Rays};
 use crate::screens::lab::{Field, Setup};
 use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, draw_setup_of, point_at};
 use crate::widgets::{Look, RayInput};
@@ -97,6 +97,21 @@ impl Shown {
         Setup::of(&self.collision)
     }
 
+    /// The question of where both will go, where it is given by the impact angle and
+    /// one of the quiz's kind: smooth discs that meet, one of them at rest.
+    pub(super) fn question_by_angle(&self) -> Option<Question> {
+        let collision = &self.collision;
+        let hit = collision.outcome().meeting == Meeting::Hit;
+        let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
+        let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
+        by_angle.then(|| Question {
+            given: quiz::Given::Angle {
+                alpha_deg: self.alpha_deg(),
+            },
+            ..self.setup().question()
+        })
+    }
+
     /// Whether it is the foil, which has a screen of its own.
     pub(super) fn is_foil(&self) -> bool {
         self.figure.kind == FigureKind::Foil
@@ -141,7 +156,7 @@ impl Shown {
     /// Its title.
     pub(super) fn title(&self) -> String {
         if self.hidden && self.covers_outcome() {
-            return "where will they go?".into();
+            return "before the hit".into();
         }
         match self.figure.kind {
             FigureKind::Lab | FigureKind::Split => "the hit".into(),

@@ -35,7 +35,7 @@ pub(super) fn title(collision: &Collision) -> &'static str {
 
 /// The rows for the picture and those for what it says.
 fn rooms(area: Rect) -> (Rect, Rect) {
-    let words = 4.min(area.height);
+    let words = 2.min(area.height);
     let picture = Rect {
         height: area.height - words,
         ..area

@@ -282,7 +282,7 @@ impl Reading {
         let area = view::layout(self, cx.body).panel;
         let mut scroll = self.scroll;
         scroll.by(rows, area, cx.settings.look(), |lines| {
-            panel::write(self, lines)
+            panel::write(self, lines);
         });
         let moved = scroll != self.scroll;
         self.scroll = scroll;
@@ -400,12 +400,14 @@ impl Screen for Reading {
             keys.extend(figure.map(|(key, does)| Hint::new(key, does)));
         }
         keys.push(Hint::new("b", "back"));
-        if self.figure.is_some() {
+        if let Some(figure) = &self.figure {
             keys.push(Hint::new(
                 "Tab",
                 if self.on_figure { "text" } else { "figure" },
             ));
-            keys.push(Hint::new("o", "in the lab"));
+            if !figure.is_foil() {
+                keys.push(Hint::new("o", "in the lab"));
+            }
             keys.push(Hint::new("e", "export"));
         }
         keys.push(Hint::new("Esc", "contents"));

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::Reading;
 use crate::lessons::{Asked, Checkpoint, Choice};
 use crate::physics::Collision;
-use crate::quiz::Rays;
+use crate::quiz::{self, Confidence, Rays};
 use crate::screens::lab::explain;
 use crate::screens::learn::answer::{Answer, sign_and_unit, truth};
 use crate::screens::learn::figure::Shown;
@@ -108,7 +108,17 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
         );
     }
     lines.gap();
-    let (title, text) = explain(&figure.setup(), watch);
+    let (title, text) = match figure.question_by_angle() {
+        Some(question) => {
+            let answer = quiz::Answer {
+                rays: *rays,
+                confidence: Confidence::ThinkSo,
+            };
+            let explanation = quiz::explain(&question, &answer);
+            (explanation.title.into(), explanation.text)
+        }
+        None => explain(&figure.setup(), watch),
+    };
     if !title.is_empty() {
         lines.paragraph(&title, Role::Title);
     }
@@ -133,7 +143,10 @@ fn number_told(
     let (_, unit) = sign_and_unit(expected);
     // As many decimals as the tolerance asks for.
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
-    let shown = |value: f64| format!("{value:.decimals$} {unit}").replace('-', "−");
+    let shown = |value: f64| {
+        let gap = if unit == "°" { "" } else { " " };
+        format!("{value:.decimals$}{gap}{unit}").replace('-', "−")
+    };
     let role = if right { Role::Good } else { Role::Warn };
     lines.pair("you said", &shown(number), Role::Dim, role);
     if let Some(truth) = truth(expected, figure) {
