@@ -14,6 +14,8 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   shells/        what drives the app: terminal (crossterm), tape (headless script)
 //!   ─────────────────────────────────────────────────────────────
+//!   store/         what is kept on disk: saved games; the only room that writes there
+//!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
 //!                  home · lab · quiz · table · levels
@@ -28,10 +30,12 @@
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-
 //!                  driven engine and the exact record of a shot. Knows no game, no
 //!                  terminal, no clock, no random numbers.
+//!   files/         how any file from outside is read, and how its faults are told
 //! ```
 
 pub mod app;
 pub mod cli;
+pub mod files;
 pub mod game;
 pub mod levels;
 pub mod messages;
@@ -39,4 +43,5 @@ pub mod physics;
 pub mod quiz;
 pub mod screens;
 pub mod shells;
+pub mod store;
 pub mod widgets;

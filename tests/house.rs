@@ -7,15 +7,16 @@ use std::fs;
 use std::path::Path;
 
 /// The floors from the top, as the map in `lib.rs` draws them.
-const FLOORS: [&[&str]; 8] = [
+const FLOORS: [&[&str]; 9] = [
     &["cli"],
     &["shells"],
+    &["store"],
     &["app"],
     &["screens"],
     &["widgets"],
     &["messages"],
     &["quiz", "levels", "game", "lessons", "progress"],
-    &["physics"],
+    &["physics", "files"],
 ];
 
 /// The floor of a room, counted from the top.

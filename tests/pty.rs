@@ -16,6 +16,7 @@ use carrom::messages::{Input, Key};
 use carrom::screens::{Context, Help, Hint, Next, Screen, Settings};
 use carrom::shells::FRAME;
 use carrom::shells::terminal::{self, Ending};
+use carrom::store::Store;
 use common::pty::{Pty, carrom, command};
 use portable_pty::CommandBuilder;
 use ratatui::buffer::Buffer;
@@ -309,7 +310,7 @@ fn child_plays() {
         ..Restless::default()
     };
     let app = App::on(Box::new(screen), Settings::default(), 1);
-    match terminal::run(app) {
+    match terminal::run(app, Store::in_memory()) {
         Ok(Ending::Quit) => process::exit(0),
         Ok(Ending::Signal(signal)) => process::exit(128 + signal),
         Err(_) => process::exit(1),

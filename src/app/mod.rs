@@ -93,7 +93,7 @@ impl App {
             }
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Thought(_) => return self.pass_on(input),
+            Input::Thought(_) | Input::Kept(_) => return self.pass_on(input),
             // Too small to see what a key would do.
             _ if self.too_small() => {}
             _ if self.help.is_some() => return self.update_help(input),

@@ -151,11 +151,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
 /// # Errors
 /// What is wrong with the arguments, in words.
 pub fn open(arguments: &str) -> Result<App, String> {
-    open_within(arguments, &Options::default())
+    open_within(arguments, &Options::default()).map(|(app, _)| app)
 }
 
-/// As [`open`], with `outer` where the arguments leave an option open.
-fn open_within(arguments: &str, outer: &Options) -> Result<App, String> {
+/// As [`open`], with `outer` where the arguments leave an option open; gives the
+/// options too.
+fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
     let words = std::iter::once("carrom".to_owned()).chain(words);
     let cli = Cli::try_parse_from(words).map_err(|error| {
@@ -170,7 +171,8 @@ fn open_within(arguments: &str, outer: &Options) -> Result<App, String> {
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    app(screen, &options, Look::PLAINEST, seed)
+    let app = app(screen, &options, Look::PLAINEST, seed)?;
+    Ok((app, options))
 }
 
 /// Writes to standard output. A reader who has seen enough (`carrom man | head`) is

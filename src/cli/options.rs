@@ -1,10 +1,11 @@
 //! Options that every command takes.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
+use crate::game::is_player_name;
 use crate::levels::Library;
 use crate::screens::{Settings, Shelf};
 use crate::widgets::{Charset, Depth};
@@ -29,7 +30,7 @@ pub struct Options {
     /// several times
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     levels: Vec<PathBuf>,
-    /// Folder for what carrom keeps, such as crash.log (default: the system's place
+    /// Folder for what carrom keeps, such as saved games (default: the system's place
     /// for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
     data_dir: Option<PathBuf>,
@@ -133,6 +134,11 @@ impl Options {
         Shelf::new(library)
     }
 
+    /// The folder for what carrom keeps, if one is given.
+    pub(super) fn given_data_dir(&self) -> Option<&Path> {
+        self.data_dir.as_deref()
+    }
+
     /// The folder for what carrom keeps; `None` if none is given and the system
     /// knows no home for the user.
     pub(super) fn data_dir(&self) -> Option<PathBuf> {
@@ -156,7 +162,7 @@ fn folder(path: &str) -> Result<PathBuf, String> {
 /// A name that can be shown: not empty, not endless, nothing but visible letters.
 fn player(name: &str) -> Result<String, String> {
     let name = name.trim();
-    if name.is_empty() || name.chars().count() > 40 || name.chars().any(char::is_control) {
+    if !is_player_name(name) {
         return Err("expected a name of 1 to 40 visible letters".into());
     }
     Ok(name.to_owned())

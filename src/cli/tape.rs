@@ -8,7 +8,9 @@ use std::process::ExitCode;
 use anyhow::{Context, anyhow};
 
 use super::{Failure, Options};
+use crate::shells::Headless;
 use crate::shells::tape::{PlayError, Tape, play};
+use crate::store::Store;
 
 /// Play a script without a terminal, on simulated time.
 ///
@@ -52,7 +54,14 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let file = args.file.display();
     let text = read(&args.file).map_err(Failure::Input)?;
     let tape = Tape::parse(&text).map_err(|error| Failure::Input(anyhow!("{file}:{error}")))?;
-    let open = |arguments: &str| super::open_within(arguments, options);
+    let open = |arguments: &str| {
+        let (app, options) = super::open_within(arguments, options)?;
+        let game = Headless::from(app);
+        Ok(match options.given_data_dir() {
+            Some(folder) => game.with_store(Store::in_folder(folder).timeless()),
+            None => game,
+        })
+    };
     let screenshots = play(&tape, open).map_err(|error| {
         let message = anyhow!("{file}:{error}");
         match error {

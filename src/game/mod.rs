@@ -19,6 +19,7 @@
 //! | `table` | a whole game at the table |
 //! | `validity` | what no game can be |
 //! | `record` | a game move by move, to be played again bit for bit |
+//! | `saved` | a record as a file, with who plays |
 //! | `opponent` | the computer opponent, and hints for the player |
 
 pub mod free_place;
@@ -29,6 +30,7 @@ pub mod pieces;
 pub mod placing;
 mod play;
 mod record;
+mod saved;
 mod score;
 mod seat;
 mod stroke;
@@ -40,6 +42,7 @@ pub use pieces::{Coin, Colour, Piece, PieceSet};
 pub use placing::{BaseLines, Misplaced};
 pub use play::Play;
 pub use record::{Call, Move, MoveError, Record, RecordError, Strike};
+pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, is_player_name};
 pub use score::Score;
 pub use seat::{ByTeam, Hands, Seat, Team};
 pub use stroke::{Stroke, StrokeError};

@@ -28,7 +28,21 @@ pub struct Setup {
     pub first_breaker: Seat,
     /// Seed of the small irregularities of each pack; `None` for a pack that is
     /// exact and the same every time.
+    #[serde(default, with = "seed_bits", skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
+}
+
+/// A seed as the signed number of the same bits: files know no larger ones.
+mod seed_bits {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(seed: &Option<u64>, to: S) -> Result<S::Ok, S::Error> {
+        seed.map(u64::cast_signed).serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<u64>, D::Error> {
+        Ok(Option::<i64>::deserialize(from)?.map(i64::cast_unsigned))
+    }
 }
 
 /// Where a game stands.

@@ -1,8 +1,8 @@
 //! What a player may set before the shot of a level, and what was set.
 
-use super::fault::Fault;
 use super::fields::Fields;
 use super::quantity::{self as q, Quantity, Range};
+use crate::files::Fault;
 
 /// Something a player may be free to set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,9 +4,8 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::fault::{Fault, harmless};
 use super::quantity::{Quantity, Range};
-use super::source::Source;
+use crate::files::{Fault, Source, harmless};
 use glam::DVec2;
 
 /// A table whose fields are asked for one by one.

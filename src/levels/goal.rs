@@ -2,10 +2,10 @@
 
 use glam::DVec2;
 
-use super::fault::Fault;
 use super::fields::Fields;
 use super::quantity::{self as q, Range};
 use super::scene::{Scene, tidy};
+use crate::files::Fault;
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
 /// One thing that has to come about; a level is won when all of its goals are met.

@@ -3,12 +3,12 @@
 use glam::DVec2;
 
 use super::aim::{Adjust, Aim, Dial};
-use super::fault::Fault;
 use super::fields::Fields;
 use super::goal::Goal;
 use super::quantity::Range;
 use super::scene::{Piece, Scene, pockets, tidy};
 use super::source::read_document;
+use crate::files::Fault;
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 
 /// The most goals a level may have.

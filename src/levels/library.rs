@@ -1,15 +1,14 @@
 //! Packs of levels: those in the program, and a teacher's own from a folder.
 
-use std::fs::{self, File};
-use std::io::Read;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::fault::Fault;
 use super::level::Level;
 use super::source::LARGEST_FILE;
+use crate::files::{self, Fault};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 
@@ -122,14 +121,7 @@ impl Library {
 ///
 /// If the file cannot be read.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, Fault> {
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| {
-            let most = LARGEST_FILE as u64 + 1;
-            file.take(most).read_to_end(&mut bytes)
-        })
-        .map_err(|error| unreadable(path, &error))?;
-    Ok(bytes)
+    files::read(path, LARGEST_FILE)
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Fault {

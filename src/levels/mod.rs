@@ -8,7 +8,6 @@
 
 mod aim;
 mod check;
-mod fault;
 mod fields;
 mod goal;
 mod judge;
@@ -21,9 +20,9 @@ mod scene;
 mod source;
 mod stars;
 
+pub use crate::files::Fault;
 pub use aim::{Adjust, Aim, Dial};
 pub use check::{Trial, winning_share};
-pub use fault::Fault;
 pub use goal::{Circle, Goal};
 pub use judge::{Finding, Verdict, judge};
 pub use kind::Kind;

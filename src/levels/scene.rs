@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 
-use super::fault::Fault;
 use super::fields::Fields;
 use super::kind::Kind;
 use super::quantity as q;
 use super::source::read_document;
+use crate::files::Fault;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 

@@ -1,6 +1,6 @@
 //! What the app asks of the shell that drives it.
 
-use super::Task;
+use super::{Request, Task};
 
 /// A thing only the world outside can do.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,4 +9,7 @@ pub enum Effect {
     Quit,
     /// Think, and hand the [`Thought`](super::Thought) back as an input.
     Think(Box<Task>),
+    /// Do something with the games that are kept, and hand the
+    /// [`Answer`](super::Answer) back as an input.
+    Keep(Request),
 }

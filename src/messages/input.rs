@@ -1,6 +1,6 @@
 //! What a shell tells the app.
 
-use super::{Key, Thought};
+use super::{Answer, Key, Thought};
 
 /// One thing that happened outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +15,8 @@ pub enum Input {
     Resize(u16, u16),
     /// What came of an [`Effect::Think`](super::Effect::Think).
     Thought(Box<Thought>),
+    /// What came of an [`Effect::Keep`](super::Effect::Keep).
+    Kept(Box<Answer>),
 }
 
 impl From<Key> for Input {

@@ -6,10 +6,12 @@
 
 mod effect;
 mod input;
+mod keeping;
 mod key;
 mod thought;
 
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
+pub use keeping::{Answer, Done, Kept, Request, Wish};
 pub use key::Key;
 pub use thought::{Found, Task, Thought, Wanted};

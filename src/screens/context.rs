@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::Shelf;
 use crate::game::Game;
-use crate::messages::{Effect, Task, Wanted};
+use crate::messages::{Effect, Request, Task, Wanted, Wish};
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -87,13 +87,26 @@ impl Context {
     /// Asks for something to be thought about and gives the ticket by which the
     /// [`Thought`](crate::messages::Thought) will be known.
     pub fn think(&mut self, game: Game, seed: u64, wanted: Wanted) -> u64 {
-        self.tickets += 1;
+        let ticket = self.ticket();
         self.asked.push(Effect::Think(Box::new(Task {
-            ticket: self.tickets,
+            ticket,
             game,
             seed,
             wanted,
         })));
+        ticket
+    }
+
+    /// Asks for something to be done with the games that are kept. The
+    /// [`Answer`](crate::messages::Answer) will bear the ticket, which for a game
+    /// that is saved again and again is always the same.
+    pub fn keep(&mut self, ticket: u64, wish: Wish) {
+        self.asked.push(Effect::Keep(Request { ticket, wish }));
+    }
+
+    /// A ticket that no request has had.
+    pub fn ticket(&mut self) -> u64 {
+        self.tickets += 1;
         self.tickets
     }
 

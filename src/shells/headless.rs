@@ -11,6 +11,7 @@ use unicode_width::UnicodeWidthStr;
 use super::FRAME;
 use crate::app::App;
 use crate::messages::{Effect, Input, Key, Mouse, MouseKind};
+use crate::store::Store;
 
 /// An app with a screen in memory.
 ///
@@ -27,20 +28,27 @@ use crate::messages::{Effect, Input, Key, Mouse, MouseKind};
 pub struct Headless {
     app: App,
     terminal: Terminal<TestBackend>,
+    store: Store,
     quit: bool,
 }
 
 impl Headless {
-    /// `app` on a screen of `columns` by `rows`.
+    /// `app` on a screen of `columns` by `rows`, which keeps its games in memory.
     pub fn new(app: App, columns: u16, rows: u16) -> Self {
         let Ok(terminal) = Terminal::new(TestBackend::new(columns, rows));
         let mut headless = Self {
             app,
             terminal,
+            store: Store::in_memory(),
             quit: false,
         };
         headless.input(&Input::Resize(columns, rows));
         headless
+    }
+
+    /// The same, with its games kept in `store`.
+    pub fn with_store(self, store: Store) -> Self {
+        Self { store, ..self }
     }
 
     /// The app as it stands.
@@ -151,8 +159,19 @@ impl Headless {
                 Effect::Quit => self.quit = true,
                 // On the spot, so that it is the same every time.
                 Effect::Think(task) => self.input(&Input::Thought(Box::new(task.think()))),
+                Effect::Keep(request) => {
+                    let answer = self.store.answer(request);
+                    self.input(&Input::Kept(Box::new(answer)));
+                }
             }
         }
+    }
+}
+
+/// On a screen of 80 by 24.
+impl From<App> for Headless {
+    fn from(app: App) -> Self {
+        Self::new(app, 80, 24)
     }
 }
 

@@ -4,12 +4,8 @@ use ratatui::layout::Rect;
 use thiserror::Error;
 
 use super::{Instruction, Screenshot, Setting, Tape};
-use crate::app::App;
 use crate::messages::Key;
 use crate::shells::Headless;
-
-/// The size of the screen until a tape sets another.
-const SIZE: (u16, u16) = (80, 24);
 
 /// Why a tape did not play to its end.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -53,20 +49,21 @@ pub enum PlayError {
 }
 
 /// Plays `tape` on an app that `open` makes of the arguments after `carrom` (in one
-/// string, split into words as a shell would), and gives its screenshots.
+/// string, split into words as a shell would), and gives its screenshots. Games are
+/// kept in memory unless what it makes says otherwise.
 ///
 /// # Errors
 /// The first instruction that failed.
-pub fn play(
+pub fn play<G: Into<Headless>>(
     tape: &Tape,
-    open: impl FnOnce(&str) -> Result<App, String>,
+    open: impl FnOnce(&str) -> Result<G, String>,
 ) -> Result<Vec<Screenshot>, PlayError> {
     let (line, arguments) = match &tape.run {
         Some((line, arguments)) => (*line, arguments.as_str()),
         None => (1, ""),
     };
-    let app = open(arguments).map_err(|message| PlayError::Run { line, message })?;
-    let mut game = Headless::new(app, SIZE.0, SIZE.1);
+    let opened = open(arguments).map_err(|message| PlayError::Run { line, message })?;
+    let mut game: Headless = opened.into();
     let mut left = None;
     let mut screenshots = Vec::new();
     for (line, instruction) in &tape.steps {

@@ -3,10 +3,12 @@
 //! Three threads: one reads the keyboard and the mouse, one waits for signals,
 //! and the one that called [`run`] holds the app and draws. The first two only
 //! send messages; while nothing moves, all three are blocked. What the app wants
-//! thought about gets a thread of its own for as long as that takes.
+//! thought about gets a thread of its own for as long as that takes, and one more
+//! keeps its games.
 
 mod crash;
 mod guard;
+mod keeper;
 mod message;
 mod pace;
 mod reader;
@@ -33,7 +35,9 @@ pub use surroundings::{Unusable, charset, check, depth};
 
 use crate::app::App;
 use crate::messages::{Effect, Input};
+use crate::store::Store;
 use guard::Guard;
+use keeper::Keeper;
 use message::Message;
 use pace::Pace;
 
@@ -67,12 +71,13 @@ pub enum Ending {
 /// which is gone too, and panic.
 type Screen = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
-/// Runs `app` in the terminal until it is left. The terminal is afterwards as it
-/// was before, however the run ends.
-pub fn run(app: App) -> Result<Ending, TerminalError> {
+/// Runs `app` in the terminal until it is left, and keeps its games in `store`. The
+/// terminal is afterwards as it was before, however the run ends.
+pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     #[cfg(unix)]
     signals::watch(sender.clone()).map_err(TerminalError::SetUp)?;
+    let keeper = Keeper::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
     let guard = Guard::take().map_err(TerminalError::SetUp)?;
     reader::start(sender.clone()).map_err(TerminalError::SetUp)?;
     // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
@@ -86,6 +91,7 @@ pub fn run(app: App) -> Result<Ending, TerminalError> {
         guard,
         messages,
         sender,
+        keeper,
         pace: Pace::new(Instant::now()),
     }
     .play()
@@ -99,6 +105,7 @@ struct Run {
     messages: Receiver<Message>,
     /// For those who think.
     sender: Sender<Message>,
+    keeper: Keeper,
     pace: Pace,
 }
 
@@ -193,6 +200,7 @@ impl Run {
             match effect {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
+                Effect::Keep(request) => self.keeper.ask(request, &self.sender),
             }
         }
         flow

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The first thing that is wrong with a scene or level file.
+/// The first thing that is wrong with a file.
 ///
 /// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -27,6 +27,22 @@ impl Fault {
             message: message.into(),
         }
     }
+
+    /// What is wrong and where in the file, for those who know which file it is.
+    pub fn without_file(&self) -> String {
+        match self.line {
+            Some(line) => format!("line {line}: {}", self.what()),
+            None => self.what(),
+        }
+    }
+
+    fn what(&self) -> String {
+        let message = harmless(&self.message, 400);
+        match &self.field {
+            Some(field) => format!("{}: {message}", harmless(field, 80)),
+            None => message,
+        }
+    }
 }
 
 impl fmt::Display for Fault {
@@ -35,16 +51,13 @@ impl fmt::Display for Fault {
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
-        if let Some(field) = &self.field {
-            write!(f, ": {}", harmless(field, 80))?;
-        }
-        write!(f, ": {}", harmless(&self.message, 400))
+        write!(f, ": {}", self.what())
     }
 }
 
 /// Text from outside on one line, without control characters and not endless, so
 /// that a message cannot play tricks on the terminal that shows it.
-pub(super) fn harmless(text: &str, most: usize) -> String {
+pub fn harmless(text: &str, most: usize) -> String {
     let mut kept = String::new();
     let mut characters = text.chars();
     for c in characters.by_ref().take(most) {

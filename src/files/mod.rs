@@ -1,0 +1,10 @@
+//! What all files have in common that come from outside: how they are read, and how
+//! one says what is wrong with them.
+
+mod fault;
+mod read;
+mod source;
+
+pub use fault::{Fault, harmless};
+pub use read::read;
+pub use source::Source;

@@ -1,0 +1,90 @@
+//! Who plays, and with what help.
+
+use serde::{Deserialize, Serialize};
+
+use crate::game::opponent::Strength;
+use crate::game::seat::Seat;
+
+/// Who plays from a seat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Player {
+    /// Somebody at the keyboard.
+    Person,
+    /// The computer.
+    Computer,
+}
+
+/// Helps drawn while aiming, each to be switched on or off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Aids {
+    /// The way of the striker to the first disc it meets.
+    pub line: bool,
+    /// The striker as it will stand when it meets it.
+    pub ghost: bool,
+    /// Where both will leave that hit.
+    pub rays: bool,
+}
+
+impl Default for Aids {
+    fn default() -> Self {
+        Self {
+            line: true,
+            ghost: true,
+            rays: true,
+        }
+    }
+}
+
+/// Who plays, and with what help: what a game needs beside its setup to go on as it
+/// began.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Company {
+    /// Who plays from each seat, in the order of [`Seat::ALL`].
+    pub players: [Player; 4],
+    /// How strong the computer is.
+    pub strength: Strength,
+    /// Whether the players call the first impact before each stroke.
+    pub call: bool,
+    /// Helps while aiming.
+    pub aids: Aids,
+}
+
+/// The seats by name, as a file has them.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Players {
+    south: Player,
+    east: Player,
+    north: Player,
+    west: Player,
+}
+
+impl From<[Player; 4]> for Players {
+    /// In the order of [`Seat::ALL`].
+    fn from([south, east, north, west]: [Player; 4]) -> Self {
+        const _: () = assert!(matches!(
+            Seat::ALL,
+            [Seat::South, Seat::East, Seat::North, Seat::West]
+        ));
+        Self {
+            south,
+            east,
+            north,
+            west,
+        }
+    }
+}
+
+impl From<Players> for [Player; 4] {
+    fn from(players: Players) -> Self {
+        [players.south, players.east, players.north, players.west]
+    }
+}
+
+/// Whether this can be shown as the name of a player: 1 to 40 letters, all of them
+/// visible.
+pub fn is_player_name(name: &str) -> bool {
+    !name.trim().is_empty() && name.chars().count() <= 40 && !name.chars().any(char::is_control)
+}

@@ -1,0 +1,116 @@
+//! What a game looks like, in one number.
+
+use std::fmt;
+
+use crate::game::pieces::Piece;
+use crate::game::seat::{Seat, Team};
+use crate::game::table::Game;
+
+/// A number that differs between games that differ in a single bit, but for one
+/// chance in 10¹⁹: what lies where, the turn, the dues, the queen, the score.
+///
+/// It is FNV-1a (64 bits) of those, in an order that is part of the file format. It
+/// finds damage and differences between machines; it is no seal against forgery.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Fingerprint(u64);
+
+impl Fingerprint {
+    /// That of a game.
+    pub fn of(game: &Game) -> Self {
+        let mut hash = Self(0xcbf2_9ce4_8422_2325);
+        for coin in game.coins() {
+            hash.take(&[match coin.piece {
+                Piece::Striker => 0,
+                Piece::White => 1,
+                Piece::Black => 2,
+                Piece::Queen => 3,
+            }]);
+            hash.take(&coin.at.x.to_bits().to_le_bytes());
+            hash.take(&coin.at.y.to_bits().to_le_bytes());
+        }
+        let team = |team| match team {
+            None => 0,
+            Some(Team::First) => 1,
+            Some(Team::Second) => 2,
+        };
+        let play = game.play();
+        hash.take(&[
+            match game.seat() {
+                Seat::South => 0,
+                Seat::East => 1,
+                Seat::North => 2,
+                Seat::West => 3,
+            },
+            play.is_unbroken().into(),
+            team(play.queen_covered_by()),
+            team(play.won().map(|won| won.winner)),
+        ]);
+        let score = game.score();
+        hash.take(&[score.boards]);
+        for team in Team::BOTH {
+            hash.take(&[play.owed(team), score.points[team], score.games[team]]);
+        }
+        hash
+    }
+
+    /// The fingerprint that [`Display`](fmt::Display) wrote; `None` if it wrote no
+    /// such thing.
+    pub fn parse(text: &str) -> Option<Self> {
+        let digit = |c: char| matches!(c, '0'..='9' | 'a'..='f');
+        if text.len() != 16 || !text.chars().all(digit) {
+            return None;
+        }
+        u64::from_str_radix(text, 16).ok().map(Self)
+    }
+
+    fn take(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+impl fmt::Display for Fingerprint {
+    /// Sixteen hexadecimal digits.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
+}
+
+impl fmt::Debug for Fingerprint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Fingerprint({self})")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_fnv_1a() {
+        // Test vectors of the FNV reference.
+        let of = |bytes: &[u8]| {
+            let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
+            hash.take(bytes);
+            hash.0
+        };
+        assert_eq!(of(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(of(b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(of(b"foobar"), 0x8594_4171_f739_67e8);
+    }
+
+    #[test]
+    fn it_is_read_as_it_is_written_and_nothing_else_is() {
+        let hash = Fingerprint(0x0012_3456_789a_bcde);
+        assert_eq!(Fingerprint::parse(&hash.to_string()), Some(hash));
+        for text in [
+            "",
+            "+123456789abcdef",
+            "00123456789ABCDE",
+            "00123456789abcdef",
+        ] {
+            assert_eq!(Fingerprint::parse(text), None, "{text}");
+        }
+    }
+}

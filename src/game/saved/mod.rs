@@ -1,0 +1,67 @@
+//! A game as it is kept in a file: its record, who plays, and a fingerprint of what
+//! it leads to.
+//!
+//! The file is TOML, a move a line. A beginning of it is never a whole one: `end`
+//! comes last and cannot be left out.
+
+mod company;
+mod fingerprint;
+mod read;
+mod text;
+
+pub use company::{Aids, Company, Player, is_player_name};
+pub use fingerprint::Fingerprint;
+
+use super::record::Record;
+use super::table::Game;
+use crate::files::Fault;
+
+/// The format of the files that are written now.
+const FORMAT: u32 = 1;
+
+/// A game as it is kept in a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SavedGame {
+    /// Name of the player at the keyboard.
+    pub player: String,
+    /// Who plays.
+    pub company: Company,
+    /// All that was done.
+    pub record: Record,
+    /// What the game it leads to looks like.
+    pub end: Fingerprint,
+}
+
+impl SavedGame {
+    /// Largest file that is read, and so the largest that may be written, in bytes:
+    /// some eight thousand strokes.
+    pub const LARGEST_FILE: usize = 1 << 20;
+
+    /// Reads a file and plays all of it; gives it with the game it leads to. `name`
+    /// stands for the file in messages.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it: that it is no such file, or a newer
+    /// one; that one of its moves cannot be made; that it does not lead where it
+    /// says.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), Fault> {
+        read::read(name, bytes)
+    }
+
+    /// The text of the file.
+    ///
+    /// # Errors
+    /// If it would be too large to be read again.
+    pub fn text(&self) -> Result<String, TooLarge> {
+        let text = text::text(self);
+        if text.len() > Self::LARGEST_FILE {
+            return Err(TooLarge);
+        }
+        Ok(text)
+    }
+}
+
+/// A game of so many strokes that no file may hold it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the game has become too long for one file")]
+pub struct TooLarge;

@@ -1,0 +1,232 @@
+//! Texts as files in a folder.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::thread;
+use std::time::{Duration, Instant, SystemTime};
+
+use super::shelf::{Shelf, free_number, number};
+use crate::files::{self, Fault};
+use crate::game::SavedGame;
+
+/// How the names of the files end.
+const ENDING: &str = ".toml";
+/// How the names of files begin that are still being written.
+const UNFINISHED: &str = ".new-";
+/// How long to wait for another carrom that writes to the same folder.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// Texts as files in a folder, which is made when the first is written.
+pub(super) struct Disk {
+    folder: PathBuf,
+}
+
+/// The right to write to a folder, until it is dropped or the process ends.
+struct Turn {
+    _lock: File,
+    /// Whether nobody else has it, as far as that can be known.
+    alone: bool,
+}
+
+impl Disk {
+    /// The files in `folder`.
+    pub(super) fn new(folder: PathBuf) -> Self {
+        Self { folder }
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(format!("{name}{ENDING}"))
+    }
+
+    /// Waits until nobody else writes to the folder.
+    fn turn(&self) -> io::Result<Turn> {
+        fs::create_dir_all(&self.folder)?;
+        let lock = OpenOptions::new()
+            .create(true)
+            .truncate(false)
+            .write(true)
+            .open(self.folder.join(".lock"))?;
+        let start = Instant::now();
+        let alone = loop {
+            match lock.try_lock() {
+                Ok(()) => break true,
+                Err(TryLockError::WouldBlock) if start.elapsed() < PATIENCE => {
+                    thread::sleep(Duration::from_millis(5));
+                }
+                Err(TryLockError::WouldBlock) => {
+                    let why = "another carrom has been busy there for too long";
+                    return Err(io::Error::new(ErrorKind::TimedOut, why));
+                }
+                // Some network folders know no locks. What is done under one is
+                // safe without, but for two carroms that save the same game in the
+                // same instant.
+                Err(TryLockError::Error(_)) => break false,
+            }
+        };
+        Ok(Turn { _lock: lock, alone })
+    }
+
+    /// Writes a text to a file beside its place, and brings it to the disk.
+    fn write_beside(&self, text: &str) -> io::Result<PathBuf> {
+        let path = self.folder.join(format!("{UNFINISHED}{}", process::id()));
+        let mut file = File::create(&path)?;
+        let written = file
+            .write_all(text.as_bytes())
+            .and_then(|()| file.sync_all());
+        match written {
+            Ok(()) => Ok(path),
+            Err(error) => {
+                // It is of no use, and the disk may be full.
+                let _ = fs::remove_file(&path);
+                Err(error)
+            }
+        }
+    }
+
+    /// Brings to the disk which files there are.
+    fn settle(&self) -> io::Result<()> {
+        // Only Unix lets a folder be opened; elsewhere the rename has to do.
+        #[cfg(unix)]
+        File::open(&self.folder)?.sync_all()?;
+        Ok(())
+    }
+
+    fn add(&self, kind: &str, text: &str) -> io::Result<String> {
+        let turn = self.turn()?;
+        if turn.alone {
+            self.clear_up();
+        }
+        let beside = self.write_beside(text)?;
+        let mut names = self.names()?;
+        loop {
+            let free = free_number(names.iter().map(String::as_str), kind);
+            let name = format!("{kind}-{free}");
+            if place_new(&beside, &self.path(&name))? {
+                self.settle()?;
+                return Ok(name);
+            }
+            names.push(name);
+        }
+    }
+
+    fn replace(&self, name: &str, old: &str, text: &str) -> io::Result<bool> {
+        let _turn = self.turn()?;
+        let path = self.path(name);
+        if !holds(&path, old)? {
+            return Ok(false);
+        }
+        fs::rename(self.write_beside(text)?, &path)?;
+        self.settle()?;
+        Ok(true)
+    }
+
+    /// Removes what those have left who were killed while they wrote; nobody writes
+    /// while one has the turn.
+    fn clear_up(&self) {
+        let entries = fs::read_dir(&self.folder).into_iter().flatten();
+        for entry in entries.flatten() {
+            if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
+                // What cannot be removed takes some room, no more.
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+    }
+
+    /// The names of all plain files that end as ours do: opening a pipe would wait
+    /// for whoever writes to it.
+    fn names(&self) -> io::Result<Vec<String>> {
+        let entries = match fs::read_dir(&self.folder) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+            entries => entries?,
+        };
+        let mut names = Vec::new();
+        for entry in entries {
+            let entry = entry?;
+            let file = entry.file_name();
+            let name = file.to_str().and_then(|name| name.strip_suffix(ENDING));
+            if let Some(name) = name
+                && !name.starts_with('.')
+                && entry.path().is_file()
+            {
+                names.push(name.to_owned());
+            }
+        }
+        Ok(names)
+    }
+
+    fn saved(&self, name: &str) -> Option<SystemTime> {
+        fs::metadata(self.path(name)).ok()?.modified().ok()
+    }
+
+    fn told(&self, error: &io::Error) -> String {
+        format!("{}: {error}", self.folder.display())
+    }
+}
+
+impl Shelf for Disk {
+    fn names(&self) -> Result<Vec<String>, String> {
+        let mut names = self.names().map_err(|error| self.told(&error))?;
+        names.sort_by_cached_key(|name| (self.saved(name), number(name, "game"), name.clone()));
+        names.reverse();
+        Ok(names)
+    }
+
+    fn read(&self, name: &str) -> Result<Vec<u8>, Fault> {
+        files::read(&self.path(name), SavedGame::LARGEST_FILE)
+    }
+
+    fn age(&self, name: &str) -> Option<Duration> {
+        self.saved(name)?.elapsed().ok()
+    }
+
+    fn place(&self, name: &str) -> String {
+        self.path(name).display().to_string()
+    }
+
+    fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {
+        Self::add(self, kind, text).map_err(|error| self.told(&error))
+    }
+
+    fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
+        Self::replace(self, name, old, text).map_err(|error| self.told(&error))
+    }
+
+    fn remove(&mut self, name: &str) -> Result<(), String> {
+        let removed = self.turn().and_then(|_turn| {
+            fs::remove_file(self.path(name))?;
+            self.settle()
+        });
+        match removed {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(self.told(&error)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Whether a plain file is there and holds just this text.
+fn holds(path: &Path, text: &str) -> io::Result<bool> {
+    match fs::metadata(path) {
+        Ok(about) if about.is_file() && about.len() == text.len() as u64 => {
+            Ok(fs::read(path)? == text.as_bytes())
+        }
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => Ok(false),
+    }
+}
+
+/// Gives a finished file its name; says `false` if something else has it.
+fn place_new(beside: &Path, path: &Path) -> io::Result<bool> {
+    // A link is refused where there is something; a rename would replace it.
+    match fs::hard_link(beside, path) {
+        Ok(()) => {
+            fs::remove_file(beside)?;
+            Ok(true)
+        }
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
+        // Not every file system has links.
+        Err(_) if path.try_exists()? => Ok(false),
+        Err(_) => fs::rename(beside, path).map(|()| true),
+    }
+}

@@ -1,0 +1,68 @@
+//! Texts in memory.
+
+use std::time::Duration;
+
+use super::shelf::{Shelf, free_number};
+use crate::files::Fault;
+
+/// Texts in memory, the latest last.
+pub(super) struct Memory {
+    folder: &'static str,
+    texts: Vec<(String, String)>,
+}
+
+impl Memory {
+    /// An empty shelf that goes by this name.
+    pub(super) fn new(folder: &'static str) -> Self {
+        Self {
+            folder,
+            texts: Vec::new(),
+        }
+    }
+
+    fn find(&self, name: &str) -> Option<usize> {
+        self.texts.iter().position(|(known, _)| known == name)
+    }
+}
+
+impl Shelf for Memory {
+    fn names(&self) -> Result<Vec<String>, String> {
+        let names = self.texts.iter().rev().map(|(name, _)| name.clone());
+        Ok(names.collect())
+    }
+
+    fn read(&self, name: &str) -> Result<Vec<u8>, Fault> {
+        let found = self.texts.iter().find(|(known, _)| known == name);
+        let text = found.map(|(_, text)| text.clone().into_bytes());
+        text.ok_or_else(|| Fault::of_file(&self.place(name), "is no longer there"))
+    }
+
+    fn age(&self, _name: &str) -> Option<Duration> {
+        None
+    }
+
+    fn place(&self, name: &str) -> String {
+        format!("{}/{name}.toml", self.folder)
+    }
+
+    fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {
+        let names = self.texts.iter().map(|(name, _)| name.as_str());
+        let name = format!("{kind}-{}", free_number(names, kind));
+        self.texts.push((name.clone(), text.to_owned()));
+        Ok(name)
+    }
+
+    fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
+        let Some(at) = self.find(name).filter(|at| self.texts[*at].1 == old) else {
+            return Ok(false);
+        };
+        self.texts.remove(at);
+        self.texts.push((name.to_owned(), text.to_owned()));
+        Ok(true)
+    }
+
+    fn remove(&mut self, name: &str) -> Result<(), String> {
+        self.texts.retain(|(known, _)| known != name);
+        Ok(())
+    }
+}

@@ -1,0 +1,150 @@
+//! What is kept: saved games, one file a game, and exported ones.
+//!
+//! Several carroms may keep their games in one folder, any of them may be killed at
+//! any moment, and any file may be damaged or not ours. So:
+//!
+//! - a file is written beside its place, brought to the disk and then put in its
+//!   place, so that there is always either the old or the new one;
+//! - a file is replaced only while it still holds what this store last put or found
+//!   there; otherwise the game moves to a new file of its own;
+//! - nothing is believed of a file until all of it has been played.
+
+mod disk;
+mod memory;
+mod shelf;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::files::Fault;
+use crate::game::{Game, SavedGame};
+use crate::messages::{Answer, Done, Kept, Request, Wish};
+use disk::Disk;
+use memory::Memory;
+use shelf::Shelf;
+
+/// Where games are kept.
+pub struct Store {
+    games: Box<dyn Shelf>,
+    exports: Box<dyn Shelf>,
+    /// What was last put or found under which name, by ticket.
+    open: BTreeMap<u64, Open>,
+    ages: bool,
+    closed: bool,
+}
+
+/// A game being played.
+struct Open {
+    name: String,
+    text: String,
+}
+
+impl Store {
+    /// A store that is gone with the process.
+    pub fn in_memory() -> Self {
+        Self::of(Memory::new("games"), Memory::new("exports"))
+    }
+
+    /// A store in `folder`, which is made when it is first needed: saved games in
+    /// `games`, exported ones in `exports`.
+    pub fn in_folder(folder: &Path) -> Self {
+        Self::of(
+            Disk::new(folder.join("games")),
+            Disk::new(folder.join("exports")),
+        )
+    }
+
+    /// No store: there is no folder for it, and it refuses everything.
+    pub fn nowhere() -> Self {
+        Self {
+            closed: true,
+            ..Self::in_memory()
+        }
+    }
+
+    /// The same store, but it knows no time: for runs that are to be the same
+    /// whenever they are made.
+    pub fn timeless(self) -> Self {
+        Self {
+            ages: false,
+            ..self
+        }
+    }
+
+    fn of(games: impl Shelf + 'static, exports: impl Shelf + 'static) -> Self {
+        Self {
+            games: Box::new(games),
+            exports: Box::new(exports),
+            open: BTreeMap::new(),
+            ages: true,
+            closed: false,
+        }
+    }
+
+    /// Does what is asked.
+    pub fn answer(&mut self, request: &Request) -> Answer {
+        if self.closed {
+            return request.refused("no folder for data is known; --data-dir gives one");
+        }
+        let ticket = request.ticket;
+        let done = match &request.wish {
+            Wish::Save(game) => Done::Saved(self.save(ticket, game)),
+            Wish::List => Done::Listed(self.list()),
+            Wish::Load(name) => Done::Loaded(self.load(ticket, name)),
+            Wish::Remove(name) => Done::Removed(self.remove(name)),
+            Wish::Export(game) => Done::Exported(self.export(game)),
+        };
+        Answer { ticket, done }
+    }
+
+    fn save(&mut self, ticket: u64, game: &SavedGame) -> Result<(), String> {
+        let text = game.text().map_err(|error| error.to_string())?;
+        if let Some(open) = self.open.get_mut(&ticket)
+            && self.games.replace(&open.name, &open.text, &text)?
+        {
+            open.text = text;
+            return Ok(());
+        }
+        let name = self.games.add("game", &text)?;
+        self.open.insert(ticket, Open { name, text });
+        Ok(())
+    }
+
+    fn list(&self) -> Result<Vec<Kept>, String> {
+        let mut found = Vec::new();
+        for name in self.games.names()? {
+            let game = self.read(&name).map(|(_, game)| Box::new(game));
+            found.push(Kept {
+                age: self.games.age(&name).filter(|_| self.ages),
+                // Where it is, is said beside.
+                game: game.map_err(|fault| fault.without_file()),
+                name,
+            });
+        }
+        Ok(found)
+    }
+
+    fn load(&mut self, ticket: u64, name: &str) -> Result<Box<SavedGame>, String> {
+        let (text, (game, _)) = self.read(name).map_err(|fault| fault.to_string())?;
+        let name = name.to_owned();
+        self.open.insert(ticket, Open { name, text });
+        Ok(Box::new(game))
+    }
+
+    /// The text of a game and the game, with where it stands.
+    fn read(&self, name: &str) -> Result<(String, (SavedGame, Game)), Fault> {
+        let bytes = self.games.read(name)?;
+        let game = SavedGame::read(&self.games.place(name), &bytes)?;
+        Ok((String::from_utf8_lossy(&bytes).into_owned(), game))
+    }
+
+    fn remove(&mut self, name: &str) -> Result<(), String> {
+        self.games.remove(name)
+    }
+
+    fn export(&mut self, game: &SavedGame) -> Result<String, String> {
+        let text = game.text().map_err(|error| error.to_string())?;
+        let name = self.exports.add("carrom-game", &text)?;
+        Ok(self.exports.place(&name))
+    }
+}
