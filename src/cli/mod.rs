@@ -6,6 +6,7 @@ mod level;
 mod man;
 mod options;
 mod play;
+mod replay;
 mod simulate;
 mod solve;
 mod tape;
@@ -46,6 +47,7 @@ Examples:
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
+  carrom replay game.toml      play an exported game again, to the last bit
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
 Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
@@ -56,6 +58,7 @@ enum Command {
     Open(Screen),
     Solve(solve::Args),
     Simulate(simulate::Args),
+    Replay(replay::Args),
     Level(level::Args),
     Tape(tape::Args),
     Completions(completions::Args),
@@ -137,6 +140,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
+        Some(Command::Replay(args)) => replay::run(args),
         Some(Command::Level(args)) => level::run(args),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),

@@ -115,6 +115,14 @@ impl Record {
         &self.moves
     }
 
+    /// How many of them are strokes.
+    pub fn strokes(&self) -> usize {
+        let strokes = self.moves.iter();
+        strokes
+            .filter(|made| matches!(made, Move::Strike(_)))
+            .count()
+    }
+
     /// Writes a move down. Whether it can be made shows when it is
     /// [made](Move::make).
     pub fn push(&mut self, made: Move) {

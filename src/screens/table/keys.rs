@@ -19,6 +19,8 @@ pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
                 Hint::new("c", "call"),
                 Hint::new("l g r", "aids"),
                 Hint::new("i", "impacts"),
+                Hint::new("v", "replay"),
+                Hint::new("e", "export"),
             ];
             if sitting.is_practice() {
                 keys.insert(5, Hint::new("p", "lay out"));
@@ -74,6 +76,8 @@ pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
         Phase::Over => vec![
             Hint::new("Enter", "next"),
             Hint::new("i", "strokes"),
+            Hint::new("v", "replay"),
+            Hint::new("e", "export"),
             Hint::new("Esc", "leave"),
         ],
     }
@@ -88,6 +92,7 @@ pub(super) fn help() -> Help {
             "The aim line and the ghost show where the striker will meet its first coin; the two arrows show where both leave that hit. Switch them off one by one as you get better.",
             "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
             "After any stroke press i: choose one of its impacts and look at it as in the lab; p and n go to other strokes.",
+            "Every game is saved after each stroke. On the page of a new game, s shows the games there are: resume one, or watch it stroke by stroke. What e writes can be played again on any machine: carrom replay FILE.",
             "Angles of the aim are as you see the board from your own side: 90 is straight across.",
         ],
         keys: vec![
@@ -109,6 +114,8 @@ pub(super) fn help() -> Help {
             ),
             Hint::new("+ - (watching)", "faster or slower"),
             Hint::new("p n", "previous and next stroke (watching)"),
+            Hint::new("v", "watch the whole game again, stroke by stroke"),
+            Hint::new("e", "export: write the game to a file of its own"),
             Hint::new("p", "practice: lay the coins out"),
             Hint::new("z", "practice: take the last stroke back"),
             Hint::new("w s", "practice: striker up or down"),

@@ -10,6 +10,7 @@ mod panel;
 mod picture;
 mod preview;
 mod replay;
+mod saved_games;
 mod session;
 mod sitting;
 mod view;
@@ -25,6 +26,7 @@ use crate::game::{Game, Record, RecordError};
 use crate::messages::{Input, Key};
 use new_game::{Agreed, NewGame};
 pub use options::{Aids, Options, Player};
+use saved_games::{SavedGames, Step};
 use sitting::{Sitting, Taken};
 
 /// The table.
@@ -38,6 +40,8 @@ pub struct Table {
 enum Page {
     /// A new game is agreed.
     NewGame(NewGame),
+    /// One is looked for among those that were saved.
+    SavedGames(SavedGames),
     /// One is played.
     Sitting(Box<Sitting>),
 }
@@ -75,7 +79,7 @@ impl Table {
     /// The game that is played, if one is.
     pub fn game(&self) -> Option<&Game> {
         match &self.page {
-            Page::NewGame(_) => None,
+            Page::NewGame(_) | Page::SavedGames(_) => None,
             Page::Sitting(sitting) => Some(sitting.game()),
         }
     }
@@ -83,7 +87,7 @@ impl Table {
     /// All that is needed to play it again.
     pub fn record(&self) -> Option<&Record> {
         match &self.page {
-            Page::NewGame(_) => None,
+            Page::NewGame(_) | Page::SavedGames(_) => None,
             Page::Sitting(sitting) => Some(sitting.record()),
         }
     }
@@ -97,6 +101,7 @@ impl Screen for Table {
     fn status(&self, _cx: &Context) -> String {
         let options = match &self.page {
             Page::NewGame(page) => &page.options,
+            Page::SavedGames(_) => return String::new(),
             Page::Sitting(sitting) => &sitting.options,
         };
         format!(
@@ -118,9 +123,18 @@ impl Screen for Table {
                 match agreed {
                     Agreed::Changing => {}
                     Agreed::Play => *self = Self::playing(page.options, cx.next_seed()),
+                    Agreed::SavedGames => {
+                        self.page = Page::SavedGames(SavedGames::ask(page.options, cx));
+                    }
                     Agreed::Ignored => return Next::Ignored,
                 }
             }
+            Page::SavedGames(page) => match page.update(input, cx) {
+                Step::Stay => {}
+                Step::Ignored => return Next::Ignored,
+                Step::Back => self.page = Page::NewGame(NewGame::with(page.options)),
+                Step::Sit(sitting) => self.page = Page::Sitting(sitting),
+            },
             Page::Sitting(sitting) => match sitting.update(input, cx) {
                 Taken::Used => {}
                 Taken::Ignored => return Next::Ignored,
@@ -139,7 +153,7 @@ impl Screen for Table {
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.page {
-            Page::NewGame(_) => None,
+            Page::NewGame(_) | Page::SavedGames(_) => None,
             Page::Sitting(sitting) => sitting.wake(),
         }
     }
@@ -147,6 +161,7 @@ impl Screen for Table {
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         match &self.page {
             Page::NewGame(page) => page.draw(area, buf, cx),
+            Page::SavedGames(page) => page.draw(area, buf, cx),
             Page::Sitting(sitting) => view::draw(sitting, area, buf, cx),
         }
     }
@@ -154,6 +169,7 @@ impl Screen for Table {
     fn keys(&self, _cx: &Context) -> Vec<Hint> {
         match &self.page {
             Page::NewGame(_) => NewGame::keys(),
+            Page::SavedGames(page) => page.keys(),
             Page::Sitting(sitting) => keys::keys(sitting),
         }
     }

@@ -40,6 +40,8 @@ pub(super) enum Agreed {
     Changing,
     /// All is agreed: play.
     Play,
+    /// Go on with a game that was saved.
+    SavedGames,
     /// It meant nothing here.
     Ignored,
 }
@@ -76,6 +78,7 @@ impl NewGame {
             Key::Right | Key::Char(' ') => self.row().change(&mut self.options, true),
             Key::Left => self.row().change(&mut self.options, false),
             Key::Enter => return Agreed::Play,
+            Key::Char('s' | 'S') => return Agreed::SavedGames,
             _ => return Agreed::Ignored,
         }
         Agreed::Changing
@@ -118,12 +121,14 @@ impl NewGame {
         lines.paragraph(self.row().about(&self.options), Role::Text);
         lines.gap();
         lines.paragraph("Enter: play!", Role::Key);
+        lines.paragraph("s: saved games", Role::Key);
     }
 
     /// The keys of the page.
     pub(super) fn keys() -> Vec<Hint> {
         vec![
             Hint::new("Enter", "play"),
+            Hint::new("s", "saved games"),
             Hint::new("Up Down", "choose"),
             Hint::new("Left Right", "change"),
             Hint::new("Esc", "back"),

@@ -1,45 +1,11 @@
 //! What is agreed at the table before the first break.
 
-use serde::{Deserialize, Serialize};
-
 use crate::game::opponent::Strength;
-use crate::game::{Hands, PieceSet, Rules, Seat, Setup, Team};
-
-/// Helps drawn while aiming, each to be switched on or off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Aids {
-    /// The way of the striker to the first disc it meets.
-    pub line: bool,
-    /// The striker as it will stand when it meets it.
-    pub ghost: bool,
-    /// Where both will leave that hit.
-    pub rays: bool,
-}
-
-impl Default for Aids {
-    fn default() -> Self {
-        Self {
-            line: true,
-            ghost: true,
-            rays: true,
-        }
-    }
-}
-
-/// Who plays from a seat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Player {
-    /// Somebody at the keyboard.
-    Person,
-    /// The computer.
-    Computer,
-}
+pub use crate::game::{Aids, Player};
+use crate::game::{Company, Hands, PieceSet, Rules, SavedGame, Seat, Setup, Team};
 
 /// Everything that can be chosen for a game.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
     /// The rules.
     pub rules: Rules,
@@ -94,6 +60,30 @@ impl Options {
             set: self.set,
             first_breaker: Seat::South,
             seed: Some(seed),
+        }
+    }
+
+    /// The options with which a game was saved.
+    pub fn of(saved: &SavedGame) -> Self {
+        let (setup, company) = (saved.record.setup(), &saved.company);
+        Self {
+            rules: setup.rules,
+            hands: setup.hands,
+            players: company.players,
+            strength: company.strength,
+            set: setup.set,
+            call: company.call,
+            aids: company.aids,
+        }
+    }
+
+    /// What a saved game has to say of them beside its setup.
+    pub fn company(&self) -> Company {
+        Company {
+            players: self.players,
+            strength: self.strength,
+            call: self.call,
+            aids: self.aids,
         }
     }
 

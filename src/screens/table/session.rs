@@ -1,5 +1,7 @@
 //! A game being played, with all that led to it.
 
+use std::mem;
+
 use super::calls::Called;
 use crate::game::{
     ByTeam, Game, Move, MoveError, Record, RecordError, Ruling, Setup, Strike, Team,
@@ -12,6 +14,8 @@ pub(super) struct Session {
     record: Record,
     game: Game,
     past: Vec<Past>,
+    /// Whether it has changed since it was last given away to be saved.
+    unsaved: bool,
 }
 
 /// A move that was made.
@@ -57,6 +61,7 @@ impl Session {
             record: Record::new(setup),
             game: Game::new(setup),
             past: Vec::new(),
+            unsaved: false,
         }
     }
 
@@ -69,7 +74,17 @@ impl Session {
         let game = record.play_through(|before, made, shot, rulings| {
             past.push(Past::new(before, made, shot.as_ref(), rulings));
         })?;
-        Ok(Self { record, game, past })
+        Ok(Self {
+            record,
+            game,
+            past,
+            unsaved: false,
+        })
+    }
+
+    /// Whether it has changed since this was last asked.
+    pub(super) fn take_unsaved(&mut self) -> bool {
+        mem::take(&mut self.unsaved)
     }
 
     /// The game as it stands.
@@ -102,6 +117,7 @@ impl Session {
         self.past
             .push(Past::new(before, &next, shot.as_ref(), rulings));
         self.record.push(next);
+        self.unsaved = true;
         Ok(shot)
     }
 
@@ -118,6 +134,7 @@ impl Session {
             return false;
         };
         self.record.pop();
+        self.unsaved = true;
         self.game = past.before;
         true
     }
@@ -128,6 +145,12 @@ impl Session {
             Move::Strike(strike) => Some(strike),
             _ => None,
         }
+    }
+
+    /// How many strokes there are before the move of this number.
+    pub(super) fn strokes_before(&self, number: usize) -> usize {
+        let moves = self.record.moves().iter().take(number);
+        moves.filter(|made| matches!(made, Move::Strike(_))).count()
     }
 
     /// Plays a stroke that was made once more.

@@ -80,11 +80,16 @@ fn titles(sitting: &Sitting) -> (String, String) {
                 replay.clock.rate_words()
             );
             let name = if replay.chosen.is_some() {
-                "impacts"
+                "impacts".into()
             } else {
-                "the stroke"
+                let session = &sitting.session;
+                let stroke = session.strokes_before(replay.number + 1);
+                format!(
+                    "stroke {stroke} of {}",
+                    session.strokes_before(session.len())
+                )
             };
-            (time, name.into())
+            (time, name)
         }
         Phase::Aim | Phase::Think { .. } => (board_title(sitting), turn()),
         Phase::Over => (board_title(sitting), "the end of the board".into()),

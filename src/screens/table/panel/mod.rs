@@ -27,9 +27,18 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
 
 /// Writes what belongs to what is being done.
 pub(super) fn write(sitting: &Sitting, lines: &mut Lines) {
+    if let Some(trouble) = sitting.keeping.trouble() {
+        lines.paragraph(trouble, Role::Warn);
+        lines.gap();
+    }
     if sitting.leaving {
         lines.paragraph("Leave this game?", Role::Warn);
         lines.gap();
+        if sitting.keeping.is_safe() {
+            let kept = "It is saved: on the page of a new game, s brings it back.";
+            lines.paragraph(kept, Role::Text);
+            lines.gap();
+        }
         lines.paragraph("Esc or y: leave it. Any other key: play on.", Role::Key);
         return;
     }

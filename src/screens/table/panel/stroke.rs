@@ -59,7 +59,12 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
         score::draw(sitting, lines);
     }
     lines.gap();
-    lines.paragraph("Enter: go on.  i: look into the impacts.", Role::Key);
+    let enter = match sitting.session.stroke_after(replay.number) {
+        Some(_) => "Enter: the next stroke.  Esc: back to the game.",
+        None => "Enter: go on.",
+    };
+    lines.paragraph(enter, Role::Key);
+    lines.paragraph("i: look into the impacts.", Role::Key);
 }
 
 /// What lies on the board at this moment.

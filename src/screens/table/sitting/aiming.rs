@@ -60,7 +60,7 @@ impl Sitting {
             Key::Char('g' | 'G') => self.options.aids.ghost ^= true,
             Key::Char('r' | 'R') => self.options.aids.rays ^= true,
             Key::Char('c' | 'C') => self.options.call ^= true,
-            Key::Char('i' | 'I') => self.look_back(self.session.len(), cx),
+            Key::Char('i' | 'I') => self.look_back(self.session.len()),
             Key::Char('p' | 'P') if self.is_practice() => {
                 self.phase = Phase::Arrange(Arrange::new());
             }

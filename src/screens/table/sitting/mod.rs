@@ -1,11 +1,12 @@
 //! A game in progress at the table.
 //!
 //! One file a thing that one does there: aiming, calling, watching a stroke,
-//! looking into one impact, laying coins out.
+//! looking into one impact, laying coins out, keeping the game.
 
 mod aiming;
 mod arranging;
 mod calling;
+mod keeping;
 mod thinking;
 mod watching;
 
@@ -27,6 +28,7 @@ use crate::physics::Shot;
 use crate::screens::Context;
 use crate::widgets::hit::Watch;
 use crate::widgets::{NumberEntry, RayInput, Scroll};
+pub(super) use keeping::Keeping;
 
 /// A game in progress, and what is being done at the table.
 #[derive(Debug, Clone)]
@@ -47,6 +49,8 @@ pub(super) struct Sitting {
     pub(super) scroll: Scroll,
     /// Whether the player has been asked about leaving.
     pub(super) leaving: bool,
+    /// How it is kept.
+    pub(super) keeping: Keeping,
     /// What the mouse holds while its button is down.
     grip: Grip,
 }
@@ -160,6 +164,7 @@ impl Sitting {
             hint: None,
             scroll: Scroll::default(),
             leaving: false,
+            keeping: Keeping::default(),
             grip: Grip::Aim,
         };
         sitting.look_ahead();
@@ -206,11 +211,16 @@ impl Sitting {
                 self.thought(thought, cx);
                 Taken::Used
             }
+            Input::Kept(answer) => {
+                self.take_answer(answer);
+                Taken::Used
+            }
             _ => Taken::Ignored,
         };
         if taken != Taken::Leave {
             self.hand_over(cx);
         }
+        self.save(cx);
         taken
     }
 
@@ -238,6 +248,10 @@ impl Sitting {
             Phase::Arrange(_) => self.arranging_key(key),
             Phase::Think { .. } => thinking_key(key),
             Phase::Over => self.over_key(key, cx),
+        };
+        let taken = match taken {
+            Taken::Ignored => self.keeping_key(key, cx),
+            taken => taken,
         };
         if taken == Taken::Leave && self.is_running() {
             self.leaving = true;
@@ -355,7 +369,7 @@ impl Sitting {
                 self.make(Move::NextBoard);
                 self.go_on();
             }
-            Key::Char('i' | 'I') => self.look_back(self.session.len(), cx),
+            Key::Char('i' | 'I') => self.look_back(self.session.len()),
             Key::Escape => return Taken::Leave,
             _ => return Taken::Ignored,
         }

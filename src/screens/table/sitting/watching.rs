@@ -9,18 +9,28 @@ use crate::widgets::hit::Watch;
 
 impl Sitting {
     /// Watches the stroke before the move of this number, at its end.
-    pub(super) fn look_back(&mut self, number: usize, cx: &Context) {
+    pub(super) fn look_back(&mut self, number: usize) {
         match self.session.stroke_before(number) {
-            Some(stroke) => self.look_at(stroke, cx),
+            Some(stroke) => self.look_at(stroke, true),
             None => self.notice = Some("There is no stroke to look at yet.".into()),
         }
     }
 
-    fn look_at(&mut self, number: usize, _cx: &Context) {
+    /// Watches all strokes, one after the other.
+    pub(in crate::screens::table) fn watch_all(&mut self, cx: &Context) {
+        let first = self.session.strike(0).map(|_| 0);
+        match first.or_else(|| self.session.stroke_after(0)) {
+            Some(stroke) => self.look_at(stroke, cx.settings.reduced_motion),
+            None => self.notice = Some("There is no stroke to look at yet.".into()),
+        }
+    }
+
+    /// Watches a stroke that was made, at its end or from its beginning.
+    fn look_at(&mut self, number: usize, at_end: bool) {
         if let Some(past) = self.session.past(number)
             && let Some(shot) = self.session.shot(number)
         {
-            let replay = Replay::new(number, shot, &past.before, true);
+            let replay = Replay::new(number, shot, &past.before, at_end);
             self.phase = Phase::Watch(Box::new(replay));
         }
     }
@@ -35,12 +45,18 @@ impl Sitting {
         let number = replay.number;
         match key {
             Key::Enter if replay.chosen.is_some() => self.zoom_in(cx),
-            Key::Enter | Key::Char(' ') | Key::Escape if replay.clock.is_over() => self.go_on(),
+            Key::Enter | Key::Char(' ') if replay.clock.is_over() => {
+                match self.session.stroke_after(number) {
+                    Some(next) => self.look_at(next, cx.settings.reduced_motion),
+                    None => self.go_on(),
+                }
+            }
+            Key::Escape if replay.clock.is_over() => self.go_on(),
             Key::Enter | Key::Escape => replay.clock.seek(f64::INFINITY),
-            Key::Char('p' | 'P') => self.look_back(number, cx),
+            Key::Char('p' | 'P') => self.look_back(number),
             Key::Char('n' | 'N') => {
                 if let Some(stroke) = self.session.stroke_after(number) {
-                    self.look_at(stroke, cx);
+                    self.look_at(stroke, true);
                 }
             }
             _ => return Taken::Ignored,

@@ -1,0 +1,224 @@
+//! `carrom replay`: plays a saved or exported game again and prints what happens.
+
+use std::fmt::Write as _;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Error, anyhow};
+use serde::Serialize;
+
+use super::{Failure, print};
+use crate::files;
+use crate::game::{
+    Coin, Fingerprint, Game, Move, Piece, RecordError, Ruling, SavedGame, Seat, Setup, Stage,
+    Strike, Team,
+};
+use crate::physics::units::mm_from_m;
+use crate::physics::{EventKind, Shot};
+
+/// Play a saved or exported game again and print what the referee says.
+///
+/// Every move goes through the engine and the laws once more, and the game has to
+/// end as the file says, to the last bit: the same coins at the same places. If it
+/// does not, or if a move cannot be made, the exit status is 2 and the message names
+/// the line.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The game, as carrom keeps or exports it; - reads standard input
+    file: PathBuf,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let (saved, game) = read(&args.file).map_err(Failure::Input)?;
+    let moves = happenings(&saved).map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
+    let report = if args.json {
+        let mut report = serde_json::to_string(&Report::of(&saved, &game, moves))?;
+        report.push('\n');
+        report
+    } else {
+        text(&saved, &game, &moves)
+    };
+    print(report.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn read(file: &Path) -> Result<(SavedGame, Game), Error> {
+    if file.as_os_str() != "-" {
+        let bytes = files::read(file, SavedGame::LARGEST_FILE)?;
+        return Ok(SavedGame::read(&file.display().to_string(), &bytes)?);
+    }
+    let mut bytes = Vec::new();
+    let most = SavedGame::LARGEST_FILE as u64 + 1;
+    io::stdin()
+        .take(most)
+        .read_to_end(&mut bytes)
+        .map_err(|error| anyhow!("standard input: cannot be read: {error}"))?;
+    Ok(SavedGame::read("standard input", &bytes)?)
+}
+
+/// A move and what came of it.
+#[derive(Debug, Serialize)]
+struct Happening {
+    r#move: usize,
+    seat: Seat,
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    strike: Option<Strike>,
+    pocketed: Vec<Piece>,
+    rulings: Vec<Announced>,
+}
+
+/// What the referee announced.
+#[derive(Debug, Serialize)]
+struct Announced {
+    law: Option<String>,
+    text: String,
+}
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Report {
+    player: String,
+    setup: Setup,
+    moves: Vec<Happening>,
+    r#final: End,
+}
+
+/// How the game stands after its last move.
+#[derive(Debug, Serialize)]
+struct End {
+    stage: &'static str,
+    board: u8,
+    turn: Seat,
+    points: [u8; 2],
+    games: [u8; 2],
+    coins: Vec<Lying>,
+    fingerprint: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Lying {
+    piece: Piece,
+    at_mm: [f64; 2],
+}
+
+impl From<Ruling> for Announced {
+    fn from(ruling: Ruling) -> Self {
+        Self {
+            law: ruling.law.map(|law| law.to_string()),
+            text: ruling.text,
+        }
+    }
+}
+
+/// All moves, made once more.
+fn happenings(saved: &SavedGame) -> Result<Vec<Happening>, RecordError> {
+    let mut happenings = Vec::new();
+    saved.record.play_through(|before, made, shot, rulings| {
+        happenings.push(Happening {
+            r#move: happenings.len() + 1,
+            seat: before.seat(),
+            kind: kind(made),
+            strike: match made {
+                Move::Strike(strike) => Some(*strike),
+                _ => None,
+            },
+            pocketed: shot.map_or_else(Vec::new, |shot| pocketed(&shot, &before)),
+            rulings: rulings.into_iter().map(Announced::from).collect(),
+        });
+    })?;
+    Ok(happenings)
+}
+
+/// What fell, in its order.
+fn pocketed(shot: &Shot, before: &Game) -> Vec<Piece> {
+    let coins = before.coins().iter().map(|coin| coin.piece);
+    let pieces: Vec<_> = std::iter::once(Piece::Striker).chain(coins).collect();
+    let falls = shot.events().iter().filter_map(|event| match event.kind {
+        EventKind::Pocket { disc, .. } => pieces.get(disc).copied(),
+        _ => None,
+    });
+    falls.collect()
+}
+
+const fn kind(made: &Move) -> &'static str {
+    match made {
+        Move::Strike(_) => "strike",
+        Move::NoPlace => "no_place",
+        Move::NextBoard => "next_board",
+        Move::LayOut(_) => "lay_out",
+    }
+}
+
+impl Report {
+    fn of(saved: &SavedGame, game: &Game, moves: Vec<Happening>) -> Self {
+        let score = game.score();
+        let lying = |coin: &Coin| Lying {
+            piece: coin.piece,
+            at_mm: coin.at.to_array().map(mm_from_m),
+        };
+        Self {
+            player: saved.player.clone(),
+            setup: *saved.record.setup(),
+            moves,
+            r#final: End {
+                stage: match game.stage() {
+                    Stage::Playing => "playing",
+                    Stage::BoardOver(_) => "board_over",
+                    Stage::GameOver(_) => "game_over",
+                    Stage::MatchOver(_) => "match_over",
+                },
+                board: game.board_number(),
+                turn: game.seat(),
+                points: Team::BOTH.map(|team| score.points[team]),
+                games: Team::BOTH.map(|team| score.games[team]),
+                coins: game.coins().iter().map(lying).collect(),
+                fingerprint: Fingerprint::of(game).to_string(),
+            },
+        }
+    }
+}
+
+fn text(saved: &SavedGame, game: &Game, moves: &[Happening]) -> String {
+    let mut text = String::new();
+    for happening in moves {
+        let seat = format!("{:?}", happening.seat);
+        let what = match (&happening.strike, happening.kind) {
+            (Some(strike), _) => format!("{seat} strikes at {:.2} m/s", strike.velocity.length()),
+            (None, "no_place") => format!("{seat} finds no place for the striker"),
+            (None, "next_board") => "the next board".into(),
+            (None, _) => format!("{seat} lays the coins out"),
+        };
+        let _ = writeln!(text, "{:4}  {what}", happening.r#move);
+        for ruling in &happening.rulings {
+            let law = ruling.law.as_ref();
+            let law = law.map_or(String::new(), |law| format!(" (law {law})"));
+            let _ = writeln!(text, "      {}{law}", ruling.text);
+        }
+    }
+    let score = game.score();
+    let both = |points: [u8; 2]| format!("{} : {}", points[0], points[1]);
+    let _ = writeln!(
+        text,
+        "\nafter {} strokes: board {}, points {}, games {}, turn {:?}",
+        saved.record.strokes(),
+        game.board_number(),
+        both(Team::BOTH.map(|team| score.points[team])),
+        both(Team::BOTH.map(|team| score.games[team])),
+        game.seat(),
+    );
+    for coin in game.coins() {
+        let [x, y] = coin.at.to_array().map(mm_from_m);
+        let _ = writeln!(
+            text,
+            "      {:8} {x:9.2} {y:9.2} mm",
+            coin.piece.to_string()
+        );
+    }
+    let _ = writeln!(text, "fingerprint {}, as the file says", saved.end);
+    text
+}
