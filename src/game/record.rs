@@ -14,9 +14,11 @@ use super::validity::GameError;
 use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
 
 /// What was agreed and every move since. All else follows from them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Record {
     setup: Setup,
+    #[serde(default)]
     moves: Vec<Move>,
 }
 

@@ -1,4 +1,6 @@
 //! What several tests share.
 
+pub mod folder;
+pub mod play;
 #[cfg(unix)]
 pub mod pty;

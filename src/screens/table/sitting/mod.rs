@@ -416,7 +416,7 @@ mod tests {
         effects
             .filter_map(|effect| match effect {
                 Effect::Think(task) => Some(*task),
-                Effect::Quit => None,
+                Effect::Quit | Effect::Keep(_) => None,
             })
             .collect()
     }
