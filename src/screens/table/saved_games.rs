@@ -351,7 +351,12 @@ fn about(saved: &SavedGame, game: &Game) -> String {
             format!(" {} the match.", words::sentence(&winner))
         }
     };
-    format!("{}: {rules}{board}, {strokes}.{stands}", saved.player)
+    let whose = match saved.player.as_str() {
+        // Whoever said no name has none to show.
+        "player" => String::new(),
+        name => format!("{name}'s game. "),
+    };
+    format!("{whose}{rules}{board}, {strokes}.{stands}")
 }
 
 /// A time that has passed, in few letters.

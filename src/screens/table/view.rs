@@ -84,10 +84,7 @@ fn titles(sitting: &Sitting) -> (String, String) {
             } else {
                 let session = &sitting.session;
                 let stroke = session.strokes_before(replay.number + 1);
-                format!(
-                    "stroke {stroke} of {}",
-                    session.strokes_before(session.len())
-                )
+                format!("stroke {stroke} of {}", session.record().strokes())
             };
             (time, name)
         }

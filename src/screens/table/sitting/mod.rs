@@ -247,7 +247,7 @@ impl Sitting {
             Phase::Impact(_) => self.impact_key(key),
             Phase::Arrange(_) => self.arranging_key(key),
             Phase::Think { .. } => thinking_key(key),
-            Phase::Over => self.over_key(key, cx),
+            Phase::Over => self.over_key(key),
         };
         let taken = match taken {
             Taken::Ignored => self.keeping_key(key, cx),
@@ -360,7 +360,7 @@ impl Sitting {
     }
 
     /// The board after one that has ended.
-    fn over_key(&mut self, key: Key, cx: &Context) -> Taken {
+    fn over_key(&mut self, key: Key) -> Taken {
         match key {
             Key::Enter | Key::Char(' ') => {
                 if let Stage::MatchOver(_) = self.game().stage() {
