@@ -234,3 +234,74 @@ fn a_folder_that_cannot_be_written_is_named() {
         err(&output)
     );
 }
+
+/// A game that was exported once and for all.
+const GAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/saves/format-1.toml");
+
+#[test]
+fn an_exported_game_is_played_again_to_the_last_bit() {
+    let text = carrom(&["replay", GAME]);
+    assert!(text.status.success(), "{}", err(&text));
+    assert!(out(&text).contains("   1  South strikes at "));
+    let json = carrom(&["replay", GAME, "--json"]);
+    let report: serde_json::Value = serde_json::from_str(&out(&json)).unwrap();
+    let strokes = report["moves"].as_array().unwrap().iter();
+    let strokes = strokes.filter(|made| made["kind"] == "strike");
+    assert_eq!(strokes.count(), 30);
+    let end = report["final"]["fingerprint"].as_str().unwrap();
+    assert!(fs::read_to_string(GAME).unwrap().contains(end));
+    assert!(out(&text).contains(end));
+}
+
+#[test]
+fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
+    let folder = Folder::new("replay");
+    let game = fs::read_to_string(GAME).unwrap();
+    let other = game.replacen("[0.8135039368984194,", "[1.8135039368984194,", 1);
+    for (content, expected) in [
+        (other.as_str(), ":41: end: expected the moves to lead to "),
+        ("format = 2", ":1: format: 2 is newer than the 1 "),
+        ("hello", ":1: "),
+    ] {
+        let file = folder.file("game.toml", content.as_bytes());
+        let output = carrom(&["replay", &file]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(out(&output).is_empty());
+        let message = err(&output);
+        assert!(
+            message.starts_with(&format!("carrom: {file}{expected}")),
+            "{message}"
+        );
+    }
+    let missing = carrom(&["replay", "/no/such/game.toml"]);
+    assert_eq!(missing.status.code(), Some(2));
+}
+
+#[test]
+fn a_tape_keeps_its_games_only_where_it_is_told_to() {
+    let folder = Folder::new("tape-saves");
+    let tape = folder.file(
+        "game.tape",
+        b"Run \"table --seed 3\"\nEnter\nSpace\nEnter\nType \"se\"\n",
+    );
+    let data = folder.0.join("data");
+    let data = data.to_str().unwrap();
+    assert!(
+        carrom(&["tape", &tape, "--data-dir", data])
+            .status
+            .success()
+    );
+    let saved = fs::read_to_string(folder.0.join("data/games/game-1.toml")).unwrap();
+    let exported = fs::read_to_string(folder.0.join("data/exports/carrom-game-1.toml")).unwrap();
+    assert_eq!(saved, exported);
+    // The same again in a folder of its own gives the same bytes.
+    let again = folder.0.join("again");
+    let again = again.to_str().unwrap();
+    assert!(
+        carrom(&["tape", &tape, "--data-dir", again])
+            .status
+            .success()
+    );
+    let twin = fs::read_to_string(folder.0.join("again/games/game-1.toml")).unwrap();
+    assert_eq!(saved, twin);
+}

@@ -209,7 +209,7 @@ fn practice_lays_out_strikes_and_takes_back() {
     let mut game = at_the_table(options, still());
     let pack = game.screen();
     game.press("80.5 ");
-    assert!(game.screen().contains("the stroke"));
+    assert!(game.screen().contains("stroke 1 of 1"));
     game.press("<Enter>");
     assert_ne!(game.screen(), pack);
     game.press("z90<Enter>");
