@@ -14,7 +14,7 @@ use crate::widgets::{Charset, Role};
 const fn token_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => 3.0,
-        Charset::Unicode => 1.4,
+        Charset::Unicode => 2.2,
     }
 }
 

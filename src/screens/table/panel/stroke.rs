@@ -127,7 +127,7 @@ pub(super) fn list(replay: &Replay, lines: &mut Lines) {
             (" ", Role::Text)
         };
         let text = format!("{mark}{:2} {a} on {b}", i + 1);
-        lines.pair(&text, &format!("{:.3} s", impact.time), role, role);
+        lines.pair(&text, &format!("{:.5} s", impact.time), role, role);
     }
 }
 
