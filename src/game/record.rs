@@ -14,11 +14,9 @@ use super::validity::GameError;
 use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
 
 /// What was agreed and every move since. All else follows from them.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     setup: Setup,
-    #[serde(default)]
     moves: Vec<Move>,
 }
 

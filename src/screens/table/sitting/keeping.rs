@@ -75,7 +75,8 @@ impl Sitting {
         }
     }
 
-    fn saved(&self, cx: &Context) -> SavedGame {
+    /// The game as it is kept.
+    pub(super) fn saved(&self, cx: &Context) -> SavedGame {
         SavedGame {
             player: cx.settings.player.clone(),
             company: self.options.company(),

@@ -388,6 +388,7 @@ fn thinking_key(key: Key) -> Taken {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::game::SavedGame;
     use crate::messages::{Effect, Found, Task, Thought};
     use crate::screens::Settings;
 
@@ -423,11 +424,12 @@ mod tests {
 
     /// What was written down leads to what is on the table, to the last bit, also by
     /// way of a file.
-    fn assert_recorded(sitting: &Sitting) {
-        let text = toml::to_string(sitting.record()).unwrap();
-        let read: Record = toml::from_str(&text).unwrap();
-        assert_eq!(read.replay().as_ref(), Ok(sitting.game()));
-        let again = Sitting::resume(sitting.options, read).unwrap();
+    fn assert_recorded(sitting: &Sitting, cx: &Context) {
+        let text = sitting.saved(cx).text().unwrap();
+        let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();
+        assert_eq!(&game, sitting.game());
+        let again = Sitting::resume_saved(&read, 1).unwrap();
+        assert_eq!(again.options, sitting.options);
         assert_eq!(again.session.len(), sitting.session.len());
         assert_eq!(again.session.calls(), sitting.session.calls());
     }
@@ -440,7 +442,7 @@ mod tests {
         press(&mut sitting, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
         assert_eq!(sitting.session.len(), 4);
         assert!(sitting.session.has_calls());
-        assert_recorded(&sitting);
+        assert_recorded(&sitting, &cx);
 
         let practice = Options {
             rules: Rules::Practice,
@@ -449,7 +451,7 @@ mod tests {
         let mut sitting = Sitting::new(practice, 4);
         press(&mut sitting, "91 \np\t ^^^^^^^^ p80 \n85 \nz", &mut cx);
         assert_eq!(sitting.session.len(), 3);
-        assert_recorded(&sitting);
+        assert_recorded(&sitting, &cx);
     }
 
     #[test]
@@ -487,7 +489,7 @@ mod tests {
         // The same thought again comes too late.
         sitting.update(&Input::Thought(Box::new(thought)), &mut cx);
         assert_eq!(sitting.session.len(), 1);
-        assert_recorded(&sitting);
+        assert_recorded(&sitting, &cx);
         assert_eq!(asked(&mut cx), vec![]);
         press(&mut sitting, "\n", &mut cx);
         assert_eq!(asked(&mut cx).len(), 1);
