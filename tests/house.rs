@@ -14,7 +14,7 @@ const FLOORS: [&[&str]; 8] = [
     &["screens"],
     &["widgets"],
     &["messages"],
-    &["quiz", "levels", "game", "lessons", "progress"],
+    &["quiz", "levels", "game", "beams", "lessons", "progress"],
     &["physics"],
 ];
 
