@@ -26,6 +26,8 @@
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
+//!   beams/         particles thrown by the million and counted; Geiger and Marsden's
+//!                  own counts  (data: assets/)
 //!   ─────────────────────────────────────────────────────────────
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-
 //!                  driven engine and the exact record of a shot. Knows no game, no
@@ -34,6 +36,7 @@
 //! ```
 
 pub mod app;
+pub mod beams;
 pub mod cli;
 pub mod files;
 pub mod game;

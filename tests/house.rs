@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 /// The floors from the top, as the map in `lib.rs` draws them.
-const FLOORS: [&[&str]; 9] = [
+const FLOORS: [&[&str]; 10] = [
     &["cli"],
     &["shells"],
     &["store"],
@@ -15,7 +15,8 @@ const FLOORS: [&[&str]; 9] = [
     &["screens"],
     &["widgets"],
     &["messages"],
-    &["quiz", "levels", "game", "lessons", "progress"],
+    &["progress"],
+    &["quiz", "levels", "game", "beams", "lessons"],
     &["physics", "files"],
 ];
 

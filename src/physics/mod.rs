@@ -14,6 +14,7 @@ mod collision_shot;
 mod disc;
 mod engine;
 pub mod frames;
+pub mod hyperbola;
 pub mod impact;
 pub mod resting_target;
 pub mod rutherford;

@@ -39,8 +39,17 @@ impl Charset {
             return Cow::Borrowed(text);
         }
         let mut plain = String::with_capacity(text.len());
+        let mut raised = false;
         for letter in text.chars() {
-            if letter.is_ascii() {
+            let was_raised = std::mem::replace(&mut raised, false);
+            if let Some(digit) = superscript(letter) {
+                // One sign for the whole of an exponent: 10^-27.
+                if !was_raised {
+                    plain.push('^');
+                }
+                plain.push(digit);
+                raised = true;
+            } else if letter.is_ascii() {
                 plain.push(if is_plain(letter as u8) { letter } else { '?' });
             } else if letter == '°' {
                 // A unit stands off from its number: 60 deg, but (deg).
@@ -57,6 +66,24 @@ impl Charset {
 /// Whether a byte may stand in an ASCII text: printable, or a line break.
 const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\n')
+}
+
+/// The digit or sign that is raised in an exponent.
+const fn superscript(letter: char) -> Option<char> {
+    Some(match letter {
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴' => '4',
+        '⁵' => '5',
+        '⁶' => '6',
+        '⁷' => '7',
+        '⁸' => '8',
+        '⁹' => '9',
+        '⁻' => '-',
+        _ => return None,
+    })
 }
 
 /// How a letter outside ASCII is spelt inside it.
@@ -104,12 +131,6 @@ const fn spelling(letter: char) -> &'static str {
         'ₛ' => "s",
         '∥' => "_par",
         '⊥' | '⟂' => "_perp",
-        '⁰' => "^0",
-        '¹' => "^1",
-        '²' => "^2",
-        '³' => "^3",
-        '⁴' => "^4",
-        '⁻' => "^-",
         '′' | '‘' | '’' | '‛' => "'",
         '″' | '“' | '”' | '„' | '«' | '»' => "\"",
         '−' | '–' | '‐' | '‑' | '─' | '━' => "-",
@@ -176,6 +197,7 @@ mod tests {
             ("u·cos α", "u.cos alpha"),
             ("m₁ × v₁ − 2", "m1 x v1 - 2"),
             ("½ μ u² ≤ √3 → …", "1/2 mu u^2 <= sqrt3 -> ..."),
+            ("m⁴, 3.7·10⁻²⁷ m⁻²", "m^4, 3.7.10^-27 m^-2"),
             ("“far” — it’s", "\"far\" -- it's"),
             ("plain", "plain"),
         ] {

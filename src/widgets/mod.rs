@@ -10,6 +10,7 @@ pub mod charset;
 pub mod ink;
 pub mod keys;
 pub mod panel;
+pub mod plot;
 pub mod replay;
 pub mod theme;
 

@@ -1,0 +1,90 @@
+//! How fast a beam is thrown and counted: `cargo bench --bench foil`.
+//!
+//! Hard spheres in space into 36 bins, on one core: by the table of edges, and beside it
+//! in the same rounds by the plain loop that works out the angle of each. Both count the
+//! same particles, and the counts are compared. The best of many rounds is given, and
+//! the median.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use carrom::beams::{BIN_WIDTH, BINS, Counts, Foil, Law, METALS, Sampler, Target};
+use carrom::physics::beam::Beam;
+use carrom::physics::rutherford::RADIUM_C_ENERGY;
+use rand::Rng;
+use rand_pcg::Pcg64;
+
+const PARTICLES: u64 = 4_000_000;
+const ROUNDS: usize = 40;
+const SEED: u64 = 1913;
+
+fn main() {
+    let spheres = Law {
+        target: Target::Hard,
+        beam: Beam::Space,
+    };
+    let foil = Foil {
+        metal: METALS[0],
+        thickness: 2.1e-7,
+    };
+    let gold = Law {
+        target: foil.target(RADIUM_C_ENERGY),
+        beam: Beam::Space,
+    };
+    compare("hard spheres", &spheres);
+    compare("gold foil", &gold);
+    frame(&spheres);
+}
+
+/// The table and the plain loop, turn and turn about.
+fn compare(name: &str, law: &Law) {
+    let sampler = Sampler::new(law);
+    let mut times = [const { Vec::new() }; 2];
+    for _ in 0..ROUNDS {
+        let mut counts = Counts::default();
+        let start = Instant::now();
+        sampler.throw(SEED, 0..PARTICLES, black_box(&mut counts));
+        times[0].push(start.elapsed().as_secs_f64());
+        let start = Instant::now();
+        let plain = black_box(plain(law));
+        times[1].push(start.elapsed().as_secs_f64());
+        assert_eq!(counts, plain, "{name}");
+    }
+    for (way, mut times) in ["table of edges", "plain loop"].into_iter().zip(times) {
+        times.sort_by(f64::total_cmp);
+        let rate = |time: f64| PARTICLES as f64 / time / 1e6;
+        println!(
+            "{name:<13} {way:<15} {:7.1} million a second (median {:.1})",
+            rate(times[0]),
+            rate(times[ROUNDS / 2]),
+        );
+    }
+}
+
+/// A number, an offset, an angle, a bin, for each particle.
+fn plain(law: &Law) -> Counts {
+    let mut numbers = Pcg64::new(u128::from(SEED), 0x0a02_bdbf_7bb3_c0a7);
+    let mut counts = Counts::default();
+    for _ in 0..PARTICLES {
+        let even = numbers.next_u64() as f64 / 2_f64.powi(64);
+        let bin = (law.angle(even.sqrt()) / BIN_WIDTH) as usize;
+        counts.bins[bin.min(BINS - 1)] += 1;
+    }
+    counts
+}
+
+/// What one picture's worth of a beam of 10⁸ takes.
+fn frame(law: &Law) {
+    let start = Instant::now();
+    let sampler = black_box(Sampler::new(law));
+    let made = start.elapsed();
+    let mut counts = Counts::default();
+    let start = Instant::now();
+    sampler.throw(SEED, 0..100_000_000, &mut counts);
+    println!(
+        "tables {:.0} µs, 10^8 particles {:.2} s",
+        made.as_secs_f64() * 1e6,
+        start.elapsed().as_secs_f64()
+    );
+    black_box(&counts);
+}

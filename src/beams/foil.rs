@@ -1,0 +1,73 @@
+//! Foils of metal, as they were hung into the way of α particles.
+
+use std::f64::consts::PI;
+
+use super::Target;
+use crate::physics::rutherford::{ALPHA_CHARGE, GOLD_CHARGE, GOLD_DENSITY, Rutherford};
+
+/// A metal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Metal {
+    /// Its name.
+    pub name: &'static str,
+    /// Charge number Z.
+    pub charge: f64,
+    /// Atoms in a cubic metre.
+    pub density: f64,
+}
+
+/// Metals from heavy to light. Atoms in a cubic metre from mass density and atomic mass
+/// (CRC Handbook of Chemistry and Physics): gold 19.3 g/cm³ and 196.97 u, and so on.
+pub const METALS: [Metal; 5] = [
+    Metal {
+        name: "gold",
+        charge: GOLD_CHARGE,
+        density: GOLD_DENSITY,
+    },
+    Metal {
+        name: "platinum",
+        charge: 78.0,
+        density: 6.62e28,
+    },
+    Metal {
+        name: "silver",
+        charge: 47.0,
+        density: 5.86e28,
+    },
+    Metal {
+        name: "copper",
+        charge: 29.0,
+        density: 8.49e28,
+    },
+    Metal {
+        name: "aluminium",
+        charge: 13.0,
+        density: 6.02e28,
+    },
+];
+
+/// A foil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Foil {
+    /// What it is made of.
+    pub metal: Metal,
+    /// Its thickness in metres, above 0.
+    pub thickness: f64,
+}
+
+impl Foil {
+    /// Atoms that a square metre of it shows to a beam.
+    pub fn atoms_per_area(&self) -> f64 {
+        self.metal.density * self.thickness
+    }
+
+    /// What α particles of `energy` joules meet in it, each at most one nucleus: the
+    /// beam that belongs to one nucleus has the area 1/(n t), so b goes up to
+    /// 1/√(π n t).
+    pub fn target(&self, energy: f64) -> Target {
+        Target::Coulomb {
+            scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),
+            half_width: 1.0 / (PI * self.atoms_per_area()).sqrt(),
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! How a beam's offsets become angles.
+
+use std::f64::consts::PI;
+
+use crate::physics::beam::Beam;
+use crate::physics::rutherford::Rutherford;
+
+/// What a beam is thrown at. It is taken as fixed: so heavy that it does not move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// Hard discs or spheres, e = 1. The beam is as wide as can hit: b goes up to
+    /// r₁ + r₂.
+    Hard,
+    /// A charge that repels.
+    Coulomb {
+        /// The law for one particle.
+        scatterer: Rutherford,
+        /// The largest offset b in the beam, in metres, above 0: the reach of the charge
+        /// has no end, so a beam must have one.
+        half_width: f64,
+    },
+}
+
+/// A target and how the offsets are spread over the beam.
+///
+/// Offsets are counted in *nearness*: b as a share of the beam's half-width, 0 for
+/// straight on, 1 at the rim.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Law {
+    /// What is hit.
+    pub target: Target,
+    /// Plane or space.
+    pub beam: Beam,
+}
+
+impl Law {
+    /// The angle Θ by which a particle is turned, 0 to π radians, for a nearness from 0
+    /// to 1: Θ = 2 arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is that
+    /// of incidence), Θ = 2 atan(d/2b) for a charge.
+    pub fn angle(&self, nearness: f64) -> f64 {
+        match self.target {
+            Target::Hard => 2.0 * nearness.clamp(-1.0, 1.0).acos(),
+            Target::Coulomb {
+                scatterer,
+                half_width,
+            } => scatterer.scattering_angle(nearness * half_width),
+        }
+    }
+
+    /// The nearness below which all particles are turned by more than `angle` radians: 1
+    /// where all of the beam is, 0 from 180° on.
+    pub fn nearness(&self, angle: f64) -> f64 {
+        if angle >= PI {
+            return 0.0;
+        }
+        match self.target {
+            Target::Hard => (angle.max(0.0) / 2.0).cos(),
+            Target::Coulomb {
+                scatterer,
+                half_width,
+            } => scatterer
+                .impact_parameter(angle)
+                .map_or(1.0, |b| (b / half_width).min(1.0)),
+        }
+    }
+
+    /// The share of the beam that is turned by more than `angle` radians.
+    pub fn share_beyond(&self, angle: f64) -> f64 {
+        self.beam.share_within(self.nearness(angle))
+    }
+}

@@ -1,0 +1,152 @@
+//! What Geiger and Marsden counted.
+
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+/// H. Geiger and E. Marsden, Phil. Mag. 25 (1913) 604, Table II, first series.
+const TABLE: &str = include_str!("../../assets/geiger-marsden-1913.csv");
+
+/// The columns a table of counts has.
+const HEADER: &str = "angle_deg,silver_count,gold_count";
+
+/// Counts at one angle. Counts are relative: only those of one metal can be compared with
+/// each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Angle {
+    /// Scattering angle φ in radians.
+    pub angle: f64,
+    /// Scintillations with a silver foil.
+    pub silver: f64,
+    /// Scintillations with a gold foil.
+    pub gold: f64,
+}
+
+impl Angle {
+    /// 1/sin⁴(φ/2), with which the counts should grow.
+    pub fn law(&self) -> f64 {
+        (self.angle / 2.0).sin().powi(-4)
+    }
+}
+
+/// What is wrong with a table of counts.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{line}: {what}")]
+pub struct Fault {
+    /// Number of the line, from 1; the one after the last where something is missing.
+    pub line: usize,
+    /// What is wrong there.
+    pub what: String,
+}
+
+/// The counts of 1913, from the largest angle to the smallest.
+///
+/// # Errors
+/// None, unless the table in the program is spoilt.
+pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
+    read(TABLE)
+}
+
+/// Reads a table of counts: comma-separated values under the heading
+/// `angle_deg,silver_count,gold_count`, with comments after `#`. Angles are from 0.1 to
+/// 180, each smaller than the one before; counts are from 0.1 to 10¹².
+///
+/// # Errors
+/// The first line that is not so.
+pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
+    let mut lines = table
+        .lines()
+        .enumerate()
+        .map(|(i, line)| (i + 1, line.trim()))
+        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let end = table.lines().count() + 1;
+    let fault = |line, what| Err(Fault { line, what });
+    match lines.next() {
+        Some((_, HEADER)) => {}
+        Some((line, other)) => {
+            return fault(
+                line,
+                format!("expected {HEADER}, found \"{}\"", other.escape_debug()),
+            );
+        }
+        None => return fault(end, format!("expected {HEADER}, found nothing")),
+    }
+    let mut angles: Vec<Angle> = Vec::new();
+    for (line, text) in lines {
+        let fields: Vec<&str> = text.split(',').collect();
+        let [angle_deg, silver, gold] = fields[..] else {
+            return fault(line, format!("expected 3 values, found {}", fields.len()));
+        };
+        let read = |name, text, range| {
+            number(text, range).map_err(|what| Fault {
+                line,
+                what: format!("{name}: {what}"),
+            })
+        };
+        let counted = 0.1..=1e12;
+        let next = Angle {
+            angle: read("angle_deg", angle_deg, 0.1..=180.0)?.to_radians(),
+            silver: read("silver_count", silver, counted.clone())?,
+            gold: read("gold_count", gold, counted)?,
+        };
+        if angles.last().is_some_and(|last| last.angle <= next.angle) {
+            return fault(
+                line,
+                "angle_deg: expected less than in the line before".into(),
+            );
+        }
+        angles.push(next);
+    }
+    if angles.is_empty() {
+        return fault(end, "expected counts, found nothing".into());
+    }
+    Ok(angles)
+}
+
+fn number(text: &str, range: RangeInclusive<f64>) -> Result<f64, String> {
+    let text = text.trim();
+    let value = f64::from_str(text).ok();
+    value.filter(|value| range.contains(value)).ok_or_else(|| {
+        let (low, high) = (range.start(), range.end());
+        let found = text.escape_debug();
+        format!("expected a number from {low} to {high}, found \"{found}\"")
+    })
+}
+
+/// The counts of one metal beside the law, which fixes how they grow but not the scale.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Mean of the counts times sin⁴(φ/2): the scale that suits them best.
+    pub scale: f64,
+    /// Angle φ in radians, 1/sin⁴(φ/2), and the count.
+    pub points: Vec<(f64, f64, f64)>,
+}
+
+impl Series {
+    /// The series of the metal whose count `of` gives; `None` without any angle.
+    pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
+        let points: Vec<_> = angles
+            .iter()
+            .map(|angle| (angle.angle, angle.law(), of(angle)))
+            .collect();
+        let level: f64 = points.iter().map(|(_, law, count)| count / law).sum();
+        (!points.is_empty()).then(|| Self {
+            scale: level / points.len() as f64,
+            points,
+        })
+    }
+
+    /// How far a count is above the law, as a share of it (below: negative).
+    pub fn excess(&self, (_, law, count): (f64, f64, f64)) -> f64 {
+        count / (law * self.scale) - 1.0
+    }
+
+    /// The least and the greatest excess.
+    pub fn band(&self) -> (f64, f64) {
+        let excess = self.points.iter().map(|point| self.excess(*point));
+        excess.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), excess| {
+            (low.min(excess), high.max(excess))
+        })
+    }
+}

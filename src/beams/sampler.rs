@@ -1,0 +1,109 @@
+//! The throwing of particles.
+
+use std::ops::Range;
+
+use rand::Rng;
+use rand_pcg::Pcg64;
+
+use super::{BIN_WIDTH, BINS, Counts, Law};
+
+/// Stream of the generator; part of what a seed means.
+const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
+
+/// Cells of the index table, a power of two. 4096 bytes stay in the nearest cache.
+const CELLS: usize = 4096;
+
+/// Places in the tables of a bin each: a power of two, so that no index can be beyond.
+const PLACES: usize = 64;
+
+/// Particles that are thrown side by side, so that no generator waits for itself.
+const LANES: usize = 4;
+
+/// Throws the particles of a beam and counts them by angle.
+///
+/// Particle i takes the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is
+/// its state, the stream is fixed). In plane, w/2⁶⁴ is the nearness b/b_max, in space it
+/// is its square, so that offsets are even over a line or over a disc. As each particle
+/// has its own number, it does not matter in how many goes, or in what order, a beam is
+/// thrown.
+///
+/// No angle is ever computed for a particle. The w at which the angle passes from bin to
+/// bin are known beforehand, so the bin follows from comparing: an index table gives it
+/// for the upper 12 bits, and where an edge lies within a cell of the table the edge
+/// itself decides. The counts are exactly those of computing each angle.
+#[derive(Debug, Clone)]
+pub struct Sampler {
+    /// `edges[k]`: every w below it leaves beyond the lower edge of bin k.
+    edges: [u64; PLACES],
+    /// The lowest bin in a cell of w.
+    lowest: [u8; CELLS],
+}
+
+impl Sampler {
+    /// A sampler for a law.
+    pub fn new(law: &Law) -> Self {
+        let mut edges = [0; PLACES];
+        for (bin, edge) in edges.iter_mut().enumerate().take(BINS) {
+            // To the nearest whole number; 2⁶⁴ itself, for all, is held to what fits.
+            let share = law.share_beyond(bin as f64 * BIN_WIDTH);
+            *edge = (share * 2_f64.powi(64)) as u64;
+        }
+        let mut sampler = Self {
+            edges,
+            lowest: [0; CELLS],
+        };
+        let cell = u64::MAX / CELLS as u64 + 1;
+        for i in 0..CELLS {
+            let last = (i as u64).wrapping_mul(cell).wrapping_add(cell - 1);
+            sampler.lowest[i] = sampler.search(0, last) as u8;
+        }
+        sampler
+    }
+
+    /// The bin of `w`, which is `from` or above it.
+    fn search(&self, from: usize, w: u64) -> usize {
+        let mut bin = from;
+        // The edges end with zeros, below which nothing is.
+        while w < self.edges[(bin + 1) % PLACES] {
+            bin += 1;
+        }
+        bin
+    }
+
+    /// The bin of `w`.
+    fn bin(&self, w: u64) -> usize {
+        let cell = (w >> (u64::BITS - CELLS.ilog2())) as usize % CELLS;
+        self.search(usize::from(self.lowest[cell]), w) % PLACES
+    }
+
+    /// Throws the particles of these numbers in the beam of a seed, and adds them to
+    /// `counts`.
+    pub fn throw(&self, seed: u64, particles: Range<u64>, counts: &mut Counts) {
+        let mut tallies = [[0_u64; PLACES]; LANES];
+        let length = particles.end.saturating_sub(particles.start);
+        let share = length / LANES as u64;
+        let mut generators: [Pcg64; LANES] =
+            std::array::from_fn(|lane| generator(seed, particles.start + lane as u64 * share));
+        for _ in 0..share {
+            for (generator, tally) in generators.iter_mut().zip(&mut tallies) {
+                tally[self.bin(generator.next_u64())] += 1;
+            }
+        }
+        let mut rest = generator(seed, particles.start + LANES as u64 * share);
+        for _ in LANES as u64 * share..length {
+            tallies[0][self.bin(rest.next_u64())] += 1;
+        }
+        for tally in tallies {
+            for (count, new) in counts.bins.iter_mut().zip(tally) {
+                *count += new;
+            }
+        }
+    }
+}
+
+/// The generator of a seed, before the number of this particle.
+pub(super) fn generator(seed: u64, particle: u64) -> Pcg64 {
+    let mut generator = Pcg64::new(u128::from(seed), STREAM);
+    generator.advance(u128::from(particle));
+    generator
+}

@@ -1,0 +1,286 @@
+//! The sampler against the closed forms, and against throwing particle by particle.
+
+use std::f64::consts::PI;
+
+use rand::Rng;
+
+use super::sampler::generator;
+use super::*;
+use crate::physics::beam::Beam;
+use crate::physics::rutherford::{MEV, RADIUM_C_ENERGY, Rutherford};
+
+const DISC: Law = Law {
+    target: Target::Hard,
+    beam: Beam::Board,
+};
+
+const SPHERE: Law = Law {
+    target: Target::Hard,
+    beam: Beam::Space,
+};
+
+/// Radium C on gold in a beam so narrow that every bin gets its share: the outermost
+/// particles are turned by 2.5°.
+fn coulomb(beam: Beam) -> Law {
+    let scatterer = Rutherford::radium_c_on_gold();
+    let half_width = scatterer.impact_parameter(2.5_f64.to_radians());
+    Law {
+        target: Target::Coulomb {
+            scatterer,
+            half_width: half_width.unwrap(),
+        },
+        beam,
+    }
+}
+
+fn foil(thickness: f64) -> Law {
+    let foil = Foil {
+        metal: METALS[0],
+        thickness,
+    };
+    Law {
+        target: foil.target(RADIUM_C_ENERGY),
+        beam: Beam::Space,
+    }
+}
+
+fn thrown(law: &Law, seed: u64, particles: u64) -> Counts {
+    let mut counts = Counts::default();
+    Sampler::new(law).throw(seed, 0..particles, &mut counts);
+    counts
+}
+
+/// Share of the beam beyond an edge, from the closed forms of physics alone.
+type Beyond<'a> = &'a dyn Fn(f64) -> f64;
+
+fn chi_squared(counts: &Counts, beyond: Beyond) -> f64 {
+    let total = counts.total() as f64;
+    let edge = |bin: usize| (bin as f64 * PI / 36.0).min(PI);
+    (0..BINS)
+        .map(|bin| {
+            let expected = total * (beyond(edge(bin)) - beyond(edge(bin + 1)));
+            assert!(
+                expected > 5.0,
+                "bin {bin} is too empty to judge: {expected}"
+            );
+            (counts.bins[bin] as f64 - expected).powi(2) / expected
+        })
+        .sum()
+}
+
+/// The chance that χ² of 35 degrees of freedom is greater than `x`: one minus the
+/// integral of x^(k/2−1) e^(−x/2) / (2^(k/2) Γ(k/2)), by Simpson's rule.
+fn chance_beyond(x: f64) -> f64 {
+    let half = 35.0 / 2.0;
+    // Γ(35/2) = 33!! √π / 2¹⁷.
+    let double_factorial: f64 = (1..=33).step_by(2).map(f64::from).product();
+    let gamma = double_factorial * PI.sqrt() / 2_f64.powi(17);
+    let density = |x: f64| x.powf(half - 1.0) * (-x / 2.0).exp() / (2_f64.powf(half) * gamma);
+    let pieces = 20_000;
+    let step = x / f64::from(pieces);
+    let sum: f64 = (0..=pieces)
+        .map(|i| {
+            let weight = match i {
+                0 => 1.0,
+                _ if i == pieces => 1.0,
+                _ if i % 2 == 1 => 4.0,
+                _ => 2.0,
+            };
+            weight * density(f64::from(i) * step)
+        })
+        .sum();
+    1.0 - sum * step / 3.0
+}
+
+#[test]
+fn the_chance_is_that_of_the_tables() {
+    // Upper points of χ² with 35 degrees of freedom.
+    for (x, chance) in [
+        (34.336, 0.5),
+        (49.802, 0.05),
+        (57.342, 0.01),
+        (66.619, 0.001),
+    ] {
+        assert!((chance_beyond(x) / chance - 1.0).abs() < 1e-3, "{x}");
+    }
+}
+
+/// 10⁷ particles in 36 bins against the closed forms.
+#[test]
+fn ten_million_particles_agree_with_the_closed_forms() {
+    let gold = Rutherford::radium_c_on_gold();
+    let sigma = |angle| gold.cross_section_beyond(angle).unwrap_or(f64::INFINITY);
+    let whole = sigma(2.5_f64.to_radians());
+    let cases: [(&str, Law, Beyond); 4] = [
+        ("disc", DISC, &|a| Beam::Board.cm_share_beyond(a)),
+        ("sphere", SPHERE, &|a| Beam::Space.cm_share_beyond(a)),
+        ("Coulomb", coulomb(Beam::Space), &|a| {
+            (sigma(a) / whole).min(1.0)
+        }),
+        ("plane Coulomb", coulomb(Beam::Board), &|a| {
+            (sigma(a) / whole).min(1.0).sqrt()
+        }),
+    ];
+    for (name, law, beyond) in cases {
+        let counts = thrown(&law, 1913, 10_000_000);
+        assert_eq!(counts.total(), 10_000_000);
+        let chance = chance_beyond(chi_squared(&counts, beyond));
+        assert!((0.001..=0.999).contains(&chance), "{name}: p = {chance}");
+    }
+}
+
+/// The table of edges gives the very counts that come from working out each angle.
+#[test]
+fn no_particle_is_put_into_another_bin_than_its_angle() {
+    for law in [
+        DISC,
+        SPHERE,
+        coulomb(Beam::Space),
+        coulomb(Beam::Board),
+        foil(2.1e-7),
+    ] {
+        const PARTICLES: u64 = 300_000;
+        let mut counts = Counts::default();
+        let mut numbers = generator(7, 0);
+        for _ in 0..PARTICLES {
+            let even = numbers.next_u64() as f64 / 2_f64.powi(64);
+            let nearness = match law.beam {
+                Beam::Board => even,
+                Beam::Space => even.sqrt(),
+            };
+            let bin = (law.angle(nearness) / BIN_WIDTH) as usize;
+            counts.bins[bin.min(BINS - 1)] += 1;
+        }
+        assert_eq!(thrown(&law, 7, PARTICLES), counts, "{law:?}");
+    }
+}
+
+#[test]
+fn a_beam_may_be_thrown_in_any_number_of_goes() {
+    let law = coulomb(Beam::Space);
+    let whole = thrown(&law, 5, 100_003);
+    let sampler = Sampler::new(&law);
+    let mut counts = Counts::default();
+    for part in [70_001..100_003, 0..3, 3..4, 4..4, 4..70_001] {
+        sampler.throw(5, part, &mut counts);
+    }
+    assert_eq!(counts, whole);
+    assert_ne!(thrown(&law, 6, 100_003), whole);
+}
+
+/// Seeds mean the same for ever: O'Neill's PCG64 (XSL-RR 128/64) by its definition.
+#[test]
+fn the_generator_is_pcg64_by_its_definition() {
+    const A: u128 = 0x2360_ed05_1fc6_5da4_4385_df64_9fcc_f645;
+    let c = (0x0a02_bdbf_7bb3_c0a7_u128 << 1) | 1;
+    let mut state = u128::wrapping_add(42, c).wrapping_mul(A).wrapping_add(c);
+    let mut numbers = generator(42, 0);
+    for i in 0..100 {
+        assert_eq!(generator(42, i).next_u64(), {
+            state = state.wrapping_mul(A).wrapping_add(c);
+            let folded = (state >> 64) as u64 ^ state as u64;
+            folded.rotate_right((state >> 122) as u32)
+        });
+        numbers.next_u64();
+    }
+    assert_eq!(numbers.next_u64(), generator(42, 100).next_u64());
+}
+
+#[test]
+fn shares_and_angles_are_two_sides_of_one_law() {
+    for law in [DISC, SPHERE, coulomb(Beam::Space), foil(2e-6)] {
+        for deg in 10..180 {
+            let angle = f64::from(deg).to_radians();
+            assert!((law.angle(law.nearness(angle)) - angle).abs() < 1e-9);
+        }
+        assert!(law.share_beyond(PI) <= 0.0 && law.share_beyond(0.0) >= 1.0);
+        assert!((law.angle(0.0) - PI).abs() < 1e-12);
+    }
+}
+
+/// What goes beyond an angle in a foil is n t σ: the thinner, the fewer.
+#[test]
+fn a_foil_turns_back_few() {
+    let back = foil(2.1e-7).share_beyond(PI / 2.0);
+    let sigma = Rutherford::radium_c_on_gold()
+        .cross_section_beyond(PI / 2.0)
+        .unwrap();
+    assert!((back / (5.9e28 * 2.1e-7 * sigma) - 1.0).abs() < 1e-12);
+    // d = 29.6 fm makes that 1 in 117,000.
+    assert!((1.0 / back / 117_000.0 - 1.0).abs() < 0.01, "{back}");
+    assert!((foil(4.2e-7).share_beyond(PI / 2.0) / back - 2.0).abs() < 1e-12);
+    // Half the energy: twice the d, four times as many.
+    let slow = Law {
+        target: Foil {
+            metal: METALS[0],
+            thickness: 2.1e-7,
+        }
+        .target(7.69 * MEV / 2.0),
+        beam: Beam::Space,
+    };
+    assert!((slow.share_beyond(PI / 2.0) / back - 4.0).abs() < 1e-12);
+}
+
+#[test]
+fn the_counts_of_1913_are_read() {
+    let angles = geiger_marsden().unwrap();
+    assert_eq!(angles.len(), 11);
+    assert!((angles[0].angle.to_degrees() - 150.0).abs() < 1e-12);
+    assert!((angles[10].gold - 132_000.0).abs() < 1e-9);
+    let sum: f64 = angles.iter().map(|angle| angle.silver).sum();
+    assert!((sum - 134_294.9).abs() < 1e-6, "{sum}");
+}
+
+/// Gold: −15 % to +23 %, above the law at all small angles and below it at all others.
+#[test]
+fn gold_follows_the_law_within_its_band() {
+    let angles = geiger_marsden().unwrap();
+    let gold = Series::new(&angles, |angle| angle.gold).unwrap();
+    let (low, high) = gold.band();
+    assert!((low + 0.15).abs() < 0.005 && (high - 0.23).abs() < 0.005);
+    for point in &gold.points {
+        assert_eq!(gold.excess(*point) > 0.0, point.0 < 40_f64.to_radians());
+    }
+    let mean: f64 = gold.points.iter().map(|point| gold.excess(*point)).sum();
+    assert!(mean.abs() < 1e-12);
+    assert_eq!(Series::new(&[], |angle| angle.gold), None);
+}
+
+#[test]
+fn a_bad_table_is_refused_with_its_line() {
+    let head = "angle_deg,silver_count,gold_count\n";
+    for (table, message) in [
+        (
+            "",
+            "1: expected angle_deg,silver_count,gold_count, found nothing",
+        ),
+        (
+            "# a\nangle\n",
+            "2: expected angle_deg,silver_count,gold_count, found \"angle\"",
+        ),
+        (head, "2: expected counts, found nothing"),
+        (
+            &format!("{head}150,22.2\n"),
+            "2: expected 3 values, found 2",
+        ),
+        (
+            &format!("{head}# a\n150,x,1\n"),
+            "3: silver_count: expected a number from 0.1 to 1000000000000, found \"x\"",
+        ),
+        (
+            &format!("{head}200,1,1\n"),
+            "2: angle_deg: expected a number from 0.1 to 180, found \"200\"",
+        ),
+        (
+            &format!("{head}10,1,NaN\n"),
+            "2: gold_count: expected a number from 0.1 to 1000000000000, found \"NaN\"",
+        ),
+        (
+            &format!("{head}10,1,1\n20,1,1\n"),
+            "3: angle_deg: expected less than in the line before",
+        ),
+    ] {
+        let fault = read(table).unwrap_err();
+        assert_eq!(fault.to_string(), message);
+    }
+}

@@ -1,0 +1,98 @@
+//! An axis: what it measures, from where to where, and on what scale.
+
+use super::ticks::{Tick, decades, even};
+
+/// An axis of a plot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    name: String,
+    from: f64,
+    to: f64,
+    scale: Scale,
+    /// Distance of the ticks, where it is not left to the room there is.
+    step: Option<f64>,
+}
+
+/// How values are spread along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Scale {
+    Linear,
+    Log,
+}
+
+impl Axis {
+    /// An axis with equal steps for equal differences. `name` should hold the unit,
+    /// `from` be below `to`.
+    #[must_use]
+    pub fn linear(name: impl Into<String>, from: f64, to: f64) -> Self {
+        Self {
+            name: name.into(),
+            from,
+            to,
+            scale: Scale::Linear,
+            step: None,
+        }
+    }
+
+    /// An axis with equal steps for equal ratios, for 0 < `from` < `to`. Values of 0
+    /// and below have no place on it.
+    #[must_use]
+    pub fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
+        Self {
+            scale: Scale::Log,
+            ..Self::linear(name, from, to)
+        }
+    }
+
+    /// The same axis with ticks at the multiples of `step`, where they find room; has
+    /// no meaning on a logarithmic axis.
+    #[must_use]
+    pub fn every(self, step: f64) -> Self {
+        Self {
+            step: Some(step),
+            ..self
+        }
+    }
+
+    /// What it measures.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Where a value lies, in units in which the axis is even; `None` for what has no
+    /// place on any such axis, however long.
+    pub(super) fn place(&self, value: f64) -> Option<f64> {
+        let place = match self.scale {
+            Scale::Linear => value,
+            Scale::Log => value.log10(),
+        };
+        place.is_finite().then_some(place)
+    }
+
+    /// The value at a place.
+    pub(super) fn value(&self, place: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => place,
+            Scale::Log => 10_f64.powf(place),
+        }
+    }
+
+    /// The ends as places: two different numbers in order, whatever was given.
+    pub(super) fn ends(&self) -> (f64, f64) {
+        match (self.place(self.from), self.place(self.to)) {
+            (Some(from), Some(to)) if from < to => (from, to),
+            (Some(from), _) => (from, from + 1.0),
+            (None, _) => (0.0, 1.0),
+        }
+    }
+
+    /// Ticks for an axis that has room for `most` of them.
+    pub(super) fn ticks(&self, most: usize) -> Vec<Tick> {
+        let ends = self.ends();
+        match self.scale {
+            Scale::Linear => even(ends, self.step, most),
+            Scale::Log => decades(ends, most),
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Where the ticks of an axis are, and what is written beside them.
+
+/// A tick.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tick {
+    /// Where it is, in units in which the axis is even.
+    pub(super) place: f64,
+    /// What is written beside it.
+    pub(super) text: String,
+}
+
+/// More ticks than any screen has room for.
+const MOST: usize = 100;
+
+/// At most `most` ticks at the multiples of `step`, of twice that and so on; without a
+/// step, at those of 1, 2 or 5 times a power of ten.
+pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
+    let most = most.clamp(1, MOST) as f64;
+    let wanted = (to - from) / most;
+    let step = match step {
+        Some(step) if step > 0.0 && step.is_finite() => step * (wanted / step).ceil().max(1.0),
+        _ => round_up(wanted),
+    };
+    let decimals = decimals(step);
+    // A hair's breadth of rounding must not cost the ticks at the ends.
+    let (first, last) = ((from / step - 1e-9).ceil(), (to / step + 1e-9).floor());
+    let count = (last - first).clamp(-1.0, MOST as f64);
+    (0..=count as i64)
+        .filter(|_| count >= 0.0)
+        .map(|i| {
+            // Adding 0 makes a plain 0 of -0.
+            let value = (first + i as f64) * step + 0.0;
+            Tick {
+                place: value,
+                text: format!("{value:.decimals$}").replace('-', "−"),
+            }
+        })
+        .collect()
+}
+
+/// At most `most` ticks at the powers of ten between two exponents; where that would
+/// leave fewer than two, at their double and fivefold too.
+pub(super) fn decades((from, to): (f64, f64), most: usize) -> Vec<Tick> {
+    let most = most.clamp(1, MOST) as f64;
+    let (first, last) = ((from - 1e-9).ceil(), (to + 1e-9).floor());
+    if last - first < 1.0 {
+        return fine_decades(from, to);
+    }
+    let step = ((last - first + 1.0) / most).ceil().max(1.0);
+    // From the multiples of the step, so that 1 is among the ticks if it can be.
+    let first = (first / step).ceil() * step;
+    (0..MOST)
+        .map(|i| first + i as f64 * step)
+        .take_while(|exponent| *exponent <= last)
+        .map(|exponent| Tick {
+            place: exponent,
+            text: power_of_ten(exponent as i32),
+        })
+        .collect()
+}
+
+fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
+    let decade = from.floor() as i32;
+    (decade..=decade.saturating_add(2))
+        .flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| (digit, decade)))
+        .map(|(digit, decade)| Tick {
+            place: f64::from(decade) + f64::log10(digit),
+            text: match decade {
+                0..=3 => format!("{}", digit * 10_f64.powi(decade)),
+                -3..0 => format!(
+                    "{:.*}",
+                    decade.unsigned_abs() as usize,
+                    digit * 10_f64.powi(decade)
+                ),
+                _ => format!("{digit}·{}", power_of_ten(decade)),
+            },
+        })
+        .filter(|tick| (from - 1e-9..=to + 1e-9).contains(&tick.place))
+        .collect()
+}
+
+/// 1, 10, 100, 1000, from then on 10⁴; below 1 always 10⁻¹.
+fn power_of_ten(exponent: i32) -> String {
+    if (0..=3).contains(&exponent) {
+        return format!("{}", 10_i32.pow(exponent.unsigned_abs()));
+    }
+    let exponent = exponent.to_string();
+    let raised = exponent.chars().map(|c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        // ⁰ and ⁴ to ⁹ stand in a row.
+        digit => char::from_u32(u32::from('⁰') + digit.to_digit(10).unwrap_or(0)).unwrap_or(' '),
+    });
+    "10".chars().chain(raised).collect()
+}
+
+/// The next number from `least` up that is 1, 2 or 5 times a power of ten.
+fn round_up(least: f64) -> f64 {
+    let power = 10_f64.powf(least.log10().floor());
+    let digits = [1.0, 2.0, 5.0, 10.0];
+    let digit = digits
+        .into_iter()
+        .find(|d| d * power >= least * (1.0 - 1e-9));
+    let step = digit.unwrap_or(10.0) * power;
+    if step > 0.0 && step.is_finite() {
+        step
+    } else {
+        1.0
+    }
+}
+
+/// Decimals that tell the multiples of a step apart.
+fn decimals(step: f64) -> usize {
+    (0..9)
+        .find(|decimals| {
+            let scaled = step * 10_f64.powi(*decimals);
+            (scaled - scaled.round()).abs() < 1e-6 * scaled
+        })
+        .map_or(9, |decimals| decimals as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(ticks: &[Tick]) -> Vec<&str> {
+        ticks.iter().map(|tick| tick.text.as_str()).collect()
+    }
+
+    #[test]
+    fn even_ticks_are_round_numbers() {
+        assert_eq!(
+            texts(&even((0.0, 1.0), None, 6)),
+            ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+        );
+        assert_eq!(
+            texts(&even((0.0, 180.0), None, 4)),
+            ["0", "50", "100", "150"]
+        );
+        assert_eq!(texts(&even((-1.0, 1.0), None, 2)), ["−1", "0", "1"]);
+    }
+
+    #[test]
+    fn a_given_step_is_kept_or_multiplied() {
+        let angles = |most| even((0.0, 90.0), Some(15.0), most);
+        assert_eq!(texts(&angles(7)).len(), 7);
+        assert_eq!(texts(&angles(3)), ["0", "30", "60", "90"]);
+        assert_eq!(
+            texts(&even((0.0, 1.0), Some(0.25), 9)).last(),
+            Some(&"1.00")
+        );
+    }
+
+    #[test]
+    fn powers_of_ten() {
+        assert_eq!(
+            texts(&decades((-1.0, 5.0), 9)),
+            ["10⁻¹", "1", "10", "100", "1000", "10⁴", "10⁵"]
+        );
+        assert_eq!(
+            texts(&decades((0.0, 8.0), 5)),
+            ["1", "100", "10⁴", "10⁶", "10⁸"]
+        );
+        assert_eq!(texts(&decades((0.0, 0.5), 5)), ["1", "2"]);
+        assert_eq!(texts(&decades((-1.1, -0.2), 5)), ["0.1", "0.2", "0.5"]);
+    }
+
+    #[test]
+    fn ticks_lie_on_the_axis_and_are_not_too_many() {
+        for (from, to) in [(0.0, 1e-9), (-3.0, 7e12), (0.1, 0.2), (5.0, 6.0)] {
+            for most in [0, 1, 2, 5, 50] {
+                let length = to - from;
+                for ticks in [
+                    even((from, to), None, most),
+                    even((from, to), Some(0.1), most),
+                ] {
+                    assert!(ticks.len() <= most + 2, "{ticks:?}");
+                    for tick in ticks {
+                        let share = (tick.place - from) / length;
+                        assert!((-1e-6..=1.0 + 1e-6).contains(&share));
+                    }
+                }
+                assert!(decades((from, to.min(300.0)), most).len() <= MOST);
+            }
+        }
+    }
+}
