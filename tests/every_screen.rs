@@ -11,12 +11,13 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 6] = [
+const PLACES: [Place; 7] = [
     Place::Home,
     Place::Lab,
     Place::Quiz { seed: None },
     Place::Table,
     Place::Levels,
+    Place::Progress,
     Place::Level { number: 4 },
 ];
 

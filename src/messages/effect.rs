@@ -9,7 +9,7 @@ pub enum Effect {
     Quit,
     /// Think, and hand the [`Thought`](super::Thought) back as an input.
     Think(Box<Task>),
-    /// Do something with the games that are kept, and hand the
+    /// Do something with what is kept, and hand the
     /// [`Answer`](super::Answer) back as an input.
     Keep(Request),
 }

@@ -24,7 +24,7 @@ pub mod words;
 pub use answer::{Answer, Confidence};
 pub use explain::{Explanation, explain, reasoning};
 pub use family::Family;
-pub use grade::{Grade, RayGrade};
+pub use grade::{Grade, RIGHT_DEG, RayGrade};
 pub use misconceptions::{Diagnosis, Fit, Misconception, diagnose};
 pub use pieces::Pieces;
 pub use question::{Given, Question};

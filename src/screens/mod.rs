@@ -8,6 +8,7 @@ mod why;
 pub mod home;
 pub mod lab;
 pub mod levels;
+pub mod progress;
 pub mod quiz;
 pub mod table;
 

@@ -14,6 +14,8 @@ pub enum Place {
     },
     /// The table: carrom itself.
     Table,
+    /// What the player has done so far.
+    Progress,
     /// The list of levels.
     Levels,
     /// A level.

@@ -44,7 +44,7 @@ struct Choice {
     place: Place,
 }
 
-const CHOICES: [Choice; 4] = [
+const CHOICES: [Choice; 5] = [
     Choice {
         key: 'l',
         name: "Lab",
@@ -71,6 +71,12 @@ const CHOICES: [Choice; 4] = [
         name: "Levels",
         about: ["small puzzles on the board,", "solved by aiming"],
         place: Place::Levels,
+    },
+    Choice {
+        key: 'p',
+        name: "Progress",
+        about: ["how far you have come,", "and what to do next"],
+        place: Place::Progress,
     },
 ];
 

@@ -10,8 +10,8 @@ use crate::widgets::{Lines, Role};
 
 /// Columns of the menu.
 const MENU: u16 = 36;
-/// Rows of a choice, with the empty one after it.
-const CHOICE_ROWS: u16 = 4;
+/// Rows of a choice: with what it is about and an empty row, without that row, alone.
+const CHOICE_ROWS: [u16; 3] = [4, 3, 1];
 /// Rows above the first choice.
 const HEAD_ROWS: u16 = 3;
 
@@ -40,11 +40,10 @@ pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
     (choice < CHOICES.len()).then_some(choice)
 }
 
-/// Where there is not room for all choices with what they are about, each takes
-/// a row.
+/// As many rows for each choice as there is room for.
 fn rows_of_a_choice(menu: Rect) -> u16 {
-    let roomy = HEAD_ROWS + CHOICE_ROWS * CHOICES.len() as u16;
-    if roomy <= menu.height { CHOICE_ROWS } else { 1 }
+    let fits = |rows: &u16| HEAD_ROWS + rows * CHOICES.len() as u16 <= menu.height;
+    CHOICE_ROWS.into_iter().find(fits).unwrap_or(1)
 }
 
 /// Draws the menu beside a hit.
@@ -71,6 +70,8 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
             for about in choice.about {
                 lines.line(&format!("     {about}"), Role::Dim);
             }
+        }
+        if rows > 3 {
             lines.line("", Role::Text);
         }
     }

@@ -10,7 +10,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::messages::{Input, Key, Mouse, MouseKind, Wish};
+use crate::progress::Attempt;
 use crate::quiz::{Answer, Confidence, Question, Round, Summary};
 use crate::widgets::hit::{Layers, Watch, point_at};
 use crate::widgets::{Beside, RayInput, Scroll, Turned};
@@ -92,12 +93,21 @@ impl Quiz {
     }
 
     /// Takes the answer and shows the hit.
-    fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &Context) {
+    fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &mut Context) {
         let answer = Answer {
             rays: asked.rays.said(),
             confidence,
         };
         self.answers.push(answer);
+        let attempt = Attempt::of_quiz(
+            &cx.settings.player,
+            self.round.seed(),
+            self.answers.len() as u32,
+            &asked.question,
+            &answer,
+        );
+        // It is safe before the explanation is seen.
+        cx.ask(Wish::Record(Box::new(attempt)));
         let collision = asked.question.collision();
         let watch = Watch::new(collision, Some(answer.rays), cx.settings.reduced_motion)
             .with_layers(self.layers);
@@ -157,7 +167,7 @@ impl Quiz {
         Next::Stay
     }
 
-    fn confidence_key(&mut self, key: Key, cx: &Context) -> Next {
+    fn confidence_key(&mut self, key: Key, cx: &mut Context) -> Next {
         let Phase::Confidence(asked, chosen) = &mut self.phase else {
             return Next::Ignored;
         };
@@ -230,7 +240,7 @@ impl Quiz {
         Next::Stay
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let layout = Beside::new(cx.body);
         let cell = (mouse.column, mouse.row);
         let on_picture =
@@ -298,6 +308,9 @@ impl Screen for Quiz {
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        if let Input::Kept(_) = input {
+            return Next::Stay;
+        }
         let leaving = std::mem::take(&mut self.leaving);
         match input {
             Input::Key(key) => self.key(*key, leaving, cx),

@@ -115,7 +115,10 @@ type Flow = std::ops::ControlFlow<Ending>;
 impl Run {
     fn play(mut self) -> Result<Ending, TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
-        self.app.update(&Input::Resize(size.width, size.height));
+        let effects = self.app.update(&Input::Resize(size.width, size.height));
+        if let Flow::Break(ending) = self.carry_out(&effects) {
+            return Ok(ending);
+        }
         loop {
             if self.guard.holds() && self.pace.is_due(Instant::now()) {
                 self.pace.drawn(Instant::now());
@@ -179,8 +182,9 @@ impl Run {
                 // terminal where its cursor is, and the answer goes to the reader.
                 let area = Rect::from((Position::ORIGIN, size));
                 self.screen.resize(area).map_err(TerminalError::Write)?;
-                self.app.update(&Input::Resize(size.width, size.height));
+                let effects = self.app.update(&Input::Resize(size.width, size.height));
                 self.pace = Pace::new(Instant::now());
+                return Ok(self.carry_out(&effects));
             }
         }
         Ok(Flow::Continue(()))
