@@ -28,8 +28,8 @@ pub struct Attempt {
     pub answer: String,
     /// What is true, likewise.
     pub truth: String,
-    /// How far off the angles were in the mean, in degrees; `None` where there was no
-    /// angle to be off.
+    /// How far off the angle was, in degrees, or of several the one furthest off;
+    /// `None` where there was no angle to be off.
     pub error_deg: Option<f64>,
     /// Credit from 0 to 1.
     pub credit: f64,
@@ -51,11 +51,7 @@ impl Attempt {
         answer: &Answer,
     ) -> Self {
         let grade = Grade::new(question, answer);
-        let errors: Vec<f64> = [grade.striker.error, grade.target.error]
-            .into_iter()
-            .flatten()
-            .collect();
-        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        let errors = [grade.striker.error, grade.target.error];
         Self {
             time_s: None,
             player: player.to_owned(),
@@ -66,7 +62,11 @@ impl Attempt {
             question: figures(question),
             answer: angles(&answer.rays),
             truth: angles(&question.truth()),
-            error_deg: (!errors.is_empty()).then(|| deg_from_rad(mean)),
+            error_deg: errors
+                .into_iter()
+                .flatten()
+                .reduce(f64::max)
+                .map(deg_from_rad),
             credit: grade.credit(),
             right: grade.is_right(),
             confidence: Some(answer.confidence),
@@ -147,10 +147,10 @@ mod tests {
     }
 
     #[test]
-    fn the_error_is_the_mean_of_both_rays() {
+    fn the_error_is_that_of_the_ray_furthest_off() {
         let copied = attempt(30.0, 30.0);
         assert!(copied.is_surely_wrong());
-        assert!((copied.error_deg.unwrap() - 15.0).abs() < 1e-9);
+        assert!((copied.error_deg.unwrap() - 30.0).abs() < 1e-9);
         assert_eq!(copied.misconception.as_deref(), Some("copied-angle"));
         let rays = Rays {
             striker: None,

@@ -39,7 +39,8 @@ impl Headless {
         let mut headless = Self {
             app,
             terminal,
-            store: Store::in_memory(),
+            // So that a run is the same whenever it is made.
+            store: Store::in_memory().timeless(),
             quit: false,
         };
         headless.input(&Input::Resize(columns, rows));

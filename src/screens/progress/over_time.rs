@@ -63,7 +63,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     };
     row(lines, "answers", &all.attempts.to_string());
     row(lines, "right", &percent(all.share_right()));
-    row(lines, "off in the mean", &degrees(all.mean_error_deg()));
+    row(lines, "mean error", &degrees(all.mean_error_deg()));
     if let Some((first, last)) = ends(attempts) {
         row(lines, "  first ten", &degrees(Some(first)));
         row(lines, "  last ten", &degrees(Some(last)));
@@ -74,7 +74,10 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     lines.line("What next", Role::Title);
     lines.paragraph(&advice(attempts, history.now_s), Role::Text);
     lines.gap();
-    lines.paragraph("o right  x not yet; the line: mean of five", Role::Dim);
+    lines.paragraph(
+        "o is right, x not yet; the line is the mean of five.",
+        Role::Dim,
+    );
 }
 
 /// The mean errors of the first and of the last answers in degrees, where these are

@@ -1,6 +1,6 @@
 //! How each topic stands.
 
-use super::words::{answers, brief, degrees, padded, percent};
+use super::words::{brief, degrees, padded, percent};
 use crate::messages::History;
 use crate::progress::{DAY_S, LATELY, Mastery, Review, reviews, topics};
 use crate::widgets::bar::bar;
@@ -9,7 +9,7 @@ use crate::widgets::{Lines, Role};
 /// Columns of a topic's name.
 const NAME: usize = 26;
 /// Columns of a row with all its figures.
-const ROW: u16 = 45;
+const ROW: u16 = 46;
 /// Columns of the bar, where there is room for it.
 const BAR: u16 = 20;
 /// How many reviews are listed.
@@ -20,7 +20,9 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
     let wide = lines.width() >= ROW;
     let charted = lines.width() >= ROW + BAR + 3;
     if wide {
-        let head = format!("  {:NAME$}{:>4}{:>6}{:>7}", "", "of", "right", "off");
+        // The sign for degrees may be a word.
+        let off = lines.charset().text("off °").into_owned();
+        let head = format!("  {:NAME$}{:>4}{:>6}{off:>8}", "", "of", "right");
         let chart = if charted { "   lately" } else { "" };
         lines.line(&(head + chart), Role::Dim);
     }
@@ -32,8 +34,9 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
         };
         let count = topic.all.attempts;
         let right = percent(topic.all.share_right());
-        let off = degrees(topic.all.mean_error_deg());
+        let off = topic.all.mean_error_deg();
         if wide {
+            let off = off.map_or("-".into(), |off| format!("{off:.1}"));
             let name = padded(&brief(&topic.name, NAME), NAME);
             let share = topic.lately.share_right().unwrap_or(0.0);
             let chart = if charted {
@@ -41,18 +44,17 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
             } else {
                 String::new()
             };
-            let off = lines.charset().text(&off).into_owned();
-            let row = format!("{mark} {name}{count:>4}{right:>6}{off:>7}{chart}");
+            let row = format!("{mark} {name}{count:>4}{right:>6}{off:>8}{chart}");
             lines.line(&row, role);
         } else {
             let room = usize::from(lines.width()).saturating_sub(2);
             lines.line(&format!("{mark} {}", brief(&topic.name, room)), role);
-            let figures = format!("    {}, {right}, off {off}", answers(count));
+            let figures = format!("  {count}: {right} right, {} off", degrees(off));
             lines.line(&figures, Role::Dim);
         }
     }
     lines.gap();
-    let legend = format!("* solid: four of the last {LATELY} right.  ~ growing");
+    let legend = format!("* is solid: four of the last {LATELY} right; ~ is growing.");
     lines.paragraph(&legend, Role::Dim);
 }
 
@@ -74,12 +76,16 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         );
         return;
     };
+    let mut head = String::new();
     for review in reviews(&history.attempts).iter().take(LISTED) {
         let when = when(review, now_s);
-        let due = review.is_due(now_s);
-        let role = if due { Role::Text } else { Role::Dim };
-        let room = usize::from(lines.width()).saturating_sub(when.len() + 2);
-        lines.pair(&brief(&review.topic, room), &when, role, role);
+        if when != head {
+            lines.line(&when, Role::Title);
+            head = when;
+        }
+        let room = usize::from(lines.width()).saturating_sub(2);
+        let name = brief(&review.topic, room);
+        lines.line(&format!(" {name}"), Role::Text);
     }
     lines.gap();
     lines.paragraph(
