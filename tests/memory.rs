@@ -20,8 +20,12 @@ use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use common::folder::Folder;
+#[cfg(unix)]
+use common::pty::{Pty, carrom as carrom_in_terminal};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+#[cfg(unix)]
+use rustix::process::Signal;
 
 /// All answers that are kept in a folder.
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
@@ -180,6 +184,40 @@ fn an_answer_is_kept_before_its_explanation_is_seen() {
     assert!(attempts[0].time_s.is_some());
     let answer: serde_json::Value = serde_json::from_str(&attempts[0].answer).unwrap();
     assert!((answer["theta1_deg"].as_f64().unwrap().abs() - 60.0).abs() < 1e-9);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
+    let folder = Folder::new("memory-pty");
+    let data = folder.path().to_str().unwrap();
+    let mut chance = Pcg64::seed_from_u64(5);
+    let mut answered = 0;
+    for _ in 0..6 {
+        let mut pty = Pty::start(carrom_in_terminal(&[
+            "quiz",
+            "--seed",
+            "7",
+            "--data-dir",
+            data,
+        ]));
+        pty.wait_for("question 1 of 10");
+        // Less motion, so that the explanation is there at once.
+        pty.press("M");
+        for number in 1..=chance.random_range(1..4) {
+            pty.wait_for(&format!("question {number} of 10"));
+            pty.press("60\r30\r");
+            pty.wait_for("How sure are you?");
+            pty.press("2");
+            pty.wait_for("credit");
+            answered += 1;
+            assert_eq!(kept(folder.path(), None).len(), answered);
+            pty.press("\r");
+        }
+        pty.signal(Signal::KILL);
+        pty.wait();
+    }
+    assert_eq!(kept(folder.path(), None).len(), answered);
 }
 
 #[test]
