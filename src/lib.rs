@@ -19,10 +19,11 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · lab · quiz · table · levels · progress
+//!                  home · learn · lab · foil · quiz · table · levels · progress
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
+//!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      what a player has done, and what follows from it: topics, confidence,
 //!                  misconceptions that fade, what is due
 //!   ─────────────────────────────────────────────────────────────
@@ -44,6 +45,7 @@ pub mod beams;
 pub mod cli;
 pub mod files;
 pub mod game;
+pub mod lessons;
 pub mod levels;
 pub mod messages;
 pub mod physics;

@@ -11,10 +11,14 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 7] = [
+const PLACES: [Place; 11] = [
     Place::Home,
     Place::Lab,
+    Place::Learn,
+    Place::Chapter { number: 2 },
+    Place::Chapter { number: 3 },
     Place::Quiz { seed: None },
+    Place::Foil,
     Place::Table,
     Place::Levels,
     Place::Progress,

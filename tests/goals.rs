@@ -142,6 +142,34 @@ fn pockets_and_touches() {
 }
 
 #[test]
+fn who_hits_whom() {
+    met("kind = \"hit\"\ndisc = 1\nby = 0");
+    met("kind = \"hit\"\ndisc = 0\nby = 1");
+    missed(
+        "kind = \"hit\"\ndisc = 2\nby = 1",
+        "the white coin did not hit the queen",
+    );
+}
+
+/// Backwards, square to the left cushion, the striker comes back along its way.
+#[test]
+fn cushions_are_counted() {
+    let bank = "kind = \"bank\"\ndisc = 0\ntarget = 1";
+    let once = judged(bank, 180.0);
+    assert!(once.met);
+    assert_eq!(once.told, "the striker met the white coin off 1 cushion");
+    let twice = judged(&format!("{bank}\nleast = 2"), 180.0);
+    assert!(!twice.met);
+    assert_eq!(twice.told, once.told);
+    let goal = "kind = \"cushions\"\ndisc = 0\nleast = 1";
+    assert!(judged(goal, 180.0).met);
+    missed(
+        "kind = \"cushions\"\ndisc = 2\nleast = 1",
+        "the queen met no cushion",
+    );
+}
+
+#[test]
 fn nothing_is_measured_where_nothing_is_hit() {
     for goal in [
         "kind = \"turn\"\ndisc = 0\nbetween_deg = [0, 180]",

@@ -15,8 +15,8 @@ const FLOORS: [&[&str]; 10] = [
     &["screens"],
     &["widgets"],
     &["messages"],
-    &["progress"],
-    &["quiz", "levels", "game", "beams", "lessons"],
+    &["lessons", "progress"],
+    &["quiz", "levels", "game", "beams"],
     &["physics", "files"],
 ];
 

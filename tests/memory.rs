@@ -52,7 +52,7 @@ fn app(place: Place, player: &str) -> App {
 
 fn quiz(folder: &Path, player: &str) -> Headless {
     let app = app(Place::Quiz { seed: None }, player);
-    Headless::new(app, 80, 24).with_store(Store::in_folder(folder))
+    Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
 /// Answers the question on the screen, until its explanation is there; the round that
@@ -265,7 +265,7 @@ fn stars_are_there_the_next_time_and_for_their_player_alone() {
         let app = app(Place::Levels, player);
         let store = Store::in_folder(folder.path());
         // What the first screen asks for is asked with the size of the screen.
-        let mut game = Headless::new(app, 80, 24).with_store(store);
+        let mut game = Headless::keeping(app, 80, 24, store);
         game.press("<Escape>v");
         game
     };
@@ -338,7 +338,7 @@ fn no_name_breaks_the_screen_the_table_or_json() {
             assert_eq!(answer.done, Done::Noted(Ok(())), "{i}");
         }
         let app = app(Place::Progress, &name);
-        let mut game = Headless::new(app, 80, 24).with_store(Store::in_folder(folder.path()));
+        let mut game = Headless::keeping(app, 80, 24, Store::in_folder(folder.path()));
         game.press("<Escape>p");
         for page in ["1", "2", "3", "4"] {
             game.press(page);

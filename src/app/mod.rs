@@ -12,13 +12,15 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
+use crate::screens::learn::{Contents, Reading};
 use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::Quiz;
 use crate::screens::table::Table;
-use crate::screens::{Context, Next, Place, Screen, Settings, Shelf};
+use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -54,10 +56,27 @@ impl App {
     /// An app with other levels than those of the program alone, which starts at
     /// `place`, with Home below it.
     pub fn with_levels(shelf: Shelf, place: Place, settings: Settings, seed: u64) -> Self {
+        Self::with_data(shelf, Book::default(), place, settings, seed)
+    }
+
+    /// The same with other chapters too.
+    pub fn with_data(
+        shelf: Shelf,
+        book: Book,
+        place: Place,
+        settings: Settings,
+        seed: u64,
+    ) -> Self {
         let mut app = Self::new(Place::Home, settings, seed);
         app.context.shelf = shelf;
+        app.context.book = book;
         app.start(place);
         app
+    }
+
+    /// The chapters there are to read.
+    pub fn book(&self) -> &Book {
+        &self.context.book
     }
 
     /// The levels there are to play.
@@ -66,8 +85,10 @@ impl App {
     }
 
     fn start(&mut self, place: Place) {
-        if let Place::Level { .. } = place {
-            self.open(Place::Levels);
+        match place {
+            Place::Level { .. } => self.open(Place::Levels),
+            Place::Chapter { .. } => self.open(Place::Learn),
+            _ => {}
         }
         if place != Place::Home {
             self.open(place);
@@ -102,7 +123,7 @@ impl App {
             }
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Thought(_) => return self.pass_on(input),
+            Input::Thought(_) | Input::Exported(_) => return self.pass_on(input),
             Input::Kept(answer) => {
                 self.note(answer);
                 return self.pass_on(input);
@@ -253,6 +274,12 @@ impl App {
         let screen: Box<dyn Screen> = match place {
             Place::Home => Box::new(Home::default()),
             Place::Lab => Box::new(Lab::default()),
+            Place::LabOf { setup } => Box::new(Lab::of(setup)),
+            Place::Learn => Box::new(Contents::new(&mut self.context)),
+            Place::Chapter { number } => match Reading::new(number, &mut self.context) {
+                Some(reading) => Box::new(reading),
+                None => return,
+            },
             Place::Quiz { seed } => {
                 let seed = seed.unwrap_or_else(|| self.context.next_seed());
                 Box::new(Quiz::new(seed))
@@ -262,6 +289,7 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
+            Place::Foil => Box::new(Foil::default()),
             Place::Table => Box::new(Table::default()),
             Place::Progress => Box::new(Progress::ask(&mut self.context)),
         };

@@ -2,6 +2,8 @@
 
 mod completions;
 mod failure;
+mod figure;
+mod lesson;
 mod level;
 mod man;
 mod options;
@@ -22,7 +24,7 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
-use crate::screens::{Place, Shelf};
+use crate::screens::{Book, Place, Shelf};
 use options::Look;
 
 /// A terminal game that teaches glancing collisions.
@@ -42,6 +44,7 @@ pub struct Cli {
 const EXAMPLES: &str = "\
 Examples:
   carrom                       open the game
+  carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
   carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
@@ -50,6 +53,9 @@ Examples:
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
   carrom replay game.toml      play an exported game again, to the last bit
+  carrom lesson check mine     see whether chapters of your own are good
+  carrom figure curves --svg curves.svg
+                               a figure of the lessons as a picture
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
 Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
@@ -62,6 +68,8 @@ enum Command {
     Simulate(simulate::Args),
     Replay(replay::Args),
     Level(level::Args),
+    Lesson(lesson::Args),
+    Figure(figure::Args),
     Tape(tape::Args),
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
@@ -71,8 +79,15 @@ enum Command {
 /// Commands that open the game at a screen.
 #[derive(Debug, Subcommand)]
 enum Screen {
+    /// Open the lessons: glancing collisions, chapter by chapter
+    Learn {
+        /// A chapter to read at once: its number or its name
+        chapter: Option<String>,
+    },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
     Lab,
+    /// Open the foil: beams of particles, from the carrom board to the atom
+    Foil,
     /// Open the quiz: ten hits to predict (with --seed N always the same ten)
     Quiz,
     /// Open the table: carrom itself, the whole board
@@ -86,15 +101,29 @@ enum Screen {
 }
 
 impl Screen {
-    /// Where that is, with these levels.
+    /// Where that is, with these levels and chapters.
     ///
     /// # Errors
-    /// If there is no level of that name, in words.
-    fn place(&self, shelf: &Shelf) -> Result<Place, String> {
+    /// If there is no level or chapter of that name, in words.
+    fn place(&self, shelf: &Shelf, book: &Book) -> Result<Place, String> {
         Ok(match self {
+            Self::Learn { chapter: None } => Place::Learn,
+            Self::Learn {
+                chapter: Some(name),
+            } => {
+                let number = book.library().find(name);
+                let number = number.ok_or_else(|| {
+                    format!(
+                        "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
+                        name.escape_debug()
+                    )
+                })?;
+                Place::Chapter { number }
+            }
             Self::Lab => Place::Lab,
             // The first round takes the app's own seed.
             Self::Quiz => Place::Quiz { seed: None },
+            Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
             Self::Levels { name: None } => Place::Levels,
@@ -117,9 +146,15 @@ impl Screen {
 /// # Errors
 /// What is wrong with the arguments, in words.
 fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
-    let shelf = options.shelf();
-    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&shelf))?;
-    Ok(App::with_levels(shelf, place, options.settings(auto), seed))
+    let (shelf, book) = (options.shelf(), options.book());
+    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&shelf, &book))?;
+    Ok(App::with_data(
+        shelf,
+        book,
+        place,
+        options.settings(auto),
+        seed,
+    ))
 }
 
 /// Does what the arguments (the first is the program's name) ask for.
@@ -149,6 +184,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
         Some(Command::Level(args)) => level::run(args),
+        Some(Command::Lesson(args)) => lesson::run(args),
+        Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),

@@ -6,9 +6,9 @@ use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
 use crate::game::is_player_name;
-use crate::levels::Library;
-use crate::screens::{Settings, Shelf};
+use crate::screens::{Book, Settings, Shelf};
 use crate::widgets::{Charset, Depth};
+use crate::{lessons, levels};
 
 /// Options that every command takes.
 #[derive(Debug, Clone, Default, Args)]
@@ -30,6 +30,10 @@ pub struct Options {
     /// several times
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     levels: Vec<PathBuf>,
+    /// Folder with chapters of your own, added to those of the program; may be given
+    /// several times
+    #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
+    lessons: Vec<PathBuf>,
     /// Folder for what carrom keeps, such as saved games and every answer (default: the
     /// system's place for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
@@ -86,6 +90,11 @@ impl Options {
             },
             seed: self.seed.or(other.seed),
             player: self.player.or(other.player),
+            lessons: if self.lessons.is_empty() {
+                other.lessons
+            } else {
+                self.lessons
+            },
             levels: if self.levels.is_empty() {
                 other.levels
             } else {
@@ -133,7 +142,7 @@ impl Options {
         if self.levels.is_empty() {
             return Shelf::default();
         }
-        let mut library = Library::embedded();
+        let mut library = levels::Library::embedded();
         for dir in &self.levels {
             library.add_dir(dir);
         }
@@ -143,6 +152,19 @@ impl Options {
     /// The folder for what carrom keeps, if one is given.
     pub(super) fn given_data_dir(&self) -> Option<&Path> {
         self.data_dir.as_deref()
+    }
+
+    /// The chapters of the program and those of the folders given. Files that are no
+    /// good are left out and listed in the contents.
+    pub(super) fn book(&self) -> Book {
+        if self.lessons.is_empty() {
+            return Book::default();
+        }
+        let mut library = lessons::Library::embedded();
+        for dir in &self.lessons {
+            library.add_dir(dir);
+        }
+        Book::new(library)
     }
 
     /// The folder for what carrom keeps; `None` if none is given and the system

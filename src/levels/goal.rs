@@ -31,6 +31,13 @@ pub enum Goal {
         /// Only this one must not hit it; `None` means that no disc may.
         by: Option<usize>,
     },
+    /// A disc is hit by another.
+    Hit {
+        /// The disc that is hit.
+        disc: usize,
+        /// The disc that hits it.
+        by: usize,
+    },
     /// A disc comes to rest with its centre in a circle.
     Rest {
         /// The disc.
@@ -45,12 +52,21 @@ pub enum Goal {
         /// The circle.
         circle: Circle,
     },
-    /// A disc meets a cushion before it meets another disc for the first time.
+    /// A disc meets cushions before it meets another disc for the first time.
     Bank {
         /// The disc.
         disc: usize,
         /// The disc it then meets.
         target: usize,
+        /// How many times it meets a cushion at least.
+        least: usize,
+    },
+    /// A disc meets cushions, whatever else it does.
+    Cushions {
+        /// The disc.
+        disc: usize,
+        /// How many times at least.
+        least: usize,
     },
     /// The speed of a disc right after the first hit.
     Speed {
@@ -96,22 +112,29 @@ enum Name {
     Pocket,
     Keep,
     Untouched,
+    Hit,
     Rest,
     Pass,
     Bank,
+    Cushions,
     Speed,
     Turn,
     Separation,
     Energy,
 }
 
-const NAMES: [(&str, Name); 10] = [
+/// The most cushions a goal may ask for.
+const MOST_CUSHIONS: usize = 20;
+
+const NAMES: [(&str, Name); 12] = [
     ("pocket", Name::Pocket),
     ("keep", Name::Keep),
     ("untouched", Name::Untouched),
+    ("hit", Name::Hit),
     ("rest", Name::Rest),
     ("pass", Name::Pass),
     ("bank", Name::Bank),
+    ("cushions", Name::Cushions),
     ("speed", Name::Speed),
     ("turn", Name::Turn),
     ("separation", Name::Separation),
@@ -141,6 +164,10 @@ impl Goal {
                     .then(|| fields.disc("by", count))
                     .transpose()?,
             },
+            Name::Hit => Self::Hit {
+                disc: disc(&mut fields)?,
+                by: fields.disc("by", count)?,
+            },
             Name::Rest => Self::Rest {
                 disc: disc(&mut fields)?,
                 circle: Circle::from_fields(&mut fields)?,
@@ -152,6 +179,15 @@ impl Goal {
             Name::Bank => Self::Bank {
                 disc: disc(&mut fields)?,
                 target: fields.disc("target", count)?,
+                least: if fields.has("least") {
+                    read_least(&mut fields)?
+                } else {
+                    1
+                },
+            },
+            Name::Cushions => Self::Cushions {
+                disc: disc(&mut fields)?,
+                least: read_least(&mut fields)?,
             },
             Name::Speed => Self::Speed {
                 disc: disc(&mut fields)?,
@@ -196,15 +232,24 @@ impl Goal {
             Self::Untouched { disc, by: Some(by) } => {
                 format!("Do not hit {} with {}.", name(disc), name(by))
             }
+            Self::Hit { disc, by } => format!("Hit {} with {}.", name(disc), name(by)),
             Self::Rest { disc, .. } => {
                 format!("Bring {} to rest in the marked circle.", name(disc))
             }
             Self::Pass { disc, .. } => format!("Send {} through the marked circle.", name(disc)),
-            Self::Bank { disc, target } => format!(
-                "Send {} off a cushion before it meets {}.",
+            Self::Bank {
+                disc,
+                target,
+                least,
+            } => format!(
+                "Send {} off {} before it meets {}.",
                 name(disc),
+                cushions(*least),
                 name(target)
             ),
+            Self::Cushions { disc, least } => {
+                format!("Send {} off {}.", name(disc), cushions(*least))
+            }
             Self::Speed { disc, range } if range.from <= 0.0 => format!(
                 "Leave {} with at most {} m/s right after the first hit.",
                 name(disc),
@@ -229,6 +274,23 @@ impl Goal {
                 between(&range.scaled(100.0), " %")
             ),
         }
+    }
+}
+
+/// How many times a disc meets a cushion at least; 0 would ask for nothing.
+fn read_least(fields: &mut Fields) -> Result<usize, Fault> {
+    let expected = format!("a number of cushions from 1 to {MOST_CUSHIONS}");
+    match fields.whole("least", &expected, MOST_CUSHIONS)? {
+        0 => Err(fields.fault_at("least", format!("expected {expected}, found 0"))),
+        least => Ok(least),
+    }
+}
+
+/// So many cushions at least, in words.
+fn cushions(least: usize) -> String {
+    match least {
+        1 => "a cushion".into(),
+        _ => format!("at least {least} cushions"),
     }
 }
 

@@ -53,6 +53,11 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
             finding(!fell, format!("{} {verb} into a pocket", name(disc)))
         }
         Goal::Untouched { disc, by } => untouched(*disc, *by, scene, shot),
+        Goal::Hit { disc, by } => {
+            let met = meet(*disc, *by, shot);
+            let verb = if met { "hit" } else { "did not hit" };
+            finding(met, format!("{} {verb} {}", name(by), name(disc)))
+        }
         Goal::Rest { disc, circle } => {
             let end = shot.at(*disc, shot.duration());
             match end.state {
@@ -65,7 +70,18 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
             let nearest = nearest_on_path(shot, *disc, circle.centre);
             inside(circle, nearest, &name(disc), "passed")
         }
-        Goal::Bank { disc, target } => banked(*disc, *target, scene, shot),
+        Goal::Bank {
+            disc,
+            target,
+            least,
+        } => banked(*disc, *target, *least, scene, shot),
+        Goal::Cushions { disc, least } => {
+            let met = cushions(*disc, shot);
+            finding(
+                met >= *least,
+                format!("{} met {}", name(disc), counted(met)),
+            )
+        }
         Goal::Speed { disc, range } => measured(shot, |hit| {
             let speed = hit.after(*disc)?.length();
             let told = format!("{} left the hit at {} m/s", name(disc), tidy(speed));
@@ -225,17 +241,37 @@ fn pocketed(discs: &[usize], scene: &Scene, shot: &Shot) -> Finding {
     }
 }
 
+/// Whether two discs meet.
+fn meet(one: usize, other: usize, shot: &Shot) -> bool {
+    shot.events().iter().any(|event| match event.kind {
+        EventKind::Impact { discs, .. } => discs.contains(&one) && discs.contains(&other),
+        _ => false,
+    })
+}
+
+/// How many times a disc meets a cushion.
+fn cushions(disc: usize, shot: &Shot) -> usize {
+    let met = |kind| matches!(kind, EventKind::Cushion { disc: met, .. } if met == disc);
+    let events = shot.events().iter();
+    events.filter(|event| met(event.kind)).count()
+}
+
+/// A number of cushions in words.
+fn counted(cushions: usize) -> String {
+    match cushions {
+        0 => "no cushion".into(),
+        1 => "1 cushion".into(),
+        _ => format!("{cushions} cushions"),
+    }
+}
+
 fn untouched(disc: usize, by: Option<usize>, scene: &Scene, shot: &Shot) -> Finding {
     let other = shot.events().iter().find_map(|event| match event.kind {
         EventKind::Impact { discs: [a, b], .. } if a == disc => Some(b),
         EventKind::Impact { discs: [a, b], .. } if b == disc => Some(a),
         _ => None,
     });
-    let hit = shot.events().iter().any(|event| match (event.kind, by) {
-        (EventKind::Impact { discs, .. }, Some(by)) => discs.contains(&disc) && discs.contains(&by),
-        (EventKind::Impact { discs, .. }, None) => discs.contains(&disc),
-        _ => false,
-    });
+    let hit = by.map_or(other.is_some(), |by| meet(disc, by, shot));
     let name = scene.name(disc);
     match (hit, by.or(other)) {
         (true, Some(other)) => finding(false, format!("{} hit {name}", scene.name(other))),
@@ -246,7 +282,7 @@ fn untouched(disc: usize, by: Option<usize>, scene: &Scene, shot: &Shot) -> Find
     }
 }
 
-fn banked(disc: usize, target: usize, scene: &Scene, shot: &Shot) -> Finding {
+fn banked(disc: usize, target: usize, least: usize, scene: &Scene, shot: &Shot) -> Finding {
     let (name, target_name) = (scene.name(disc), scene.name(target));
     let mut cushions = 0;
     for event in shot.events() {
@@ -258,7 +294,8 @@ fn banked(disc: usize, target: usize, scene: &Scene, shot: &Shot) -> Finding {
                 } else if cushions == 0 {
                     finding(false, format!("{name} met {target_name} without a cushion"))
                 } else {
-                    finding(true, format!("{name} met {target_name} off a cushion"))
+                    let told = format!("{name} met {target_name} off {}", counted(cushions));
+                    finding(cushions >= least, told)
                 };
             }
             _ => {}

@@ -28,6 +28,8 @@ pub struct Level {
     pub explanation: String,
     /// Discs whose direction after the first impact the player says first.
     pub say_first: Vec<usize>,
+    /// Discs whose mass the player is not told until the level is won.
+    pub unknown_mass: Vec<usize>,
     /// The board and the discs, and the shot as it is set when the level opens.
     pub scene: Scene,
     /// What the player may set.
@@ -69,6 +71,12 @@ impl Level {
         } else {
             Vec::new()
         };
+        let unknown_mass = if about.has("unknown_mass") {
+            let count = scene.pieces.len();
+            about.discs("unknown_mass", count, count)?
+        } else {
+            Vec::new()
+        };
         about.finish()?;
         let adjust = read_adjust(fields.required_table("adjust")?, &scene)?;
         let goals = fields
@@ -83,6 +91,7 @@ impl Level {
             hints,
             explanation,
             say_first,
+            unknown_mass,
             scene,
             adjust,
             goals,

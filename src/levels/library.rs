@@ -18,7 +18,8 @@ const MOST_FILES: usize = 500;
 /// Levels that belong together, in the order of their file names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// Name of its folder.
+    /// Name of its folder, without the number that may stand before it: the number
+    /// only says where the pack comes in the order.
     pub name: String,
     /// Its levels; no two have the same id.
     pub levels: Vec<Level>,
@@ -57,11 +58,11 @@ impl Library {
     pub fn embedded() -> Self {
         let mut library = Self::default();
         let mut dirs: Vec<_> = EMBEDDED.dirs().collect();
-        dirs.sort_by_key(|dir| dir.path());
+        dirs.sort_by_key(|dir| order(dir.path()));
         for dir in dirs {
             let mut files: Vec<_> = dir.files().collect();
             files.sort_by_key(|file| file.path());
-            let name = last_part(dir.path());
+            let (_, name) = order(dir.path());
             for file in files.into_iter().filter(|file| is_level_name(file.path())) {
                 library.add(&name, &file.path().display().to_string(), file.contents());
             }
@@ -90,7 +91,7 @@ impl Library {
 
     /// Adds one level file to the pack named after its folder.
     pub fn add_file(&mut self, path: &Path) {
-        let name = path.parent().map(last_part).unwrap_or_default();
+        let (_, name) = path.parent().map(order).unwrap_or_default();
         match read_file(path) {
             Ok(bytes) => self.add(&name, &path.display().to_string(), &bytes),
             Err(fault) => self.problems.push(fault),
@@ -129,14 +130,15 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
     Fault::of_file(&name, format!("cannot be read: {error}"))
 }
 
-/// The folders and the level files in a folder, each sorted by name.
+/// The folders and the level files in a folder, each in their order.
 fn list(dir: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Fault> {
     let mut paths = Vec::new();
     for entry in fs::read_dir(dir).map_err(|error| unreadable(dir, &error))? {
         paths.push(entry.map_err(|error| unreadable(dir, &error))?.path());
     }
     paths.sort();
-    let (dirs, rest): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
+    let (mut dirs, rest): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
+    dirs.sort_by_key(|dir| order(dir));
     // Only plain files: opening a pipe would wait for whoever writes to it.
     let files: Vec<_> = rest
         .into_iter()
@@ -158,8 +160,35 @@ fn is_level_name(path: &Path) -> bool {
         .is_some_and(|extension| extension == "toml")
 }
 
+/// Where the pack of a folder comes among others, and its name: `2-right-angle` is
+/// "right-angle" in the second place. Folders without a number come first.
+fn order(dir: &Path) -> (u32, String) {
+    let name = last_part(dir);
+    let numbered = name.split_once('-').and_then(|(number, rest)| {
+        let place = number.parse().ok()?;
+        (!rest.is_empty()).then(|| (place, rest.to_owned()))
+    });
+    numbered.unwrap_or((0, name))
+}
+
 fn last_part(path: &Path) -> String {
     path.file_name()
         .map(|name| name.to_string_lossy().into_owned())
         .unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_before_a_name_gives_its_place() {
+        let ordered = |name: &str| order(Path::new(name));
+        assert_eq!(ordered("levels/first-hits"), (0, "first-hits".into()));
+        assert_eq!(ordered("2-right-angle"), (2, "right-angle".into()));
+        assert!(ordered("10-design") > ordered("9-combinations"));
+        for plain in ["2", "2-", "-2", "99999999999-a", "two-2"] {
+            assert_eq!(ordered(plain), (0, plain.to_owned()));
+        }
+    }
 }

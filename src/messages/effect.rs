@@ -12,4 +12,12 @@ pub enum Effect {
     /// Do something with what is kept, and hand the
     /// [`Answer`](super::Answer) back as an input.
     Keep(Request),
+    /// Write a text to a file of this name where the player will find it, and hand
+    /// back as an [`Input::Exported`](super::Input::Exported) where it is.
+    Export {
+        /// The name: letters, digits, hyphens and an ending.
+        name: String,
+        /// The text.
+        content: String,
+    },
 }

@@ -17,6 +17,9 @@ pub enum Input {
     Thought(Box<Thought>),
     /// What came of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<Answer>),
+    /// What came of an [`Effect::Export`](super::Effect::Export): where the file is,
+    /// or why there is none.
+    Exported(Result<String, String>),
 }
 
 impl From<Key> for Input {

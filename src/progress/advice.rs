@@ -1,6 +1,6 @@
 //! What to do next.
 
-use super::{Attempt, Mastery, Trend, beliefs, reviews, topics};
+use super::{Attempt, LESSON, Mastery, Trend, beliefs, reviews, topics};
 
 /// How many of the last attempts count as lately.
 const LATELY: usize = 10;
@@ -21,10 +21,13 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
     let reviews = reviews(attempts);
     let due = |now_s| reviews.iter().find(|review| review.is_due(now_s));
     if let Some(review) = now_s.and_then(due) {
-        return format!(
-            "Due again: {}. A round of the quiz brings it back.",
-            review.topic
-        );
+        return match review.family.as_str() {
+            LESSON => format!("Due again, among the chapters: {}.", review.topic),
+            _ => format!(
+                "Due again: {}. A round of the quiz brings it back.",
+                review.topic
+            ),
+        };
     }
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
@@ -43,7 +46,7 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
             share(a).total_cmp(&share(b))
         });
     match weakest {
-        Some(topic) => format!("One more round: {} has the most to give now.", topic.name),
+        Some(topic) => format!("What has the most to give you now: {}.", topic.name),
         None => "All you have met is solid. Try the levels, or a game at the table.".into(),
     }
 }
@@ -62,7 +65,7 @@ mod tests {
             advice(&attempts, now_s)
         };
         assert!(says(None, None).contains("Play a round"));
-        assert!(says(Some(attempt("a", 9.0)), None).contains("One more round: a"));
+        assert!(says(Some(attempt("a", 9.0)), None).contains("most to give you now: a"));
         let sure = Attempt {
             confidence: Some(Confidence::Sure),
             time_s: Some(1000),

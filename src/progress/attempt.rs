@@ -1,9 +1,12 @@
 //! One answer, with all that is known of it.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::quiz::{Answer, Confidence, Given, Grade, Question, Rays, diagnose};
+
+/// The family of all questions that chapters ask.
+pub const LESSON: &str = "lesson";
 
 /// One answer, with all that is known of it. Nothing of it is particular to the quiz:
 /// whatever asks a question can note what was answered.
@@ -14,13 +17,13 @@ pub struct Attempt {
     pub time_s: Option<i64>,
     /// Who.
     pub player: String,
-    /// The family of the question, by its name in files: "where-to".
+    /// The family of the question, by its name in files: "where-to", or [`LESSON`].
     pub family: String,
-    /// What it was about: "equal masses, by offset".
+    /// What it was about: "equal masses, by offset", or the title of the chapter.
     pub topic: String,
-    /// The code of the round, or whatever else fixes the question.
+    /// The code of the round; 0 where there is none.
     pub seed: u64,
-    /// Its place in the round, from 1.
+    /// Its place in the round, or the page of the chapter, from 1.
     pub number: u32,
     /// The figures of the question: a JSON object, with the units in the names.
     pub question: String,
@@ -60,8 +63,8 @@ impl Attempt {
             seed,
             number,
             question: figures(question),
-            answer: angles(&answer.rays),
-            truth: angles(&question.truth()),
+            answer: angles(&answer.rays).to_string(),
+            truth: angles(&question.truth()).to_string(),
             error_deg: errors
                 .into_iter()
                 .flatten()
@@ -100,13 +103,12 @@ fn figures(question: &Question) -> String {
     figures.to_string()
 }
 
-/// Both angles, as `carrom solve` gives them.
-fn angles(rays: &Rays) -> String {
+/// Both angles in degrees, with names and signs as `carrom solve` gives them.
+pub fn angles(rays: &Rays) -> Value {
     json!({
         "theta1_deg": rays.striker.map(deg_from_rad),
         "theta2_deg": rays.target.map(deg_from_rad),
     })
-    .to_string()
 }
 
 #[cfg(test)]
@@ -138,10 +140,10 @@ mod tests {
         assert!(right.error_deg.unwrap() < 1e-9);
         assert_eq!(right.misconception, None);
         // Equal masses without loss part at a right angle: 60° and 30°.
-        let truth: serde_json::Value = serde_json::from_str(&right.truth).unwrap();
+        let truth: Value = serde_json::from_str(&right.truth).unwrap();
         assert!((truth["theta1_deg"].as_f64().unwrap() - 60.0).abs() < 1e-9);
         assert!((truth["theta2_deg"].as_f64().unwrap() - 30.0).abs() < 1e-9);
-        let figures: serde_json::Value = serde_json::from_str(&right.question).unwrap();
+        let figures: Value = serde_json::from_str(&right.question).unwrap();
         assert_eq!(figures["alpha_deg"].as_f64(), Some(30.0));
         assert_eq!(figures["direction_deg"].as_f64(), Some(90.0));
     }

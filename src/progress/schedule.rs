@@ -24,6 +24,8 @@ const LAST: u32 = 5;
 /// A topic and when to come back to it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
+    /// The family of its questions.
+    pub family: String,
     /// The topic.
     pub topic: String,
     /// Its step on the ladder, from 0: it rests for 2ⁿ days. `None` off the ladder.
@@ -63,6 +65,7 @@ pub fn reviews(attempts: &[Attempt]) -> Vec<Review> {
             None => Some(0),
         };
         let review = Review {
+            family: attempt.family.clone(),
             topic: attempt.topic.clone(),
             step,
             since_s: time_s,

@@ -4,10 +4,11 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
-use super::Shelf;
+use super::{Book, Shelf};
 use crate::game::Game;
 use crate::levels::Win;
 use crate::messages::{Effect, Request, Task, Wanted, Wish};
+use crate::progress::Attempt;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -65,6 +66,8 @@ pub struct Context {
     pub body: Rect,
     /// The levels.
     pub shelf: Shelf,
+    /// The chapters.
+    pub book: Book,
     seed: u64,
     rounds: u64,
     tickets: u64,
@@ -78,6 +81,7 @@ impl Context {
             settings,
             body: Rect::default(),
             shelf: Shelf::default(),
+            book: Book::default(),
             seed,
             rounds: 0,
             tickets: 0,
@@ -125,9 +129,24 @@ impl Context {
         self.tickets
     }
 
+    /// Has an answer kept, before anything that follows from it is seen.
+    pub fn record(&mut self, attempt: Attempt) {
+        self.ask(Wish::Record(Box::new(attempt)));
+    }
+
+    /// Asks for a text to be written to a file of this name.
+    pub fn export(&mut self, name: String, content: String) {
+        self.asked.push(Effect::Export { name, content });
+    }
+
     /// What the screens have asked of the shell since the last call.
     pub fn take_asked(&mut self) -> Vec<Effect> {
         std::mem::take(&mut self.asked)
+    }
+
+    /// The app's own seed.
+    pub const fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// The seed of the next round: the app's own seed first, then others that

@@ -1,12 +1,15 @@
 //! The screens: one folder each, with its state and update, and its view beside it.
 
+mod book;
 mod context;
 mod place;
 mod shelf;
 mod why;
 
+pub mod foil;
 pub mod home;
 pub mod lab;
+pub mod learn;
 pub mod levels;
 pub mod progress;
 pub mod quiz;
@@ -17,6 +20,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+pub use book::{Book, Bookmark};
 pub use context::{Context, Settings};
 pub use place::Place;
 pub use shelf::Shelf;
@@ -60,7 +64,7 @@ pub trait Screen {
 }
 
 /// What follows from an input or from time that passed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
     /// The input meant nothing here; the app may use it.
     Ignored,

@@ -1,17 +1,33 @@
 //! Where one can go.
 
+use super::lab::Setup;
+
 /// A screen to open, with what it is to show.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// The first screen.
     Home,
     /// The lab.
     Lab,
+    /// The lab with a hit set up.
+    LabOf {
+        /// The hit.
+        setup: Setup,
+    },
+    /// The contents of the lessons.
+    Learn,
+    /// A chapter, where it was left.
+    Chapter {
+        /// Its place among all chapters, from 0.
+        number: usize,
+    },
     /// A round of the quiz; the code fixes its questions.
     Quiz {
         /// The code of the round; `None` takes the app's next.
         seed: Option<u64>,
     },
+    /// The foil: beams of many particles.
+    Foil,
     /// The table: carrom itself.
     Table,
     /// What the player has done so far.

@@ -5,13 +5,14 @@ use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use ratatui::buffer::{Buffer, Cell};
-use unicode_width::UnicodeWidthStr;
+use ratatui::buffer::Buffer;
 
 use super::FRAME;
 use crate::app::App;
-use crate::messages::{Effect, Input, Key, Mouse, MouseKind};
+use crate::messages::{Done, Effect, Input, Key, Mouse, MouseKind, Request, Wish};
+use crate::progress::Attempt;
 use crate::store::Store;
+use crate::widgets::cells::text;
 
 /// An app with a screen in memory.
 ///
@@ -30,26 +31,28 @@ pub struct Headless {
     terminal: Terminal<TestBackend>,
     store: Store,
     quit: bool,
+    exports: Vec<(String, String)>,
 }
 
 impl Headless {
-    /// `app` on a screen of `columns` by `rows`, which keeps its games in memory.
+    /// `app` on a screen of `columns` by `rows`, which keeps everything in memory and
+    /// knows no time, so that a run is the same whenever it is made.
     pub fn new(app: App, columns: u16, rows: u16) -> Self {
+        Self::keeping(app, columns, rows, Store::in_memory().timeless())
+    }
+
+    /// The same, but it keeps everything in `store`.
+    pub fn keeping(app: App, columns: u16, rows: u16, store: Store) -> Self {
         let Ok(terminal) = Terminal::new(TestBackend::new(columns, rows));
         let mut headless = Self {
             app,
             terminal,
-            // So that a run is the same whenever it is made.
-            store: Store::in_memory().timeless(),
+            store,
             quit: false,
+            exports: Vec::new(),
         };
         headless.input(&Input::Resize(columns, rows));
         headless
-    }
-
-    /// The same, with its games kept in `store`.
-    pub fn with_store(self, store: Store) -> Self {
-        Self { store, ..self }
     }
 
     /// The app as it stands.
@@ -65,6 +68,20 @@ impl Headless {
     /// Whether the app has asked to be left; from then on nothing reaches it.
     pub fn has_quit(&self) -> bool {
         self.quit
+    }
+
+    /// The answers that are kept, in order; none where they cannot be looked up.
+    pub fn attempts(&mut self) -> Vec<Attempt> {
+        let wish = Wish::Recall(None);
+        match self.store.answer(&Request { ticket: 0, wish }).done {
+            Done::Recalled(Ok(history)) => history.attempts,
+            _ => Vec::new(),
+        }
+    }
+
+    /// What was exported, kept in memory: names and contents.
+    pub fn exports(&self) -> &[(String, String)] {
+        &self.exports
     }
 
     /// Hands one input over.
@@ -164,6 +181,10 @@ impl Headless {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));
                 }
+                Effect::Export { name, content } => {
+                    self.exports.push((name.clone(), content.clone()));
+                    self.input(&Input::Exported(Ok(name.clone())));
+                }
             }
         }
     }
@@ -176,47 +197,11 @@ impl From<App> for Headless {
     }
 }
 
-/// The rows of a screen, without the blanks at their ends, a line break after
-/// each.
-pub fn text(buffer: &Buffer) -> String {
-    let mut text = String::new();
-    for cells in rows(buffer) {
-        let start = text.len();
-        for (_, cell) in symbols(cells) {
-            text.push_str(cell.symbol());
-        }
-        let end = start + text[start..].trim_end().len();
-        text.truncate(end);
-        text.push('\n');
-    }
-    text
-}
-
-/// The cells of each row.
-pub(super) fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
-    let columns = usize::from(buffer.area.width).max(1);
-    buffer.content.chunks(columns)
-}
-
-/// The cells of a row that show something of their own, with their columns: a
-/// wide symbol hides the cell after it.
-pub(super) fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
-    let mut next = 0;
-    cells.iter().enumerate().filter(move |(column, cell)| {
-        let shown = *column >= next;
-        if shown {
-            next = column + cell.symbol().width().max(1);
-        }
-        shown
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::screens::{Context, Help, Hint, Next, Place, Screen, Settings};
     use ratatui::layout::Rect;
-    use ratatui::style::Style;
 
     /// Counts what it is told, and moves for a second after a space.
     #[derive(Default)]
@@ -312,12 +297,5 @@ mod tests {
                 if columns == 0 { 0 } else { rows.into() }
             );
         }
-    }
-
-    #[test]
-    fn a_wide_symbol_takes_two_cells() {
-        let mut buffer = Buffer::empty(Rect::new(0, 0, 6, 1));
-        buffer.set_string(0, 0, "a球b", Style::new());
-        assert_eq!(text(&buffer), "a球b\n");
     }
 }

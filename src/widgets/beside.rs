@@ -12,6 +12,8 @@ const PANEL: u16 = 30;
 const LEAST: u16 = 24;
 /// Columns that it has more on a wide screen.
 const MORE: u16 = 8;
+/// Most columns of a panel of text alone, with its frame.
+const TEXT: u16 = 76;
 /// From this width on a screen is wide.
 const WIDE: u16 = 110;
 
@@ -42,6 +44,22 @@ impl Beside {
         let needed = (2 * area.height.saturating_sub(2)).saturating_sub(1) + 2;
         let panel_width = area.width.saturating_sub(needed);
         Self::with_panel(area, panel_width.max(LEAST.min(area.width / 2)))
+    }
+
+    /// Lays out a panel of text alone, in the middle.
+    pub fn text_alone(area: Rect) -> Self {
+        let width = area.width.min(TEXT);
+        let panel = Rect {
+            x: area.x + (area.width - width) / 2,
+            width,
+            ..area
+        };
+        let nothing = Rect { width: 0, ..area };
+        Self {
+            picture: nothing,
+            panel: inside(panel),
+            frames: [nothing, panel],
+        }
     }
 
     /// Lays them out with a panel of so many columns, its frame included.

@@ -56,6 +56,9 @@ impl Charset {
                 let after_number = plain.ends_with(|c: char| c.is_ascii_alphanumeric());
                 plain.push_str(if after_number { " deg" } else { "deg" });
             } else {
+                if letter == '√' && plain.ends_with(|c: char| c.is_ascii_alphanumeric()) {
+                    plain.push(' ');
+                }
                 plain.push_str(spelling(letter));
             }
         }
@@ -97,7 +100,9 @@ const fn spelling(letter: char) -> &'static str {
         'η' => "eta",
         'θ' | 'ϑ' => "theta",
         'λ' => "lambda",
-        'μ' | 'µ' => "mu",
+        'μ' => "mu",
+        // The micro of a unit.
+        'µ' => "u",
         'ν' => "nu",
         'π' => "pi",
         'ρ' => "rho",
@@ -143,7 +148,7 @@ const fn spelling(letter: char) -> &'static str {
         '×' => "x",
         '÷' => "/",
         '±' => "+-",
-        '√' => "sqrt",
+        '√' => "sqrt ",
         '≤' => "<=",
         '≥' => ">=",
         '≠' => "!=",
@@ -196,9 +201,11 @@ mod tests {
             ("α (°)", "alpha (deg)"),
             ("u·cos α", "u.cos alpha"),
             ("m₁ × v₁ − 2", "m1 x v1 - 2"),
-            ("½ μ u² ≤ √3 → …", "1/2 mu u^2 <= sqrt3 -> ..."),
+            ("½ μ u² ≤ √3 → …", "1/2 mu u^2 <= sqrt 3 -> ..."),
             ("m⁴, 3.7·10⁻²⁷ m⁻²", "m^4, 3.7.10^-27 m^-2"),
+            ("2√3 or √(a + b)", "2 sqrt 3 or sqrt (a + b)"),
             ("“far” — it’s", "\"far\" -- it's"),
+            ("0.21 µm", "0.21 um"),
             ("plain", "plain"),
         ] {
             assert_eq!(Charset::Ascii.text(written), spelt);

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::flow::{Run, flow};
 use super::{Charset, Look, Role, text};
 
 /// A column of text being written from the top of an area.
@@ -129,6 +130,23 @@ impl<'a> Lines<'a> {
     pub fn paragraph(&mut self, text: &str, role: Role) {
         for line in self.wrapped(text) {
             self.line(&line, role);
+        }
+    }
+
+    /// Text in several styles over as many rows as it takes, the rows after the first
+    /// set in by `indent`; the first begins with `mark`.
+    pub fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
+        let width = self.area.width.saturating_sub(1 + indent).into();
+        for (i, row) in flow(runs, width, self.look.charset).into_iter().enumerate() {
+            if i == 0 {
+                self.put(0, mark, Role::Dim);
+            }
+            let mut column = indent;
+            for run in row {
+                self.put(column, &run.text, run.role);
+                column += text::width(&run.text) as u16;
+            }
+            self.written += 1;
         }
     }
 

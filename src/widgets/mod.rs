@@ -6,16 +6,20 @@
 
 pub mod bar;
 pub mod board;
+pub mod cells;
 pub mod charset;
 pub mod ink;
 pub mod keys;
 pub mod panel;
 pub mod plot;
 pub mod replay;
+pub mod svg;
 pub mod theme;
 
 mod beside;
 mod entry;
+pub mod flow;
+pub mod formula;
 pub mod hit;
 mod lines;
 mod look;
@@ -29,5 +33,5 @@ pub use entry::{NumberEntry, Typed};
 pub use lines::{Lines, Spare};
 pub use look::Look;
 pub use ray_input::{RayInput, Turned, brief, shown};
-pub use scroll::Scroll;
+pub use scroll::{Scroll, overflow};
 pub use theme::{Depth, Palette, Role, Theme};

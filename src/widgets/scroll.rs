@@ -22,6 +22,11 @@ impl Scroll {
         self.rows = self.rows.min(most).saturating_add_signed(rows).min(most);
     }
 
+    /// Rows that are scrolled away above what is shown.
+    pub fn rows(self, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
+        self.rows.min(overflow(area, look, write))
+    }
+
     /// Draws what `write` writes. Where it does not fit, the frame below `area` says
     /// which key brings the rest.
     pub fn draw(self, area: Rect, buf: &mut Buffer, look: Look, write: impl Fn(&mut Lines)) {
@@ -47,7 +52,7 @@ impl Scroll {
 }
 
 /// Rows of what `write` writes that `area` has no room for.
-fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
+pub fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
     let mut scratch = Buffer::empty(area);
     let mut lines = Lines::new(area, &mut scratch, look);
     write(&mut lines);

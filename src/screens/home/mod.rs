@@ -40,42 +40,51 @@ fn worked_shot() -> Collision {
 struct Choice {
     key: char,
     name: &'static str,
-    about: [&'static str; 2],
+    about: &'static str,
     place: Place,
 }
 
-const CHOICES: [Choice; 5] = [
+const CHOICES: [Choice; 7] = [
+    Choice {
+        key: 'c',
+        name: "Learn",
+        about: "chapters, read by doing",
+        place: Place::Learn,
+    },
     Choice {
         key: 'l',
         name: "Lab",
-        about: [
-            "set up a hit, say where they",
-            "go, watch it slowed, see why",
-        ],
+        about: "one hit: set it, say, watch",
         place: Place::Lab,
     },
     Choice {
         key: 'z',
         name: "Quiz",
-        about: ["ten hits to predict; find out", "what you really think"],
+        about: "ten hits to predict",
         place: Place::Quiz { seed: None },
     },
     Choice {
         key: 't',
         name: "Table",
-        about: ["carrom itself: the whole board,", "and every hit explained"],
+        about: "carrom, every hit explained",
         place: Place::Table,
     },
     Choice {
         key: 'v',
         name: "Levels",
-        about: ["small puzzles on the board,", "solved by aiming"],
+        about: "puzzles, solved by aiming",
         place: Place::Levels,
+    },
+    Choice {
+        key: 'f',
+        name: "Foil",
+        about: "beams: from board to atom",
+        place: Place::Foil,
     },
     Choice {
         key: 'p',
         name: "Progress",
-        about: ["how far you have come,", "and what to do next"],
+        about: "how far you have come",
         place: Place::Progress,
     },
 ];
@@ -132,7 +141,7 @@ impl Screen for Home {
             text: vec![
                 "carrom teaches one thing well: what happens when one disc hits another off-centre.",
                 "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
-                "New here? Open the lab and press Enter.",
+                "New here? Open Learn for the whole story, or the lab and press Enter.",
             ],
             keys: self.keys(_cx),
         }

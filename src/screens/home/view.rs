@@ -10,8 +10,6 @@ use crate::widgets::{Lines, Role};
 
 /// Columns of the menu.
 const MENU: u16 = 36;
-/// Rows of a choice: with what it is about and an empty row, without that row, alone.
-const CHOICE_ROWS: [u16; 3] = [4, 3, 1];
 /// Rows above the first choice.
 const HEAD_ROWS: u16 = 3;
 
@@ -40,10 +38,11 @@ pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
     (choice < CHOICES.len()).then_some(choice)
 }
 
-/// As many rows for each choice as there is room for.
+/// A choice takes a row for its name, one for what it is about and an empty one, as
+/// far as there is room for all of them.
 fn rows_of_a_choice(menu: Rect) -> u16 {
-    let fits = |rows: &u16| HEAD_ROWS + rows * CHOICES.len() as u16 <= menu.height;
-    CHOICE_ROWS.into_iter().find(fits).unwrap_or(1)
+    let room = menu.height.saturating_sub(HEAD_ROWS);
+    (room / CHOICES.len() as u16).clamp(1, 3)
 }
 
 /// Draws the menu beside a hit.
@@ -67,11 +66,9 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
         };
         lines.line(&format!("{mark} {}  {} ", choice.key, choice.name), role);
         if rows > 1 {
-            for about in choice.about {
-                lines.line(&format!("     {about}"), Role::Dim);
-            }
+            lines.line(&format!("     {}", choice.about), Role::Dim);
         }
-        if rows > 3 {
+        if rows > 2 {
             lines.line("", Role::Text);
         }
     }

@@ -7,7 +7,7 @@ use crate::screens::why::both_moving;
 use crate::widgets::hit::Watch;
 
 /// A title and a text for the panel.
-pub(super) fn explain(setup: &Setup, watch: &Watch) -> (String, String) {
+pub(in crate::screens) fn explain(setup: &Setup, watch: &Watch) -> (String, String) {
     let outcome = watch.outcome();
     let collision = watch.collision();
     let plain = |text: String| (String::new(), text);

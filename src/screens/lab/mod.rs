@@ -2,6 +2,7 @@
 
 mod explain;
 mod field;
+mod mystery;
 mod panel;
 mod setup;
 mod view;
@@ -13,9 +14,13 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::physics::Frame;
 use crate::widgets::hit::{Watch, drag_offset, point_at, side};
 use crate::widgets::{Beside, NumberEntry, RayInput, Scroll, Turned, Typed};
 
+use mystery::Mystery;
+
+pub(super) use explain::explain;
 pub use field::Field;
 pub use setup::{PIECE_SETS, PieceSet, Setup};
 
@@ -29,6 +34,8 @@ pub struct Lab {
     phase: Phase,
     /// How far the explanation of the shot is scrolled.
     scroll: Scroll,
+    /// The coin's mass is hidden, or was until it had been weighed.
+    mystery: Option<Mystery>,
 }
 
 /// What one is doing in the lab.
@@ -44,6 +51,14 @@ enum Phase {
 }
 
 impl Lab {
+    /// The lab with a hit set up.
+    pub fn of(setup: Setup) -> Self {
+        Self {
+            setup,
+            ..Self::default()
+        }
+    }
+
     /// The setting that keys change.
     fn field(&self) -> Field {
         Field::ALL[self.field.min(Field::ALL.len() - 1)]
@@ -51,7 +66,44 @@ impl Lab {
 
     fn commit_entry(&mut self) {
         if let Some(value) = self.entry.take() {
-            self.field().set(&mut self.setup, value);
+            self.set(value);
+        }
+    }
+
+    fn set(&mut self, value: f64) {
+        let field = self.field();
+        self.change(|setup| field.set(setup, value));
+    }
+
+    /// Changes the chosen setting, unless it is a secret. A coin that was weighed
+    /// and is then changed is an ordinary one.
+    fn change(&mut self, how: impl FnOnce(&mut Setup)) {
+        if self.locks(self.field()) {
+            return;
+        }
+        let before = self.setup.m2_g;
+        how(&mut self.setup);
+        if self.setup.m2_g.to_bits() != before.to_bits() {
+            self.mystery = None;
+        }
+    }
+
+    /// Whether a setting belongs to a coin that is still to be weighed.
+    fn locks(&self, field: Field) -> bool {
+        self.mystery.as_ref().is_some_and(|coin| coin.locks(field))
+    }
+
+    /// Whether the coin's mass must not be seen.
+    fn hides_mass(&self) -> bool {
+        self.mystery.as_ref().is_some_and(Mystery::is_open)
+    }
+
+    /// How a setting reads: as it is, or as a question.
+    fn shown(&self, field: Field) -> String {
+        if field == Field::CoinMass && self.hides_mass() {
+            "? g".into()
+        } else {
+            field.shown(&self.setup)
         }
     }
 
@@ -64,7 +116,7 @@ impl Lab {
         match self.entry.update(key) {
             Typed::Editing => return Next::Stay,
             Typed::Entered(value) => {
-                self.field().set(&mut self.setup, value);
+                self.set(value);
                 return Next::Stay;
             }
             Typed::Ignored => {}
@@ -78,11 +130,19 @@ impl Lab {
             Key::PageUp => self.step(10.0),
             Key::Char('s' | 'S') => {
                 self.commit_entry();
+                self.mystery = None;
                 self.setup.next_set();
             }
-            Key::Char('b' | 'B') => Field::Contact.step(&mut self.setup, 1.0),
+            Key::Char('m') => {
+                self.commit_entry();
+                self.mystery = Some(Mystery::put_out(&mut self.setup, cx.next_seed()));
+            }
+            Key::Char('b' | 'B') if !self.locks(Field::Contact) => {
+                Field::Contact.step(&mut self.setup, 1.0);
+            }
             Key::Char('r' | 'R') => {
                 self.entry.take();
+                self.mystery = None;
                 self.setup = Setup::default();
             }
             Key::Char('p' | 'P') => cx.settings.predict = !cx.settings.predict,
@@ -97,7 +157,8 @@ impl Lab {
 
     fn step(&mut self, steps: f64) {
         self.commit_entry();
-        self.field().step(&mut self.setup, steps);
+        let field = self.field();
+        self.change(|setup| field.step(setup, steps));
     }
 
     /// From aiming to predicting, or to the shot where no prediction is asked.
@@ -129,6 +190,10 @@ impl Lab {
                 Turned::Ignored => return Next::Ignored,
             },
             Phase::Watch(watch) => {
+                let weighing = watch.is_told() && watch.frame() == Frame::Laboratory;
+                if weighing && self.mystery.as_mut().is_some_and(|coin| coin.update(key)) {
+                    return Next::Stay;
+                }
                 if watch.update(key) {
                     return Next::Stay;
                 }
@@ -213,10 +278,12 @@ impl Screen for Lab {
             .piece_set()
             .map_or("own pieces", |i| PIECE_SETS[i].name);
         let (m1, m2) = (self.setup.m1_g, self.setup.m2_g);
-        format!(
-            "{name}: {m1} g on {m2} g   e = {:.2}",
-            self.setup.restitution
-        )
+        let e = self.setup.restitution;
+        if self.hides_mass() {
+            format!("mystery coin: {m1} g on ? g   e = {e:.2}")
+        } else {
+            format!("{name}: {m1} g on {m2} g   e = {e:.2}")
+        }
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
@@ -261,6 +328,7 @@ impl Screen for Lab {
                 Hint::new("0-9", "type"),
                 Hint::new("s", "pieces"),
                 Hint::new("b", "slip/stick"),
+                Hint::new("m", "mystery coin"),
                 Hint::new("Esc", "back"),
             ],
             Phase::Predict(_) => vec![
@@ -306,6 +374,7 @@ impl Screen for Lab {
                 Hint::new("0-9 . -", "type a number; Enter sets it, Esc gives it up"),
                 Hint::new("s", "next set of pieces"),
                 Hint::new("b", "smooth discs that slip, or discs that stick"),
+                Hint::new("m", "a mystery coin: find its mass from the two angles"),
                 Hint::new("p", "predict before each shot, or just watch"),
                 Hint::new("r", "back to the first setting"),
                 Hint::new("Tab", "next setting, or the other ray"),

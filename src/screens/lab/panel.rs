@@ -29,7 +29,7 @@ pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Contex
         let value = if chosen && lab.entry.is_open() {
             format!("{}_", lab.entry.text())
         } else {
-            field.shown(&lab.setup)
+            lab.shown(field)
         };
         let (name_role, value_role) = if chosen {
             (Role::Selected, Role::Selected)
@@ -76,7 +76,7 @@ pub(super) fn draw_prediction(
     let mut lines = Lines::new(area, buf, cx.settings.look());
     given(lab, &mut lines);
     for (field, name) in [(Field::StrikerMass, "striker"), (Field::CoinMass, "coin")] {
-        lines.pair(name, &field.shown(&lab.setup), Role::Dim, Role::Text);
+        lines.pair(name, &lab.shown(field), Role::Dim, Role::Text);
     }
     lines.gap();
     lines.line("Where will they go?", Role::Title);
@@ -108,6 +108,12 @@ pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
             Frame::Target => from_target(watch, lines),
             _ => from_centre_of_mass(watch, lines),
         }
+        return;
+    }
+    if let Some(coin) = &lab.mystery {
+        answers(watch, lines);
+        lines.gap();
+        coin.write(&lab.setup, watch.outcome(), lines);
         return;
     }
     let (title, text) = explain(&lab.setup, watch);

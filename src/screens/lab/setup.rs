@@ -1,5 +1,7 @@
 //! What the lab is set to: two discs, how they move, how far off-centre they meet.
 
+use glam::DVec2;
+
 use crate::physics::angle::unit_vector;
 use crate::physics::{Bond, Collision, Disc};
 use crate::quiz::{Given, Pieces, Question};
@@ -84,6 +86,27 @@ impl Default for Setup {
 }
 
 impl Setup {
+    /// The setting that is this collision.
+    pub fn of(collision: &Collision) -> Self {
+        // What rounding left of whole millimetres and grams goes.
+        let tidy = |x: f64| (x * 1e9).round() / 1e9;
+        let degrees = |v: DVec2| tidy(v.to_angle().to_degrees());
+        let moves = collision.u2 != DVec2::ZERO;
+        Self {
+            offset_mm: tidy(1000.0 * collision.offset),
+            aim_deg: degrees(collision.u1),
+            speed: tidy(collision.u1.length()),
+            restitution: collision.restitution,
+            bond: collision.bond,
+            m1_g: tidy(1000.0 * collision.striker.mass),
+            m2_g: tidy(1000.0 * collision.target.mass),
+            r1_mm: tidy(1000.0 * collision.striker.radius),
+            r2_mm: tidy(1000.0 * collision.target.radius),
+            target_speed: tidy(collision.u2.length()),
+            target_deg: if moves { degrees(collision.u2) } else { 90.0 },
+        }
+    }
+
     /// Distance of the centres at contact in mm.
     pub fn reach_mm(&self) -> f64 {
         self.r1_mm + self.r2_mm

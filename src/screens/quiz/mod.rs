@@ -10,7 +10,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
-use crate::messages::{Input, Key, Mouse, MouseKind, Wish};
+use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::progress::Attempt;
 use crate::quiz::{Answer, Confidence, Question, Round, Summary};
 use crate::widgets::hit::{Layers, Watch, point_at};
@@ -107,7 +107,7 @@ impl Quiz {
             &answer,
         );
         // It is safe before the explanation is seen.
-        cx.ask(Wish::Record(Box::new(attempt)));
+        cx.record(attempt);
         let collision = asked.question.collision();
         let watch = Watch::new(collision, Some(answer.rays), cx.settings.reduced_motion)
             .with_layers(self.layers);

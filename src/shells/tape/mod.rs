@@ -30,7 +30,6 @@ mod line;
 mod parse;
 mod play;
 mod screenshot;
-mod svg;
 
 pub use instruction::{Instruction, Setting};
 pub use parse::ParseError;

@@ -2,8 +2,7 @@
 
 use ratatui::buffer::Buffer;
 
-use super::svg;
-use crate::shells::headless;
+use crate::widgets::{cells, svg};
 
 /// A screen, kept under a name.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,7 +16,7 @@ pub struct Screenshot {
 impl Screenshot {
     /// The rows without the blanks at their ends, a line break after each.
     pub fn text(&self) -> String {
-        headless::text(&self.cells)
+        cells::text(&self.cells)
     }
 
     /// The screen as a picture that needs nothing else to be shown.

@@ -7,6 +7,7 @@
 //! keeps its games.
 
 mod crash;
+mod export;
 mod guard;
 mod keeper;
 mod message;
@@ -205,6 +206,11 @@ impl Run {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
                 Effect::Keep(request) => self.keeper.ask(request, &self.sender),
+                Effect::Export { name, content } => {
+                    let exported = Input::Exported(export::write(name, content));
+                    // Should nobody listen any more, nobody waits for it either.
+                    let _ = self.sender.send(Message::Input(exported));
+                }
             }
         }
         flow

@@ -120,19 +120,21 @@ impl Plot {
         self.curve(points, pen);
     }
 
-    /// An upright line over the whole height at `x`.
+    /// An upright line over the whole height at `x`, down to the axis.
     pub fn upright(&mut self, x: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[1].ends();
         if let Some(x) = self.axes[0].place(x) {
-            self.sheet.line(dvec2(x, low), dvec2(x, high), pen);
+            let foot = low + self.sheet.view().per_row();
+            self.sheet.line(dvec2(x, foot), dvec2(x, high), pen);
         }
     }
 
-    /// A level line over the whole width at `y`.
+    /// A level line over the whole width at `y`, up to the axis.
     pub fn level(&mut self, y: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[0].ends();
         if let Some(y) = self.axes[1].place(y) {
-            self.sheet.line(dvec2(low, y), dvec2(high, y), pen);
+            let start = low + self.sheet.view().per_column();
+            self.sheet.line(dvec2(start, y), dvec2(high, y), pen);
         }
     }
 
@@ -179,11 +181,11 @@ impl Plot {
         }
     }
 
-    /// Every column takes the bar that its middle is in.
+    /// Every column but that of the axis takes the bar that its middle is in.
     fn draw_bars(&self, buf: &mut Buffer) {
         let paper = self.paper();
         let view = self.sheet.view();
-        for column in paper.left()..paper.right() {
+        for column in paper.left() + 1..paper.right() {
             let x = view.world_at(column, paper.y).x;
             let over = |bar: &&Bar| bar.from <= x && x < bar.to;
             let Some(bar) = self.bars.iter().find(over) else {

@@ -5,7 +5,7 @@ use super::attempt::{Attempt, Zoom};
 use super::{Phase, Play, Saying, dials};
 use crate::levels::{FEW_SHOTS, Win};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
-use crate::physics::{Collision, Frame};
+use crate::physics::{Disc, Frame};
 use crate::quiz::Rays;
 use crate::screens::levels::words;
 use crate::screens::{Context, why};
@@ -90,7 +90,7 @@ fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
     let scene = &play.level.scene;
     let [_, target] = saying.impact.discs;
     let name = words::short(scene, target);
-    given(&saying.impact.collision, lines);
+    given(&saying.impact, &play.level.unknown_mass, lines);
     lines.gap();
     lines.line("The first hit", Role::Title);
     saying.rays.write(lines, name);
@@ -105,16 +105,24 @@ fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
     lines.paragraph(&next, Role::Key);
 }
 
-/// Where two meet, and what they are.
-fn given(collision: &Collision, lines: &mut Lines) {
+/// Where two meet, and what they are, but for the masses of `secret` discs.
+fn given(impact: &Impact, secret: &[usize], lines: &mut Lines) {
+    let collision = &impact.collision;
     let offset = format!("{:.1} mm", mm_from_m(collision.offset.abs()));
     lines.pair("offset b", &offset, Role::Dim, Role::Text);
     if let Some(alpha) = collision.alpha() {
         let alpha = format!("{:.1}°", deg_from_rad(alpha.abs()));
         lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
     }
-    let masses = [collision.striker, collision.target].map(|disc| g_from_kg(disc.mass));
-    let masses = format!("{:.1} on {:.1} g", masses[0], masses[1]);
+    let mass = |body: usize, disc: Disc| {
+        if secret.contains(&impact.discs[body]) {
+            "?".into()
+        } else {
+            format!("{:.1}", g_from_kg(disc.mass))
+        }
+    };
+    let (striker, target) = (mass(0, collision.striker), mass(1, collision.target));
+    let masses = format!("{striker} on {target} g");
     lines.pair("masses", &masses, Role::Dim, Role::Text);
     if collision.restitution < 1.0 {
         let restitution = format!("{:.2}", collision.restitution);
@@ -235,7 +243,12 @@ fn enlarged(play: &Play, attempt: &Attempt, zoom: &Zoom, lines: &mut Lines) {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = words::capital(&format!("{first} on {second}"));
     lines.paragraph(&met, Role::Title);
-    given(&impact.collision, lines);
+    // What a win has shown is no secret any more.
+    let secret = match attempt.win {
+        Some(_) => &[],
+        None => play.level.unknown_mass.as_slice(),
+    };
+    given(impact, secret, lines);
     if !watch.is_told() {
         lines.gap();
         lines.paragraph(watch.telling(), Role::Text);
@@ -262,6 +275,10 @@ fn enlarged(play: &Play, attempt: &Attempt, zoom: &Zoom, lines: &mut Lines) {
         answers(play, attempt, impact, lines);
     }
     lines.gap();
+    if impact.discs.iter().any(|disc| secret.contains(disc)) {
+        let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
+        return lines.paragraph(text, Role::Text);
+    }
     let (title, text) = why::of_impact(&impact.collision, said.and_then(|said| said.both()));
     if !title.is_empty() {
         lines.paragraph(&title, Role::Title);

@@ -417,7 +417,7 @@ mod tests {
         effects
             .filter_map(|effect| match effect {
                 Effect::Think(task) => Some(*task),
-                Effect::Quit | Effect::Keep(_) => None,
+                _ => None,
             })
             .collect()
     }

@@ -15,7 +15,7 @@ use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::Modifier;
 use unicode_width::UnicodeWidthStr;
 
-use crate::shells::headless::{rows, symbols};
+use crate::widgets::cells::{rows, symbols};
 use colour::{Look, PAPER, Rgb};
 
 /// Width and height of a cell, in units of the picture.
@@ -24,7 +24,7 @@ const CELL: (usize, usize) = (9, 18);
 const BASE: usize = 14;
 
 /// The screen as a picture of its own.
-pub(super) fn write(cells: &Buffer) -> String {
+pub fn write(cells: &Buffer) -> String {
     let (width, height) = (
         usize::from(cells.area.width) * CELL.0,
         usize::from(cells.area.height) * CELL.1,

@@ -1,0 +1,60 @@
+//! `carrom figure`: a figure of the lessons as a picture, without a terminal.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::{Context, anyhow};
+
+use super::options::Look;
+use super::{Failure, Options, print};
+use crate::screens::learn::draw_figure;
+use crate::widgets::{self, Charset, Depth, Palette, Theme};
+
+/// Draw a figure of the lessons as an SVG picture
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Figures: lab, split, triangle, frames, curves, angles, energy, worked, solve, foil.\n\
+                  After the name come fields that change the worked shot:\n  \
+                  carrom figure curves alpha_deg=45 --svg curves.svg\n  \
+                  carrom figure lab m1_g=20 m2_g=40 speed=3 alpha_deg=45 --svg marbles.svg\n\
+                  docs/lessons.md lists them all."
+)]
+pub(super) struct Args {
+    /// The figure and its fields
+    #[arg(value_name = "NAME [FIELD=VALUE]", required = true)]
+    words: Vec<String>,
+    /// The file to write (default: standard output)
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// Dark on light, for paper and slides
+    #[arg(long)]
+    light: bool,
+}
+
+/// Draws in Unicode and full colour unless the options say otherwise.
+const AUTO: Look = Look {
+    charset: Charset::Unicode,
+    depth: Depth::True,
+};
+
+pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+    let settings = options.settings(AUTO);
+    let palette = if args.light {
+        Palette::Light
+    } else {
+        settings.palette
+    };
+    let look = widgets::Look {
+        charset: settings.charset,
+        theme: Theme::new(palette, settings.depth),
+    };
+    let words = shlex::try_join(args.words.iter().map(String::as_str));
+    let words = words.map_err(|error| Failure::Input(anyhow!(error)))?;
+    let picture = draw_figure(&words, &look).map_err(|error| Failure::Input(anyhow!(error)))?;
+    match &args.svg {
+        Some(path) => fs::write(path, picture).with_context(|| path.display().to_string())?,
+        None => print(picture.as_bytes())?,
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,75 @@
+//! `carrom lesson`: what can be done with chapters outside the game.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::anyhow;
+
+use super::{Failure, print};
+use crate::lessons::Library;
+
+/// Check chapters: every directive, every number, every page
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Check(Check),
+}
+
+/// Check chapters: that every directive is known, that every number in the text is what
+/// the engine computes, and that every page fits an 80x24 screen in both charsets
+///
+/// One line a chapter. Exit status: 0 all is well, 2 something is not.
+#[derive(Debug, clap::Args)]
+struct Check {
+    /// Chapters and folders of them; without any, the chapters in the program
+    #[arg(value_name = "FILE|DIR")]
+    paths: Vec<PathBuf>,
+}
+
+pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let Command::Check(args) = &args.command;
+    let library = open(&args.paths);
+    let mut report = Vec::new();
+    let mut faults = library.problems.clone();
+    for chapter in &library.chapters {
+        let found = crate::screens::learn::check(chapter);
+        let pages = chapter.pages.len();
+        let outcome = if found.is_empty() { "good" } else { "NOT GOOD" };
+        writeln!(
+            report,
+            "{}: {outcome}: {}, {pages} pages",
+            chapter.id, chapter.title
+        )?;
+        faults.extend(found);
+    }
+    print(&report)?;
+    if !faults.is_empty() {
+        let messages: Vec<_> = faults.iter().map(ToString::to_string).collect();
+        return Err(Failure::Input(anyhow!("{}", messages.join("\n"))));
+    }
+    if library.chapters.is_empty() {
+        return Err(Failure::Input(anyhow!("no chapters found")));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn open(paths: &[PathBuf]) -> Library {
+    if paths.is_empty() {
+        return Library::embedded();
+    }
+    let mut library = Library::default();
+    for path in paths {
+        if path.is_dir() {
+            library.add_dir(path);
+        } else {
+            library.add_file(path);
+        }
+    }
+    library
+}

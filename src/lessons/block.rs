@@ -1,0 +1,119 @@
+//! The text of a page: paragraphs, lists, formulas, numbers.
+
+use super::formula::Formula;
+use super::inline::{self, Meaning};
+use super::source::{Line, Source};
+use crate::levels::Fault;
+
+/// A block of text.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// Text over as many rows as it takes.
+    Paragraph(Vec<Piece>),
+    /// A line of a list, with its number in a numbered one.
+    Item(Option<u32>, Vec<Piece>),
+    /// A formula in rows of its own.
+    Formula(Formula),
+}
+
+/// A piece of a paragraph.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Piece {
+    /// Words.
+    Text(String, Tone),
+    /// A formula in the line.
+    Formula(Formula),
+    /// A number that follows the page's figure.
+    Live(super::Quantity),
+}
+
+/// How words are said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tone {
+    /// As they are.
+    Plain,
+    /// With stress.
+    Emphasis,
+    /// As a name of what matters.
+    Strong,
+    /// As a key to press.
+    Key,
+}
+
+/// Reads the blocks of some lines.
+///
+/// # Errors
+/// The first thing that is wrong with them.
+pub(super) fn read(
+    source: &Source,
+    lines: &[Line],
+    meaning: &Meaning,
+) -> Result<Vec<Block>, Fault> {
+    let mut blocks = Vec::new();
+    let mut open: Option<Open> = None;
+    for &(number, line) in lines {
+        let text = line.trim();
+        let formula = text
+            .strip_prefix("$$")
+            .and_then(|rest| rest.strip_suffix("$$"));
+        let (item, rest) = item(text);
+        let ends = text.is_empty() || formula.is_some() || item.is_some();
+        if let Some(done) = open.take_if(|_| ends) {
+            blocks.push(done.close(source, meaning)?);
+        }
+        if let Some(formula) = formula {
+            let formula = Formula::read(formula);
+            let formula = formula.map_err(|message| source.fault(number, message))?;
+            blocks.push(Block::Formula(formula));
+        } else if !text.is_empty() {
+            match &mut open {
+                Some(open) => {
+                    open.text.push('\n');
+                    open.text.push_str(text);
+                }
+                None => {
+                    open = Some(Open {
+                        line: number,
+                        item,
+                        text: rest.to_owned(),
+                    });
+                }
+            }
+        }
+    }
+    if let Some(open) = open {
+        blocks.push(open.close(source, meaning)?);
+    }
+    Ok(blocks)
+}
+
+/// A paragraph or a line of a list, being read.
+struct Open {
+    line: usize,
+    item: Option<Option<u32>>,
+    text: String,
+}
+
+impl Open {
+    fn close(self, source: &Source, meaning: &Meaning) -> Result<Block, Fault> {
+        let pieces = inline::read(source, self.line, &self.text, meaning)?;
+        Ok(match self.item {
+            None => Block::Paragraph(pieces),
+            Some(number) => Block::Item(number, pieces),
+        })
+    }
+}
+
+/// Whether a line begins an item, with which number, and the rest of it.
+fn item(text: &str) -> (Option<Option<u32>>, &str) {
+    if let Some(rest) = text.strip_prefix("- ") {
+        return (Some(None), rest);
+    }
+    if let Some((number, rest)) = text.split_once(". ")
+        && number.len() <= 2
+        && let Ok(number) = number.parse()
+    {
+        return (Some(Some(number)), rest);
+    }
+    (None, text)
+}

@@ -1,0 +1,216 @@
+//! Checkpoints: what is asked before it is shown.
+
+use super::block::{self, Block, Piece};
+use super::figure::Figure;
+use super::inline::{self, Meaning};
+use super::quantity::Quantity;
+use super::shot::Shot;
+use super::source::{Line, Source};
+use super::words::Words;
+use crate::levels::Fault;
+
+/// Least and most lines of a choice.
+const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
+/// Most letters of a unit.
+const UNIT: usize = 8;
+
+/// A question on a page, and what is said once it is answered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checkpoint {
+    /// What is asked for.
+    pub asked: Asked,
+    /// The question.
+    pub question: Vec<Block>,
+    /// What is said after the answer.
+    pub after: Vec<Block>,
+    /// Its line in the file.
+    pub line: usize,
+}
+
+/// What a checkpoint asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Asked {
+    /// Where both discs of the figure will go.
+    Rays,
+    /// A number.
+    Number {
+        /// The right one.
+        expected: Expected,
+        /// How far off still counts as right, in the unit of the number.
+        tolerance: f64,
+    },
+    /// One of several lines.
+    Choice(Vec<Choice>),
+}
+
+/// The number that is right.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Expected {
+    /// A quantity of a shot.
+    Of(Quantity, Shot),
+    /// A quantity of the figure as the student has set it.
+    Figure(Quantity),
+    /// This one, in a unit.
+    Fixed(f64, String),
+}
+
+/// A line of a choice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// What it says.
+    pub text: Vec<Piece>,
+    /// What is said to whoever chose it.
+    pub why: Vec<Piece>,
+    /// Whether it is right.
+    pub right: bool,
+}
+
+impl Checkpoint {
+    /// Reads a checkpoint: the words after its colons, and the lines up to its end.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub(super) fn read(
+        source: &Source,
+        (line, words): Line,
+        inside: &[Line],
+        figure: Option<&Figure>,
+        meaning: &Meaning,
+    ) -> Result<Self, Fault> {
+        let fault = |message: String| source.fault(line, message);
+        let rule = inside.iter().position(|(_, text)| text.trim() == "---");
+        let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
+        let telling = telling.get(1..).unwrap_or_default();
+        let mut words = Words::of(words).map_err(fault)?;
+        let name = words.first().unwrap_or_default();
+        let first_choice = asking.iter().position(|(_, text)| text.starts_with("- ["));
+        let (question, choices) = match name.as_str() {
+            "choice" => asking.split_at(first_choice.unwrap_or(asking.len())),
+            _ => (asking, &[][..]),
+        };
+        let asked = match name.as_str() {
+            "rays" => rays(figure),
+            "number" => number(&mut words, meaning),
+            "choice" => Ok(Asked::Choice(read_choices(source, line, choices, meaning)?)),
+            other => Err(format!(
+                "expected :::rays, :::number or :::choice, found {other}"
+            )),
+        };
+        let asked = asked.map_err(fault)?;
+        words.finish().map_err(fault)?;
+        let checkpoint = Self {
+            question: block::read(source, question, meaning)?,
+            after: block::read(source, telling, meaning)?,
+            asked,
+            line,
+        };
+        if checkpoint.question.is_empty() {
+            return Err(fault("expected a question, found none".into()));
+        }
+        if checkpoint.after.is_empty() && matches!(checkpoint.asked, Asked::Number { .. }) {
+            return Err(fault(
+                "expected an explanation after ---, found none".into(),
+            ));
+        }
+        Ok(checkpoint)
+    }
+}
+
+fn rays(figure: Option<&Figure>) -> Result<Asked, String> {
+    match figure {
+        Some(figure) if figure.kind.is_hit() && figure.shot.collision().outcome().hit() => {
+            Ok(Asked::Rays)
+        }
+        _ => {
+            Err("expected a figure of a hit on the page (lab or split), to turn the rays in".into())
+        }
+    }
+}
+
+fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
+    let expected = match words.field("answer") {
+        Some(answer) => {
+            let value = answer.parse().ok().filter(|value: &f64| value.abs() < 1e9);
+            let value =
+                value.ok_or_else(|| format!("answer: expected a number, found {answer}"))?;
+            let unit = words.field("unit").unwrap_or_default();
+            if unit.chars().count() > UNIT {
+                return Err(format!("unit: expected at most {UNIT} letters"));
+            }
+            Expected::Fixed(value, unit)
+        }
+        None => of_shot(words, meaning)?,
+    };
+    let tolerance = words.number("tolerance", 1e-9, 1e6)?;
+    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
+    Ok(Asked::Number {
+        expected,
+        tolerance,
+    })
+}
+
+fn of_shot(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
+    let name = words.first().unwrap_or_default();
+    let quantity = Quantity::named(&name)
+        .ok_or_else(|| format!("expected the name of a number or answer=, found {name}"))?;
+    let shot = meaning.shots.take(words, None)?;
+    let right = shot.or(meaning.figure);
+    let right =
+        right.ok_or_else(|| format!("expected a shot after {name}: the page has no figure"))?;
+    if quantity.of(&right.collision()).is_none() {
+        return Err(format!("{name} is undefined here"));
+    }
+    Ok(match shot {
+        Some(shot) => Expected::Of(quantity, shot),
+        None => Expected::Figure(quantity),
+    })
+}
+
+fn read_choices(
+    source: &Source,
+    line: usize,
+    lines: &[Line],
+    meaning: &Meaning,
+) -> Result<Vec<Choice>, Fault> {
+    let mut choices = Vec::new();
+    let mut left = lines;
+    while let [(number, first), rest @ ..] = left {
+        let (right, text) = if let Some(text) = first.strip_prefix("- [x] ") {
+            (true, text)
+        } else if let Some(text) = first.strip_prefix("- [ ] ") {
+            (false, text)
+        } else if first.trim().is_empty() {
+            left = rest;
+            continue;
+        } else {
+            let message =
+                "expected - [ ] or - [x] and a line to choose, and indented lines after it";
+            return Err(source.fault(*number, message));
+        };
+        let length = rest
+            .iter()
+            .take_while(|(_, text)| text.starts_with("  "))
+            .count();
+        let (why, after) = rest.split_at(length);
+        let told: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
+        if told.is_empty() {
+            let message = "expected indented lines that are said to whoever chooses this";
+            return Err(source.fault(*number, message));
+        }
+        choices.push(Choice {
+            text: inline::read(source, *number, text, meaning)?,
+            why: inline::read(source, number + 1, &told.join("\n"), meaning)?,
+            right,
+        });
+        left = after;
+    }
+    let right = choices.iter().filter(|choice| choice.right).count();
+    if !CHOICES.contains(&choices.len()) || right != 1 {
+        let message = format!(
+            "expected 2 to 5 choices, one of them right, found {} with {right} right",
+            choices.len()
+        );
+        return Err(source.fault(line, message));
+    }
+    Ok(choices)
+}

@@ -1,0 +1,114 @@
+//! The figure of a page.
+
+use super::header::Shots;
+use super::shot::Shot;
+use super::words::Words;
+
+/// What a figure shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FigureKind {
+    /// The hit, as in the lab.
+    Lab,
+    /// The hit at the contact with the split of u.
+    Split,
+    /// The triangle of momenta, up to a step of the proof.
+    Triangle {
+        /// The step, 1 to 3.
+        step: u8,
+    },
+    /// The hit from the board and from the centre of mass.
+    Frames,
+    /// Both speeds against α.
+    Curves,
+    /// θ₁ against θ₂.
+    Angles,
+    /// The shares of the energy against α.
+    Energy,
+    /// The worked solution.
+    Worked {
+        /// The first step, from 1, whose results are left blank until the checkpoint
+        /// is answered.
+        blank: Option<usize>,
+    },
+    /// The worked solution of numbers that the student sets.
+    Solve,
+    /// Particles and a centre of repulsion.
+    Foil,
+}
+
+/// A figure of a page.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Figure {
+    /// What it shows.
+    pub kind: FigureKind,
+    /// The shot it shows.
+    pub shot: Shot,
+    /// Whether it takes the impact angle that the student set last in the chapter.
+    pub own: bool,
+}
+
+impl FigureKind {
+    /// Names in a file, each with its figure.
+    const NAMES: [(&'static str, Self); 10] = [
+        ("lab", Self::Lab),
+        ("split", Self::Split),
+        ("triangle", Self::Triangle { step: 3 }),
+        ("frames", Self::Frames),
+        ("curves", Self::Curves),
+        ("angles", Self::Angles),
+        ("energy", Self::Energy),
+        ("worked", Self::Worked { blank: None }),
+        ("solve", Self::Solve),
+        ("foil", Self::Foil),
+    ];
+
+    /// The names of all figures.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        Self::NAMES.into_iter().map(|(name, _)| name)
+    }
+
+    /// Whether it shows the very hit, so that rays can be turned in it.
+    pub fn is_hit(self) -> bool {
+        matches!(self, Self::Lab | Self::Split)
+    }
+}
+
+impl Figure {
+    /// Reads the words of a figure: `lab carrom alpha_deg=40`.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub(super) fn read(text: &str, shots: &Shots) -> Result<Self, String> {
+        let mut words = Words::of(text)?;
+        let name = words.first().unwrap_or_default();
+        let known = FigureKind::NAMES.iter().find(|(known, _)| *known == name);
+        let Some(&(_, mut kind)) = known else {
+            let names: Vec<_> = FigureKind::names().collect();
+            return Err(format!(
+                "expected a figure ({}), found {name}",
+                names.join(", ")
+            ));
+        };
+        let own = words.flag("own");
+        match &mut kind {
+            FigureKind::Triangle { step } => {
+                *step = words.number("step", 1.0, 3.0)?.map_or(3, |step| step as u8);
+            }
+            FigureKind::Worked { blank } => {
+                *blank = words.number("blank", 1.0, 9.0)?.map(|step| step as usize);
+            }
+            _ => {}
+        }
+        let shot = shots.take(&mut words, None)?.unwrap_or_default();
+        words.finish()?;
+        Ok(Self { kind, shot, own })
+    }
+
+    /// Reads a figure as the command line names it, with no shots but the worked one.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub fn from_words(text: &str) -> Result<Self, String> {
+        Self::read(text, &Shots::default())
+    }
+}

@@ -1,0 +1,53 @@
+//! A formula in one line.
+
+use super::{Formula, Node, subscript, superscript};
+
+pub(super) fn write(formula: &Formula) -> String {
+    let mut line = String::new();
+    for term in &formula.0 {
+        if term.apart {
+            line.push(' ');
+        }
+        line += &of_node(&term.node);
+    }
+    line
+}
+
+fn of_node(node: &Node) -> String {
+    match node {
+        Node::Word(word) => word.clone(),
+        Node::Group(inside) => format!("({})", write(inside)),
+        Node::Fraction(over, under) => format!("{}/{}", tight(over), tight(under)),
+        Node::Root(inside) => format!("√{}", tight(inside)),
+        Node::Vector(inside) => write(inside),
+        Node::Scripts { base, below, above } => {
+            let mut line = of_node(base);
+            if let Some(below) = below {
+                line += &script('_', below, subscript);
+            }
+            if let Some(above) = above {
+                line += &script('^', above, superscript);
+            }
+            line
+        }
+    }
+}
+
+/// In brackets, unless it is a single thing.
+fn tight(formula: &Formula) -> String {
+    let line = write(formula);
+    if formula.0.len() == 1 {
+        line
+    } else {
+        format!("({line})")
+    }
+}
+
+fn script(mark: char, formula: &Formula, set: fn(&str) -> Option<String>) -> String {
+    let line = write(formula);
+    match set(&line) {
+        Some(set) => set,
+        None if formula.0.len() == 1 => format!("{mark}{line}"),
+        None => format!("{mark}({line})"),
+    }
+}

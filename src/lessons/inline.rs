@@ -1,0 +1,166 @@
+//! What stands in a line of text: words with stress, formulas, numbers.
+
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+
+use super::block::{Piece, Tone};
+use super::constant::Constant;
+use super::formula::Formula;
+use super::header::Shots;
+use super::quantity::Quantity;
+use super::shot::Shot;
+use super::source::Source;
+use super::words::Words;
+use super::written::Written;
+use crate::levels::Fault;
+
+/// What names in a text stand for.
+pub(super) struct Meaning<'a> {
+    /// The shots of the chapter.
+    pub(super) shots: &'a Shots,
+    /// The shot of the page's figure.
+    pub(super) figure: Option<Shot>,
+}
+
+/// A letter that no text holds stands for each formula and number while the Markdown
+/// is read: the first of Unicode's private ones.
+const STAND_IN: u32 = 0xe000;
+
+/// Reads a paragraph that begins at a line.
+///
+/// # Errors
+/// The first thing that is wrong with it.
+pub(super) fn read(
+    source: &Source,
+    line: usize,
+    text: &str,
+    meaning: &Meaning,
+) -> Result<Vec<Piece>, Fault> {
+    let mut kept: Vec<Piece> = Vec::new();
+    let mut plain = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find(['$', '{', '}']) {
+        let here = line + text[..text.len() - rest.len() + at].matches('\n').count();
+        let fault = |message: String| source.fault(here, message);
+        plain.push_str(&rest[..at]);
+        let opening = &rest[at..=at];
+        let inside = &rest[at + 1..];
+        let closing = match opening {
+            "$" => "$",
+            "{" => "}",
+            _ => return Err(fault("expected { before }".into())),
+        };
+        let Some((inner, after)) = inside.split_once(closing) else {
+            return Err(fault(format!("expected {closing} after {opening}")));
+        };
+        let inner = inner.replace('\n', " ");
+        let piece = match opening {
+            "$" => Formula::read(&inner).map(Piece::Formula),
+            _ => number(&inner, meaning),
+        };
+        plain.push(stand_in(kept.len()).ok_or_else(|| fault("expected fewer formulas".into()))?);
+        kept.push(piece.map_err(fault)?);
+        rest = after;
+    }
+    plain.push_str(rest);
+    markdown(&plain, &kept).map_err(|message| source.fault(line, message))
+}
+
+fn stand_in(number: usize) -> Option<char> {
+    char::from_u32(STAND_IN + u32::try_from(number).ok()?).filter(|c| *c <= '\u{f8ff}')
+}
+
+/// A number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for one that lives.
+fn number(text: &str, meaning: &Meaning) -> Result<Piece, String> {
+    let (what, written) = match text.split_once(':') {
+        Some((what, written)) => (what, Some(Written::read(written)?)),
+        None => (text, None),
+    };
+    let mut words = Words::of(what)?;
+    let name = words.first().unwrap_or_default();
+    if let Some(mut constant) = Constant::named(&name) {
+        for (field, value) in words.fields(|_| true) {
+            constant.set(&field, &value)?;
+        }
+        words.finish()?;
+        let written = written.ok_or_else(|| format!("expected {name}: and its figure"))?;
+        return agreed(&name, &written, constant.value());
+    }
+    let Some(quantity) = Quantity::named(&name) else {
+        return Err(format!("expected the name of a number, found {name}"));
+    };
+    let Some(written) = written else {
+        words.finish()?;
+        return match meaning.figure {
+            Some(_) => Ok(Piece::Live(quantity)),
+            None => Err(format!(
+                "expected a figure on the page for {name} to follow"
+            )),
+        };
+    };
+    let shot = meaning.shots.take(&mut words, meaning.figure)?;
+    words.finish()?;
+    let shot =
+        shot.ok_or_else(|| format!("expected a shot after {name}: the page has no figure"))?;
+    agreed(&name, &written, quantity.of(&shot.collision()))
+}
+
+fn agreed(name: &str, written: &Written, truth: Option<f64>) -> Result<Piece, String> {
+    let shown = &written.shown;
+    match truth {
+        Some(truth) if written.agrees(truth) => Ok(Piece::Text(shown.clone(), Tone::Plain)),
+        Some(truth) => {
+            let corrected = written.corrected(truth);
+            Err(format!("{name} is {corrected}, found {shown}"))
+        }
+        None => Err(format!("{name} is undefined here, found {shown}")),
+    }
+}
+
+/// The pieces of a text with stand-ins for those that are kept.
+fn markdown(text: &str, kept: &[Piece]) -> Result<Vec<Piece>, String> {
+    let mut pieces = Vec::new();
+    let mut tones = vec![Tone::Plain];
+    for event in Parser::new_ext(text, Options::empty()) {
+        let tone = tones.last().copied().unwrap_or(Tone::Plain);
+        match event {
+            Event::Text(words) => substitute(&words, tone, kept, &mut pieces),
+            Event::Code(words) => pieces.push(Piece::Text(words.to_string(), Tone::Key)),
+            Event::SoftBreak | Event::HardBreak => pieces.push(Piece::Text(" ".into(), tone)),
+            Event::Start(Tag::Emphasis) => tones.push(Tone::Emphasis),
+            Event::Start(Tag::Strong) => tones.push(Tone::Strong),
+            Event::End(TagEnd::Emphasis | TagEnd::Strong) => {
+                tones.pop();
+            }
+            Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph) => {}
+            _ => {
+                return Err(
+                    "expected plain text with *emphasis*, **strong** and `keys`, found other Markdown"
+                        .into(),
+                );
+            }
+        }
+    }
+    Ok(pieces)
+}
+
+/// Adds a text, with what is kept in the place of its stand-ins.
+fn substitute(text: &str, tone: Tone, kept: &[Piece], pieces: &mut Vec<Piece>) {
+    let mut words = String::new();
+    for letter in text.chars() {
+        let number = (letter as u32).checked_sub(STAND_IN);
+        match number.and_then(|number| kept.get(number as usize)) {
+            None => words.push(letter),
+            // A number takes the tone of what is around it.
+            Some(Piece::Text(figure, _)) => words.push_str(figure),
+            Some(piece) => {
+                if !words.is_empty() {
+                    pieces.push(Piece::Text(std::mem::take(&mut words), tone));
+                }
+                pieces.push(piece.clone());
+            }
+        }
+    }
+    if !words.is_empty() {
+        pieces.push(Piece::Text(words, tone));
+    }
+}

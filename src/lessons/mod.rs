@@ -1,0 +1,42 @@
+//! Lessons: chapters as Markdown files, with figures, checkpoints and numbers that
+//! are checked.
+//!
+//! A [`Chapter`] is a header and pages; a [`Page`] has at most one [`Figure`], its
+//! text as [`Block`]s and at most one [`Checkpoint`]. Everything is read and checked
+//! when a file is opened: each directive, each formula, and each number in the text,
+//! which is computed again by the engine. The first [`Fault`] leaves that file out
+//! and says file, line and what was expected. `docs/lessons.md` describes the format.
+//!
+//! Nothing here draws.
+
+mod block;
+mod chapter;
+mod checkpoint;
+mod constant;
+mod figure;
+pub mod formula;
+mod header;
+mod inline;
+mod library;
+mod page;
+mod quantity;
+mod shot;
+mod source;
+#[cfg(test)]
+mod tests;
+mod words;
+mod written;
+
+pub use block::{Block, Piece, Tone};
+pub use chapter::Chapter;
+pub use checkpoint::{Asked, Checkpoint, Choice, Expected};
+pub use constant::Constant;
+pub use figure::{Figure, FigureKind};
+pub use formula::{Formula, Node, Term};
+pub use library::Library;
+pub use page::Page;
+pub use quantity::Quantity;
+pub use shot::Shot;
+pub use source::FORMAT;
+
+pub use crate::levels::Fault;

@@ -1,0 +1,97 @@
+//! The words of a directive: `lab carrom alpha_deg=40 own`.
+
+/// The words of a directive, taken one by one by whoever knows them.
+#[derive(Debug, Clone)]
+pub(super) struct Words {
+    bare: Vec<String>,
+    fields: Vec<(String, String)>,
+}
+
+impl Words {
+    /// Splits a directive at blanks; a value with blanks stands in double quotes.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub(super) fn of(text: &str) -> Result<Self, String> {
+        let mut words = Self {
+            bare: Vec::new(),
+            fields: Vec::new(),
+        };
+        let parts = shlex::split(text).ok_or("expected a closing quote")?;
+        for part in parts {
+            match part.split_once('=') {
+                Some((name, value)) => {
+                    if words.fields.iter().any(|(known, _)| known == name) {
+                        return Err(format!("expected {name} once, found it twice"));
+                    }
+                    words.fields.push((name.into(), value.into()));
+                }
+                None => words.bare.push(part),
+            }
+        }
+        Ok(words)
+    }
+
+    /// Takes the first word that is no field.
+    pub(super) fn first(&mut self) -> Option<String> {
+        (!self.bare.is_empty()).then(|| self.bare.remove(0))
+    }
+
+    /// Takes the word `flag`, if it is there.
+    pub(super) fn flag(&mut self, flag: &str) -> bool {
+        let at = self.bare.iter().position(|word| word == flag);
+        at.map(|at| self.bare.remove(at)).is_some()
+    }
+
+    /// Takes the value of a field, if it is there.
+    pub(super) fn field(&mut self, name: &str) -> Option<String> {
+        let at = self.fields.iter().position(|(known, _)| known == name)?;
+        Some(self.fields.remove(at).1)
+    }
+
+    /// Takes all fields that `wanted` names.
+    pub(super) fn fields(&mut self, wanted: impl Fn(&str) -> bool) -> Vec<(String, String)> {
+        let (taken, left) = std::mem::take(&mut self.fields)
+            .into_iter()
+            .partition(|(name, _)| wanted(name));
+        self.fields = left;
+        taken
+    }
+
+    /// Takes a field that is a number between two bounds.
+    ///
+    /// # Errors
+    /// What was expected, if it is none.
+    pub(super) fn number(
+        &mut self,
+        name: &str,
+        least: f64,
+        most: f64,
+    ) -> Result<Option<f64>, String> {
+        let Some(written) = self.field(name) else {
+            return Ok(None);
+        };
+        let number = written.parse().ok();
+        match number.filter(|value| (least..=most).contains(value)) {
+            Some(value) => Ok(Some(value)),
+            None => Err(format!(
+                "{name}: expected {least} to {most}, found {written}"
+            )),
+        }
+    }
+
+    /// Checks that nothing is left over.
+    ///
+    /// # Errors
+    /// What was found.
+    pub(super) fn finish(self) -> Result<(), String> {
+        let left = self
+            .bare
+            .into_iter()
+            .chain(self.fields.into_iter().map(|(name, _)| name));
+        match left.into_iter().next() {
+            None => Ok(()),
+            Some(word) => Err(format!("expected no more words here, found {word}")),
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! A figure as it is written in a text, and whether it is what the engine computes.
+
+/// A written figure.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Written {
+    /// As the screen shows it.
+    pub(super) shown: String,
+    value: f64,
+    /// How far the truth may be from it.
+    margin: f64,
+}
+
+/// Rounding noise beside a figure that is exact.
+const NOISE: f64 = 1e-9;
+
+impl Written {
+    /// Reads `3.46`, `-1`, `3.2e-7`, `sqrt 5` or `2 sqrt 3`.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub(super) fn read(text: &str) -> Result<Self, String> {
+        let text = text.trim().replace('−', "-");
+        let wrong = || format!("expected a figure such as 3.46, 3.2e-7 or 2 sqrt 3, found {text}");
+        if let Some((factor, root)) = text.split_once("sqrt") {
+            let (factor, root) = (factor.trim(), root.trim());
+            let whole = |text: &str| text.parse::<u32>().ok().filter(|n| (1..10_000).contains(n));
+            let times = match factor {
+                "" => 1,
+                factor => whole(factor).ok_or_else(wrong)?,
+            };
+            let under = whole(root).ok_or_else(wrong)?;
+            let value = f64::from(times) * f64::from(under).sqrt();
+            return Ok(Self {
+                shown: format!("{factor}√{under}"),
+                value,
+                margin: NOISE * value,
+            });
+        }
+        let plain = text
+            .bytes()
+            .all(|b| b.is_ascii_digit() || b"+-.e".contains(&b));
+        let value: f64 = text.parse().map_err(|_| wrong())?;
+        if !(plain && value.is_finite() && text.len() <= 16) {
+            return Err(wrong());
+        }
+        let (mantissa, exponent) = match text.split_once('e') {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse().map_err(|_| wrong())?),
+            None => (text.as_str(), 0),
+        };
+        let decimals = mantissa.split_once('.').map_or(0, |(_, after)| after.len()) as i32;
+        let step = 10.0_f64.powi(exponent - decimals);
+        let mut shown = mantissa.replace('-', "−");
+        if text.contains('e') {
+            shown += "×10";
+            shown.extend(exponent.to_string().chars().map(raised));
+        }
+        Ok(Self {
+            shown,
+            value,
+            margin: step * (0.5 + NOISE),
+        })
+    }
+
+    /// Whether it is `truth`, rounded to as many places.
+    pub(super) fn agrees(&self, truth: f64) -> bool {
+        (truth - self.value).abs() <= self.margin
+    }
+
+    /// `truth` with as many places, for a message.
+    pub(super) fn corrected(&self, truth: f64) -> String {
+        let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
+        if self.shown.contains("×10") {
+            format!("{truth:.2e}")
+        } else {
+            format!("{truth:.places$}")
+        }
+    }
+}
+
+/// A letter of an exponent.
+fn raised(letter: char) -> char {
+    match letter {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_agree_to_the_places_they_have() {
+        let root = 12.0_f64.sqrt();
+        for (written, truth, agrees) in [
+            ("3.46", root, true),
+            ("3.47", root, false),
+            ("3.5", root, true),
+            ("3", root, true),
+            ("2 sqrt 3", root, true),
+            ("2 sqrt 2", root, false),
+            ("sqrt 5", 5.0_f64.sqrt(), true),
+            ("3.2e-7", 3.2212e-7, true),
+            ("3.3e-7", 3.2212e-7, false),
+            ("−1.00", -1.0, true),
+            ("0.5", 0.45, true),
+        ] {
+            assert_eq!(
+                Written::read(written).unwrap().agrees(truth),
+                agrees,
+                "{written}"
+            );
+        }
+    }
+
+    #[test]
+    fn figures_are_shown_as_on_paper() {
+        let shown = |text| Written::read(text).unwrap().shown;
+        assert_eq!(shown("3.2e-7"), "3.2×10⁻⁷");
+        assert_eq!(shown("2 sqrt 3"), "2√3");
+        assert_eq!(shown("sqrt 5"), "√5");
+        assert_eq!(shown("-1.00"), "−1.00");
+        assert_eq!(
+            Written::read("3.50").unwrap().corrected(12.0_f64.sqrt()),
+            "3.46"
+        );
+    }
+
+    #[test]
+    fn what_is_no_figure_is_refused() {
+        for text in [
+            "", "abc", "nan", "inf", "1e999", "sqrt", "sqrt -2", "2 sqrt x", "1 2", "--1",
+        ] {
+            assert!(Written::read(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! A beam, counted by angle while it is thrown.
+
+use std::f64::consts::PI;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::run::Run;
+use super::setup::{Obstacle, Setup};
+use super::{Foil, guess, words};
+use crate::beams::{BIN_WIDTH, BINS, Counts, Law, Target};
+use crate::physics::beam::Beam;
+use crate::physics::rutherford::FM;
+use crate::screens::Context;
+use crate::widgets::bar::bar;
+use crate::widgets::ink::{Pen, Side};
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::{Lines, Look, Role};
+
+/// Rows above the answers to choose from.
+pub(super) const GUESS_HEAD: usize = 5;
+
+/// The title of the picture.
+pub(super) fn title(setup: &Setup) -> &'static str {
+    match (setup.obstacle, setup.beam) {
+        (Obstacle::Hard, Beam::Board) => "hard discs on a board",
+        (Obstacle::Hard, Beam::Space) => "hard spheres in space",
+        (Obstacle::Nucleus, Beam::Board) => "a foil, if the world were flat",
+        (Obstacle::Nucleus, Beam::Space) => "a foil",
+    }
+}
+
+/// Draws the counts, and the law once something has been thrown.
+pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
+    let law = foil.setup.law();
+    let particles = foil.setup.particles();
+    let most = Counts::expected(&law, particles)
+        .into_iter()
+        .fold(1.0, f64::max);
+    let angle = Axis::linear("scattering angle Θ (°)", 0.0, 180.0).every(30.0);
+    let name = "particles in each 5°";
+    let count = if foil.is_log() {
+        Axis::log(name, 0.5, 2.0 * most)
+    } else {
+        Axis::linear(name, 0.0, 1.15 * most)
+    };
+    let mut plot = Plot::new(area, look, angle, count);
+    if let Some(run) = &foil.run {
+        let degrees = |bin: usize| (bin as f64 * BIN_WIDTH).to_degrees();
+        for (bin, count) in run.counts().bins.iter().enumerate() {
+            plot.bar(degrees(bin), degrees(bin + 1), *count as f64, Role::Trail);
+        }
+        let thrown = run.thrown();
+        plot.function(
+            |at| expected_at(&law, thrown, at),
+            Pen::new(Role::StrikerOut),
+        );
+        if let Some(at) = label_at(&law, thrown) {
+            plot.label(
+                "the law",
+                at,
+                &[Side::AboveRight, Side::Above],
+                Role::StrikerOut,
+            );
+        }
+    }
+    plot.draw(buf);
+}
+
+/// Particles expected within 2.5° of an angle in degrees, so that the curve passes the
+/// middle of each bin at what is expected in it.
+fn expected_at(law: &Law, thrown: u64, degrees: f64) -> Option<f64> {
+    let half = BIN_WIDTH / 2.0;
+    let at = degrees.to_radians();
+    let inside = at >= half - 1e-9 && at <= PI - half + 1e-9;
+    inside.then(|| {
+        thrown as f64 * (law.share_beyond(at - half) - law.share_beyond((at + half).min(PI)))
+    })
+}
+
+/// Where the curve is named.
+fn label_at(law: &Law, thrown: u64) -> Option<glam::DVec2> {
+    const AT: f64 = 97.5;
+    expected_at(law, thrown, AT).map(|count| glam::dvec2(AT, count))
+}
+
+/// Writes the question before a beam.
+pub(super) fn write_guess(foil: &Foil, chosen: usize, lines: &mut Lines) {
+    // Always as many rows, so that the mouse finds the answers.
+    for line in [
+        "Say it first:",
+        "how many are turned back,",
+        "by more than 90°?",
+    ] {
+        lines.line(line, Role::Title);
+    }
+    let setup = &foil.setup;
+    let thrown_at = match setup.obstacle {
+        Obstacle::Hard => format!("(of all that hit a {})", setup.obstacle_name()),
+        Obstacle::Nucleus => {
+            format!("({:.2} µm of {})", setup.thickness_um, setup.metal().name)
+        }
+    };
+    lines.line(&thrown_at, Role::Dim);
+    lines.line("", Role::Text);
+    for (i, choice) in guess::CHOICES.iter().enumerate() {
+        let (mark, role) = if i == chosen {
+            (">", Role::Selected)
+        } else {
+            (" ", Role::Text)
+        };
+        lines.line(&format!("{mark} {} ", choice.name), role);
+    }
+}
+
+/// Writes what stands below the settings.
+pub(super) fn write(foil: &Foil, lines: &mut Lines, cx: &Context) {
+    lines.gap();
+    let Some(run) = &foil.run else {
+        let text = if cx.settings.predict {
+            "Enter: say what will happen, then throw."
+        } else {
+            "Enter: throw the beam. (p: predict first)"
+        };
+        lines.paragraph(text, Role::Key);
+        lines.gap();
+        lines.paragraph(about(&foil.setup), Role::Text);
+        return;
+    };
+    progress(run, lines, cx);
+    lines.gap();
+    let share = run.law().share_beyond(PI / 2.0);
+    lines.line("turned by more than 90°:", Role::Dim);
+    let back = run.counts().from_bin(BINS / 2);
+    lines.pair("  counted", &words::count(back), Role::Dim, Role::Text);
+    let counted = run.share_turned_back().map_or("none".into(), words::share);
+    lines.pair("  share", &counted, Role::Dim, Role::Text);
+    lines.pair(
+        "  the law",
+        &words::share(share),
+        Role::Dim,
+        Role::StrikerOut,
+    );
+    if run.is_running() {
+        return;
+    }
+    lines.gap();
+    if let Some(said) = run.said {
+        lines.paragraph(&guess::explain(said, share), Role::Title);
+    }
+    lines.paragraph(&reason(run.law(), share), Role::Text);
+    lines.gap();
+    // The standard deviation of a count with this share, √(n p (1 − p)).
+    let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
+    lines.paragraph(
+        &format!(
+            "By chance alone such a count differs by about {} from one beam to the next.",
+            words::count(words::rounded(chance.max(1.0)) as u64)
+        ),
+        Role::Dim,
+    );
+}
+
+/// How far the beam is.
+fn progress(run: &Run, lines: &mut Lines, cx: &Context) {
+    let share = run.thrown() as f64 / run.particles() as f64;
+    let width = lines.width().saturating_sub(7);
+    let bar = bar(share, width, cx.settings.charset);
+    lines.line(
+        &format!("{bar} {:3.0} %", (100.0 * share).floor()),
+        Role::Text,
+    );
+    let state = if run.is_over() {
+        "thrown"
+    } else if run.is_running() {
+        "thrown so far"
+    } else {
+        "stopped at"
+    };
+    lines.pair(state, &words::count(run.thrown()), Role::Dim, Role::Text);
+}
+
+/// What a beam is, before it is thrown.
+fn about(setup: &Setup) -> &'static str {
+    match (setup.obstacle, setup.beam) {
+        (Obstacle::Hard, Beam::Board) => {
+            "Every offset along the line up to R is as likely as any other."
+        }
+        (Obstacle::Hard, Beam::Space) => {
+            "Every spot of the round face of the target is as likely as any other: more of them lie far out than near the middle."
+        }
+        (Obstacle::Nucleus, Beam::Board) => {
+            "As if the atoms lay on a board: every offset along a line is as likely as any other."
+        }
+        (Obstacle::Nucleus, Beam::Space) => {
+            "Nobody can aim at a nucleus. Each particle flies through some spot of the foil, and the nearest nucleus turns it."
+        }
+    }
+}
+
+/// Why the share is what it is.
+fn reason(law: &Law, share: f64) -> String {
+    let nearness = law.nearness(PI / 2.0);
+    match (law.target, law.beam) {
+        (Target::Hard, Beam::Board) => format!(
+            "Turned back are those nearer than R cos 45° = {nearness:.3} R. On a line that is {}.",
+            words::share(share)
+        ),
+        (Target::Hard, Beam::Space) => format!(
+            "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres scatter alike in all directions; the counts are highest at 90° because that ring of the sky is widest.",
+            words::share(share)
+        ),
+        (Target::Coulomb { half_width, .. }, beam) => {
+            let near = nearness * half_width / FM;
+            let room = words::count(words::rounded(half_width / FM) as u64);
+            let power = if beam == Beam::Space { "²" } else { "" };
+            format!(
+                "Only those that come within b = d/2 = {near:.1} fm of a nucleus turn back. But each nucleus has {room} fm of room around it: ({near:.1}/{room}){power} is {}.",
+                words::share(share)
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_curve_passes_each_bin_at_what_is_expected_in_it() {
+        for obstacle in [Obstacle::Hard, Obstacle::Nucleus] {
+            for beam in [Beam::Board, Beam::Space] {
+                let law = Setup {
+                    obstacle,
+                    beam,
+                    ..Setup::default()
+                }
+                .law();
+                let expected = Counts::expected(&law, 1000);
+                for (bin, expected) in expected.into_iter().enumerate() {
+                    let middle = (bin as f64 + 0.5) * 5.0;
+                    let on_curve = expected_at(&law, 1000, middle).unwrap();
+                    assert!((on_curve - expected).abs() < 1e-9 * expected.max(1e-3));
+                }
+                assert_eq!(expected_at(&law, 1000, 0.0), None);
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! What one says before a beam is thrown: how many are turned back.
+
+/// An answer to choose from.
+pub struct Choice {
+    /// In words.
+    pub name: &'static str,
+    /// The share it means.
+    pub share: f64,
+}
+
+/// The answers to choose from. Steps of ten: for what is rare the order of magnitude is
+/// what matters.
+pub const CHOICES: [Choice; 9] = [
+    choice("all of them", 1.0),
+    choice("seven in ten", 0.7),
+    choice("half of them", 0.5),
+    choice("1 in 10", 1e-1),
+    choice("1 in 100", 1e-2),
+    choice("1 in 1,000", 1e-3),
+    choice("1 in 10,000", 1e-4),
+    choice("1 in 100,000", 1e-5),
+    choice("1 in a million", 1e-6),
+];
+
+const fn choice(name: &'static str, share: f64) -> Choice {
+    Choice { name, share }
+}
+
+/// What to say to an answer, now that the share is known.
+pub fn explain(said: f64, share: f64) -> String {
+    let off = |choice: &Choice| (choice.share / share).log10().abs();
+    let nearest = CHOICES
+        .iter()
+        .min_by(|a, b| off(a).total_cmp(&off(b)))
+        .map_or(share, |choice| choice.share);
+    if said == nearest {
+        return "You said so: as near as the answers go.".into();
+    }
+    let times = (said / share).max(share / said);
+    let times = if times < 10.0 {
+        format!("{times:.1}")
+    } else {
+        super::words::count(super::words::rounded(times) as u64)
+    };
+    if said > share {
+        format!("You expected {times} times as many.")
+    } else {
+        format!("It is {times} times what you expected.")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_answer_is_right_and_others_are_told_how_far_off() {
+        assert!(explain(0.7, 0.707).starts_with("You said so"));
+        assert!(explain(1e-5, 8.5e-6).starts_with("You said so"));
+        assert!(explain(0.5, 8.5e-6).contains("58,800 times as many"));
+        assert!(explain(0.5, 0.707).contains("1.4 times what you expected"));
+    }
+}

@@ -1,0 +1,240 @@
+//! What Geiger and Marsden counted, beside the law.
+
+use glam::dvec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::setup::Setup;
+use super::words;
+use crate::beams::{Angle, Series, geiger_marsden};
+use crate::physics::rutherford::{GOLD_DENSITY, Rutherford};
+use crate::widgets::ink::{Pen, Side};
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::{Charset, Lines, Look, Role};
+
+/// A metal and how it is shown.
+struct Metal {
+    name: &'static str,
+    count: fn(&Angle) -> f64,
+    /// Its mark in ASCII and in Unicode.
+    marks: [char; 2],
+    role: Role,
+}
+
+impl Metal {
+    fn mark(&self, charset: Charset) -> char {
+        self.marks[usize::from(charset == Charset::Unicode)]
+    }
+}
+
+const METALS: [Metal; 2] = [
+    Metal {
+        name: "gold",
+        count: |angle| angle.gold,
+        marks: ['o', '●'],
+        role: Role::CoinOut,
+    },
+    Metal {
+        name: "silver",
+        count: |angle| angle.silver,
+        marks: ['x', '×'],
+        role: Role::StrikerOut,
+    },
+];
+
+/// The title of the picture.
+pub(super) fn title(levelled: bool) -> &'static str {
+    if levelled {
+        "how far off the law"
+    } else {
+        "their counts against the law"
+    }
+}
+
+/// The two series, or why they cannot be had.
+fn series() -> Result<[Option<Series>; 2], String> {
+    let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
+    Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
+}
+
+/// Draws the counts: against 1/sin⁴(φ/2), or as what they are above the law.
+pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
+    let Ok(series) = series() else {
+        return;
+    };
+    let law = Axis::log("1/sin⁴(φ/2), small angles to the right", 1.0, 5000.0);
+    let mut plot = if levelled {
+        let excess = Axis::linear("above the law (%)", -25.0, 50.0).every(25.0);
+        Plot::new(area, look, law, excess)
+    } else {
+        Plot::new(
+            area,
+            look,
+            law,
+            Axis::log("scintillations counted", 10.0, 300_000.0),
+        )
+    };
+    for (metal, series) in METALS.iter().zip(series) {
+        if let Some(series) = series {
+            if levelled {
+                levels(&mut plot, look, metal, &series);
+            } else {
+                counts(&mut plot, look, metal, &series);
+            }
+        }
+    }
+    plot.draw(buf);
+}
+
+/// Counts with the line that the law draws through them.
+fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
+    let Metal { name, role, .. } = *metal;
+    let line = [1.0, 5000.0].map(|law| dvec2(law, law * series.scale));
+    plot.curve(line, Role::Dim);
+    for (_, law, count) in &series.points {
+        plot.mark(dvec2(*law, *count), metal.mark(look.charset), role);
+    }
+    if let Some((_, law, count)) = series.points.get(series.points.len() / 2) {
+        let sides = if name == "gold" {
+            [Side::AboveLeft, Side::Left]
+        } else {
+            [Side::BelowRight, Side::Right]
+        };
+        plot.label(
+            &format!("{name} {}", metal.mark(look.charset)),
+            dvec2(*law, *count),
+            &sides,
+            role,
+        );
+    }
+}
+
+/// What each count is above the law, in per cent, and the band of gold.
+fn levels(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
+    let Metal { name, role, .. } = *metal;
+    let percent = |excess: f64| 100.0 * excess;
+    if name == "gold" {
+        let (low, high) = series.band();
+        plot.level(0.0, Pen::new(Role::Dim));
+        for edge in [low, high] {
+            plot.level(percent(edge), Pen::new(Role::Arc).dashed());
+        }
+    }
+    for point in &series.points {
+        let at = dvec2(point.1, percent(series.excess(*point)));
+        plot.mark(at, metal.mark(look.charset), role);
+    }
+    // In the upper left corner there is nothing to see.
+    let mut at = dvec2(1.5, 35.0);
+    if name == "gold" {
+        let (low, high) = series.band();
+        for (edge, side) in [(low, Side::Below), (high, Side::Above)] {
+            let text = format!("gold {}", signed(edge));
+            plot.label(&text, dvec2(8.0, percent(edge)), &[side], Role::Text);
+        }
+        at.y = 42.0;
+    }
+    let legend = format!("{} {name}", metal.mark(look.charset));
+    plot.label(&legend, at, &[Side::Right], role);
+}
+
+/// A share as per cent with its sign.
+fn signed(share: f64) -> String {
+    format!("{:+.0}%", 100.0 * share).replace('-', "−")
+}
+
+/// Writes what stands beside the picture.
+pub(super) fn write(lines: &mut Lines) {
+    let series = match series() {
+        Ok(series) => series,
+        Err(fault) => return lines.paragraph(&fault, Role::Warn),
+    };
+    let [Some(gold), Some(silver)] = series else {
+        return;
+    };
+    lines.paragraph(
+        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single α particles on a screen, at one angle φ after another.",
+        Role::Text,
+    );
+    lines.gap();
+    lines.paragraph(
+        "If all the charge of an atom sits in one small place, the counts must grow as 1/sin⁴(φ/2): the straight lines.",
+        Role::Text,
+    );
+    lines.gap();
+    let counts =
+        |f: fn(f64, f64) -> f64, start| gold.points.iter().map(|point| point.2).fold(start, f);
+    let (most, least) = (counts(f64::max, 0.0), counts(f64::min, f64::INFINITY));
+    let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
+    lines.paragraph(
+        &format!(
+            "Gold went from {least} to {}, {}-fold, and stays between {} and {} of the law. That is not nothing: at small angles the counts are too high. Silver: {} to {}. The second plot (Enter) enlarges it.",
+            words::count(most as u64),
+            words::count(words::rounded(most / least) as u64),
+            signed(low),
+            signed(high),
+            signed(silver_low),
+            signed(silver_high),
+        ),
+        Role::Text,
+    );
+    lines.gap();
+    lines.paragraph(
+        "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has a scale of its own again: it cannot be joined to this one, and is not.",
+        Role::Dim,
+    );
+    lines.gap();
+    lines.line("How many, not only how", Role::Title);
+    lines.paragraph(&absolute_check(), Role::Text);
+    lines.gap();
+    lines.line("“1 in 8000”", Role::Title);
+    let back = Setup::default()
+        .law()
+        .share_beyond(std::f64::consts::FRAC_PI_2);
+    lines.paragraph(
+        &format!(
+            "That number is from 1909, and not from a gold foil: it is the share of α particles that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm turns back far fewer: {}.",
+            words::share(back)
+        ),
+        Role::Text,
+    );
+}
+
+/// The one count whose scale is known: 1913, gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
+/// at 1 cm.
+fn absolute_check() -> String {
+    let share = Rutherford::radium_c_on_gold().share_into(
+        std::f64::consts::FRAC_PI_4,
+        1e-6 / 1e-4,
+        GOLD_DENSITY * 2.1e-7,
+    );
+    let share = share.map_or("none".into(), |share| format!("{:.1}×10⁻⁷", share * 1e7));
+    format!(
+        "At 45°, behind 0.21 µm of gold, a screen of 1 mm² at 1 cm caught 3.7×10⁻⁷ of all particles, give or take a fifth. The formula, with Z = 79 and nothing fitted: {share}."
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_formula_gives_what_is_said() {
+        assert!(
+            absolute_check().ends_with("3.2×10⁻⁷."),
+            "{}",
+            absolute_check()
+        );
+    }
+
+    #[test]
+    fn the_band_is_said_with_its_signs() {
+        let [gold, silver] = series().unwrap().map(Option::unwrap);
+        let said = |series: &Series| {
+            let (low, high) = series.band();
+            (signed(low), signed(high))
+        };
+        assert_eq!(said(&gold), ("−15%".into(), "+23%".into()));
+        assert_eq!(said(&silver), ("−15%".into(), "+41%".into()));
+    }
+}

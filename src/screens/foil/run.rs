@@ -1,0 +1,126 @@
+//! A beam under way.
+
+use crate::beams::{BINS, Counts, Law, Sampler};
+
+/// Pictures over which a beam is spread, so that one can watch the counts grow: about
+/// four seconds.
+const PICTURES: u64 = 240;
+
+/// Most particles between two pictures: less than ten milliseconds of work.
+const MOST: u64 = 2_000_000;
+
+/// A beam, as far as it has been thrown.
+#[derive(Debug, Clone)]
+pub struct Run {
+    law: Law,
+    sampler: Box<Sampler>,
+    seed: u64,
+    particles: u64,
+    counts: Counts,
+    halted: bool,
+    /// What the player said the share turned back would be, if asked.
+    pub said: Option<f64>,
+}
+
+impl Run {
+    /// A beam of `particles`, none of them thrown yet.
+    pub fn new(law: Law, seed: u64, particles: u64, said: Option<f64>) -> Self {
+        Self {
+            law,
+            sampler: Box::new(Sampler::new(&law)),
+            seed,
+            particles,
+            counts: Counts::default(),
+            halted: false,
+            said,
+        }
+    }
+
+    /// The law it follows.
+    pub fn law(&self) -> &Law {
+        &self.law
+    }
+
+    /// The counts so far.
+    pub fn counts(&self) -> &Counts {
+        &self.counts
+    }
+
+    /// Particles thrown so far.
+    pub fn thrown(&self) -> u64 {
+        self.counts.total()
+    }
+
+    /// Particles in all.
+    pub fn particles(&self) -> u64 {
+        self.particles
+    }
+
+    /// Whether all have been thrown.
+    pub fn is_over(&self) -> bool {
+        self.thrown() >= self.particles
+    }
+
+    /// Whether more are being thrown.
+    pub fn is_running(&self) -> bool {
+        !self.halted && !self.is_over()
+    }
+
+    /// Stops it, or lets it go on.
+    pub fn set_halted(&mut self, halted: bool) {
+        self.halted = halted;
+    }
+
+    /// Throws the particles between two pictures.
+    pub fn advance(&mut self) {
+        if self.is_running() {
+            let thrown = self.thrown();
+            let slice = self.particles.div_ceil(PICTURES).min(MOST);
+            let end = self.particles.min(thrown + slice);
+            self.sampler.throw(self.seed, thrown..end, &mut self.counts);
+        }
+    }
+
+    /// The share turned by more than 90° so far; `None` before the first particle.
+    pub fn share_turned_back(&self) -> Option<f64> {
+        let back = self.counts.from_bin(BINS / 2);
+        (self.thrown() > 0).then(|| back as f64 / self.thrown() as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::setup::Setup;
+    use super::*;
+
+    #[test]
+    fn a_beam_ends_with_all_its_particles_whatever_the_slices() {
+        for particles in [1, 239, 1000, 1_000_000] {
+            let law = Setup::default().law();
+            let mut run = Run::new(law, 3, particles, None);
+            while run.is_running() {
+                run.advance();
+            }
+            assert_eq!(run.thrown(), particles);
+            let mut whole = Counts::default();
+            Sampler::new(&law).throw(3, 0..particles, &mut whole);
+            assert_eq!(*run.counts(), whole);
+            run.advance();
+            assert_eq!(run.thrown(), particles);
+        }
+    }
+
+    #[test]
+    fn a_beam_that_is_halted_throws_nothing() {
+        let mut run = Run::new(Setup::default().law(), 3, 100_000_000, None);
+        run.advance();
+        let thrown = run.thrown();
+        assert!(thrown > 0 && thrown <= MOST);
+        run.set_halted(true);
+        run.advance();
+        assert_eq!(run.thrown(), thrown);
+        run.set_halted(false);
+        run.advance();
+        assert!(run.thrown() > thrown);
+    }
+}

@@ -1,0 +1,92 @@
+//! What the foil is set to: what is thrown at what, and how.
+
+use crate::beams::{Foil, Law, METALS, Metal, Target};
+use crate::physics::beam::Beam;
+use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
+
+/// What stands in the way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Obstacle {
+    /// A hard disc, or a hard sphere.
+    Hard,
+    /// A nucleus, which repels by its charge.
+    Nucleus,
+}
+
+/// The setting, in the units of the screen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setup {
+    /// What stands in the way.
+    pub obstacle: Obstacle,
+    /// How the offsets of a beam are spread.
+    pub beam: Beam,
+    /// Which of the [`METALS`] the nucleus belongs to.
+    pub metal: usize,
+    /// Energy of the α particles in MeV.
+    pub energy_mev: f64,
+    /// Thickness of the foil in µm.
+    pub thickness_um: f64,
+    /// Offset from a hard target, as a share of the touching distance.
+    pub offset_share: f64,
+    /// Offset from a nucleus in fm.
+    pub offset_fm: f64,
+    /// Particles in a beam, as a power of ten.
+    pub particles_exponent: u32,
+}
+
+impl Default for Setup {
+    /// Radium C on the gold foil of 1913.
+    fn default() -> Self {
+        Self {
+            obstacle: Obstacle::Nucleus,
+            beam: Beam::Space,
+            metal: 0,
+            energy_mev: 7.69,
+            thickness_um: 0.21,
+            offset_share: 0.5,
+            offset_fm: 20.0,
+            particles_exponent: 6,
+        }
+    }
+}
+
+impl Setup {
+    /// The metal of the foil.
+    pub fn metal(&self) -> Metal {
+        METALS[self.metal % METALS.len()]
+    }
+
+    /// The law by which the nucleus turns a particle.
+    pub fn scatterer(&self) -> Rutherford {
+        Rutherford::new(ALPHA_CHARGE, self.metal().charge, self.energy_mev * MEV)
+    }
+
+    /// The law that holds for a beam.
+    pub fn law(&self) -> Law {
+        let foil = Foil {
+            metal: self.metal(),
+            thickness: self.thickness_um * 1e-6,
+        };
+        Law {
+            target: match self.obstacle {
+                Obstacle::Hard => Target::Hard,
+                Obstacle::Nucleus => foil.target(self.energy_mev * MEV),
+            },
+            beam: self.beam,
+        }
+    }
+
+    /// Particles in a beam.
+    pub fn particles(&self) -> u64 {
+        10_u64.saturating_pow(self.particles_exponent)
+    }
+
+    /// What the target is called.
+    pub fn obstacle_name(&self) -> &'static str {
+        match (self.obstacle, self.beam) {
+            (Obstacle::Hard, Beam::Board) => "hard disc",
+            (Obstacle::Hard, Beam::Space) => "hard sphere",
+            (Obstacle::Nucleus, _) => "nucleus",
+        }
+    }
+}

@@ -1,0 +1,322 @@
+//! One particle past the target, and some beside it.
+
+use std::f64::consts::PI;
+
+use glam::{DVec2, dvec2};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::setup::{Obstacle, Setup};
+use super::words::rounded;
+use crate::beams::{Law, Target};
+use crate::physics::beam::Beam;
+use crate::physics::rutherford::FM;
+use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::{Lines, Look, Role};
+
+/// Half the height of the picture of a nucleus, in fm.
+const HALF_HEIGHT_FM: f64 = 62.0;
+
+/// Half the height of the picture of a hard target, in touching distances.
+const HALF_HEIGHT_HARD: f64 = 1.9;
+
+/// Particles beside the one that is set, on each side of the middle.
+const BESIDE: i32 = 4;
+
+/// The title of the picture.
+pub(super) fn title(setup: &Setup) -> &'static str {
+    match setup.obstacle {
+        Obstacle::Hard => "past a hard target",
+        Obstacle::Nucleus => "past a nucleus",
+    }
+}
+
+/// A path, in the units of the picture: fm past a nucleus, touching distances past a hard
+/// target.
+struct Path {
+    points: Vec<DVec2>,
+    /// The nearest point to the target's centre; on a hard target, where it touches.
+    nearest: Option<DVec2>,
+    /// Scattering angle Θ in radians.
+    angle: f64,
+}
+
+fn half_height(setup: &Setup) -> f64 {
+    match setup.obstacle {
+        Obstacle::Hard => HALF_HEIGHT_HARD,
+        Obstacle::Nucleus => HALF_HEIGHT_FM,
+    }
+}
+
+fn view(area: Rect, setup: &Setup) -> View {
+    let half = half_height(setup);
+    View::fit(area, dvec2(-half, -half), dvec2(half, half))
+}
+
+/// The offset that a cell of the picture stands for, in the units of the picture.
+pub(super) fn offset_at(area: Rect, setup: &Setup, (column, row): (u16, u16)) -> f64 {
+    let y = view(area, setup).world_at(column, row).y;
+    match setup.obstacle {
+        Obstacle::Hard => (y * 20.0).round() / 20.0,
+        Obstacle::Nucleus => y.round(),
+    }
+}
+
+fn offset(setup: &Setup) -> f64 {
+    match setup.obstacle {
+        Obstacle::Hard => setup.offset_share,
+        Obstacle::Nucleus => setup.offset_fm,
+    }
+}
+
+/// The path at an offset, from `reach` in to `reach` out.
+fn path(setup: &Setup, offset: f64, reach: f64) -> Path {
+    match setup.obstacle {
+        Obstacle::Hard => hard_path(offset, reach),
+        Obstacle::Nucleus => {
+            let path = setup.scatterer().path(offset * FM);
+            Path {
+                points: path
+                    .points(reach * FM, 160)
+                    .iter()
+                    .map(|p| *p / FM)
+                    .collect(),
+                nearest: Some(path.nearest() / FM),
+                angle: path.angle(),
+            }
+        }
+    }
+}
+
+/// Straight on to the touching distance 1, and away as from a mirror.
+fn hard_path(offset: f64, reach: f64) -> Path {
+    let start = dvec2(-reach, offset);
+    if offset.abs() > 1.0 {
+        return Path {
+            points: vec![start, dvec2(reach, offset)],
+            nearest: None,
+            angle: 0.0,
+        };
+    }
+    let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);
+    let law = Law {
+        target: Target::Hard,
+        beam: Beam::Board,
+    };
+    let angle = law.angle(offset.abs());
+    let turned = if offset < 0.0 { -angle } else { angle };
+    Path {
+        points: vec![start, contact, contact + DVec2::from_angle(turned) * reach],
+        nearest: Some(contact),
+        angle,
+    }
+}
+
+/// Draws the picture.
+pub(super) fn draw(setup: &Setup, area: Rect, buf: &mut Buffer, look: &Look) {
+    let view = view(area, setup);
+    let half = half_height(setup);
+    let mut sheet = Sheet::new(view, look.charset);
+    // To the corners of the picture, however wide it is.
+    let wide = (view.to_world(dvec2(f64::from(area.right()), 0.0)).x).abs();
+    let reach = 1.2 * wide.hypot(half).max(half);
+    sheet.line(
+        dvec2(-reach, 0.0),
+        dvec2(reach, 0.0),
+        Pen::new(Role::Axis).dotted(),
+    );
+    // One straight on would come back along its own way.
+    for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
+        let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
+        sheet.polyline(beside.points, Pen::new(Role::Trail).dotted());
+    }
+    match setup.obstacle {
+        Obstacle::Hard => sheet.disc(DVec2::ZERO, 1.0, Role::Coin, ' '),
+        // A nucleus is smaller than any cell: a mark of its place.
+        Obstacle::Nucleus => sheet.disc(DVec2::ZERO, 1.0, Role::Marble, ' '),
+    }
+    draw_particle(setup, &mut sheet, reach);
+    sheet.draw(buf, &look.theme);
+}
+
+/// The particle that is set, with what is measured on it.
+fn draw_particle(setup: &Setup, sheet: &mut Sheet, reach: f64) {
+    let offset = offset(setup);
+    let set = path(setup, offset, reach);
+    let pen = Pen::new(Role::StrikerOut).on(Layer::Vector);
+    if let Some(nearest) = set.nearest {
+        match setup.obstacle {
+            Obstacle::Hard => {
+                let pen = Pen::new(Role::LineOfImpact).dashed();
+                sheet.line(nearest, nearest * 1.7, pen);
+            }
+            Obstacle::Nucleus => sheet.line(DVec2::ZERO, nearest, Role::LineOfImpact),
+        }
+    }
+    // The way it would have gone on, which the angle is measured from.
+    let straight = Pen::new(Role::Aim).dashed();
+    let from = set.nearest.map_or(0.0, |nearest| nearest.x.max(-reach));
+    sheet.line(dvec2(from, offset), dvec2(reach, offset), straight);
+    sheet.polyline(set.points.iter().copied(), pen);
+    let shown = |at: &DVec2| sheet.view().cell_at(*at).is_some();
+    let Some(tip) = exit(&set.points, shown) else {
+        return;
+    };
+    let tail = tip.1 - (tip.1 - tip.0).normalize_or_zero() * 6.0 * sheet.view().per_column();
+    sheet.arrow(tail, tip.1, pen);
+    let left = sheet.view().world_at(sheet.view().area().x + 1, 0).x;
+    let (unit, decimals) = match setup.obstacle {
+        Obstacle::Hard => ("R", 2),
+        Obstacle::Nucleus => ("fm", 1),
+    };
+    let angle = format!("Θ = {:.1}°", set.angle.to_degrees());
+    sheet.label(
+        &angle,
+        tip.1,
+        &Side::towards(tip.1 - tip.0),
+        Role::StrikerOut,
+    );
+    let text = format!("b = {:.decimals$} {unit}", offset.abs());
+    let sides = if offset < 0.0 {
+        [Side::BelowRight, Side::AboveRight]
+    } else {
+        [Side::AboveRight, Side::BelowRight]
+    };
+    sheet.label(&text, dvec2(left, offset), &sides, Role::Text);
+    if let (Obstacle::Nucleus, Some(nearest)) = (setup.obstacle, set.nearest) {
+        let text = format!("r_min = {:.1} fm", nearest.length());
+        sheet.label(
+            &text,
+            nearest * 0.5,
+            &Side::towards(-nearest.perp()),
+            Role::Text,
+        );
+    }
+}
+
+/// The last piece of a path that is shown: where it comes from, and its last point shown.
+fn exit(points: &[DVec2], shown: impl Fn(&DVec2) -> bool) -> Option<(DVec2, DVec2)> {
+    // Long straight pieces are gone along in small steps.
+    let steps = points.windows(2).flat_map(|pair| {
+        let (from, to) = (pair[0], pair[1]);
+        (0..200).map(move |i| (from, from.lerp(to, f64::from(i + 1) / 200.0)))
+    });
+    steps.filter(|(_, at)| shown(at)).last()
+}
+
+/// Writes what stands below the settings.
+pub(super) fn write(setup: &Setup, lines: &mut Lines) {
+    let set = path(setup, offset(setup), 1e4);
+    lines.gap();
+    let angle = format!("{:.1}°", set.angle.to_degrees());
+    lines.pair("turned by Θ", &angle, Role::Dim, Role::StrikerOut);
+    match setup.obstacle {
+        Obstacle::Hard => write_hard(set.angle, setup.offset_share, lines),
+        Obstacle::Nucleus => write_nucleus(setup, &set, lines),
+    }
+}
+
+fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
+    if offset.abs() <= 1.0 {
+        let alpha = offset.abs().asin().to_degrees();
+        lines.pair("angle α", &format!("{alpha:.1}°"), Role::Dim, Role::Text);
+    }
+    lines.gap();
+    let text = if offset.abs() > 1.0 {
+        "A miss: farther out than R, the sum of the two radii, nothing touches and nothing is turned. That is what hard means."
+    } else if angle >= PI - 1e-9 {
+        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it stays where it is."
+    } else {
+        "It leaves as from a mirror: as far to the one side of the line of impact as it came from the other. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays."
+    };
+    lines.paragraph(text, Role::Text);
+}
+
+fn write_nucleus(setup: &Setup, set: &Path, lines: &mut Lines) {
+    let d = setup.scatterer().head_on_approach / FM;
+    let r_min = set.nearest.map_or(d, DVec2::length);
+    lines.pair(
+        "closest r_min",
+        &format!("{r_min:.1} fm"),
+        Role::Dim,
+        Role::Text,
+    );
+    lines.pair("head-on d", &format!("{d:.1} fm"), Role::Dim, Role::Text);
+    lines.gap();
+    let twice = 2.0 * setup.offset_fm.abs();
+    let text = if twice < 0.1 {
+        "Straight on: the α particle is slowed, stands still for an instant at d, where all its energy has gone into the repulsion, and flies straight back.".into()
+    } else {
+        format!(
+            "Both are charged alike, so they never touch: the α particle is slowed, turned and sped up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
+        )
+    };
+    lines.paragraph(&text, Role::Text);
+    lines.gap();
+    // The radius of an atom of any of these metals is about 0.14 nm.
+    let times = rounded(140_000.0 / d);
+    lines.paragraph(
+        &format!(
+            "Even head-on it comes no nearer than d. The charge that turns it must be smaller still, and the radius of the atom is about {} times d.",
+            super::words::count((times / 100.0).round() as u64 * 100),
+        ),
+        Role::Text,
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn setup(obstacle: Obstacle, offset: f64) -> Setup {
+        Setup {
+            obstacle,
+            offset_share: offset,
+            offset_fm: offset,
+            ..Setup::default()
+        }
+    }
+
+    /// The drawn path leaves at the angle that the law says.
+    #[test]
+    fn the_last_piece_of_a_path_lies_at_its_angle() {
+        for (obstacle, offsets) in [
+            (Obstacle::Hard, [-0.9, -0.3, 0.0, 0.5, 1.0, 1.2]),
+            (Obstacle::Nucleus, [-50.0, -3.0, 0.0, 5.0, 20.0, 60.0]),
+        ] {
+            for offset in offsets {
+                let path = path(&setup(obstacle, offset), offset, 1e9);
+                let [.., before, last] = path.points[..] else {
+                    panic!("no path at {offset}");
+                };
+                let direction = (last - before).to_angle();
+                assert!((direction.abs() - path.angle).abs() < 1e-6, "{offset}");
+                assert!(offset.abs() < 1e-9 || path.angle == 0.0 || direction * offset > 0.0);
+            }
+        }
+    }
+
+    /// The angle of reflection is that of incidence, on the disc's own rim.
+    #[test]
+    fn a_hard_target_is_a_mirror() {
+        for offset in [-0.95, -0.4, 0.1, 0.5, 0.8] {
+            let path = hard_path(offset, 5.0);
+            let contact = path.points[1];
+            assert!((contact.length() - 1.0).abs() < 1e-12);
+            let come = (contact - path.points[0]).normalize();
+            let go = (path.points[2] - contact).normalize();
+            assert!((go - come.reflect(contact)).length() < 1e-12, "{offset}");
+        }
+    }
+
+    #[test]
+    fn a_cell_of_the_picture_is_an_offset() {
+        let area = Rect::new(1, 2, 48, 19);
+        let nucleus = setup(Obstacle::Nucleus, 0.0);
+        for row in area.top()..area.bottom() {
+            let offset = offset_at(area, &nucleus, (9, row));
+            let shown = view(area, &nucleus).cell_at(dvec2(0.0, offset));
+            assert_eq!(shown.map(|(_, row)| row), Some(row));
+        }
+    }
+}

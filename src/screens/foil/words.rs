@@ -1,0 +1,49 @@
+//! Numbers as the foil says them.
+
+/// A count with commas: 1,234,567.
+pub fn count(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A share: in per cent while it is not small, else "1 in 117,000", to three figures.
+pub fn share(share: f64) -> String {
+    if share >= 0.1 {
+        return format!("{:.1} %", 100.0 * share);
+    }
+    let one_in = 1.0 / share;
+    if one_in.is_nan() || one_in >= 1e15 {
+        return "none".into();
+    }
+    format!("1 in {}", count(rounded(one_in) as u64))
+}
+
+/// A number above 0 to the nearest whole one, and to three figures.
+pub fn rounded(number: f64) -> f64 {
+    let unit = 10_f64.powf((number.log10().floor() - 2.0).max(0.0));
+    (number / unit).round() * unit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_easy_to_read() {
+        assert_eq!(count(0), "0");
+        assert_eq!(count(999), "999");
+        assert_eq!(count(1_000), "1,000");
+        assert_eq!(count(1_234_567), "1,234,567");
+        assert_eq!(share(0.5), "50.0 %");
+        assert_eq!(share(0.01), "1 in 100");
+        assert_eq!(share(8.54e-6), "1 in 117,000");
+        assert_eq!(share(0.0), "none");
+    }
+}

@@ -1,0 +1,155 @@
+//! The mystery coin: its mass is hidden, and has to be read off two angles.
+
+use super::{Field, Setup};
+use crate::messages::Key;
+use crate::physics::resting_target::mass_ratio_from_angles;
+use crate::physics::{Bond, Outcome};
+use crate::widgets::{Lines, NumberEntry, Role, Typed};
+
+/// The lightest mystery coin in g, and the step and number of the heavier ones.
+const LIGHTEST_G: f64 = 4.0;
+const STEP_G: f64 = 0.5;
+const COINS: u64 = 60;
+/// An answer this near counts as well weighed, as a share of the mass.
+const NEAR: f64 = 0.05;
+
+/// A coin whose mass is not told until it has been weighed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Mystery {
+    entry: NumberEntry,
+    said_g: Option<f64>,
+}
+
+impl Mystery {
+    /// Puts a coin on the sheet whose mass follows from `seed`, at rest, smooth and
+    /// without loss; it is never as heavy as the striker.
+    pub(super) fn put_out(setup: &mut Setup, seed: u64) -> Self {
+        let mass = LIGHTEST_G + STEP_G * (seed % COINS) as f64;
+        let same = (mass - setup.m1_g).abs() < STEP_G / 2.0;
+        setup.m2_g = if same { mass + STEP_G } else { mass };
+        setup.restitution = 1.0;
+        setup.bond = Bond::Slip;
+        setup.target_speed = 0.0;
+        Self::default()
+    }
+
+    /// Whether the mass is still to be found.
+    pub(super) fn is_open(&self) -> bool {
+        self.said_g.is_none()
+    }
+
+    /// Whether a setting must stay as it is until the coin has been weighed.
+    pub(super) fn locks(&self, field: Field) -> bool {
+        let fixed = [
+            Field::CoinMass,
+            Field::Restitution,
+            Field::Contact,
+            Field::CoinSpeed,
+        ];
+        self.is_open() && fixed.contains(&field)
+    }
+
+    /// Takes a key while the hit is watched: digits are the mass. Says whether it
+    /// had a use for it.
+    pub(super) fn update(&mut self, key: Key) -> bool {
+        let digit = matches!(key, Key::Char('0'..='9'));
+        if !self.is_open() || !(digit || self.entry.is_open()) {
+            return false;
+        }
+        match self.entry.update(key) {
+            Typed::Entered(mass) if mass > 0.0 => self.said_g = Some(mass),
+            Typed::Entered(_) | Typed::Editing => {}
+            Typed::Ignored => return false,
+        }
+        true
+    }
+
+    /// What to do, or how the answer was.
+    pub(super) fn write(&self, setup: &Setup, outcome: &Outcome, lines: &mut Lines) {
+        let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
+            lines.paragraph(
+                "No two angles to read here. Hit the coin off-centre and it can be weighed.",
+                Role::Text,
+            );
+            return;
+        };
+        let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
+            lines.paragraph(
+                "These angles weigh nothing: try an offset well between head-on and a graze.",
+                Role::Text,
+            );
+            return;
+        };
+        match self.said_g {
+            None => {
+                lines.line("How heavy is the coin?", Role::Title);
+                lines.paragraph(
+                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between them: it is heavier than the striker. Under: lighter.",
+                    Role::Text,
+                );
+                lines.gap();
+                let typed = format!("{}_ g", self.entry.text());
+                lines.pair("> mass", &typed, Role::Selected, Role::Selected);
+                lines.paragraph("Type it, then Enter.", Role::Key);
+            }
+            Some(said) => {
+                let off = (said - setup.m2_g).abs() / setup.m2_g;
+                let title = if off <= NEAR {
+                    "well weighed"
+                } else {
+                    "not quite"
+                };
+                lines.line(title, Role::Title);
+                lines.pair(
+                    "you said",
+                    &format!("{said:.1} g"),
+                    Role::Dim,
+                    Role::Predicted,
+                );
+                lines.pair(
+                    "it is",
+                    &format!("{:.1} g", setup.m2_g),
+                    Role::Dim,
+                    Role::CoinOut,
+                );
+                lines.paragraph(
+                    &format!(
+                        "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. No scale was needed, and the speed did not matter.",
+                        setup.m1_g, setup.m2_g
+                    ),
+                    Role::Text,
+                );
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_mystery_coin_differs_from_the_striker_and_can_be_weighed() {
+        for seed in 0..200 {
+            let mut setup = Setup::default();
+            let mystery = Mystery::put_out(&mut setup, seed);
+            assert!(mystery.is_open() && mystery.locks(Field::CoinMass));
+            assert!((setup.m2_g - setup.m1_g).abs() > 0.4);
+            let outcome = setup.collision().outcome();
+            let (theta1, theta2) = (outcome.theta1.unwrap(), outcome.theta2.unwrap());
+            let ratio = mass_ratio_from_angles(theta1, theta2, 1.0).unwrap();
+            assert!((setup.m1_g / ratio - setup.m2_g).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_typed_mass_is_an_answer_and_frees_the_settings() {
+        let mut mystery = Mystery::default();
+        assert!(!mystery.update(Key::Char(',')) && !mystery.update(Key::Enter));
+        for key in [Key::Char('8'), Key::Char('.'), Key::Char('5'), Key::Enter] {
+            assert!(mystery.update(key));
+        }
+        assert_eq!(mystery.said_g, Some(8.5));
+        assert!(!mystery.locks(Field::CoinMass));
+    }
+}

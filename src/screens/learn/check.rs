@@ -1,0 +1,121 @@
+//! Whether a chapter fits the smallest usual screen, page by page.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Answer;
+use super::reading::Reading;
+use crate::lessons::{Asked, Block, Chapter, Fault, Page};
+use crate::quiz::Rays;
+use crate::screens::{Context, Screen, Settings};
+use crate::widgets::{Beside, Charset, formula, text};
+
+/// The body of a screen of 80×24, below the title and above the keys.
+const BODY: Rect = Rect::new(0, 1, 80, 22);
+
+/// Pages of which something would be cut off or would have to be scrolled at 80×24,
+/// in either charset; `[]` if the chapter is whole.
+pub fn check(chapter: &Chapter) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (at, page) in chapter.pages.iter().enumerate() {
+        for charset in [Charset::Ascii, Charset::Unicode] {
+            faults.extend(formulas(chapter, page, charset));
+            let checkpoint = page.checkpoint.as_ref();
+            let told = checkpoint
+                .map(|checkpoint| answers(&checkpoint.asked))
+                .unwrap_or_default();
+            let states = std::iter::once(None).chain(told.into_iter().map(Some));
+            for answer in states {
+                let reading = Reading::of_page(chapter, at, answer);
+                if let Some(message) = too_long(&reading, answer, charset) {
+                    let line = match (answer, checkpoint) {
+                        (Some(_), Some(checkpoint)) => checkpoint.line,
+                        _ => page.line,
+                    };
+                    faults.push(chapter.fault(line, message));
+                }
+            }
+        }
+    }
+    faults.dedup();
+    faults
+}
+
+/// Every answer that is answered differently.
+fn answers(asked: &Asked) -> Vec<Answer> {
+    match asked {
+        // Straight ahead, half and half, thrown back: each is explained at length.
+        Asked::Rays => {
+            let rays = |degrees: f64| Rays {
+                striker: Some(degrees.to_radians()),
+                target: Some(degrees.to_radians()),
+            };
+            [0.0, 45.0, 150.0]
+                .map(|degrees| Answer::Rays(rays(degrees)))
+                .to_vec()
+        }
+        Asked::Number { .. } => vec![Answer::Number(-123.0)],
+        Asked::Choice(choices) => (0..choices.len()).map(Answer::Choice).collect(),
+    }
+}
+
+fn too_long(reading: &Reading, answer: Option<Answer>, charset: Charset) -> Option<String> {
+    let settings = Settings {
+        charset,
+        ..Settings::default()
+    };
+    let mut cx = Context::new(settings, 0);
+    cx.body = BODY;
+    let (rows, room) = reading.rows(&cx);
+    // Drawn as well: what panics or loses its figure shows here.
+    let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
+    reading.draw(BODY, &mut buf, &cx);
+    let what = match answer {
+        None => "the page".to_owned(),
+        Some(Answer::Choice(line)) => format!("what is said to choice {}", line + 1),
+        Some(_) => "what is said to the answer".to_owned(),
+    };
+    (rows > room).then(|| {
+        format!(
+            "{what} takes {rows} rows, expected at most {room} (80x24, {})",
+            name(charset)
+        )
+    })
+}
+
+fn name(charset: Charset) -> &'static str {
+    match charset {
+        Charset::Ascii => "ASCII",
+        Charset::Unicode => "Unicode",
+    }
+}
+
+/// Formulas that are wider than the text.
+fn formulas(chapter: &Chapter, page: &Page, charset: Charset) -> Vec<Fault> {
+    let layout = match page.figure {
+        Some(_) => Beside::square(BODY),
+        None => Beside::text_alone(BODY),
+    };
+    // Less the margin, and what formulas are set in by.
+    let room = usize::from(layout.panel.width).saturating_sub(3);
+    let checkpoint = page.checkpoint.iter();
+    let asked =
+        checkpoint.flat_map(|checkpoint| checkpoint.question.iter().chain(&checkpoint.after));
+    let blocks = page.text.iter().chain(asked);
+    blocks
+        .filter_map(|block| match block {
+            Block::Formula(formula) => Some(formula),
+            _ => None,
+        })
+        .filter_map(|formula| {
+            let rows = formula::set(formula, charset);
+            let width = rows.iter().map(|row| text::width(row)).max().unwrap_or(0);
+            let message = format!(
+                "the formula {} is {width} columns wide, expected at most {room} ({})",
+                formula.inline(),
+                name(charset)
+            );
+            (width > room).then(|| chapter.fault(page.line, message))
+        })
+        .collect()
+}

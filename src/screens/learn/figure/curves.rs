@@ -1,0 +1,181 @@
+//! What a hit gives at every impact angle, with a point to drag and its hit below.
+
+use glam::DVec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Margin, Rect};
+
+use super::Shown;
+use crate::lessons::FigureKind;
+use crate::physics::RestingTarget;
+use crate::physics::units::{deg_from_rad, rad_from_deg};
+use crate::widgets::hit::{Layer, Layers, Watch};
+use crate::widgets::ink::{Pen, Side};
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::{Charset, Look, Role};
+
+/// One curve: its name, its colour, and its value at an angle in degrees.
+struct Curve {
+    name: &'static str,
+    role: Role,
+    at: fn(&RestingTarget, f64) -> Option<f64>,
+}
+
+const SPEEDS: [Curve; 2] = [
+    Curve {
+        name: "v₁/u",
+        role: Role::StrikerOut,
+        at: |pair, alpha| Some(pair.striker_speed(alpha)),
+    },
+    Curve {
+        name: "v₂/u",
+        role: Role::CoinOut,
+        at: |pair, alpha| Some(pair.target_speed(alpha)),
+    },
+];
+
+const SHARES: [Curve; 3] = [
+    Curve {
+        name: "striker",
+        role: Role::StrikerOut,
+        at: |pair, alpha| Some(pair.energy_shares(alpha).kept),
+    },
+    Curve {
+        name: "coin",
+        role: Role::CoinOut,
+        at: |pair, alpha| Some(pair.energy_shares(alpha).passed),
+    },
+    Curve {
+        name: "lost",
+        role: Role::Warn,
+        at: |pair, alpha| (pair.restitution < 1.0).then(|| pair.energy_shares(alpha).lost),
+    },
+];
+
+/// The angle that a cell of the picture stands for, in degrees.
+pub(super) fn alpha_at(shown: &Shown, area: Rect, look: &Look, cell: (u16, u16)) -> Option<f64> {
+    let (plot, _) = rooms(area);
+    let at = empty(shown, plot, look).values_at(cell)?;
+    Some(at.x)
+}
+
+/// The room for the plot and that for the hit.
+fn rooms(area: Rect) -> (Rect, Rect) {
+    let plot = Rect {
+        height: (area.height * 13).div_ceil(20),
+        ..area
+    };
+    let hit = Rect {
+        y: plot.bottom(),
+        height: area.height - plot.height,
+        ..area
+    };
+    (plot, hit)
+}
+
+fn empty(shown: &Shown, area: Rect, look: &Look) -> Plot {
+    let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
+    match shown.figure.kind {
+        FigureKind::Angles => {
+            let most = if heavier_target(shown) { 180.0 } else { 90.0 };
+            let theta2 = Axis::linear("coin θ₂ (°)", 0.0, 90.0).every(15.0);
+            let theta1 = Axis::linear("striker θ₁ (°)", 0.0, most).every(most / 6.0);
+            Plot::new(area, *look, theta2, theta1)
+        }
+        FigureKind::Energy => {
+            let share = Axis::linear("share of the energy", 0.0, 1.0);
+            Plot::new(area, *look, alpha, share)
+        }
+        _ => {
+            let most = pair(shown).target_speed(0.0).max(1.0);
+            let speed = Axis::linear("speed, in units of u", 0.0, most);
+            Plot::new(area, *look, alpha, speed)
+        }
+    }
+}
+
+fn pair(shown: &Shown) -> RestingTarget {
+    RestingTarget::from(shown.collision())
+}
+
+/// Whether a full hit throws the striker back.
+fn heavier_target(shown: &Shown) -> bool {
+    pair(shown).k() > 1.0 + 1e-9
+}
+
+/// Draws the plot with the point, and the hit at that point.
+pub(super) fn draw(shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
+    let (room, hit) = rooms(area);
+    let mut plot = empty(shown, room, look);
+    let pair = pair(shown);
+    let alpha_deg = shown.alpha_deg().abs();
+    let alpha = rad_from_deg(alpha_deg);
+    match shown.figure.kind {
+        FigureKind::Angles => {
+            let theta1 = |deg: f64| pair.theta1(rad_from_deg(deg)).map(deg_from_rad);
+            plot.function(theta1, Pen::new(Role::StrikerOut));
+            if let Some(theta1) = theta1(alpha_deg) {
+                let at = DVec2::new(alpha_deg, theta1);
+                mark(&mut plot, look, at, Role::Title);
+                let text = format!("θ₁ = {theta1:.1}°, θ₂ = {alpha_deg:.1}°");
+                plot.label(&text, at, &Side::towards(DVec2::ONE), Role::Text);
+            }
+        }
+        FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha),
+        _ => curves(&mut plot, look, &SPEEDS, &pair, alpha),
+    }
+    plot.draw(buf);
+    let watch = Watch::new(*shown.collision(), None, true).with_layers(bare());
+    watch.draw(hit.inner(Margin::new(1, 0)), buf, look);
+}
+
+/// Draws curves against α with the points at one angle.
+fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha: f64) {
+    let alpha_deg = deg_from_rad(alpha);
+    plot.upright(alpha_deg, Pen::new(Role::Aim).dotted());
+    for curve in curves {
+        let value = |deg: f64| (curve.at)(pair, rad_from_deg(deg));
+        plot.function(value, Pen::new(curve.role));
+    }
+    for curve in curves {
+        if let Some(value) = (curve.at)(pair, alpha) {
+            mark(plot, look, DVec2::new(alpha_deg, value), curve.role);
+        }
+    }
+    for curve in curves {
+        // Where it is high, and where the other is not.
+        let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
+        let ends = [name_at(8.0), name_at(82.0)];
+        let high = ends
+            .into_iter()
+            .flatten()
+            .max_by(|a, b| a.y.total_cmp(&b.y));
+        if let Some(at) = high {
+            let sides = [
+                Side::Below,
+                Side::BelowLeft,
+                Side::BelowRight,
+                Side::Above,
+                Side::Left,
+                Side::Right,
+            ];
+            plot.label(curve.name, at, &sides, curve.role);
+        }
+    }
+}
+
+fn mark(plot: &mut Plot, look: &Look, at: DVec2, role: Role) {
+    let symbol = match look.charset {
+        Charset::Ascii => 'O',
+        Charset::Unicode => '●',
+    };
+    plot.mark(at, symbol, role);
+}
+
+/// Only what can be seen in a small picture.
+fn bare() -> Layers {
+    let mut layers = Layers::default();
+    for layer in [Layer::Lines, Layer::Angles, Layer::Triangle, Layer::Trails] {
+        layers.toggle(layer);
+    }
+    layers
+}

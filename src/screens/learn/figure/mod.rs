@@ -1,0 +1,398 @@
+//! The figure of a page: what it shows, the keys and the mouse that work it.
+
+mod curves;
+mod export;
+mod foil;
+mod frames;
+mod triangle;
+mod worked;
+
+use std::time::Duration;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::lessons::{Figure, FigureKind};
+use crate::messages::{Key, Mouse, MouseKind};
+use crate::physics::units::{deg_from_rad, rad_from_deg};
+use crate::physics::{Bond, Collision, Meeting};
+use crate::quiz::{self, Question, Rays};
+use crate::screens::lab::{Field, Setup};
+use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, draw_setup_of, point_at};
+use crate::widgets::{Look, RayInput};
+
+pub(super) use export::svg_of;
+pub use export::{FigureError, draw_figure};
+
+/// Steps of α in degrees: by an arrow, by a page.
+const STEPS: [f64; 2] = [1.0, 10.0];
+
+/// A figure as it stands.
+#[derive(Debug, Clone)]
+pub(super) struct Shown {
+    figure: Figure,
+    collision: Collision,
+    /// Whether the outcome is not to be seen yet.
+    hidden: bool,
+    state: State,
+}
+
+/// What a kind of figure has to remember.
+#[derive(Debug, Clone)]
+enum State {
+    /// The hit being watched.
+    Hit(Box<Watch>),
+    /// The hit in two frames.
+    Frames(Box<[Watch; 2]>),
+    /// Nothing but the collision.
+    Plain,
+    /// The step of a worked solution, from 0.
+    Step(usize),
+    /// The setting that keys change, and the step.
+    Solve { field: usize, step: usize },
+}
+
+impl Shown {
+    /// A figure with its outcome `hidden` or told. `alpha_deg` is the angle that the
+    /// student set last.
+    pub(super) fn new(figure: Figure, alpha_deg: Option<f64>, hidden: bool) -> Self {
+        let given = figure.shot.collision();
+        let collision = match alpha_deg {
+            Some(alpha_deg) if figure.own => given.with_alpha(rad_from_deg(alpha_deg)),
+            _ => given,
+        };
+        let mut shown = Self {
+            figure,
+            collision,
+            hidden,
+            state: State::Plain,
+        };
+        shown.set_up(None, true);
+        shown
+    }
+
+    /// Starts the state anew from the collision.
+    fn set_up(&mut self, said: Option<Rays>, reduced: bool) {
+        let watch = |reduced| Watch::new(self.collision, said, reduced);
+        self.state = match self.figure.kind {
+            FigureKind::Lab => State::Hit(Box::new(watch(reduced))),
+            FigureKind::Split if said.is_some() => State::Hit(Box::new(watch(reduced))),
+            FigureKind::Split => State::Hit(Box::new(watch(true).with_layers(split_layers()))),
+            FigureKind::Frames => {
+                State::Frames(Box::new(frames::watches(&self.collision, reduced)))
+            }
+            FigureKind::Worked { blank } => State::Step(blank.map_or(0, |step| step - 1)),
+            FigureKind::Solve => State::Solve { field: 0, step: 0 },
+            _ => State::Plain,
+        };
+    }
+
+    /// The collision it shows.
+    pub(super) fn collision(&self) -> &Collision {
+        &self.collision
+    }
+
+    /// The same as the lab sets it up.
+    pub(super) fn setup(&self) -> Setup {
+        Setup::of(&self.collision)
+    }
+
+    /// The question of where both will go, where it is given by the impact angle and
+    /// one of the quiz's kind: smooth discs that meet, one of them at rest.
+    pub(super) fn question_by_angle(&self) -> Option<Question> {
+        let collision = &self.collision;
+        let hit = collision.outcome().meeting == Meeting::Hit;
+        let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
+        let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
+        by_angle.then(|| Question {
+            given: quiz::Given::Angle {
+                alpha_deg: self.alpha_deg(),
+            },
+            ..self.setup().question()
+        })
+    }
+
+    /// Whether it is the foil, which has a screen of its own.
+    pub(super) fn is_foil(&self) -> bool {
+        self.figure.kind == FigureKind::Foil
+    }
+
+    /// The hit that is watched, for its explanation.
+    pub(super) fn watch(&self) -> Option<&Watch> {
+        match &self.state {
+            State::Hit(watch) if !self.hidden => Some(watch),
+            _ => None,
+        }
+    }
+
+    /// Shows the outcome. What the student said of it is watched from the start, unless
+    /// motion is `reduced`; anything else stands told.
+    pub(super) fn reveal(&mut self, said: Option<Rays>, reduced: bool) {
+        self.hidden = false;
+        match self.state {
+            State::Step(_) => {}
+            _ => self.set_up(said, reduced || said.is_none()),
+        }
+    }
+
+    /// Whether it takes arrow keys to set something, so that keys go to it first.
+    pub(super) fn is_set_by_keys(&self) -> bool {
+        self.has_alpha() || matches!(self.state, State::Step(_) | State::Solve { .. })
+    }
+
+    /// Whether α is set in it.
+    fn has_alpha(&self) -> bool {
+        let kind = self.figure.kind;
+        let drawn_against_it = matches!(
+            kind,
+            FigureKind::Curves
+                | FigureKind::Angles
+                | FigureKind::Energy
+                | FigureKind::Triangle { .. }
+        );
+        drawn_against_it && !self.hidden
+    }
+
+    /// Its title.
+    pub(super) fn title(&self) -> String {
+        if self.hidden && self.covers_outcome() {
+            return "before the hit".into();
+        }
+        match self.figure.kind {
+            FigureKind::Lab | FigureKind::Split => "the hit".into(),
+            FigureKind::Triangle { .. } => triangle::title(&self.collision).into(),
+            FigureKind::Frames => "one hit, two frames".into(),
+            FigureKind::Curves => "speeds after the hit".into(),
+            FigureKind::Angles => "the two angles".into(),
+            FigureKind::Energy => "who has the energy".into(),
+            FigureKind::Worked { .. } | FigureKind::Solve => {
+                let (step, count) = (self.step(), self.step_count());
+                format!("worked out: step {} of {count}", step + 1)
+            }
+            FigureKind::Foil => "α particles at an atom".into(),
+        }
+    }
+
+    /// Whether an outcome that is hidden is covered by the picture before the hit.
+    fn covers_outcome(&self) -> bool {
+        matches!(
+            self.figure.kind,
+            FigureKind::Lab | FigureKind::Split | FigureKind::Triangle { .. } | FigureKind::Frames
+        )
+    }
+
+    fn step(&self) -> usize {
+        match self.state {
+            State::Step(step) | State::Solve { step, .. } => step.min(self.step_count() - 1),
+            _ => 0,
+        }
+    }
+
+    fn step_count(&self) -> usize {
+        worked::steps(&self.collision).len().max(1)
+    }
+
+    /// What its keys are, for the bottom line.
+    pub(super) fn keys(&self) -> Vec<(&'static str, &'static str)> {
+        match &self.state {
+            _ if self.hidden && self.covers_outcome() => vec![],
+            State::Hit(_) | State::Frames(_) => {
+                vec![("Space", "go on"), (", .", "step"), ("a", "play again")]
+            }
+            State::Step(_) => vec![("Left Right", "step")],
+            State::Solve { .. } => vec![
+                ("Up Down", "choose"),
+                ("Left Right", "change"),
+                (", .", "step"),
+            ],
+            State::Plain if self.has_alpha() => vec![("Left Right", "α")],
+            State::Plain => vec![],
+        }
+    }
+
+    /// Takes a key; says whether it meant anything.
+    pub(super) fn update(&mut self, key: Key) -> bool {
+        if self.hidden && self.covers_outcome() {
+            return false;
+        }
+        let last = self.step_count() - 1;
+        match &mut self.state {
+            State::Hit(watch) => watch.update(key),
+            State::Frames(watches) => {
+                // Each is seen from its own frame, always.
+                let own = !matches!(key, Key::Char('f' | 'F'));
+                own && watches
+                    .iter_mut()
+                    .fold(false, |used, watch| watch.update(key) | used)
+            }
+            State::Step(step) => turn(step, last, key, [Key::Left, Key::Right]),
+            State::Solve { field, step } => match key {
+                Key::Up => {
+                    *field = (*field + worked::FIELDS.len() - 1) % worked::FIELDS.len();
+                    true
+                }
+                Key::Down => {
+                    *field = (*field + 1) % worked::FIELDS.len();
+                    true
+                }
+                Key::Left | Key::Right => {
+                    let field = worked::FIELDS[*field % worked::FIELDS.len()];
+                    let by = if key == Key::Left { -1.0 } else { 1.0 };
+                    self.change(field, by);
+                    true
+                }
+                _ => turn(step, last, key, [Key::Char(','), Key::Char('.')]),
+            },
+            State::Plain => self.has_alpha() && self.alpha_key(key),
+        }
+    }
+
+    fn change(&mut self, field: Field, by: f64) {
+        let mut setup = self.setup();
+        field.step(&mut setup, by);
+        self.collision = setup.collision();
+    }
+
+    fn alpha_key(&mut self, key: Key) -> bool {
+        let [small, large] = STEPS;
+        let alpha = self.alpha_deg();
+        let to = match key {
+            Key::Left => alpha - small,
+            Key::Right => alpha + small,
+            Key::Char('<') => alpha - large,
+            Key::Char('>') => alpha + large,
+            Key::Home => 0.0,
+            Key::End => 90.0,
+            _ => return false,
+        };
+        self.set_alpha(to.round());
+        true
+    }
+
+    /// The impact angle in degrees.
+    pub(super) fn alpha_deg(&self) -> f64 {
+        let noise = 1e9;
+        let alpha = self.collision.alpha().map_or(0.0, deg_from_rad);
+        (alpha * noise).round() / noise
+    }
+
+    fn set_alpha(&mut self, alpha_deg: f64) {
+        let alpha = rad_from_deg(alpha_deg.clamp(0.0, 90.0));
+        self.collision = self.collision.with_alpha(alpha);
+    }
+
+    /// Takes the mouse over its picture, where `rays` may be turned; says whether it
+    /// meant anything.
+    pub(super) fn mouse(
+        &mut self,
+        mouse: &Mouse,
+        area: Rect,
+        rays: Option<&mut RayInput>,
+        look: &Look,
+    ) -> bool {
+        let cell = (mouse.column, mouse.row);
+        let pressed = mouse.kind == MouseKind::Down;
+        let held = pressed || mouse.kind == MouseKind::Drag;
+        if let Some(rays) = rays {
+            if held {
+                point_at(area, &self.collision, rays, cell, pressed);
+            }
+            return held;
+        }
+        let watched = match &self.state {
+            State::Plain if held && self.has_alpha() => {
+                let alpha = match self.figure.kind {
+                    FigureKind::Triangle { .. } => triangle::alpha_at(self, area, cell),
+                    _ => curves::alpha_at(self, area, look, cell),
+                };
+                if let Some(alpha) = alpha {
+                    self.set_alpha(alpha.round());
+                }
+                return alpha.is_some();
+            }
+            State::Hit(_) | State::Frames(_) => match mouse.kind {
+                MouseKind::ScrollUp => Some(Key::Char('.')),
+                MouseKind::ScrollDown => Some(Key::Char(',')),
+                MouseKind::Down => Some(Key::Char(' ')),
+                _ => None,
+            },
+            State::Step(_) if pressed => Some(Key::Right),
+            State::Solve { .. } if pressed => Some(Key::Char('.')),
+            _ => None,
+        };
+        watched.is_some_and(|key| self.update(key))
+    }
+
+    /// Lets time pass.
+    pub(super) fn advance(&mut self, passed: Duration) {
+        match &mut self.state {
+            State::Hit(watch) => watch.advance(passed),
+            State::Frames(watches) => watches.iter_mut().for_each(|watch| watch.advance(passed)),
+            _ => {}
+        }
+    }
+
+    /// When it next needs time.
+    pub(super) fn wake(&self) -> Option<Duration> {
+        match &self.state {
+            _ if self.hidden => None,
+            State::Hit(watch) => watch.wake(),
+            State::Frames(watches) => watches.iter().find_map(Watch::wake),
+            _ => None,
+        }
+    }
+
+    /// Draws it, with the rays that are turned.
+    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
+        if self.hidden && self.covers_outcome() {
+            let given = Given {
+                offset: self.figure.shot.is_by_offset(),
+                angle: !self.figure.shot.is_by_offset(),
+            };
+            let faces = Face::STRIKER_AND_COIN;
+            return draw_setup_of(faces, area, buf, look, &self.collision, given, rays);
+        }
+        match (&self.state, self.figure.kind) {
+            (State::Hit(watch), _) => watch.draw(area, buf, look),
+            (State::Frames(watches), _) => frames::draw(watches, area, buf, look),
+            (_, FigureKind::Triangle { step }) => triangle::draw(self, step, area, buf, look),
+            (_, FigureKind::Foil) => foil::draw(area, buf, look),
+            (State::Step(_), FigureKind::Worked { blank }) => {
+                let blank = blank.filter(|_| self.hidden);
+                worked::draw(self, None, blank, area, buf, look);
+            }
+            (State::Solve { field, .. }, _) => {
+                worked::draw(self, Some(*field), None, area, buf, look);
+            }
+            _ => curves::draw(self, area, buf, look),
+        }
+    }
+}
+
+/// One step back or on by these two keys.
+fn turn(step: &mut usize, last: usize, key: Key, [back, on]: [Key; 2]) -> bool {
+    let from = *step;
+    if key == back {
+        *step = from.saturating_sub(1);
+    } else if key == on {
+        *step = (from + 1).min(last);
+    } else {
+        return false;
+    }
+    true
+}
+
+/// Only the lines and the split.
+fn split_layers() -> Layers {
+    let mut layers = Layers::default();
+    for layer in [
+        Layer::Split,
+        Layer::Velocities,
+        Layer::Angles,
+        Layer::Triangle,
+        Layer::Trails,
+    ] {
+        layers.toggle(layer);
+    }
+    layers
+}

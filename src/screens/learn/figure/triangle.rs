@@ -1,0 +1,180 @@
+//! The triangle of momenta and the proof in three steps.
+//!
+//! All momenta are shares of m₁, so that between equal masses they are the very
+//! velocities: u = v₁ + (m₂/m₁) v₂.
+
+use glam::DVec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Shown;
+use crate::physics::Collision;
+use crate::widgets::ink::{Pen, Sheet, Side, View};
+use crate::widgets::{Lines, Look, Role};
+
+/// The corners: where the arrows begin, where v₁ ends, where u ends.
+fn corners(collision: &Collision) -> [DVec2; 3] {
+    let outcome = collision.outcome();
+    let ratio = collision.target.mass / collision.striker.mass;
+    let joint = outcome.v1;
+    [DVec2::ZERO, joint, joint + ratio * outcome.v2]
+}
+
+fn equal_masses(collision: &Collision) -> bool {
+    (collision.striker.mass / collision.target.mass - 1.0).abs() < 1e-9
+}
+
+/// The title of the figure.
+pub(super) fn title(collision: &Collision) -> &'static str {
+    if equal_masses(collision) {
+        "the triangle of velocities"
+    } else {
+        "the triangle of momenta"
+    }
+}
+
+/// The rows for the picture and those for what it says.
+fn rooms(area: Rect) -> (Rect, Rect) {
+    let words = 2.min(area.height);
+    let picture = Rect {
+        height: area.height - words,
+        ..area
+    };
+    let below = Rect {
+        y: picture.bottom(),
+        height: words,
+        ..area
+    };
+    (picture, below)
+}
+
+/// Squares stand on the sides from the second step on.
+fn view(collision: &Collision, step: u8, area: Rect) -> View {
+    let u = collision.u1.length();
+    let squares = f64::from(u8::from(step == 2));
+    let low = DVec2::new(-0.55 * squares - 0.08, -squares - 0.1) * u;
+    let high = DVec2::new(1.08 + 0.55 * squares, 0.62 + 0.72 * squares) * u;
+    View::fit(area, low, high)
+}
+
+/// The angle for which the joint would be nearest to a cell, in degrees.
+pub(super) fn alpha_at(shown: &Shown, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
+    let collision = shown.collision();
+    let crate::lessons::FigureKind::Triangle { step } = shown.figure.kind else {
+        return None;
+    };
+    let (picture, _) = rooms(area);
+    let at = view(collision, step, picture).world_at(column, row);
+    // v₂ runs from the joint to the end of u, at α below u.
+    let left = collision.u1 - at;
+    picture
+        .contains((column, row).into())
+        .then(|| at.y.atan2(left.x).to_degrees())
+}
+
+/// Draws it up to a step of the proof.
+pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: &Look) {
+    let collision = shown.collision();
+    let (picture, below) = rooms(area);
+    let mut sheet = Sheet::new(view(collision, step, picture), look.charset);
+    let [tail, joint, tip] = corners(collision);
+    let equal = equal_masses(collision);
+    let sides = [
+        (tail, tip, "u", Role::Incoming),
+        (tail, joint, "v₁", Role::StrikerOut),
+        (
+            joint,
+            tip,
+            if equal { "v₂" } else { "(m₂/m₁) v₂" },
+            Role::CoinOut,
+        ),
+    ];
+    let middle = (tail + joint + tip) / 3.0;
+    if step == 2 {
+        for (from, to, _, role) in sides {
+            square(&mut sheet, from, to, middle, role);
+        }
+    }
+    for (from, to, _, role) in sides {
+        sheet.arrow(from, to, Pen::new(role).bold());
+    }
+    let [a, b] = [joint - tail, tip - joint];
+    let square_corner = a.normalize_or_zero().dot(b.normalize_or_zero()).abs() < 1e-9;
+    if step == 3 && square_corner {
+        let size = 0.18 * a.length().min(b.length());
+        sheet.square_corner(joint, -a, b, size, Role::SquareCorner);
+    }
+    for (from, to, name, role) in sides {
+        let length = (to - from).length();
+        if length < 0.05 * collision.u1.length() {
+            continue;
+        }
+        let centre = (from + to) / 2.0;
+        let text = match step {
+            2 => format!("{name}² = {:.2}", length * length),
+            _ => format!("{name} = {length:.2}"),
+        };
+        let outwards = outwards(from, to, middle);
+        let at = if step == 2 {
+            centre + 0.5 * length * outwards
+        } else {
+            centre
+        };
+        sheet.label(&text, at, &Side::towards(outwards), role);
+    }
+    sheet.draw(buf, &look.theme);
+    let mut lines = Lines::new(below, buf, *look);
+    for (row, role) in words(collision, step, [a, b]) {
+        lines.line(&row, role);
+    }
+}
+
+/// Away from the middle of the triangle, square to a side.
+fn outwards(from: DVec2, to: DVec2, middle: DVec2) -> DVec2 {
+    let across = (to - from).perp().normalize_or_zero();
+    let away = (from + to) / 2.0 - middle;
+    if across.dot(away) >= 0.0 {
+        across
+    } else {
+        -across
+    }
+}
+
+fn square(sheet: &mut Sheet, from: DVec2, to: DVec2, middle: DVec2, role: Role) {
+    let out = outwards(from, to, middle) * (to - from).length();
+    sheet.polyline([from, from + out, to + out, to], Pen::new(role).dotted());
+}
+
+/// What a step says, in the numbers of the shot.
+fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> Vec<(String, Role)> {
+    let u = collision.u1.length();
+    let (aa, bb) = (a.length_squared(), b.length_squared());
+    let both = 2.0 * a.dot(b);
+    let both = if both.abs() < 1e-9 * u * u { 0.0 } else { both };
+    let alpha = collision.alpha().map_or(0.0, f64::to_degrees);
+    let mut rows = vec![(format!("α = {alpha:.0}°"), Role::Dim)];
+    rows.push(match step {
+        1 => ("The arrows close: u = v₁ + v₂.".into(), Role::Text),
+        2 => (
+            format!("{:.2} = {aa:.2} + {bb:.2}{}", u * u, spare(both)),
+            Role::Text,
+        ),
+        _ => (
+            format!("2 v₁·v₂ = {:.2} − {:.2} − {:.2} = {both:.2}", u * u, aa, bb)
+                .replace("-0.00", "0.00"),
+            Role::Text,
+        ),
+    });
+    rows
+}
+
+/// What the squares on the two short sides leave over.
+fn spare(both: f64) -> String {
+    if both.abs() < 0.005 {
+        String::new()
+    } else if both > 0.0 {
+        format!(" + {both:.2}")
+    } else {
+        format!(" − {:.2}", -both)
+    }
+}

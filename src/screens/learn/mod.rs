@@ -1,0 +1,16 @@
+//! Learn: the contents, and a chapter being read.
+
+mod answer;
+mod check;
+mod contents;
+mod figure;
+mod prose;
+mod question;
+mod reading;
+mod record;
+
+pub use answer::Answer;
+pub use check::check;
+pub use contents::Contents;
+pub use figure::{FigureError, draw_figure};
+pub use reading::Reading;

@@ -1,0 +1,67 @@
+//! The text of a page, written row by row.
+
+use crate::lessons::{Block, Piece, Tone};
+use crate::physics::Collision;
+use crate::widgets::flow::Run;
+use crate::widgets::{Lines, Role, formula};
+
+/// Columns by which formulas and the rows of a list are set in.
+const INDENT: u16 = 2;
+
+/// Writes blocks of text; live numbers are those of `figure`.
+pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
+    let mut before: Option<&Block> = None;
+    for block in blocks {
+        if let Some(before) = before
+            && !belong_together(before, block)
+        {
+            lines.gap();
+        }
+        match block {
+            Block::Paragraph(pieces) => lines.flowing("", 0, &runs(pieces, Role::Text, figure)),
+            Block::Item(number, pieces) => {
+                let mark = number.map_or("-".into(), |number| format!("{number}."));
+                let indent = mark.len() as u16 + 1;
+                lines.flowing(&mark, indent, &runs(pieces, Role::Text, figure));
+            }
+            Block::Formula(formula) => {
+                for row in formula::set(formula, lines.charset()) {
+                    lines.line(&format!("{:1$}{row}", "", INDENT.into()), Role::Title);
+                }
+            }
+        }
+        before = Some(block);
+    }
+}
+
+/// Whether two blocks stand without an empty row between them.
+fn belong_together(before: &Block, after: &Block) -> bool {
+    match (before, after) {
+        (Block::Item(..), Block::Item(..)) | (Block::Formula(_), Block::Formula(_)) => true,
+        (Block::Paragraph(pieces), Block::Item(..) | Block::Formula(_)) => {
+            matches!(pieces.last(), Some(Piece::Text(text, _)) if text.ends_with([':', ',']))
+        }
+        _ => false,
+    }
+}
+
+/// Pieces of text as stretches in their styles; `plain` is that of plain words.
+pub(super) fn runs(pieces: &[Piece], plain: Role, figure: Option<&Collision>) -> Vec<Run> {
+    let run = |piece: &Piece| match piece {
+        Piece::Text(text, tone) => {
+            let role = match tone {
+                Tone::Plain => plain,
+                Tone::Emphasis | Tone::Strong => Role::Title,
+                Tone::Key => Role::Key,
+            };
+            Run::new(text.as_str(), role)
+        }
+        // Held together, as a formula broken over two rows is hard to read.
+        Piece::Formula(formula) => Run::new(formula.inline().replace(' ', "\u{a0}"), plain),
+        Piece::Live(quantity) => {
+            let value = figure.map(|collision| quantity.shown(collision));
+            Run::new(value.unwrap_or_default(), Role::Title)
+        }
+    };
+    pieces.iter().map(run).collect()
+}

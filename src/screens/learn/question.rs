@@ -1,0 +1,140 @@
+//! A question being answered.
+
+use super::answer::{Answer, sign_and_unit};
+use super::prose;
+use crate::lessons::{Asked, Checkpoint};
+use crate::messages::Key;
+use crate::physics::Collision;
+use crate::widgets::hit::side;
+use crate::widgets::{Lines, NumberEntry, RayInput, Role, Turned, Typed};
+
+/// An answer in the making.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Question {
+    /// Two rays to turn.
+    Rays(RayInput),
+    /// A number to type.
+    Number(NumberEntry),
+    /// A line to choose, of so many.
+    Choice(usize, usize),
+}
+
+/// What a key meant to a [`Question`].
+pub(super) enum Given {
+    /// Nothing: it is somebody else's key.
+    Ignored,
+    /// The answer is being made.
+    Making,
+    /// This is the answer.
+    Answer(Answer),
+}
+
+impl Question {
+    /// An answer to be made; `figure` is the collision of the page's figure.
+    pub(super) fn new(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Self {
+        match &checkpoint.asked {
+            Asked::Rays => Self::Rays(RayInput::new(figure.map_or(1.0, side))),
+            Asked::Number { .. } => Self::Number(NumberEntry::default()),
+            Asked::Choice(choices) => Self::Choice(0, choices.len()),
+        }
+    }
+
+    /// The rays that are turned.
+    pub(super) fn rays(&self) -> Option<&RayInput> {
+        match self {
+            Self::Rays(rays) => Some(rays),
+            _ => None,
+        }
+    }
+
+    /// Takes a key.
+    pub(super) fn update(&mut self, key: Key) -> Given {
+        match self {
+            // The other ray is chosen by Enter; Tab goes to the figure.
+            Self::Rays(_) if matches!(key, Key::Tab | Key::BackTab) => Given::Ignored,
+            Self::Rays(rays) => match rays.update(key) {
+                Turned::Ignored => Given::Ignored,
+                Turned::Turning => Given::Making,
+                Turned::Done => Given::Answer(Answer::Rays(rays.said())),
+            },
+            Self::Number(entry) => match entry.update(key) {
+                Typed::Ignored => Given::Ignored,
+                Typed::Editing => Given::Making,
+                Typed::Entered(number) => Given::Answer(Answer::Number(number)),
+            },
+            Self::Choice(chosen, count) => match key {
+                Key::Up => Self::step(chosen, *count - 1, *count),
+                Key::Down => Self::step(chosen, 1, *count),
+                Key::Enter => Given::Answer(Answer::Choice(*chosen)),
+                Key::Char(digit @ '1'..='9') => {
+                    let line = usize::from(digit as u8 - b'1');
+                    if line >= *count {
+                        return Given::Ignored;
+                    }
+                    *chosen = line;
+                    Given::Making
+                }
+                _ => Given::Ignored,
+            },
+        }
+    }
+
+    fn step(chosen: &mut usize, by: usize, count: usize) -> Given {
+        *chosen = (*chosen + by) % count.max(1);
+        Given::Making
+    }
+
+    /// Chooses a line by hand; says whether it was chosen already.
+    pub(super) fn choose(&mut self, line: usize) -> bool {
+        match self {
+            Self::Choice(chosen, _) => std::mem::replace(chosen, line) == line,
+            _ => false,
+        }
+    }
+
+    /// Writes the answer in the making. `rows` is told the first row of each line of
+    /// a choice.
+    pub(super) fn write(
+        &self,
+        checkpoint: &Checkpoint,
+        lines: &mut Lines,
+        mut rows: impl FnMut(usize, u16),
+    ) {
+        match (self, &checkpoint.asked) {
+            (Self::Rays(rays), _) => rays.write(lines, "coin"),
+            (Self::Number(entry), Asked::Number { expected, .. }) => {
+                let (sign, unit) = sign_and_unit(expected);
+                let shown = format!("{}_ {unit}", entry.text());
+                lines.pair(
+                    &format!("> {sign} ="),
+                    &shown,
+                    Role::Selected,
+                    Role::Selected,
+                );
+            }
+            (Self::Choice(chosen, _), Asked::Choice(choices)) => {
+                for (i, choice) in choices.iter().enumerate() {
+                    rows(i, lines.written());
+                    let (mark, role) = if i == *chosen {
+                        (format!(">{}", i + 1), Role::Selected)
+                    } else {
+                        (format!(" {}", i + 1), Role::Text)
+                    };
+                    lines.flowing(&mark, 3, &prose::runs(&choice.text, role, None));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// What to do next, in a few words.
+    pub(super) fn hint(&self) -> &'static str {
+        match self {
+            Self::Rays(rays) if rays.is_last() => "Enter: watch.",
+            Self::Rays(_) => "Turn the striker's ray; Enter: the other.",
+            Self::Number(entry) if entry.is_open() => "Enter: say it.",
+            Self::Number(_) => "Type a number.",
+            Self::Choice(..) => "Up Down, then Enter: say it.",
+        }
+    }
+}

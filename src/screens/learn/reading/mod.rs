@@ -1,0 +1,433 @@
+//! A chapter being read: text beside a figure, page by page, with checkpoints.
+
+mod panel;
+mod view;
+
+use std::time::Duration;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::figure::{Shown, svg_of};
+use super::question::{Given, Question};
+use super::record;
+use crate::lessons::{Chapter, Page};
+use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::screens::learn::Answer;
+use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::widgets::{Beside, Scroll, overflow};
+
+/// A chapter being read.
+#[derive(Debug, Clone)]
+pub struct Reading {
+    number: usize,
+    chapter: Chapter,
+    at: usize,
+    figure: Option<Shown>,
+    question: Option<Question>,
+    answer: Option<Answer>,
+    /// Whether keys go to the figure first.
+    on_figure: bool,
+    scroll: Scroll,
+    notice: Option<String>,
+}
+
+impl Reading {
+    /// A chapter, at the page where it was left; `None` beyond the last.
+    pub fn new(number: usize, cx: &mut Context) -> Option<Self> {
+        let chapter = cx.book.chapter(number)?.clone();
+        cx.book.at = number;
+        let at = cx.book.mark(&chapter.id).map_or(0, |mark| mark.page);
+        let mut reading = Self {
+            number,
+            chapter,
+            at: 0,
+            figure: None,
+            question: None,
+            answer: None,
+            on_figure: false,
+            scroll: Scroll::default(),
+            notice: None,
+        };
+        reading.open(at, cx);
+        Some(reading)
+    }
+
+    /// A page as it is before and, with an `answer`, after its checkpoint: to see
+    /// whether it fits.
+    pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<Answer>) -> Self {
+        let mut reading = Self {
+            number: 0,
+            chapter: chapter.clone(),
+            at,
+            figure: None,
+            question: None,
+            answer: None,
+            on_figure: false,
+            scroll: Scroll::default(),
+            notice: None,
+        };
+        reading.lay_out(None, answer);
+        reading
+    }
+
+    /// Opens a page.
+    fn open(&mut self, at: usize, cx: &mut Context) {
+        self.at = at.min(self.chapter.pages.len().saturating_sub(1));
+        let mark = cx.book.mark_mut(&self.chapter.id);
+        mark.open(self.at);
+        let (alpha, answer) = (mark.alpha_deg, mark.answer_on(self.at).copied());
+        self.lay_out(alpha, answer);
+    }
+
+    fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<Answer>) {
+        self.scroll = Scroll::default();
+        self.notice = None;
+        let Some(page) = self.chapter.pages.get(self.at) else {
+            return;
+        };
+        let hidden = page.checkpoint.is_some();
+        let figure = page
+            .figure
+            .map(|figure| Shown::new(figure, alpha_deg, hidden));
+        let collision = figure.as_ref().map(|figure| *figure.collision());
+        let question = page.checkpoint.as_ref();
+        let question = question.map(|checkpoint| Question::new(checkpoint, collision.as_ref()));
+        self.figure = figure;
+        self.question = question;
+        self.answer = None;
+        self.on_figure = self.is_open_to_figure();
+        if let Some(answer) = answer
+            && self.question.is_some()
+        {
+            self.tell(answer, true);
+        }
+    }
+
+    /// Whether keys go to the figure first on a page as it is opened.
+    fn is_open_to_figure(&self) -> bool {
+        !self.is_asking() && self.figure.as_ref().is_some_and(Shown::is_set_by_keys)
+    }
+
+    fn page(&self) -> Option<&Page> {
+        self.chapter.pages.get(self.at)
+    }
+
+    /// Whether a question waits for its answer.
+    fn is_asking(&self) -> bool {
+        self.question.is_some() && self.answer.is_none()
+    }
+
+    /// Shows what belongs to an answer.
+    fn tell(&mut self, answer: Answer, reduced: bool) {
+        self.answer = Some(answer);
+        self.scroll = Scroll::default();
+        if let Some(figure) = &mut self.figure {
+            let said = match answer {
+                Answer::Rays(rays) => Some(rays),
+                _ => None,
+            };
+            figure.reveal(said, reduced);
+        }
+        self.on_figure = self.is_open_to_figure();
+    }
+
+    /// Takes an answer: marks it, keeps it, and tells what is so.
+    fn answered(&mut self, answer: Answer, cx: &mut Context) {
+        let Some(checkpoint) = self.page().and_then(|page| page.checkpoint.as_ref()) else {
+            return;
+        };
+        let figure = self.figure.as_ref().map(Shown::collision);
+        let right = answer.is_right(checkpoint, figure);
+        let player = &cx.settings.player;
+        let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
+        cx.book
+            .mark_mut(&self.chapter.id)
+            .answer(self.at, answer, right);
+        cx.record(attempt);
+        self.tell(answer, cx.settings.reduced_motion);
+    }
+
+    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
+        self.notice = None;
+        if self.is_asking()
+            && !self.on_figure
+            && let Some(question) = &mut self.question
+        {
+            match question.update(key) {
+                Given::Making => return Next::Stay,
+                Given::Answer(answer) => {
+                    self.answered(answer, cx);
+                    return Next::Stay;
+                }
+                Given::Ignored => {}
+            }
+        }
+        let scrolls = matches!(key, Key::Up | Key::Down);
+        if (self.on_figure || !scrolls) && self.figure_key(key, cx) {
+            return Next::Stay;
+        }
+        match key {
+            Key::Tab | Key::BackTab if self.figure.is_some() => self.on_figure = !self.on_figure,
+            Key::Up => {
+                self.scroll_by(-1, cx);
+            }
+            Key::Down => {
+                self.scroll_by(1, cx);
+            }
+            Key::PageUp => {
+                if !self.scroll_by(-8, cx) {
+                    return self.back(cx);
+                }
+            }
+            Key::PageDown => {
+                if !self.scroll_by(8, cx) {
+                    return self.on(cx);
+                }
+            }
+            Key::Enter | Key::Char(' ') if self.is_asking() => self.on_figure = false,
+            Key::Enter | Key::Char(' ' | 'n' | 'N') => return self.on(cx),
+            Key::Char('b' | 'B') => return self.back(cx),
+            Key::Char('r') => self.ask_again(cx),
+            Key::Char('R') => {
+                cx.book.reset(&self.chapter.id);
+                self.open(0, cx);
+                self.notice = Some("The chapter begins anew.".into());
+            }
+            Key::Char('o' | 'O') => return self.full_size(),
+            Key::Char('e' | 'E') => self.export(cx),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    /// Gives a key to the figure; says whether it was one of its own.
+    fn figure_key(&mut self, key: Key, cx: &mut Context) -> bool {
+        let used = self
+            .figure
+            .as_mut()
+            .is_some_and(|figure| figure.update(key));
+        if used {
+            self.keep_alpha(cx);
+        }
+        used
+    }
+
+    /// Notes the impact angle that the student has set.
+    fn keep_alpha(&self, cx: &mut Context) {
+        if let Some(figure) = self
+            .figure
+            .as_ref()
+            .filter(|figure| figure.is_set_by_keys())
+        {
+            cx.book.mark_mut(&self.chapter.id).alpha_deg = Some(figure.alpha_deg());
+        }
+    }
+
+    /// To the next page; from the last one to the contents.
+    fn on(&mut self, cx: &mut Context) -> Next {
+        if self.at + 1 < self.chapter.pages.len() {
+            self.open(self.at + 1, cx);
+            return Next::Stay;
+        }
+        cx.book.mark_mut(&self.chapter.id).page = 0;
+        // The next chapter, or after the last one how far one has come.
+        cx.book.at = self.number + 1;
+        Next::Back
+    }
+
+    fn back(&mut self, cx: &mut Context) -> Next {
+        if self.at > 0 {
+            self.open(self.at - 1, cx);
+        }
+        Next::Stay
+    }
+
+    fn ask_again(&mut self, cx: &mut Context) {
+        cx.book.mark_mut(&self.chapter.id).forget(self.at);
+        self.open(self.at, cx);
+    }
+
+    /// The figure in the lab, or the foil.
+    fn full_size(&mut self) -> Next {
+        match &self.figure {
+            Some(figure) if !figure.is_foil() => {
+                let setup = figure.setup();
+                Next::Open(Place::LabOf { setup })
+            }
+            _ => Next::Stay,
+        }
+    }
+
+    fn export(&mut self, cx: &mut Context) {
+        if self.is_asking() {
+            self.notice = Some("First say what you think.".into());
+        } else if let Some(figure) = &self.figure {
+            let name = format!("carrom-{}-{}.svg", self.chapter.id, self.at + 1);
+            let look = cx.settings.look();
+            cx.export(name, svg_of(figure, &look));
+        }
+    }
+
+    /// Scrolls the text; says whether there was more of it.
+    fn scroll_by(&mut self, rows: i16, cx: &Context) -> bool {
+        let area = view::layout(self, cx.body).panel;
+        let mut scroll = self.scroll;
+        scroll.by(rows, area, cx.settings.look(), |lines| {
+            panel::write(self, lines);
+        });
+        let moved = scroll != self.scroll;
+        self.scroll = scroll;
+        moved
+    }
+
+    /// Rows that the text takes, and rows there are for it.
+    pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
+        let area = view::layout(self, cx.body).panel;
+        let more = overflow(area, cx.settings.look(), |lines| panel::write(self, lines));
+        (area.height + more, area.height)
+    }
+
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let Beside { picture, panel, .. } = view::layout(self, cx.body);
+        let cell = (mouse.column, mouse.row);
+        let look = cx.settings.look();
+        if picture.contains(cell.into()) {
+            let rays = match &mut self.question {
+                Some(Question::Rays(rays)) if self.answer.is_none() => Some(rays),
+                _ => None,
+            };
+            let used = self
+                .figure
+                .as_mut()
+                .is_some_and(|figure| figure.mouse(mouse, picture, rays, &look));
+            if used {
+                self.keep_alpha(cx);
+                return Next::Stay;
+            }
+        } else if panel.contains(cell.into()) {
+            match mouse.kind {
+                MouseKind::ScrollUp => {
+                    self.scroll_by(-1, cx);
+                    return Next::Stay;
+                }
+                MouseKind::ScrollDown => {
+                    self.scroll_by(1, cx);
+                    return Next::Stay;
+                }
+                MouseKind::Down if self.is_asking() => {
+                    let line = panel::choice_at(self, panel, cell, look);
+                    if let (Some(line), Some(question)) = (line, &mut self.question) {
+                        if question.choose(line) {
+                            self.answered(Answer::Choice(line), cx);
+                        }
+                        return Next::Stay;
+                    }
+                }
+                _ => {}
+            }
+        }
+        Next::Ignored
+    }
+}
+
+impl Screen for Reading {
+    fn title(&self) -> String {
+        format!("{} {}", self.chapter.number, self.chapter.title)
+    }
+
+    fn status(&self, _cx: &Context) -> String {
+        format!("page {} of {}", self.at + 1, self.chapter.pages.len())
+    }
+
+    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Key(key) => self.key(*key, cx),
+            Input::Mouse(mouse) => self.mouse(mouse, cx),
+            Input::Exported(exported) => {
+                self.notice = Some(match exported {
+                    Ok(place) => format!("The figure is in {place}"),
+                    Err(reason) => format!("The figure could not be written: {reason}"),
+                });
+                Next::Stay
+            }
+            _ => Next::Ignored,
+        }
+    }
+
+    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+        if let Some(figure) = &mut self.figure {
+            figure.advance(passed);
+        }
+        Next::Stay
+    }
+
+    fn wake(&self, _cx: &Context) -> Option<Duration> {
+        self.figure.as_ref()?.wake()
+    }
+
+    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(self, area, buf, cx);
+    }
+
+    fn keys(&self, _cx: &Context) -> Vec<Hint> {
+        let mut keys = Vec::new();
+        if self.is_asking() && !self.on_figure {
+            keys.extend(match &self.question {
+                Some(Question::Rays(_)) => vec![
+                    Hint::new("arrows", "turn"),
+                    Hint::new("0-9", "type"),
+                    Hint::new("x", "stays still"),
+                    Hint::new("Enter", "next, then watch"),
+                ],
+                Some(Question::Number(_)) => {
+                    vec![Hint::new("0-9", "type"), Hint::new("Enter", "say it")]
+                }
+                _ => vec![Hint::new("Up Down", "choose"), Hint::new("Enter", "say it")],
+            });
+            keys.push(Hint::new("n", "skip"));
+        } else {
+            keys.push(Hint::new("Enter", "next page"));
+            let figure = self.figure.iter().flat_map(Shown::keys);
+            keys.extend(figure.map(|(key, does)| Hint::new(key, does)));
+        }
+        keys.push(Hint::new("b", "back"));
+        if let Some(figure) = &self.figure {
+            keys.push(Hint::new(
+                "Tab",
+                if self.on_figure { "text" } else { "figure" },
+            ));
+            if !figure.is_foil() {
+                keys.push(Hint::new("o", "in the lab"));
+            }
+            keys.push(Hint::new("e", "export"));
+        }
+        keys.push(Hint::new("Esc", "contents"));
+        keys
+    }
+
+    fn help(&self, _cx: &Context) -> Help {
+        Help {
+            text: vec![
+                "A chapter: a few lines to read, beside a figure that is the real thing. Where a question is asked, say first what you think; only then the figure shows what happens. Your place is kept.",
+                "Every page can be read again, skipped, or asked again. A wrong answer is a good start: the explanation begins from it.",
+            ],
+            keys: vec![
+                Hint::new("Enter", "give the answer, then go on to the next page"),
+                Hint::new("n b", "next page, page before; PageDown and PageUp too"),
+                Hint::new("Tab", "let keys go to the figure first, or to the text"),
+                Hint::new(
+                    "Left Right",
+                    "in a figure: change α, step through the hit or through the working",
+                ),
+                Hint::new("< >", "the same in bigger steps"),
+                Hint::new("Space", "in a hit: go on from the contact"),
+                Hint::new("a f 1-7", "in a hit: play again, other frame, layers"),
+                Hint::new("o", "open the figure full-size in the lab"),
+                Hint::new("e", "export the figure as an SVG picture"),
+                Hint::new("r", "ask this page's question again"),
+                Hint::new("R", "forget all answers of this chapter and begin anew"),
+            ],
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The text of a page: what is to be read and asked, or what is said to an answer.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Reading;
+use crate::lessons::{Asked, Checkpoint, Choice};
+use crate::physics::Collision;
+use crate::quiz::{self, Confidence, Rays};
+use crate::screens::lab::explain;
+use crate::screens::learn::answer::{Answer, sign_and_unit, truth};
+use crate::screens::learn::figure::Shown;
+use crate::screens::learn::prose;
+use crate::widgets::hit::{Watch, degrees};
+use crate::widgets::{Lines, Look, Role, brief};
+
+/// Writes it.
+pub(super) fn write(reading: &Reading, lines: &mut Lines) {
+    write_noting(reading, lines, |_, _| {});
+}
+
+/// The line of a choice at a cell of the panel.
+pub(super) fn choice_at(
+    reading: &Reading,
+    area: Rect,
+    (_, row): (u16, u16),
+    look: Look,
+) -> Option<usize> {
+    let mut scratch = Buffer::empty(area);
+    let mut lines = Lines::new(area, &mut scratch, look);
+    let mut starts = Vec::new();
+    write_noting(reading, &mut lines, |line, row| starts.push((line, row)));
+    let scrolled = reading
+        .scroll
+        .rows(area, look, |lines| write(reading, lines));
+    let row = row.saturating_sub(area.y) + scrolled;
+    let is_last = starts.last().is_some_and(|(_, start)| row > start + 3);
+    let line = starts.into_iter().rfind(|(_, start)| *start <= row)?;
+    (!is_last).then_some(line.0)
+}
+
+fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u16)) {
+    let Some(page) = reading.page() else {
+        return;
+    };
+    let collision = reading.figure.as_ref().map(Shown::collision);
+    let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
+    else {
+        return prose::write(&page.text, lines, collision);
+    };
+    let Some(answer) = &reading.answer else {
+        prose::write(&page.text, lines, collision);
+        lines.gap();
+        prose::write(&checkpoint.question, lines, collision);
+        lines.gap();
+        question.write(checkpoint, lines, rows);
+        let hint = question.hint();
+        let mut spare = lines.spare(0);
+        if spare.take(lines.rows_of(hint) + 1) {
+            lines.gap();
+            lines.paragraph(hint, Role::Key);
+        }
+        return;
+    };
+    let watch = reading.figure.as_ref().and_then(Shown::watch);
+    if let (Answer::Rays(_), Some(watch)) = (answer, watch)
+        && !watch.is_told()
+    {
+        return lines.paragraph(watch.telling(), Role::Text);
+    }
+    match (answer, &checkpoint.asked) {
+        (Answer::Rays(rays), _) => {
+            if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
+                rays_told(rays, watch, figure, lines);
+            }
+        }
+        (Answer::Number(number), _) => {
+            prose::write(&checkpoint.question, lines, collision);
+            lines.gap();
+            number_told(*number, answer, checkpoint, collision, lines);
+        }
+        (Answer::Choice(chosen), Asked::Choice(choices)) => {
+            prose::write(&checkpoint.question, lines, collision);
+            lines.gap();
+            choice_told(*chosen, choices, collision, lines);
+        }
+        _ => {}
+    }
+    if !checkpoint.after.is_empty() {
+        lines.gap();
+        prose::write(&checkpoint.after, lines, collision);
+    }
+}
+
+/// Both rays beside the truth, and the explanation that starts from them.
+fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
+    let collision = watch.collision();
+    let said = degrees(collision, rays);
+    let truth = degrees(collision, &Rays::from(watch.outcome()));
+    let head = |text| (text, Role::Dim);
+    lines.columns(head("degrees"), ["you said", "truth"].map(head));
+    let rows = [("striker", Role::StrikerOut), ("coin", Role::CoinOut)];
+    for (i, (name, role)) in rows.into_iter().enumerate() {
+        let values = [(brief(said[i]), Role::Predicted), (brief(truth[i]), role)];
+        lines.columns(
+            head(name),
+            values.each_ref().map(|(text, role)| (text.as_str(), *role)),
+        );
+    }
+    lines.gap();
+    let (title, text) = match figure.question_by_angle() {
+        Some(question) => {
+            let answer = quiz::Answer {
+                rays: *rays,
+                confidence: Confidence::ThinkSo,
+            };
+            let explanation = quiz::explain(&question, &answer);
+            (explanation.title.into(), explanation.text)
+        }
+        None => explain(&figure.setup(), watch),
+    };
+    if !title.is_empty() {
+        lines.paragraph(&title, Role::Title);
+    }
+    lines.paragraph(&text, Role::Text);
+}
+
+fn number_told(
+    number: f64,
+    answer: &Answer,
+    checkpoint: &Checkpoint,
+    figure: Option<&Collision>,
+    lines: &mut Lines,
+) {
+    let Asked::Number {
+        expected,
+        tolerance,
+    } = &checkpoint.asked
+    else {
+        return;
+    };
+    let right = answer.is_right(checkpoint, figure);
+    let (_, unit) = sign_and_unit(expected);
+    // As many decimals as the tolerance asks for.
+    let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
+    let shown = |value: f64| {
+        let gap = if unit == "°" { "" } else { " " };
+        format!("{value:.decimals$}{gap}{unit}").replace('-', "−")
+    };
+    let role = if right { Role::Good } else { Role::Warn };
+    lines.pair("you said", &shown(number), Role::Dim, role);
+    if let Some(truth) = truth(expected, figure) {
+        lines.pair("truth", &shown(truth), Role::Dim, Role::Text);
+    }
+    lines.gap();
+    let credit = answer.credit(checkpoint, figure);
+    let verdict = match right {
+        true => "Right.",
+        false if credit > 0.0 => "Nearly.",
+        false => "Not this time. Here is why:",
+    };
+    lines.paragraph(verdict, role);
+}
+
+fn choice_told(chosen: usize, choices: &[Choice], figure: Option<&Collision>, lines: &mut Lines) {
+    let Some(choice) = choices.get(chosen) else {
+        return;
+    };
+    let role = if choice.right { Role::Good } else { Role::Warn };
+    let mark = if choice.right { "✓" } else { "✗" };
+    lines.flowing(mark, 2, &prose::runs(&choice.text, role, figure));
+    lines.flowing("", 0, &prose::runs(&choice.why, Role::Text, figure));
+    if let Some(right) = choices.iter().find(|other| other.right && !choice.right) {
+        lines.gap();
+        lines.flowing("✓", 2, &prose::runs(&right.text, Role::Good, figure));
+    }
+}

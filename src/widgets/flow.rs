@@ -1,0 +1,148 @@
+//! Running text in more than one style, broken into rows.
+
+use super::{Charset, Role, text};
+
+/// A stretch of text in one style. No-break blanks hold words together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Run {
+    /// The text.
+    pub text: String,
+    /// Its style.
+    pub role: Role,
+}
+
+impl Run {
+    /// A stretch of text.
+    pub fn new(text: impl Into<String>, role: Role) -> Self {
+        Self {
+            text: text.into(),
+            role,
+        }
+    }
+}
+
+/// A word: pieces that no blank parts.
+type Word = Vec<Run>;
+
+/// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in
+/// `charset`; a word longer than a row is broken where it must be.
+pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
+    let columns = columns.max(1);
+    let mut rows = vec![Vec::new()];
+    let mut used = 0;
+    for word in words(runs) {
+        let word = spelt(word, charset);
+        let width: usize = word.iter().map(|run| text::width(&run.text)).sum();
+        let gap = usize::from(used > 0);
+        if used > 0 && used + gap + width > columns {
+            rows.push(Vec::new());
+            used = 0;
+        } else if gap > 0 {
+            let role = word.first().map_or(Role::Text, |run| run.role);
+            push(&mut rows, " ", role);
+            used += 1;
+        }
+        for run in word {
+            for letter in run.text.chars() {
+                let letter = letter.to_string();
+                let width = text::width(&letter);
+                if used > 0 && used + width > columns {
+                    rows.push(Vec::new());
+                    used = 0;
+                }
+                push(&mut rows, &letter, run.role);
+                used += width;
+            }
+        }
+    }
+    rows
+}
+
+fn push(rows: &mut [Vec<Run>], text: &str, role: Role) {
+    let Some(row) = rows.last_mut() else {
+        return;
+    };
+    match row.last_mut() {
+        Some(last) if last.role == role => last.text.push_str(text),
+        _ => row.push(Run::new(text, role)),
+    }
+}
+
+fn words(runs: &[Run]) -> Vec<Word> {
+    let mut words: Vec<Word> = vec![Vec::new()];
+    for run in runs {
+        for (i, part) in run.text.split([' ', '\n']).enumerate() {
+            if i > 0 {
+                words.push(Vec::new());
+            }
+            if let Some(word) = words.last_mut()
+                && !part.is_empty()
+            {
+                word.push(Run::new(part, run.role));
+            }
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// A word in a charset. A degree sign of a later piece still follows its number.
+fn spelt(word: Word, charset: Charset) -> Word {
+    let mut spelt: Word = Vec::new();
+    for run in word {
+        let after_number = spelt
+            .last()
+            .is_some_and(|last| last.text.ends_with(|c: char| c.is_ascii_alphanumeric()));
+        let mut text = charset.text(&run.text).replace('\u{a0}', " ");
+        if charset == Charset::Ascii && run.text.starts_with('°') && after_number {
+            text.insert(0, ' ');
+        }
+        spelt.push(Run { text, ..run });
+    }
+    spelt
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn rows(runs: &[(&str, Role)], columns: usize, charset: Charset) -> Vec<String> {
+        let runs: Vec<_> = runs
+            .iter()
+            .map(|(text, role)| Run::new(*text, *role))
+            .collect();
+        let row = |row: Vec<Run>| row.into_iter().map(|run| run.text).collect();
+        flow(&runs, columns, charset).into_iter().map(row).collect()
+    }
+
+    #[test]
+    fn words_of_several_styles_stay_whole() {
+        let runs = [
+            ("the ", Role::Text),
+            ("line of impact", Role::Title),
+            (".", Role::Text),
+        ];
+        assert_eq!(rows(&runs, 11, Charset::Ascii), ["the line of", "impact."]);
+        let runs = [("so ", Role::Text), ("u\u{a0}=\u{a0}1", Role::Title)];
+        assert_eq!(rows(&runs, 6, Charset::Unicode), ["so", "u = 1"]);
+    }
+
+    #[test]
+    fn a_degree_follows_its_number_across_styles() {
+        let runs = [("30", Role::Title), ("°.", Role::Text)];
+        assert_eq!(rows(&runs, 20, Charset::Ascii), ["30 deg."]);
+        assert_eq!(rows(&runs, 20, Charset::Unicode), ["30°."]);
+    }
+
+    proptest! {
+        #[test]
+        fn no_row_is_too_long(text in "[a-z α°]{0,80}", columns in 1usize..40) {
+            for charset in [Charset::Ascii, Charset::Unicode] {
+                for row in rows(&[(&text, Role::Text)], columns, charset) {
+                    prop_assert!(text::width(&row) <= columns);
+                }
+            }
+        }
+    }
+}

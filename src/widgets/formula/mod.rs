@@ -1,0 +1,213 @@
+//! Formulas set over several rows, as on paper: fractions, roots, what is raised and
+//! lowered.
+
+mod block;
+
+use block::Block;
+
+use super::Charset;
+use crate::lessons::formula::{Formula, Node, subscript, superscript};
+
+/// A formula as rows of text of one width.
+///
+/// ```
+/// use carrom::lessons::Formula;
+/// use carrom::widgets::{Charset, formula};
+/// let third = Formula::read("x = (a + b)/3").unwrap();
+/// assert_eq!(
+///     formula::set(&third, Charset::Ascii),
+///     ["     a + b ", "x = -------", "       3   "],
+/// );
+/// ```
+#[must_use]
+pub fn set(formula: &Formula, charset: Charset) -> Vec<String> {
+    Setter { charset }.row(formula).into_rows()
+}
+
+/// Sets formulas in a charset.
+struct Setter {
+    charset: Charset,
+}
+
+impl Setter {
+    fn row(&self, formula: &Formula) -> Block {
+        let mut row = Block::default();
+        for term in &formula.0 {
+            // In ASCII a degree is a word.
+            let degree = term.node == Node::Word("°".into()) && self.charset == Charset::Ascii;
+            if term.apart || degree {
+                row = row.beside(&Block::line(" "));
+            }
+            row = row.beside(&self.node(&term.node));
+        }
+        row
+    }
+
+    fn node(&self, node: &Node) -> Block {
+        match node {
+            Node::Word(word) => Block::line(&self.charset.text(word)),
+            Node::Group(inside) => self.bracketed(&self.row(inside)),
+            Node::Fraction(over, under) => {
+                let (over, under) = (self.row(over), self.row(under));
+                let width = over.width().max(under.width()) + 2;
+                over.over(&Block::line(&self.stroke().repeat(width)))
+                    .with_base_at_end()
+                    .over(&under)
+            }
+            Node::Root(inside) => self.root(&self.row(inside)),
+            Node::Vector(inside) => {
+                let arrow = Block::line(&self.charset.text("→"));
+                arrow.over(&self.row(inside)).with_base_at_end()
+            }
+            Node::Scripts { base, below, above } => {
+                self.scripted(&self.node(base), below.as_ref(), above.as_ref())
+            }
+        }
+    }
+
+    fn stroke(&self) -> &'static str {
+        match self.charset {
+            Charset::Ascii => "-",
+            Charset::Unicode => "─",
+        }
+    }
+
+    fn bracketed(&self, inside: &Block) -> Block {
+        let brackets = match self.charset {
+            _ if inside.height() == 1 => [["("; 3], [")"; 3]],
+            Charset::Ascii => [["/", "|", "\\"], ["\\", "|", "/"]],
+            Charset::Unicode => [["⎛", "⎜", "⎝"], ["⎞", "⎟", "⎠"]],
+        };
+        let [left, right] = brackets.map(|[top, middle, bottom]| {
+            let last = inside.height() - 1;
+            let row = |i| match i {
+                0 => top,
+                i if i == last => bottom,
+                _ => middle,
+            };
+            Block::of(
+                (0..inside.height()).map(|i| row(i).to_owned()),
+                inside.base(),
+            )
+        });
+        left.beside(inside).beside(&right)
+    }
+
+    /// A hook on the left, a roof over the rest.
+    fn root(&self, inside: &Block) -> Block {
+        let roof = "_".repeat(inside.width());
+        let (hook, side) = match self.charset {
+            Charset::Ascii => ("\\/", " |"),
+            Charset::Unicode => ("√", "│"),
+        };
+        let last = inside.height() - 1;
+        let left = (0..=last).map(|i| if i == last { hook } else { side }.to_owned());
+        let left = Block::of(left, inside.base());
+        let roofed = Block::line(&roof).over(inside);
+        left.beside(&roofed.with_base(inside.base() + 1))
+    }
+
+    /// In the row itself what Unicode has letters for; else above and below it. In
+    /// ASCII what is lowered by a letter stays in the row too, spelt out.
+    fn scripted(&self, base: &Block, below: Option<&Formula>, above: Option<&Formula>) -> Block {
+        let mut set = base.clone();
+        let mut low = None;
+        if let Some(below) = below {
+            match subscript(&below.inline()) {
+                Some(letters) => set = set.beside(&self.spelt(&letters, base)),
+                None => low = Some(self.row(below)),
+            }
+        }
+        let mut high = None;
+        if let Some(above) = above {
+            match superscript(&above.inline()) {
+                Some(letters) if self.charset == Charset::Unicode && base.height() == 1 => {
+                    set = set.beside(&Block::line(&letters));
+                }
+                _ => high = Some(self.row(above)),
+            }
+        }
+        set.with_scripts(high.as_ref(), low.as_ref())
+    }
+
+    /// A subscript beside its base: an underscore parts letters from letters.
+    fn spelt(&self, letters: &str, base: &Block) -> Block {
+        let spelt = self.charset.text(letters);
+        let joined = base.ends_with_letter() && spelt.starts_with(char::is_alphabetic);
+        if joined && self.charset == Charset::Ascii {
+            Block::line(&format!("_{spelt}"))
+        } else {
+            Block::line(&spelt)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::widgets::text::width;
+    use proptest::prelude::*;
+
+    fn ascii(text: &str) -> Vec<String> {
+        let rows = set(&Formula::read(text).unwrap(), Charset::Ascii);
+        rows.iter().map(|row| row.trim_end().to_owned()).collect()
+    }
+
+    fn unicode(text: &str) -> Vec<String> {
+        let rows = set(&Formula::read(text).unwrap(), Charset::Unicode);
+        rows.iter().map(|row| row.trim_end().to_owned()).collect()
+    }
+
+    #[test]
+    fn fractions() {
+        let formula = "v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n";
+        assert_eq!(
+            ascii(formula),
+            [
+                "        m1 - m2",
+                "v1_n = --------- u1_n",
+                "        m1 + m2",
+            ]
+        );
+        assert_eq!(
+            unicode(formula),
+            ["       m₁ − m₂", "v₁ₙ = ───────── u₁ₙ", "       m₁ + m₂"]
+        );
+    }
+
+    #[test]
+    fn roots_and_raised_things() {
+        assert_eq!(ascii("2 sqrt 3"), ["    _", "2 \\/3"]);
+        assert_eq!(unicode("sqrt(a + b)"), [" _____", "√a + b"]);
+        assert_eq!(ascii("sin^2 alpha"), ["   2", "sin  alpha"]);
+        assert_eq!(unicode("sin^2 alpha"), ["sin² α"]);
+        assert_eq!(ascii("theta_1 = 60 deg"), ["theta1 = 60 deg"]);
+        assert_eq!(
+            ascii("1/(sin^4 (Theta/2))"),
+            [
+                "       1",
+                "----------------",
+                "    4 / Theta \\",
+                " sin  |-------|",
+                "      \\   2   /",
+            ]
+        );
+        assert_eq!(unicode("x_max"), ["x", " max"]);
+        assert_eq!(ascii("x^(1/2)"), ["  1", " ---", "  2", "x"]);
+        assert_eq!(unicode("(a/b)"), ["⎛ a ⎞", "⎜───⎟", "⎝ b ⎠"]);
+        assert_eq!(unicode("vec(v)_1 + v_2"), ["→", "v₁ + v₂"]);
+    }
+
+    proptest! {
+        #[test]
+        fn all_rows_are_of_one_width(text in "[-a-z0-9_^()/ =+]{1,40}") {
+            if let Ok(formula) = Formula::read(&text) {
+                for charset in [Charset::Ascii, Charset::Unicode] {
+                    let rows = set(&formula, charset);
+                    prop_assert!(rows.iter().all(|row| width(row) == width(&rows[0])), "{rows:?}");
+                    prop_assert!(charset == Charset::Unicode || rows.iter().all(|row| row.is_ascii()));
+                }
+            }
+        }
+    }
+}
