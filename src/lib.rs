@@ -14,15 +14,18 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   shells/        what drives the app: terminal (crossterm), tape (headless script)
 //!   ─────────────────────────────────────────────────────────────
-//!   store/         what is kept on disk: saved games; the only room that writes there
+//!   store/         what is kept on disk: saved games, every answer (SQLite); the only
+//!                  room that writes there
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · learn · lab · foil · quiz · table · levels
+//!                  home · learn · lab · foil · quiz · table · levels · progress
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
+//!   progress/      what a player has done, and what follows from it: topics, confidence,
+//!                  misconceptions that fade, what is due
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
@@ -46,6 +49,7 @@ pub mod lessons;
 pub mod levels;
 pub mod messages;
 pub mod physics;
+pub mod progress;
 pub mod quiz;
 pub mod screens;
 pub mod shells;

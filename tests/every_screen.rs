@@ -11,7 +11,7 @@ use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 10] = [
+const PLACES: [Place; 11] = [
     Place::Home,
     Place::Lab,
     Place::Learn,
@@ -21,6 +21,7 @@ const PLACES: [Place; 10] = [
     Place::Foil,
     Place::Table,
     Place::Levels,
+    Place::Progress,
     Place::Level { number: 4 },
 ];
 

@@ -15,8 +15,8 @@ const FLOORS: [&[&str]; 10] = [
     &["screens"],
     &["widgets"],
     &["messages"],
-    &["lessons"],
-    &["quiz", "levels", "game", "beams", "progress"],
+    &["lessons", "progress"],
+    &["quiz", "levels", "game", "beams"],
     &["physics", "files"],
 ];
 

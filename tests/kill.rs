@@ -121,7 +121,7 @@ fn child_plays() {
     };
     let app = App::new(Place::Table, settings, seed);
     let store = Store::in_folder(&PathBuf::from(folder));
-    let mut game = Headless::new(app, 80, 24).with_store(store);
+    let mut game = Headless::keeping(app, 80, 24, store);
     if resume {
         game.press("s<Enter>");
     } else {

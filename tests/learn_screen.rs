@@ -8,7 +8,6 @@ use carrom::app::App;
 use carrom::cli;
 use carrom::lessons::{Asked, Chapter, Library, Page};
 use carrom::messages::Key;
-use carrom::quiz::AskedIn;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
@@ -91,10 +90,15 @@ fn an_answer_is_kept_and_explained_at_once() {
     let screen = game.screen();
     assert!(screen.contains("v1 = 2.00 m/s"), "{screen}");
     assert!(screen.contains("+ Along the line"), "{screen}");
-    let attempt = &game.attempts()[0];
+    let attempt = game.attempts().remove(0);
     assert!(attempt.right && (attempt.credit - 1.0).abs() < 1e-12);
-    let id = chapter.id.clone();
-    assert_eq!(attempt.asked, AskedIn::Chapter { id, page: 0 });
+    assert_eq!((attempt.topic, attempt.number), (chapter.title.clone(), 1));
+    let question: serde_json::Value = serde_json::from_str(&attempt.question).unwrap();
+    assert_eq!(question["chapter"], chapter.id);
+    assert_eq!(
+        (attempt.answer, attempt.truth),
+        ("{\"choice\":2}".into(), "{\"choice\":2}".into())
+    );
     // Asked again, and answered wrongly this time.
     game.press("r1<Enter>");
     let screen = game.screen();

@@ -415,7 +415,7 @@ fn table(store: Store) -> Headless {
         ..Settings::default()
     };
     let app = App::new(Place::Table, settings, 5);
-    let mut game = Headless::new(app, 80, 24).with_store(store);
+    let mut game = Headless::keeping(app, 80, 24, store);
     game.press("<Down><Down><Down> ");
     game
 }

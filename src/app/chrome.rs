@@ -6,7 +6,7 @@ use ratatui::layout::{Margin, Rect};
 use ratatui::widgets::{Clear, Widget};
 
 use super::{App, SMALLEST};
-use crate::screens::{Help, Hint, Screen};
+use crate::screens::{Help, Hint, Screen, Settings};
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Charset, Role, Theme, keys, text};
 
@@ -56,6 +56,9 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
             let hints = [Hint::new("any key", "back"), Hint::new("Up Down", "scroll")];
             key_line(&hints, area, buf, &theme, settings.charset);
         }
+    }
+    if let Some(notice) = &app.notice {
+        show_notice(notice, settings, area, buf);
     }
     if settings.charset == Charset::Ascii {
         keep_ascii(area, buf);
@@ -163,6 +166,42 @@ fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &
             theme.style(*role),
         );
     }
+}
+
+/// Shows what the player is to be told, at the foot of the body.
+fn show_notice(notice: &str, settings: &Settings, area: Rect, buf: &mut Buffer) {
+    let theme = settings.theme();
+    let body = body(area);
+    let width = body.width.min(76);
+    let words = settings.charset.text(notice);
+    // Whatever it says, it leaves something of the screen to be seen.
+    let mut lines = text::wrap(&words, width.saturating_sub(4).into());
+    lines.truncate(usize::from(body.height / 2).saturating_sub(2));
+    let height = lines.len() as u16 + 2;
+    let frame = Rect {
+        x: body.x + (body.width - width) / 2,
+        y: body.bottom().saturating_sub(height),
+        width,
+        height,
+    };
+    Clear.render(frame, buf);
+    buf.set_style(frame, theme.base());
+    draw_panel(buf, frame, "please note", settings.charset, &theme);
+    for (row, line) in frame.inner(Margin::new(2, 1)).rows().zip(&lines) {
+        buf.set_stringn(
+            row.x,
+            row.y,
+            line,
+            row.width.into(),
+            theme.style(Role::Text),
+        );
+    }
+    let hint = [("any key", "go on")];
+    let line = keys::key_line(&hint, area.width, settings.charset, &theme);
+    let keys = Rect::new(area.x, area.bottom() - 1, area.width, 1);
+    Clear.render(keys, buf);
+    buf.set_style(keys, theme.base());
+    buf.set_line(keys.x, keys.y, &line, keys.width);
 }
 
 /// The last word on the promise that an ASCII screen holds nothing else: names and

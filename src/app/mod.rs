@@ -11,12 +11,13 @@ use std::time::Duration;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
-use crate::messages::{Effect, Input, Key, Mouse};
+use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
 use crate::screens::levels::{Levels, Play};
+use crate::screens::progress::Progress;
 use crate::screens::quiz::Quiz;
 use crate::screens::table::Table;
 use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
@@ -31,6 +32,10 @@ pub struct App {
     size: Rect,
     /// Lines the help page is scrolled by, while it is open.
     help: Option<usize>,
+    /// What the player is to be told, until a key is pressed.
+    notice: Option<String>,
+    /// Whether the player was told that nothing can be kept.
+    told_of_trouble: bool,
 }
 
 impl App {
@@ -41,6 +46,8 @@ impl App {
             context: Context::new(settings, seed),
             size: Rect::default(),
             help: None,
+            notice: None,
+            told_of_trouble: false,
         };
         app.start(place);
         app
@@ -111,12 +118,19 @@ impl App {
             Input::Resize(columns, rows) => {
                 self.size = Rect::new(0, 0, *columns, *rows);
                 self.context.body = chrome::body(self.size);
+                // What the first screen has asked for.
+                return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Thought(_) | Input::Kept(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Thought(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Kept(answer) => {
+                self.note(answer);
+                return self.pass_on(input);
+            }
             // Too small to see what a key would do.
             _ if self.too_small() => {}
+            Input::Key(_) if self.notice.is_some() => self.notice = None,
             _ if self.help.is_some() => return self.update_help(input),
             Input::Mouse(mouse) => {
                 if self.in_body(mouse) {
@@ -126,6 +140,27 @@ impl App {
             _ => return self.pass_on(input),
         }
         vec![]
+    }
+
+    /// Takes what is for no screen alone of what came of a request.
+    fn note(&mut self, answer: &Answer) {
+        if answer.notice.is_some() {
+            self.notice.clone_from(&answer.notice);
+        }
+        match &answer.done {
+            Done::Stars(Ok(stars)) => {
+                for starred in stars {
+                    self.context.shelf.recall(starred);
+                }
+            }
+            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) if !self.told_of_trouble => {
+                self.told_of_trouble = true;
+                self.notice = Some(format!(
+                    "What you do cannot be kept: {reason}. You can go on all the same."
+                ));
+            }
+            _ => {}
+        }
     }
 
     /// Lets `passed` go by.
@@ -256,6 +291,7 @@ impl App {
             },
             Place::Foil => Box::new(Foil::default()),
             Place::Table => Box::new(Table::default()),
+            Place::Progress => Box::new(Progress::ask(&mut self.context)),
         };
         self.stack.push(screen);
     }

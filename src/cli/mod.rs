@@ -8,6 +8,7 @@ mod level;
 mod man;
 mod options;
 mod play;
+mod progress;
 mod replay;
 mod simulate;
 mod solve;
@@ -47,6 +48,7 @@ Examples:
   carrom lab                   go straight to the lab
   carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
+  carrom progress --csv        every answer you gave, for a spreadsheet
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
@@ -90,6 +92,7 @@ enum Screen {
     Quiz,
     /// Open the table: carrom itself, the whole board
     Table,
+    Progress(progress::Args),
     /// Open the levels: small puzzles on the board, solved by aiming
     Levels {
         /// A level to play at once: its id, or PACK/ID
@@ -122,6 +125,7 @@ impl Screen {
             Self::Quiz => Place::Quiz { seed: None },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
+            Self::Progress(_) => Place::Progress,
             Self::Levels { name: None } => Place::Levels,
             Self::Levels { name: Some(name) } => {
                 let number = shelf.find(name);
@@ -172,6 +176,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     };
     match &cli.command {
         None => play::run(&cli.options, None),
+        Some(Command::Open(Screen::Progress(args))) if args.prints() => {
+            progress::run(args, &cli.options)
+        }
         Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
@@ -207,6 +214,9 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     })?;
     let screen = match &cli.command {
         None => None,
+        Some(Command::Open(Screen::Progress(args))) if args.prints() => {
+            return Err("expected a command that opens a screen".into());
+        }
         Some(Command::Open(screen)) => Some(screen),
         Some(_) => return Err("expected a command that opens a screen".into()),
     };

@@ -34,8 +34,8 @@ pub struct Options {
     /// several times
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     lessons: Vec<PathBuf>,
-    /// Folder for what carrom keeps, such as saved games (default: the system's place
-    /// for a program's data)
+    /// Folder for what carrom keeps, such as saved games and every answer (default: the
+    /// system's place for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
     data_dir: Option<PathBuf>,
 }
@@ -113,6 +113,12 @@ impl Options {
         }
     }
 
+    /// The name of the player.
+    pub(super) fn player_name(&self) -> String {
+        let name = self.player.clone();
+        name.unwrap_or_else(|| Settings::default().player)
+    }
+
     /// What the player has set, with `auto` standing for the given look.
     pub(super) fn settings(&self, auto: Look) -> Settings {
         let defaults = Settings::default();
@@ -125,7 +131,7 @@ impl Options {
                 ColorChoice::Cube => Depth::Indexed256,
                 ColorChoice::Truecolor => Depth::True,
             },
-            player: self.player.clone().unwrap_or(defaults.player),
+            player: self.player_name(),
             ..defaults
         }
     }

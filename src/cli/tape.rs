@@ -56,10 +56,12 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let tape = Tape::parse(&text).map_err(|error| Failure::Input(anyhow!("{file}:{error}")))?;
     let open = |arguments: &str| {
         let (app, options) = super::open_within(arguments, options)?;
-        let game = Headless::from(app);
         Ok(match options.given_data_dir() {
-            Some(folder) => game.with_store(Store::in_folder(folder).timeless()),
-            None => game,
+            Some(folder) => {
+                let store = Store::in_folder(folder).timeless();
+                Headless::keeping(app, 80, 24, store)
+            }
+            None => Headless::from(app),
         })
     };
     let screenshots = play(&tape, open).map_err(|error| {

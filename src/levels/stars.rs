@@ -47,10 +47,13 @@ impl Best {
         self.0.get(&key).copied().unwrap_or(0)
     }
 
-    /// Keeps the stars of a win unless there were more already.
-    pub fn keep(&mut self, pack: &str, id: &str, win: Win) {
+    /// Keeps these stars of a level unless there were as many already; says whether
+    /// they are more.
+    pub fn keep(&mut self, pack: &str, id: &str, stars: u8) -> bool {
         let best = self.0.entry((pack.into(), id.into())).or_default();
-        *best = win.stars().max(*best);
+        let more = stars > *best;
+        *best = stars.max(*best);
+        more
     }
 }
 
@@ -73,10 +76,9 @@ mod tests {
     fn a_worse_win_takes_nothing_away() {
         let mut best = Best::default();
         assert_eq!(best.stars("pack", "a"), 0);
-        for (shots, stars) in [(9, 1), (1, 3), (2, 3)] {
-            let said_right = None;
-            best.keep("pack", "a", Win { shots, said_right });
-            assert_eq!(best.stars("pack", "a"), stars);
+        for (stars, more, most) in [(1, true, 1), (3, true, 3), (2, false, 3), (3, false, 3)] {
+            assert_eq!(best.keep("pack", "a", stars), more);
+            assert_eq!(best.stars("pack", "a"), most);
         }
         assert_eq!(best.stars("other", "a"), 0);
     }

@@ -1,7 +1,6 @@
 //! What the app asks of the shell that drives it.
 
 use super::{Request, Task};
-use crate::quiz::Attempt;
 
 /// A thing only the world outside can do.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,11 +9,9 @@ pub enum Effect {
     Quit,
     /// Think, and hand the [`Thought`](super::Thought) back as an input.
     Think(Box<Task>),
-    /// Do something with the games that are kept, and hand the
+    /// Do something with what is kept, and hand the
     /// [`Answer`](super::Answer) back as an input.
     Keep(Request),
-    /// Keep an answer that was given, for as long as the shell keeps anything.
-    Record(Attempt),
     /// Write a text to a file of this name where the player will find it, and hand
     /// back as an [`Input::Exported`](super::Input::Exported) where it is.
     Export {

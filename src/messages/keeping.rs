@@ -1,10 +1,12 @@
-//! Keeping games: what is asked of whoever keeps them, and what comes back.
+//! Keeping games and what a player has done: what is asked of whoever keeps them, and
+//! what comes back.
 
 use std::time::Duration;
 
 use crate::game::{Game, SavedGame};
+use crate::progress::{Attempt, Starred};
 
-/// Something to be done with the games that are kept.
+/// Something to be done with what is kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
     /// A number of the app's own, by which the answer is known.
@@ -27,6 +29,15 @@ pub enum Wish {
     Remove(String),
     /// Write a game where its player finds it.
     Export(Box<SavedGame>),
+    /// Keep an answer, with the time. It must be safe before the explanation is shown,
+    /// so nothing is drawn before it is done.
+    Record(Box<Attempt>),
+    /// Keep the stars of a level that this player won.
+    Star(String, Starred),
+    /// Say what this player has done, or with no name what everyone has.
+    Recall(Option<String>),
+    /// Say which levels this player has won.
+    Stars(String),
 }
 
 /// What came of a [`Request`]; where it failed, the reason in words.
@@ -36,6 +47,8 @@ pub struct Answer {
     pub ticket: u64,
     /// What was done.
     pub done: Done,
+    /// Something else that the player should know of.
+    pub notice: Option<String>,
 }
 
 /// What was done about a [`Wish`].
@@ -51,6 +64,21 @@ pub enum Done {
     Removed(Result<(), String>),
     /// Where it was written.
     Exported(Result<String, String>),
+    /// The answer or the stars are safe.
+    Noted(Result<(), String>),
+    /// What was done so far.
+    Recalled(Result<Box<History>, String>),
+    /// The levels that were won.
+    Stars(Result<Vec<Starred>, String>),
+}
+
+/// What was done so far.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct History {
+    /// All answers, in the order in which they were given.
+    pub attempts: Vec<Attempt>,
+    /// The time now, in seconds since 1970 began; `None` where nobody knows it.
+    pub now_s: Option<i64>,
 }
 
 /// One of the games that are kept.
@@ -76,7 +104,11 @@ impl Request {
                 Wish::Load(_) => Done::Loaded(Err(reason)),
                 Wish::Remove(_) => Done::Removed(Err(reason)),
                 Wish::Export(_) => Done::Exported(Err(reason)),
+                Wish::Record(_) | Wish::Star(..) => Done::Noted(Err(reason)),
+                Wish::Recall(_) => Done::Recalled(Err(reason)),
+                Wish::Stars(_) => Done::Stars(Err(reason)),
             },
+            notice: None,
         }
     }
 }

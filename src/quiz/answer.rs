@@ -26,6 +26,22 @@ impl Confidence {
         }
     }
 
+    /// Its name in files.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Guess => "guess",
+            Self::ThinkSo => "think-so",
+            Self::Sure => "sure",
+        }
+    }
+
+    /// The confidence of an `id`.
+    pub fn with_id(id: &str) -> Option<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|confidence| confidence.id() == id)
+    }
+
     /// Points for an answer of this confidence that earned `credit`, 0 to 1.
     ///
     /// | | credit 0 | credit 1 |

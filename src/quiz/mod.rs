@@ -8,7 +8,6 @@
 //! Nothing here draws, and nothing is random but what follows from the seed.
 
 mod answer;
-mod attempt;
 mod dice;
 mod explain;
 mod family;
@@ -23,10 +22,9 @@ mod summary;
 pub mod words;
 
 pub use answer::{Answer, Confidence};
-pub use attempt::{AskedIn, Attempt};
 pub use explain::{Explanation, explain, reasoning};
 pub use family::Family;
-pub use grade::{Grade, RayGrade};
+pub use grade::{Grade, RIGHT_DEG, RayGrade};
 pub use misconceptions::{Diagnosis, Fit, Misconception, diagnose};
 pub use pieces::Pieces;
 pub use question::{Given, Question};

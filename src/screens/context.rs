@@ -6,8 +6,9 @@ use ratatui::layout::Rect;
 
 use super::{Book, Shelf};
 use crate::game::Game;
+use crate::levels::Win;
 use crate::messages::{Effect, Request, Task, Wanted, Wish};
-use crate::quiz::Attempt;
+use crate::progress::Attempt;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -101,11 +102,25 @@ impl Context {
         ticket
     }
 
-    /// Asks for something to be done with the games that are kept. The
+    /// Asks for something to be done with what is kept. The
     /// [`Answer`](crate::messages::Answer) will bear the ticket, which for a game
     /// that is saved again and again is always the same.
     pub fn keep(&mut self, ticket: u64, wish: Wish) {
         self.asked.push(Effect::Keep(Request { ticket, wish }));
+    }
+
+    /// The same with a ticket of its own, which it gives.
+    pub fn ask(&mut self, wish: Wish) -> u64 {
+        let ticket = self.ticket();
+        self.keep(ticket, wish);
+        ticket
+    }
+
+    /// Notes that a level was won, and has that kept.
+    pub fn won(&mut self, number: usize, win: Win) {
+        if let Some(starred) = self.shelf.won(number, win) {
+            self.ask(Wish::Star(self.settings.player.clone(), starred));
+        }
     }
 
     /// A ticket that no request has had.
@@ -114,9 +129,9 @@ impl Context {
         self.tickets
     }
 
-    /// Has an answer kept.
+    /// Has an answer kept, before anything that follows from it is seen.
     pub fn record(&mut self, attempt: Attempt) {
-        self.asked.push(Effect::Record(attempt));
+        self.ask(Wish::Record(Box::new(attempt)));
     }
 
     /// Asks for a text to be written to a file of this name.

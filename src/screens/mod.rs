@@ -11,6 +11,7 @@ pub mod home;
 pub mod lab;
 pub mod learn;
 pub mod levels;
+pub mod progress;
 pub mod quiz;
 pub mod table;
 

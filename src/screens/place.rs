@@ -30,6 +30,8 @@ pub enum Place {
     Foil,
     /// The table: carrom itself.
     Table,
+    /// What the player has done so far.
+    Progress,
     /// The list of levels.
     Levels,
     /// A level.

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::levels::{Best, Level, Library, Pack, Win};
+use crate::levels::{Best, Level, Library, MOST_STARS, Pack, Win};
+use crate::progress::Starred;
 
 /// All levels, numbered from 0 through all packs, with the best that was done in each.
 #[derive(Debug, Clone, Default)]
@@ -68,11 +69,21 @@ impl Shelf {
         (0..self.count()).find(|number| self.stars(*number) == 0)
     }
 
-    /// Notes that a level was won.
-    pub fn won(&mut self, number: usize, win: Win) {
-        let names = |(pack, level): (&Pack, &Level)| (pack.name.clone(), level.id.clone());
-        if let Some((pack, id)) = self.get(number).map(names) {
-            self.best.keep(&pack, &id, win);
-        }
+    /// Notes that a level was won, and gives what is worth keeping: the stars, if they
+    /// are more than before.
+    pub fn won(&mut self, number: usize, win: Win) -> Option<Starred> {
+        let (pack, level) = self.get(number)?;
+        let starred = Starred {
+            pack: pack.name.clone(),
+            level: level.id.clone(),
+            stars: win.stars(),
+        };
+        self.recall(&starred).then_some(starred)
+    }
+
+    /// Notes stars that were won before; says whether they are more than was known.
+    pub fn recall(&mut self, starred: &Starred) -> bool {
+        let stars = starred.stars.min(MOST_STARS);
+        self.best.keep(&starred.pack, &starred.level, stars)
     }
 }

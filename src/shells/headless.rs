@@ -9,8 +9,8 @@ use ratatui::buffer::Buffer;
 
 use super::FRAME;
 use crate::app::App;
-use crate::messages::{Effect, Input, Key, Mouse, MouseKind};
-use crate::quiz::Attempt;
+use crate::messages::{Done, Effect, Input, Key, Mouse, MouseKind, Request, Wish};
+use crate::progress::Attempt;
 use crate::store::Store;
 use crate::widgets::cells::text;
 
@@ -31,29 +31,28 @@ pub struct Headless {
     terminal: Terminal<TestBackend>,
     store: Store,
     quit: bool,
-    attempts: Vec<Attempt>,
     exports: Vec<(String, String)>,
 }
 
 impl Headless {
-    /// `app` on a screen of `columns` by `rows`, which keeps its games in memory.
+    /// `app` on a screen of `columns` by `rows`, which keeps everything in memory and
+    /// knows no time, so that a run is the same whenever it is made.
     pub fn new(app: App, columns: u16, rows: u16) -> Self {
+        Self::keeping(app, columns, rows, Store::in_memory().timeless())
+    }
+
+    /// The same, but it keeps everything in `store`.
+    pub fn keeping(app: App, columns: u16, rows: u16, store: Store) -> Self {
         let Ok(terminal) = Terminal::new(TestBackend::new(columns, rows));
         let mut headless = Self {
             app,
             terminal,
-            store: Store::in_memory(),
+            store,
             quit: false,
-            attempts: Vec::new(),
             exports: Vec::new(),
         };
         headless.input(&Input::Resize(columns, rows));
         headless
-    }
-
-    /// The same, with its games kept in `store`.
-    pub fn with_store(self, store: Store) -> Self {
-        Self { store, ..self }
     }
 
     /// The app as it stands.
@@ -71,9 +70,13 @@ impl Headless {
         self.quit
     }
 
-    /// The answers that were given, in order.
-    pub fn attempts(&self) -> &[Attempt] {
-        &self.attempts
+    /// The answers that are kept, in order; none where they cannot be looked up.
+    pub fn attempts(&mut self) -> Vec<Attempt> {
+        let wish = Wish::Recall(None);
+        match self.store.answer(&Request { ticket: 0, wish }).done {
+            Done::Recalled(Ok(history)) => history.attempts,
+            _ => Vec::new(),
+        }
     }
 
     /// What was exported, kept in memory: names and contents.
@@ -178,7 +181,6 @@ impl Headless {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));
                 }
-                Effect::Record(attempt) => self.attempts.push(attempt.clone()),
                 Effect::Export { name, content } => {
                     self.exports.push((name.clone(), content.clone()));
                     self.input(&Input::Exported(Ok(name.clone())));

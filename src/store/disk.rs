@@ -1,13 +1,13 @@
 //! Texts as files in a folder.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process;
-use std::thread;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, SystemTime};
 
 use super::shelf::{Shelf, free_number, number};
+use super::turn::Turn;
 use crate::files::{self, Fault};
 use crate::game::SavedGame;
 
@@ -15,19 +15,12 @@ use crate::game::SavedGame;
 const ENDING: &str = ".toml";
 /// How the names of files begin that are still being written.
 const UNFINISHED: &str = ".new-";
-/// How long to wait for another carrom that writes to the same folder.
-const PATIENCE: Duration = Duration::from_secs(3);
+/// The file that stands for the right to write to a folder.
+const LOCK: &str = ".lock";
 
 /// Texts as files in a folder, which is made when the first is written.
 pub(super) struct Disk {
     folder: PathBuf,
-}
-
-/// The right to write to a folder, until it is dropped or the process ends.
-struct Turn {
-    _lock: File,
-    /// Whether nobody else has it, as far as that can be known.
-    alone: bool,
 }
 
 impl Disk {
@@ -42,30 +35,7 @@ impl Disk {
 
     /// Waits until nobody else writes to the folder.
     fn turn(&self) -> io::Result<Turn> {
-        fs::create_dir_all(&self.folder)?;
-        let lock = OpenOptions::new()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(self.folder.join(".lock"))?;
-        let start = Instant::now();
-        let alone = loop {
-            match lock.try_lock() {
-                Ok(()) => break true,
-                Err(TryLockError::WouldBlock) if start.elapsed() < PATIENCE => {
-                    thread::sleep(Duration::from_millis(5));
-                }
-                Err(TryLockError::WouldBlock) => {
-                    let why = "another carrom has been busy there for too long";
-                    return Err(io::Error::new(ErrorKind::TimedOut, why));
-                }
-                // Some network folders know no locks. What is done under one is
-                // safe without, but for two carroms that save the same game in the
-                // same instant.
-                Err(TryLockError::Error(_)) => break false,
-            }
-        };
-        Ok(Turn { _lock: lock, alone })
+        Turn::alone(&self.folder, LOCK)
     }
 
     /// Writes a text to a file beside its place, and brings it to the disk.
@@ -95,7 +65,7 @@ impl Disk {
 
     fn add(&self, kind: &str, text: &str) -> io::Result<String> {
         let turn = self.turn()?;
-        if turn.alone {
+        if turn.is_certain() {
             self.clear_up();
         }
         let beside = self.write_beside(text)?;

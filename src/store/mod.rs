@@ -1,4 +1,5 @@
-//! What is kept: saved games, one file a game, and exported ones.
+//! What is kept: saved games, one file a game, exported ones, and in a
+//! database every answer and every level won.
 //!
 //! Several carroms may keep their games in one folder, any of them may be killed at
 //! any moment, and any file may be damaged or not ours. So:
@@ -9,27 +10,33 @@
 //!   there; otherwise the game moves to a new file of its own;
 //! - nothing is believed of a file until all of it has been played.
 
+mod database;
 mod disk;
 mod memory;
 mod shelf;
+mod turn;
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::files::Fault;
 use crate::game::{Game, SavedGame};
-use crate::messages::{Answer, Done, Kept, Request, Wish};
+use crate::messages::{Answer, Done, History, Kept, Request, Wish};
+use crate::progress::Attempt;
+use database::Database;
 use disk::Disk;
 use memory::Memory;
 use shelf::Shelf;
 
-/// Where games are kept.
+/// Where everything is kept.
 pub struct Store {
     games: Box<dyn Shelf>,
     exports: Box<dyn Shelf>,
+    progress: Database,
     /// What was last put or found under which name, by ticket.
     open: BTreeMap<u64, Open>,
-    ages: bool,
+    knows_time: bool,
     closed: bool,
 }
 
@@ -42,15 +49,20 @@ struct Open {
 impl Store {
     /// A store that is gone with the process.
     pub fn in_memory() -> Self {
-        Self::of(Memory::new("games"), Memory::new("exports"))
+        Self::of(
+            Memory::new("games"),
+            Memory::new("exports"),
+            Database::in_memory(),
+        )
     }
 
     /// A store in `folder`, which is made when it is first needed: saved games in
-    /// `games`, exported ones in `exports`.
+    /// `games`, exported ones in `exports`, all else in `progress.db`.
     pub fn in_folder(folder: &Path) -> Self {
         Self::of(
             Disk::new(folder.join("games")),
             Disk::new(folder.join("exports")),
+            Database::in_folder(folder.to_owned()),
         )
     }
 
@@ -66,17 +78,18 @@ impl Store {
     /// whenever they are made.
     pub fn timeless(self) -> Self {
         Self {
-            ages: false,
+            knows_time: false,
             ..self
         }
     }
 
-    fn of(games: impl Shelf + 'static, exports: impl Shelf + 'static) -> Self {
+    fn of(games: impl Shelf + 'static, exports: impl Shelf + 'static, progress: Database) -> Self {
         Self {
             games: Box::new(games),
             exports: Box::new(exports),
+            progress,
             open: BTreeMap::new(),
-            ages: true,
+            knows_time: true,
             closed: false,
         }
     }
@@ -93,8 +106,16 @@ impl Store {
             Wish::Load(name) => Done::Loaded(self.load(ticket, name)),
             Wish::Remove(name) => Done::Removed(self.remove(name)),
             Wish::Export(game) => Done::Exported(self.export(game)),
+            Wish::Record(attempt) => Done::Noted(self.record(attempt)),
+            Wish::Star(player, starred) => Done::Noted(self.progress.star(player, starred)),
+            Wish::Recall(player) => Done::Recalled(self.recall(player.as_deref())),
+            Wish::Stars(player) => Done::Stars(self.progress.stars(player)),
         };
-        Answer { ticket, done }
+        Answer {
+            ticket,
+            done,
+            notice: self.progress.take_notice(),
+        }
     }
 
     fn save(&mut self, ticket: u64, game: &SavedGame) -> Result<(), String> {
@@ -115,7 +136,7 @@ impl Store {
         for name in self.games.names()? {
             let game = self.read(&name).map(|(_, game)| Box::new(game));
             found.push(Kept {
-                age: self.games.age(&name).filter(|_| self.ages),
+                age: self.games.age(&name).filter(|_| self.knows_time),
                 // Where it is, is said beside.
                 game: game.map_err(|fault| fault.without_file()),
                 name,
@@ -146,5 +167,29 @@ impl Store {
         let text = game.text().map_err(|error| error.to_string())?;
         let name = self.exports.add("carrom-game", &text)?;
         Ok(self.exports.place(&name))
+    }
+
+    /// Keeps an answer, with the time.
+    fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
+        let attempt = Attempt {
+            time_s: self.now_s(),
+            ..attempt.clone()
+        };
+        self.progress.record(&attempt)
+    }
+
+    fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
+        Ok(Box::new(History {
+            attempts: self.progress.attempts(player)?,
+            now_s: self.now_s(),
+        }))
+    }
+
+    /// The time in seconds since 1970 began; `None` where it is not to be known.
+    fn now_s(&self) -> Option<i64> {
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
+        i64::try_from(now.as_secs())
+            .ok()
+            .filter(|_| self.knows_time)
     }
 }

@@ -61,6 +61,9 @@ pub fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
     command.env("PATH", std::env::var_os("PATH").unwrap_or_default());
     command.env("TERM", "xterm-256color");
     command.env("LANG", "C");
+    // Whatever is kept is not kept among the player's own things.
+    let data = format!("carrom-pty-data-{}", std::process::id());
+    command.env("XDG_DATA_HOME", std::env::temp_dir().join(data));
     command
 }
 

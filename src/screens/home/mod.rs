@@ -44,7 +44,7 @@ struct Choice {
     place: Place,
 }
 
-const CHOICES: [Choice; 6] = [
+const CHOICES: [Choice; 7] = [
     Choice {
         key: 'c',
         name: "Learn",
@@ -80,6 +80,12 @@ const CHOICES: [Choice; 6] = [
         name: "Foil",
         about: "beams: from board to atom",
         place: Place::Foil,
+    },
+    Choice {
+        key: 'p',
+        name: "Progress",
+        about: "how far you have come",
+        place: Place::Progress,
     },
 ];
 

@@ -7,6 +7,7 @@ mod figure;
 mod prose;
 mod question;
 mod reading;
+mod record;
 
 pub use answer::Answer;
 pub use check::check;

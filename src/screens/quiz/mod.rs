@@ -11,9 +11,8 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::quiz::{
-    Answer, AskedIn, Attempt, Confidence, Grade, Question, Round, Summary, diagnose,
-};
+use crate::progress::Attempt;
+use crate::quiz::{Answer, Confidence, Question, Round, Summary};
 use crate::widgets::hit::{Layers, Watch, point_at};
 use crate::widgets::{Beside, RayInput, Scroll, Turned};
 
@@ -93,30 +92,22 @@ impl Quiz {
         self.scroll = Scroll::default();
     }
 
-    /// Has an answer kept.
-    fn record(&self, question: &Question, answer: &Answer, cx: &mut Context) {
-        let grade = Grade::new(question, answer);
-        let diagnosis = diagnose(question, answer);
-        cx.record(Attempt {
-            asked: AskedIn::Round {
-                seed: self.round.seed(),
-                number: self.answers.len(),
-            },
-            credit: grade.credit(),
-            right: grade.is_right(),
-            confidence: Some(answer.confidence),
-            misconception: diagnosis.map(|diagnosis| diagnosis.misconception.name),
-        });
-    }
-
     /// Takes the answer and shows the hit.
     fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &mut Context) {
         let answer = Answer {
             rays: asked.rays.said(),
             confidence,
         };
-        self.record(&asked.question, &answer, cx);
         self.answers.push(answer);
+        let attempt = Attempt::of_quiz(
+            &cx.settings.player,
+            self.round.seed(),
+            self.answers.len() as u32,
+            &asked.question,
+            &answer,
+        );
+        // It is safe before the explanation is seen.
+        cx.record(attempt);
         let collision = asked.question.collision();
         let watch = Watch::new(collision, Some(answer.rays), cx.settings.reduced_motion)
             .with_layers(self.layers);
@@ -317,6 +308,9 @@ impl Screen for Quiz {
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        if let Input::Kept(_) = input {
+            return Next::Stay;
+        }
         let leaving = std::mem::take(&mut self.leaving);
         match input {
             Input::Key(key) => self.key(*key, leaving, cx),

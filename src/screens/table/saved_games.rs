@@ -56,8 +56,7 @@ pub(super) enum Step {
 impl SavedGames {
     /// The page, with the games asked for; `options` are those of the page before.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
-        let ticket = cx.ticket();
-        cx.keep(ticket, Wish::List);
+        cx.ask(Wish::List);
         Self {
             options,
             games: Games::Asked,
@@ -101,8 +100,7 @@ impl SavedGames {
                 && let Some(game) = self.chosen()
             {
                 let wish = Wish::Remove(game.name.clone());
-                let ticket = cx.ticket();
-                cx.keep(ticket, wish);
+                cx.ask(wish);
             }
             return Step::Stay;
         }
@@ -127,16 +125,13 @@ impl SavedGames {
             && let Some(game) = self.chosen()
         {
             let wish = Wish::Load(game.name.clone());
-            let ticket = cx.ticket();
-            self.loading = Some((ticket, watch));
-            cx.keep(ticket, wish);
+            self.loading = Some((cx.ask(wish), watch));
         }
     }
 
     fn export(&self, cx: &mut Context) {
         if let Some((saved, _)) = self.game() {
-            let ticket = cx.ticket();
-            cx.keep(ticket, Wish::Export(Box::new(saved.clone())));
+            cx.ask(Wish::Export(Box::new(saved.clone())));
         }
     }
 
@@ -170,14 +165,13 @@ impl SavedGames {
                 if let Err(reason) = result {
                     self.notice = Some(format!("It cannot be removed: {reason}."));
                 }
-                let ticket = cx.ticket();
-                cx.keep(ticket, Wish::List);
+                cx.ask(Wish::List);
             }
             Done::Exported(Ok(place)) => self.notice = Some(format!("It is written to {place}")),
             Done::Exported(Err(reason)) => {
                 self.notice = Some(format!("It cannot be exported: {reason}."));
             }
-            Done::Saved(_) => {}
+            _ => {}
         }
         Step::Stay
     }

@@ -1,4 +1,5 @@
-//! Keeps games beside the app, so that the screen never waits long for the disk.
+//! Keeps games and answers beside the app, so that the screen never waits long for the
+//! disk; for an answer it waits until that is safe.
 
 use std::io;
 use std::sync::mpsc::{self, Sender};
@@ -55,9 +56,19 @@ impl Keeper {
         if !matches!(asked, Some(Ok(()))) {
             // A fault has ended the thread; its report is in crash.log.
             tell(request.refused("whoever keeps the games is gone"), sender);
-        } else if let Wish::Save(_) = request.wish {
-            // Whether in time or not, the answer comes as an input.
-            let _ = wait.recv_timeout(PATIENCE);
+            return;
+        }
+        // In time or not, what came of it comes as an input.
+        match request.wish {
+            Wish::Save(_) => {
+                let _ = wait.recv_timeout(PATIENCE);
+            }
+            // Nothing answered is ever lost: no explanation is drawn before this, and
+            // the database has a limit to its own patience.
+            Wish::Record(_) => {
+                let _ = wait.recv();
+            }
+            _ => {}
         }
     }
 }

@@ -116,7 +116,10 @@ type Flow = std::ops::ControlFlow<Ending>;
 impl Run {
     fn play(mut self) -> Result<Ending, TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
-        self.app.update(&Input::Resize(size.width, size.height));
+        let effects = self.app.update(&Input::Resize(size.width, size.height));
+        if let Flow::Break(ending) = self.carry_out(&effects) {
+            return Ok(ending);
+        }
         loop {
             if self.guard.holds() && self.pace.is_due(Instant::now()) {
                 self.pace.drawn(Instant::now());
@@ -180,8 +183,9 @@ impl Run {
                 // terminal where its cursor is, and the answer goes to the reader.
                 let area = Rect::from((Position::ORIGIN, size));
                 self.screen.resize(area).map_err(TerminalError::Write)?;
-                self.app.update(&Input::Resize(size.width, size.height));
+                let effects = self.app.update(&Input::Resize(size.width, size.height));
                 self.pace = Pace::new(Instant::now());
+                return Ok(self.carry_out(&effects));
             }
         }
         Ok(Flow::Continue(()))
@@ -202,8 +206,6 @@ impl Run {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
                 Effect::Keep(request) => self.keeper.ask(request, &self.sender),
-                // Kept by the app for as long as it runs; nothing is stored yet.
-                Effect::Record(_) => {}
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export::write(name, content));
                     // Should nobody listen any more, nobody waits for it either.

@@ -10,9 +10,9 @@ use ratatui::layout::Rect;
 
 use super::figure::{Shown, svg_of};
 use super::question::{Given, Question};
+use super::record;
 use crate::lessons::{Chapter, Page};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::quiz::{AskedIn, Attempt};
 use crate::screens::learn::Answer;
 use crate::screens::{Context, Help, Hint, Next, Place, Screen};
 use crate::widgets::{Beside, Scroll, overflow};
@@ -139,20 +139,12 @@ impl Reading {
         };
         let figure = self.figure.as_ref().map(Shown::collision);
         let right = answer.is_right(checkpoint, figure);
-        let credit = answer.credit(checkpoint, figure);
+        let player = &cx.settings.player;
+        let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
         cx.book
             .mark_mut(&self.chapter.id)
             .answer(self.at, answer, right);
-        cx.record(Attempt {
-            asked: AskedIn::Chapter {
-                id: self.chapter.id.clone(),
-                page: self.at,
-            },
-            credit,
-            right,
-            confidence: None,
-            misconception: None,
-        });
+        cx.record(attempt);
         self.tell(answer, cx.settings.reduced_motion);
     }
 

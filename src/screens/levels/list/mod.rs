@@ -5,17 +5,23 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::messages::{Input, Key, MouseKind};
+use crate::messages::{Done, Input, Key, MouseKind, Wish};
 use crate::screens::{Context, Help, Hint, Next, Place, Screen, Shelf};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]
-pub struct Levels {}
+pub struct Levels {
+    /// Whether the player has chosen for themselves.
+    moved: bool,
+}
 
 impl Levels {
-    /// The list, at the first level that was never won.
+    /// The list, at the first level that was never won. Which ones the player has won
+    /// before is asked for, and the list goes on to the next when that is known.
     pub fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
+        let player = cx.settings.player.clone();
+        cx.ask(Wish::Stars(player));
         Self::default()
     }
 }
@@ -80,8 +86,12 @@ impl Screen for Levels {
                 }
                 _ => return Next::Ignored,
             },
+            Input::Kept(answer) if matches!(answer.done, Done::Stars(_)) && !self.moved => {
+                shelf.at = shelf.next().unwrap_or(0);
+            }
             _ => return Next::Ignored,
         }
+        self.moved |= matches!(input, Input::Key(_) | Input::Mouse(_));
         Next::Stay
     }
 

@@ -154,7 +154,7 @@ impl Play {
 
     fn keep(&self, attempt: &Attempt, cx: &mut Context) {
         if let Some(win) = attempt.win {
-            cx.shelf.won(self.number, win);
+            cx.won(self.number, win);
         }
     }
 

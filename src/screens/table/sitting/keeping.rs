@@ -94,8 +94,8 @@ impl Sitting {
                 self.watch_all(cx);
             }
             Key::Char('e' | 'E') => {
-                let ticket = cx.ticket();
-                cx.keep(ticket, Wish::Export(Box::new(self.saved(cx))));
+                let game = Box::new(self.saved(cx));
+                cx.ask(Wish::Export(game));
             }
             _ => return Taken::Ignored,
         }

@@ -1,0 +1,90 @@
+//! What to do next.
+
+use super::{Attempt, LESSON, Mastery, Trend, beliefs, reviews, topics};
+
+/// How many of the last attempts count as lately.
+const LATELY: usize = 10;
+
+/// What to do next, in a sentence or two. What is worth most comes first: a belief
+/// that is still held, then what is due (at `now_s`, where the time is known), then
+/// what the player was sure of and missed, then the topic that went worst lately.
+pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
+    if attempts.is_empty() {
+        return "Play a round of the quiz: ten hits, and no answer is wasted.".into();
+    }
+    let held = beliefs(attempts)
+        .into_iter()
+        .find(|belief| belief.trend() != Trend::Gone && belief.since >= 2);
+    if let Some(belief) = held {
+        return belief.misconception.advice.to_owned();
+    }
+    let reviews = reviews(attempts);
+    let due = |now_s| reviews.iter().find(|review| review.is_due(now_s));
+    if let Some(review) = now_s.and_then(due) {
+        return match review.family.as_str() {
+            LESSON => format!("Due again, among the chapters: {}.", review.topic),
+            _ => format!(
+                "Due again: {}. A round of the quiz brings it back.",
+                review.topic
+            ),
+        };
+    }
+    let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
+    if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
+        return format!(
+            "You were sure, and it came out otherwise: {}. Set that hit up in the lab and \
+             watch it from the contact on.",
+            missed.topic
+        );
+    }
+    let topics = topics(attempts);
+    let weakest = topics
+        .iter()
+        .filter(|topic| topic.mastery() != Mastery::Solid)
+        .min_by(|a, b| {
+            let share = |topic: &super::Topic| topic.lately.share_right().unwrap_or(1.0);
+            share(a).total_cmp(&share(b))
+        });
+    match weakest {
+        Some(topic) => format!("What has the most to give you now: {}.", topic.name),
+        None => "All you have met is solid. Try the levels, or a game at the table.".into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tally::tests::attempt;
+    use super::*;
+    use crate::quiz::{Confidence, Misconception};
+
+    #[test]
+    fn what_is_worth_most_comes_first() {
+        let mut attempts = Vec::new();
+        let mut says = |attempt: Option<Attempt>, now_s| {
+            attempts.extend(attempt);
+            advice(&attempts, now_s)
+        };
+        assert!(says(None, None).contains("Play a round"));
+        assert!(says(Some(attempt("a", 9.0)), None).contains("most to give you now: a"));
+        let sure = Attempt {
+            confidence: Some(Confidence::Sure),
+            time_s: Some(1000),
+            ..attempt("b", 9.0)
+        };
+        assert!(says(Some(sure), None).contains("came out otherwise: b"));
+        assert!(says(None, Some(1000)).contains("Due again: b"));
+        let held = Attempt {
+            misconception: Some("swapped".into()),
+            ..attempt("b", 9.0)
+        };
+        says(Some(held.clone()), None);
+        let swapped = Misconception::with_id("swapped").unwrap();
+        assert_eq!(says(Some(held), None), swapped.advice);
+    }
+
+    #[test]
+    fn whoever_knows_it_all_is_sent_on() {
+        let attempts = vec![attempt("a", 0.0); 5];
+        assert!(advice(&attempts, None).contains("Try the levels"));
+    }
+}

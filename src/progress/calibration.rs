@@ -1,0 +1,122 @@
+//! How well confidence and answers go together.
+
+use super::{Attempt, Tally};
+use crate::quiz::Confidence;
+
+/// Fewest answers of a confidence that say something about it.
+const ENOUGH: usize = 3;
+
+/// What became of the answers of one confidence.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Calibrated {
+    /// The confidence.
+    pub confidence: Confidence,
+    /// The answers.
+    pub tally: Tally,
+}
+
+impl Calibrated {
+    /// The shares of right answers, from and to, for which this confidence is the one
+    /// that brings most points: [`Confidence::points`] says why.
+    pub const fn honest(confidence: Confidence) -> (f64, f64) {
+        match confidence {
+            Confidence::Guess => (0.0, 0.5),
+            Confidence::ThinkSo => (0.5, 0.8),
+            Confidence::Sure => (0.8, 1.0),
+        }
+    }
+
+    /// How far the share of right answers lies beyond what this confidence is for:
+    /// above 0 if there were more of them, below if fewer, 0 if it fits or if too few
+    /// answers were given to tell.
+    pub fn beyond(&self) -> f64 {
+        let (from, to) = Self::honest(self.confidence);
+        match self.tally.share_right() {
+            Some(share) if self.tally.attempts >= ENOUGH => {
+                (share - to).max(0.0) - (from - share).max(0.0)
+            }
+            _ => 0.0,
+        }
+    }
+}
+
+/// What became of the answers of each confidence, from the least.
+pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
+    Confidence::ALL.map(|confidence| Calibrated {
+        confidence,
+        tally: Tally::of(
+            attempts
+                .iter()
+                .filter(|it| it.confidence == Some(confidence)),
+        ),
+    })
+}
+
+/// What to make of it, in a sentence or two.
+pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
+    let [guess, think_so, sure] = calibration;
+    if sure.beyond() < 0.0 {
+        "You are sure a little too often. Before you say \"sure\", ask what would have to \
+         be true for you to be wrong."
+    } else if guess.beyond() > 0.0 || think_so.beyond() > 0.0 {
+        "You know more than you trust yourself to: what you call a guess is right more \
+         often than that."
+    } else if think_so.beyond() < 0.0 {
+        "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
+         and it is where learning starts."
+    } else if calibration.iter().any(|it| it.tally.attempts >= ENOUGH) {
+        "You judge well what you know. That is a skill of its own."
+    } else {
+        "A few more answers, and this will say how well you judge what you know."
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tally::tests::attempt;
+    use super::*;
+
+    fn calibrated(confidence: Confidence, right: usize, wrong: usize) -> [Calibrated; 3] {
+        let errors = std::iter::repeat_n(0.0, right).chain(std::iter::repeat_n(20.0, wrong));
+        let attempts: Vec<_> = errors
+            .map(|error| Attempt {
+                confidence: Some(confidence),
+                ..attempt("a", error)
+            })
+            .collect();
+        calibration(&attempts)
+    }
+
+    #[test]
+    fn the_honest_share_is_the_one_that_pays_most() {
+        for confidence in Confidence::ALL {
+            let (from, to) = Calibrated::honest(confidence);
+            for share in [from + 0.01, f64::midpoint(from, to), to - 0.01] {
+                for other in Confidence::ALL {
+                    assert!(confidence.points(share) >= other.points(share));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn words_follow_from_the_shares() {
+        use Confidence::{Guess, Sure, ThinkSo};
+        for (confidence, right, wrong, says) in [
+            (Sure, 3, 2, "too often"),
+            (Sure, 4, 1, "judge well"),
+            (Guess, 4, 1, "more than you trust"),
+            (Guess, 1, 4, "judge well"),
+            (ThinkSo, 1, 4, "less than half"),
+            (ThinkSo, 2, 1, "judge well"),
+            (ThinkSo, 5, 0, "more than you trust"),
+            (Sure, 0, 1, "A few more answers"),
+        ] {
+            let words = calibration_words(&calibrated(confidence, right, wrong));
+            assert!(
+                words.contains(says),
+                "{confidence:?} {right}:{wrong} {words}"
+            );
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Attempts for other programs: a table, or JSON.
+
+use std::borrow::Cow;
+use std::time::{Duration, UNIX_EPOCH};
+
+use serde_json::{Value, json};
+
+use super::{Attempt, Tally, advice, beliefs, calibration, topics};
+use crate::quiz::Confidence;
+
+/// The heads of the columns.
+const COLUMNS: [&str; 14] = [
+    "time",
+    "player",
+    "family",
+    "topic",
+    "seed",
+    "number",
+    "question",
+    "answer",
+    "truth",
+    "error_deg",
+    "credit",
+    "right",
+    "confidence",
+    "misconception",
+];
+
+/// The attempts as comma-separated values, one a row under a row of heads, as
+/// RFC 4180 has them. A text that a spreadsheet would take for a formula gets an
+/// apostrophe before it, which makes it plain text there.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    let told = |error: csv::Error| error.to_string();
+    table.write_record(COLUMNS).map_err(told)?;
+    for attempt in attempts {
+        let number = |number: f64| number.to_string();
+        let cells: [Cow<str>; 14] = [
+            attempt.time_s.and_then(time).unwrap_or_default().into(),
+            plain(&attempt.player),
+            plain(&attempt.family),
+            plain(&attempt.topic),
+            attempt.seed.to_string().into(),
+            attempt.number.to_string().into(),
+            plain(&attempt.question),
+            plain(&attempt.answer),
+            plain(&attempt.truth),
+            attempt.error_deg.map(number).unwrap_or_default().into(),
+            number(attempt.credit).into(),
+            if attempt.right { "yes" } else { "no" }.into(),
+            attempt.confidence.map_or("", Confidence::id).into(),
+            plain(attempt.misconception.as_deref().unwrap_or_default()),
+        ];
+        table
+            .write_record(cells.iter().map(AsRef::as_ref))
+            .map_err(told)?;
+    }
+    let bytes = table.into_inner().map_err(|error| error.to_string())?;
+    String::from_utf8(bytes).map_err(|error| error.to_string())
+}
+
+/// A text that no spreadsheet takes for a formula.
+fn plain(text: &str) -> Cow<'_, str> {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        format!("'{text}").into()
+    } else {
+        text.into()
+    }
+}
+
+/// A time in seconds since 1970 began, as 2026-11-21T10:00:00Z; `None` outside the
+/// years 1970 to 9999.
+fn time(time_s: i64) -> Option<String> {
+    const YEAR_10000: u64 = 253_402_300_800;
+    let seconds = u64::try_from(time_s).ok().filter(|it| *it < YEAR_10000)?;
+    let time = UNIX_EPOCH + Duration::from_secs(seconds);
+    Some(humantime::format_rfc3339_seconds(time).to_string())
+}
+
+/// The attempts as one JSON object, with what follows from them.
+pub fn json(attempts: &[Attempt], now_s: Option<i64>) -> Value {
+    let tally = |tally: &Tally| {
+        json!({
+            "attempts": tally.attempts,
+            "right": tally.right,
+            "mean_error_deg": tally.mean_error_deg(),
+        })
+    };
+    let topics: Vec<_> = topics(attempts)
+        .iter()
+        .map(|topic| {
+            json!({
+                "topic": topic.name,
+                "mastery": topic.mastery().name(),
+                "all": tally(&topic.all),
+                "lately": tally(&topic.lately),
+            })
+        })
+        .collect();
+    let calibration: Vec<_> = calibration(attempts)
+        .iter()
+        .map(|it| {
+            json!({
+                "confidence": it.confidence.id(),
+                "attempts": it.tally.attempts,
+                "right": it.tally.right,
+            })
+        })
+        .collect();
+    let beliefs: Vec<_> = beliefs(attempts)
+        .iter()
+        .map(|belief| {
+            json!({
+                "misconception": belief.misconception.id,
+                "before": belief.before,
+                "since": belief.since,
+                "trend": belief.trend().name(),
+            })
+        })
+        .collect();
+    json!({
+        "summary": {
+            "all": tally(&Tally::of(attempts)),
+            "topics": topics,
+            "calibration": calibration,
+            "misconceptions": beliefs,
+            "next": advice(attempts, now_s),
+        },
+        "attempts": attempts.iter().map(attempt).collect::<Vec<_>>(),
+    })
+}
+
+fn attempt(attempt: &Attempt) -> Value {
+    let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
+    json!({
+        "time": attempt.time_s.and_then(time),
+        "player": attempt.player,
+        "family": attempt.family,
+        "topic": attempt.topic,
+        "seed": attempt.seed,
+        "number": attempt.number,
+        "question": figures(&attempt.question),
+        "answer": figures(&attempt.answer),
+        "truth": figures(&attempt.truth),
+        "error_deg": attempt.error_deg,
+        "credit": attempt.credit,
+        "right": attempt.right,
+        "confidence": attempt.confidence.map(Confidence::id),
+        "misconception": attempt.misconception,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tally::tests::attempt;
+    use super::*;
+
+    #[test]
+    fn no_name_breaks_the_table_or_becomes_a_formula() {
+        let names = [
+            "=1+1",
+            "+1",
+            "-1",
+            "@SUM(A1)",
+            "\tx",
+            "\rx",
+            "a \"quote\", and\nanother line\r\n",
+            "\u{202e}\u{0}\u{1b}[2J 球",
+            &"ä".repeat(10_000),
+        ];
+        let attempts = names.map(|name| Attempt {
+            player: name.into(),
+            topic: name.into(),
+            misconception: Some(name.into()),
+            ..attempt("a", 3.0)
+        });
+        let text = csv(&attempts).unwrap();
+        let mut table = csv::Reader::from_reader(text.as_bytes());
+        assert_eq!(table.headers().unwrap(), COLUMNS.as_slice());
+        let rows: Vec<_> = table.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), names.len());
+        for (row, name) in rows.iter().zip(names) {
+            for column in [1, 3, 13] {
+                let cell = &row[column];
+                assert!(!cell.starts_with(['=', '+', '-', '@', '\t', '\r']));
+                assert_eq!(cell.strip_prefix('\'').unwrap_or(cell), name);
+            }
+            assert_eq!(&row[9], "3");
+        }
+        let read: Value = serde_json::from_str(&json(&attempts, None).to_string()).unwrap();
+        for (i, name) in names.iter().enumerate() {
+            assert_eq!(read["attempts"][i]["player"], *name);
+        }
+    }
+
+    #[test]
+    fn times_are_told_in_utc() {
+        assert_eq!(time(0).as_deref(), Some("1970-01-01T00:00:00Z"));
+        assert_eq!(time(951_782_400).as_deref(), Some("2000-02-29T00:00:00Z"));
+        for never in [-1, i64::MIN, i64::MAX] {
+            assert_eq!(time(never), None);
+        }
+    }
+
+    #[test]
+    fn the_summary_counts_the_attempts() {
+        let attempts = [attempt("a", 2.0), attempt("b", 10.0)];
+        let read = json(&attempts, None);
+        assert_eq!(read["summary"]["all"]["attempts"], 2);
+        assert_eq!(read["summary"]["all"]["right"], 1);
+        assert_eq!(read["summary"]["all"]["mean_error_deg"], 6.0);
+        assert_eq!(read["summary"]["topics"][1]["topic"], "b");
+        assert!(json(&[], None)["summary"]["all"]["mean_error_deg"].is_null());
+    }
+}

@@ -1,0 +1,28 @@
+//! What a player has done: every answer ever given, and what follows from them.
+//!
+//! An [`Attempt`] is one answer with all that is known of it, whatever asked for it.
+//! Everything else here is worked out from the attempts of a player, in the order in
+//! which they were made, and never stored: a [`Tally`] of any of them, how each
+//! [`Topic`] stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
+//! together, which [`Belief`]s were held and whether they fade, what is due for
+//! [`review`](reviews), and what to do next.
+
+mod advice;
+mod attempt;
+mod beliefs;
+mod calibration;
+mod export;
+mod schedule;
+mod star;
+mod tally;
+mod topics;
+
+pub use advice::advice;
+pub use attempt::{Attempt, LESSON, angles};
+pub use beliefs::{Belief, Trend, beliefs};
+pub use calibration::{Calibrated, calibration, calibration_words};
+pub use export::{csv, json};
+pub use schedule::{DAY_S, Review, reviews};
+pub use star::Starred;
+pub use tally::{Tally, smoothed_errors_deg};
+pub use topics::{LATELY, Mastery, Topic, topics};

@@ -1,0 +1,103 @@
+//! Attempts counted.
+
+use super::Attempt;
+
+/// Attempts counted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tally {
+    /// How many.
+    pub attempts: usize,
+    /// How many of them were right.
+    pub right: usize,
+    /// Sum of the errors in degrees, and of how many.
+    errors: (f64, usize),
+}
+
+impl Tally {
+    /// Counts these.
+    pub fn of<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Self {
+        let mut tally = Self::default();
+        for attempt in attempts {
+            tally.attempts += 1;
+            tally.right += usize::from(attempt.right);
+            if let Some(error) = attempt.error_deg {
+                tally.errors.0 += error;
+                tally.errors.1 += 1;
+            }
+        }
+        tally
+    }
+
+    /// Which share of them was right, 0 to 1; `None` if there are none.
+    pub fn share_right(&self) -> Option<f64> {
+        (self.attempts > 0).then(|| self.right as f64 / self.attempts as f64)
+    }
+
+    /// The mean angle error in degrees; `None` if no answer had one.
+    pub fn mean_error_deg(&self) -> Option<f64> {
+        let (sum, count) = self.errors;
+        (count > 0).then(|| sum / count as f64)
+    }
+}
+
+/// Of every attempt that has an angle error its number from 1, the error in degrees,
+/// and the mean of that and of up to `reach` − 1 errors before it.
+pub fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f64, f64)> {
+    let with_error = |(i, attempt): (usize, &Attempt)| Some((i + 1, attempt.error_deg?));
+    let errors: Vec<_> = attempts.iter().enumerate().filter_map(with_error).collect();
+    let smoothed = |i: usize| {
+        let window = &errors[(i + 1).saturating_sub(reach.max(1))..=i];
+        let (number, error) = errors[i];
+        let sum: f64 = window.iter().map(|(_, error)| error).sum();
+        (number, error, sum / window.len() as f64)
+    };
+    (0..errors.len()).map(smoothed).collect()
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::quiz::Confidence;
+
+    /// An attempt of "Ada" at this topic, right if its error is at most 4°.
+    pub(crate) fn attempt(topic: &str, error_deg: f64) -> Attempt {
+        Attempt {
+            time_s: None,
+            player: "Ada".into(),
+            family: "where-to".into(),
+            topic: topic.into(),
+            seed: 7,
+            number: 1,
+            question: "{}".into(),
+            answer: "{}".into(),
+            truth: "{}".into(),
+            error_deg: Some(error_deg),
+            credit: 0.5,
+            right: error_deg <= 4.0,
+            confidence: Some(Confidence::ThinkSo),
+            misconception: None,
+        }
+    }
+
+    #[test]
+    fn shares_and_means() {
+        let all = [attempt("a", 2.0), attempt("a", 10.0), attempt("a", 0.0)];
+        let tally = Tally::of(&all);
+        assert_eq!((tally.attempts, tally.right), (3, 2));
+        assert!((tally.share_right().unwrap() - 2.0 / 3.0).abs() < 1e-12);
+        assert!((tally.mean_error_deg().unwrap() - 4.0).abs() < 1e-12);
+        assert_eq!(Tally::default().share_right(), None);
+        assert_eq!(Tally::default().mean_error_deg(), None);
+    }
+
+    #[test]
+    fn what_has_no_error_is_left_out_of_the_mean_alone() {
+        let mut still = attempt("a", 0.0);
+        still.error_deg = None;
+        let all = [attempt("a", 6.0), still, attempt("a", 8.0)];
+        assert!((Tally::of(&all).mean_error_deg().unwrap() - 7.0).abs() < 1e-12);
+        let smoothed = smoothed_errors_deg(&all, 5);
+        assert_eq!(smoothed, [(1, 6.0, 6.0), (3, 8.0, 7.0)]);
+        assert_eq!(smoothed_errors_deg(&all, 0)[1], (3, 8.0, 8.0));
+    }
+}

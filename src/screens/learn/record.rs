@@ -1,0 +1,94 @@
+//! What is kept of an answer at a checkpoint.
+
+use serde_json::{Value, json};
+
+use super::Answer;
+use super::answer::{sign_and_unit, truth};
+use crate::lessons::{Asked, Chapter, Checkpoint};
+use crate::physics::Collision;
+use crate::physics::units::deg_from_rad;
+use crate::progress::{Attempt, LESSON, angles};
+use crate::quiz::{Ray, Rays};
+
+/// An answer to the checkpoint of page `at` (from 0), marked; `figure` is the collision
+/// as the page's figure has it.
+pub(super) fn attempt(
+    player: &str,
+    chapter: &Chapter,
+    at: usize,
+    answer: &Answer,
+    checkpoint: &Checkpoint,
+    figure: Option<&Collision>,
+) -> Attempt {
+    let (asked, truth) = truly(&checkpoint.asked, figure);
+    let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
+    let question = json!({"chapter": chapter.id, "page": number, "asked": asked});
+    Attempt {
+        time_s: None,
+        player: player.to_owned(),
+        family: LESSON.to_owned(),
+        topic: chapter.title.clone(),
+        seed: 0,
+        number,
+        question: question.to_string(),
+        answer: said(answer).to_string(),
+        truth: truth.to_string(),
+        error_deg: error_deg(answer, &checkpoint.asked, figure),
+        credit: answer.credit(checkpoint, figure),
+        right: answer.is_right(checkpoint, figure),
+        confidence: None,
+        misconception: None,
+    }
+}
+
+fn said(answer: &Answer) -> Value {
+    match answer {
+        Answer::Rays(rays) => angles(rays),
+        Answer::Number(number) => json!({"number": number}),
+        Answer::Choice(line) => json!({"choice": line + 1}),
+    }
+}
+
+/// How the answer is given, and the right one.
+fn truly(asked: &Asked, figure: Option<&Collision>) -> (&'static str, Value) {
+    match asked {
+        Asked::Rays => (
+            "rays",
+            true_rays(figure).map_or(Value::Null, |rays| angles(&rays)),
+        ),
+        Asked::Number { expected, .. } => {
+            let (_, unit) = sign_and_unit(expected);
+            let number = truth(expected, figure);
+            ("number", json!({"number": number, "unit": unit}))
+        }
+        Asked::Choice(choices) => {
+            let right = choices.iter().position(|choice| choice.right);
+            ("choice", json!({"choice": right.map(|line| line + 1)}))
+        }
+    }
+}
+
+fn true_rays(figure: Option<&Collision>) -> Option<Rays> {
+    figure.map(|collision| Rays::from(&collision.outcome()))
+}
+
+/// How far off the angle was, or of both rays the one furthest off.
+fn error_deg(answer: &Answer, asked: &Asked, figure: Option<&Collision>) -> Option<f64> {
+    match (answer, asked) {
+        (Answer::Rays(rays), Asked::Rays) => {
+            let truth = true_rays(figure)?;
+            let errors = Ray::BOTH.map(|ray| rays.apart(&truth, ray));
+            errors
+                .into_iter()
+                .flatten()
+                .reduce(f64::max)
+                .map(deg_from_rad)
+        }
+        (Answer::Number(number), Asked::Number { expected, .. }) => {
+            let (_, unit) = sign_and_unit(expected);
+            let error = (number - truth(expected, figure)?).abs();
+            (unit == "°").then_some(error)
+        }
+        _ => None,
+    }
+}

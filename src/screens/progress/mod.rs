@@ -1,0 +1,265 @@
+//! What the player has done so far: how far off the answers were as time went by, how
+//! each topic stands, whether confidence and answers go together, which misconceptions
+//! fade, and what to do next.
+
+mod beliefs;
+mod over_time;
+mod page;
+mod sure;
+mod topics;
+mod words;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Context, Help, Hint, Next, Place, Screen};
+use crate::messages::{Done, History, Input, Key, Mouse, MouseKind, Wish};
+use crate::widgets::{Beside, Lines, Look, Role, Scroll};
+use page::Page;
+
+/// Rows that a page is turned by.
+const LEAF: i16 = 8;
+/// Columns from which on the panel need not be narrow.
+const NARROW: u16 = 80;
+/// Columns of the panel on a narrow screen, where the tables need the room.
+const NARROW_PANEL: u16 = 26;
+
+/// The screen.
+#[derive(Debug, Clone)]
+pub struct Progress {
+    history: Loaded,
+    page: Page,
+    scroll: Scrolls,
+}
+
+/// What the player has done, as far as it is known here.
+#[derive(Debug, Clone)]
+enum Loaded {
+    /// It has been asked for with this ticket.
+    Asked(u64),
+    /// Nobody can say, and why.
+    Unknown(String),
+    /// This.
+    Known(Box<History>),
+}
+
+/// How far both sides are scrolled.
+#[derive(Debug, Clone, Copy, Default)]
+struct Scrolls {
+    picture: Scroll,
+    panel: Scroll,
+}
+
+impl Progress {
+    /// The screen, with what the player has done asked for.
+    pub fn ask(cx: &mut Context) -> Self {
+        let player = cx.settings.player.clone();
+        let ticket = cx.ask(Wish::Recall(Some(player)));
+        Self {
+            history: Loaded::Asked(ticket),
+            page: Page::OverTime,
+            scroll: Scrolls::default(),
+        }
+    }
+
+    /// What was done, where there is something.
+    fn history(&self) -> Option<&History> {
+        match &self.history {
+            Loaded::Known(history) if !history.attempts.is_empty() => Some(history),
+            _ => None,
+        }
+    }
+
+    fn turn_to(&mut self, page: Page) {
+        self.page = page;
+        self.scroll = Scrolls::default();
+    }
+
+    fn scroll_by(&mut self, rows: i16, cx: &Context) {
+        let look = cx.settings.look();
+        let layout = layout(cx.body);
+        let mut scroll = self.scroll;
+        let table = |lines: &mut Lines| self.table(lines);
+        let panel = |lines: &mut Lines| self.panel(lines);
+        scroll.picture.by(rows, layout.picture, look, table);
+        scroll.panel.by(rows, layout.panel, look, panel);
+        self.scroll = scroll;
+    }
+
+    fn key(&mut self, key: Key, cx: &Context) -> Next {
+        match key {
+            Key::Tab | Key::Right => self.turn_to(self.page.beside(1)),
+            Key::BackTab | Key::Left => self.turn_to(self.page.beside(-1)),
+            Key::Char(digit @ '1'..='4') => {
+                self.turn_to(Page::ALL[usize::from(digit as u8 - b'1')]);
+            }
+            Key::Up => self.scroll_by(-1, cx),
+            Key::Down => self.scroll_by(1, cx),
+            Key::PageUp => self.scroll_by(-LEAF, cx),
+            Key::PageDown => self.scroll_by(LEAF, cx),
+            Key::Enter => return Next::Replace(Place::Quiz { seed: None }),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
+        match mouse.kind {
+            MouseKind::ScrollUp => self.scroll_by(-1, cx),
+            MouseKind::ScrollDown => self.scroll_by(1, cx),
+            MouseKind::Down => self.turn_to(self.page.beside(1)),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    /// Writes the left side, where it is not a plot.
+    fn table(&self, lines: &mut Lines) {
+        let Some(history) = self.history() else {
+            return self.nothing(lines);
+        };
+        match self.page {
+            Page::OverTime => {}
+            Page::Topics => topics::table(history, lines),
+            Page::Sure => sure::table(history, lines),
+            Page::Beliefs => beliefs::table(history, lines),
+        }
+    }
+
+    /// What to say where there is nothing to be shown.
+    fn nothing(&self, lines: &mut Lines) {
+        match &self.history {
+            Loaded::Asked(_) => lines.line("Looking …", Role::Dim),
+            Loaded::Unknown(reason) => {
+                let message = format!("What you have done cannot be looked at: {reason}.");
+                lines.paragraph(&message, Role::Warn);
+            }
+            Loaded::Known(_) => {
+                lines.paragraph(
+                    "Nothing here yet: every beginning is a clean board.",
+                    Role::Text,
+                );
+                lines.gap();
+                lines.paragraph(
+                    "Answer a few questions of the quiz, then come back. Here you will see \
+                     your answers come closer to the truth.",
+                    Role::Text,
+                );
+            }
+        }
+    }
+
+    /// Writes the right side.
+    fn panel(&self, lines: &mut Lines) {
+        if let Some(history) = self.history() {
+            match self.page {
+                Page::OverTime => over_time::panel(history, lines),
+                Page::Topics => topics::panel(history, lines),
+                Page::Sure => sure::panel(history, lines),
+                Page::Beliefs => beliefs::panel(history, lines),
+            }
+            lines.gap();
+        }
+        lines.paragraph("Enter: a round of the quiz.", Role::Key);
+    }
+
+    fn draw_picture(&self, area: Rect, buf: &mut Buffer, look: Look) {
+        match self.history() {
+            Some(history) if self.page == Page::OverTime => {
+                over_time::plot(history, area, buf, look);
+            }
+            _ => self
+                .scroll
+                .picture
+                .draw(area, buf, look, |lines| self.table(lines)),
+        }
+    }
+}
+
+fn layout(area: Rect) -> Beside {
+    if area.width < NARROW {
+        Beside::with_panel(area, NARROW_PANEL)
+    } else {
+        Beside::new(area)
+    }
+}
+
+impl Screen for Progress {
+    fn title(&self) -> String {
+        "progress".into()
+    }
+
+    fn status(&self, cx: &Context) -> String {
+        let player = words::brief(&cx.settings.player, 24);
+        match self.history() {
+            Some(history) => format!("{player}   {}", words::answers(history.attempts.len())),
+            None => player,
+        }
+    }
+
+    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Key(key) => self.key(*key, cx),
+            Input::Mouse(mouse) => self.mouse(mouse, cx),
+            Input::Kept(answer) => {
+                if let (Loaded::Asked(ticket), Done::Recalled(recalled)) =
+                    (&self.history, &answer.done)
+                    && *ticket == answer.ticket
+                {
+                    self.history = match recalled {
+                        Ok(history) => Loaded::Known(history.clone()),
+                        Err(reason) => Loaded::Unknown(reason.clone()),
+                    };
+                }
+                Next::Stay
+            }
+            _ => Next::Ignored,
+        }
+    }
+
+    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+        let look = cx.settings.look();
+        let layout = layout(area);
+        let (picture, panel) = match self.history() {
+            Some(_) => self.page.titles(),
+            None => ("your progress", "what next"),
+        };
+        layout.draw(buf, &look, picture, panel);
+        self.draw_picture(layout.picture, buf, look);
+        let write = |lines: &mut Lines| self.panel(lines);
+        self.scroll.panel.draw(layout.panel, buf, look, write);
+    }
+
+    fn keys(&self, _cx: &Context) -> Vec<Hint> {
+        let mut keys = Vec::new();
+        if self.history().is_some() {
+            keys.extend([
+                Hint::new("Tab", "next page"),
+                Hint::new("1-4", "page"),
+                Hint::new("Up Down", "scroll"),
+            ]);
+        }
+        keys.extend([Hint::new("Enter", "quiz"), Hint::new("Esc", "back")]);
+        keys
+    }
+
+    fn help(&self, _cx: &Context) -> Help {
+        Help {
+            text: vec![
+                "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
+                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately. How sure: the honest range is the one in which that confidence brings most points. Beliefs: what your wrong answers had in common, in the first half of all answers and in the second.",
+                "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
+                "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json.",
+            ],
+            keys: vec![
+                Hint::new("Tab Right", "next page"),
+                Hint::new("Left", "page before"),
+                Hint::new("1-4", "over time, topics, how sure, beliefs"),
+                Hint::new("Up Down", "scroll what is longer than its place"),
+                Hint::new("PageUp PageDown", "the same by eight rows"),
+                Hint::new("Enter", "a round of the quiz"),
+                Hint::new("mouse", "wheel: scroll; click: next page"),
+            ],
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! The pages of the screen.
+
+/// A page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Page {
+    /// How far off the answers were as time went by.
+    OverTime,
+    /// How each topic stands.
+    Topics,
+    /// Whether confidence and answers go together.
+    Sure,
+    /// Which misconceptions were held.
+    Beliefs,
+}
+
+impl Page {
+    pub(super) const ALL: [Self; 4] = [Self::OverTime, Self::Topics, Self::Sure, Self::Beliefs];
+
+    /// The page so many after this one, round and round.
+    pub(super) fn beside(self, steps: isize) -> Self {
+        let count = Self::ALL.len() as isize;
+        let at = (self as isize + steps).rem_euclid(count);
+        Self::ALL[at as usize]
+    }
+
+    /// Titles of the picture and of the panel.
+    pub(super) const fn titles(self) -> (&'static str, &'static str) {
+        match self {
+            Self::OverTime => ("1 how far off, over time", "all in all"),
+            Self::Topics => ("2 topics", "what is due"),
+            Self::Sure => ("3 how sure, and how right", "what it says"),
+            Self::Beliefs => ("4 what you believed", "what helps"),
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! Every answer and every level won, in an SQLite database.
+//!
+//! Several carroms may use it at once, any of them may be killed at any moment, and
+//! the file may be damaged or of another version. So:
+//!
+//! - it is opened for one thing at a time, which is one transaction, and that has come
+//!   to the disk when it is done (write-ahead log, `synchronous = FULL`);
+//! - who waits for another is patient, and tries again;
+//! - a damaged database is set aside under another name, where it can still be looked
+//!   at, and a new one takes its place;
+//! - one that a newer carrom has written is refused, and not a byte of it is changed.
+//!
+//! It is not touched before it is first needed: carrom starts no slower for it.
+
+mod schema;
+mod tables;
+mod trouble;
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rusqlite::{Connection, Transaction, TransactionBehavior};
+
+use super::turn::Turn;
+use crate::progress::{Attempt, Starred};
+use trouble::Trouble;
+
+/// How long SQLite waits by itself for others.
+const WAIT: Duration = Duration::from_secs(2);
+/// For how long what is busy is tried again.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// The file that stands for the right to use the database, or to set it aside.
+const LOCK: &str = ".progress.lock";
+
+/// Where progress is kept.
+pub(super) struct Database {
+    place: Place,
+    /// Whether it was looked through by this process.
+    checked: bool,
+    notice: Option<String>,
+}
+
+enum Place {
+    /// Gone with the process; opened when it is first needed.
+    Memory(Option<Connection>),
+    /// `progress.db` in this folder.
+    Folder(PathBuf),
+}
+
+impl Database {
+    /// A database that is gone with the process.
+    pub(super) fn in_memory() -> Self {
+        Self::at(Place::Memory(None))
+    }
+
+    /// A database in `folder`; both are made when there is first something to keep.
+    pub(super) fn in_folder(folder: PathBuf) -> Self {
+        Self::at(Place::Folder(folder))
+    }
+
+    fn at(place: Place) -> Self {
+        Self {
+            place,
+            checked: false,
+            notice: None,
+        }
+    }
+
+    /// What the player should know of it, once.
+    pub(super) fn take_notice(&mut self) -> Option<String> {
+        self.notice.take()
+    }
+
+    /// Keeps an answer.
+    pub(super) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
+        self.run(TransactionBehavior::Immediate, |transaction| {
+            tables::insert_attempt(transaction, attempt)
+        })
+    }
+
+    /// All answers of a player, or of everyone, in the order in which they were kept.
+    pub(super) fn attempts(&mut self, player: Option<&str>) -> Result<Vec<Attempt>, String> {
+        if self.is_nowhere() {
+            return Ok(Vec::new());
+        }
+        self.run(TransactionBehavior::Deferred, |transaction| {
+            tables::attempts(transaction, player)
+        })
+    }
+
+    /// Keeps the stars of a player's level, unless there are as many already.
+    pub(super) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
+        self.run(TransactionBehavior::Immediate, |transaction| {
+            tables::upsert_star(transaction, player, starred)
+        })
+    }
+
+    /// The stars of all levels that a player has won.
+    pub(super) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
+        if self.is_nowhere() {
+            return Ok(Vec::new());
+        }
+        self.run(TransactionBehavior::Deferred, |transaction| {
+            tables::stars(transaction, player)
+        })
+    }
+
+    /// Whether there is no database yet, and so nothing to be found in it.
+    fn is_nowhere(&self) -> bool {
+        match &self.place {
+            Place::Memory(_) => false,
+            Place::Folder(folder) => matches!(fs::exists(path(folder)), Ok(false)),
+        }
+    }
+
+    /// Does something as one transaction. If it fails, nothing of it is done.
+    fn run<T>(
+        &mut self,
+        behavior: TransactionBehavior,
+        act: impl Fn(&Transaction) -> rusqlite::Result<T>,
+    ) -> Result<T, String> {
+        let start = Instant::now();
+        let mut set_aside = false;
+        loop {
+            match self.try_once(behavior, &act) {
+                Ok(result) => return Ok(result),
+                Err(trouble) if trouble.is_busy() && start.elapsed() < PATIENCE => {
+                    thread::sleep(Duration::from_millis(10));
+                }
+                Err(trouble) if trouble.is_damage() && !set_aside => {
+                    set_aside = true;
+                    self.set_aside().map_err(|trouble| self.told(&trouble))?;
+                }
+                Err(trouble) => return Err(self.told(&trouble)),
+            }
+        }
+    }
+
+    fn try_once<T>(
+        &mut self,
+        behavior: TransactionBehavior,
+        act: &impl Fn(&Transaction) -> rusqlite::Result<T>,
+    ) -> Result<T, Trouble> {
+        let folder = match &mut self.place {
+            Place::Folder(folder) => folder,
+            Place::Memory(Some(connection)) => return transact(connection, behavior, act),
+            Place::Memory(empty) => {
+                let mut connection = Connection::open_in_memory()?;
+                schema::prepare(&mut connection)?;
+                return transact(empty.insert(connection), behavior, act);
+            }
+        };
+        // Nobody sets it aside meanwhile: what is done must be found again.
+        let _turn = Turn::shared(folder, LOCK)?;
+        let mut connection = open(folder)?;
+        if !self.checked {
+            schema::check(&connection)?;
+            self.checked = true;
+        }
+        transact(&mut connection, behavior, act)
+    }
+
+    /// Gives a damaged database another name.
+    fn set_aside(&mut self) -> Result<(), Trouble> {
+        let Place::Folder(folder) = &self.place else {
+            return Ok(());
+        };
+        let _turn = Turn::alone(folder, LOCK)?;
+        // Another carrom may have done so before.
+        let opened = open(folder).and_then(|connection| schema::check(&connection));
+        let Err(trouble) = opened else {
+            return Ok(());
+        };
+        if !trouble.is_damage() {
+            return Err(trouble);
+        }
+        let name = free_name(folder);
+        // What belongs to it goes first: a new database must not find it.
+        for ending in ["-wal", "-shm", ""] {
+            let from = folder.join(format!("{NAME}{ending}"));
+            let to = folder.join(format!("{name}{ending}"));
+            match fs::rename(from, to) {
+                Err(error) if error.kind() != ErrorKind::NotFound => return Err(error.into()),
+                _ => {}
+            }
+        }
+        self.notice = Some(format!(
+            "{} was damaged: {trouble}. It is set aside as {name}, and what you do from \
+             now on is kept in a new one.",
+            path(folder).display(),
+        ));
+        Ok(())
+    }
+
+    fn told(&self, trouble: &Trouble) -> String {
+        match &self.place {
+            Place::Memory(_) => trouble.to_string(),
+            Place::Folder(folder) => format!("{}: {trouble}", path(folder).display()),
+        }
+    }
+}
+
+/// The name of the database.
+const NAME: &str = "progress.db";
+
+fn path(folder: &Path) -> PathBuf {
+    folder.join(NAME)
+}
+
+/// A name for a damaged database that nothing has yet.
+fn free_name(folder: &Path) -> String {
+    let name = |number: u32| format!("progress-damaged-{number}.db");
+    let is_free = |name: &String| !matches!(fs::exists(folder.join(name)), Ok(true));
+    (1..).map(name).find(is_free).unwrap_or_else(|| name(0))
+}
+
+/// Opens the database and brings it to the present version.
+fn open(folder: &Path) -> Result<Connection, Trouble> {
+    let mut connection = Connection::open(path(folder))?;
+    connection.busy_timeout(WAIT)?;
+    schema::prepare(&mut connection)?;
+    Ok(connection)
+}
+
+fn transact<T>(
+    connection: &mut Connection,
+    behavior: TransactionBehavior,
+    act: impl Fn(&Transaction) -> rusqlite::Result<T>,
+) -> Result<T, Trouble> {
+    let transaction = connection.transaction_with_behavior(behavior)?;
+    let result = act(&transaction)?;
+    transaction.commit()?;
+    Ok(result)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,70 @@
+//! The versions of the database.
+//!
+//! `user_version` says which one a file has. A step leads from each version to the
+//! next and is never changed once it was released; a change is a new step.
+
+use rusqlite::config::DbConfig;
+use rusqlite::{Connection, TransactionBehavior};
+
+use super::tables;
+use super::trouble::Trouble;
+
+/// The steps, each to the version of its place, from 1.
+const STEPS: [&str; 1] = [include_str!("schema-1.sql")];
+
+/// The present version.
+pub(super) const VERSION: i64 = STEPS.len() as i64;
+
+/// Brings a database to the present version, unless it is a newer one.
+pub(super) fn prepare(connection: &mut Connection) -> Result<(), Trouble> {
+    // Closing must not move anything about in a file that is not ours to change.
+    let no_checkpoint = DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE;
+    connection.set_db_config(no_checkpoint, true)?;
+    let found = version(connection)?;
+    if found > VERSION {
+        return Err(Trouble::Newer(found));
+    }
+    connection.set_db_config(no_checkpoint, false)?;
+    connection.pragma_update(None, "journal_mode", "WAL")?;
+    connection.pragma_update(None, "synchronous", "FULL")?;
+    if found < VERSION {
+        upgrade(connection)?;
+    }
+    Ok(())
+}
+
+fn upgrade(connection: &mut Connection) -> Result<(), Trouble> {
+    let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
+    // Another carrom may have been first.
+    let found = version(&transaction)?;
+    let tables: i64 =
+        transaction.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get(0))?;
+    if found < 0 || (found == 0 && tables > 0) {
+        return Err(Trouble::Damaged("it is no database of carrom's".into()));
+    }
+    for step in STEPS
+        .iter()
+        .skip(usize::try_from(found).unwrap_or_default())
+    {
+        transaction.execute_batch(step)?;
+    }
+    if found < VERSION {
+        transaction.pragma_update(None, "user_version", VERSION)?;
+    }
+    transaction.commit()?;
+    Ok(())
+}
+
+fn version(connection: &Connection) -> Result<i64, Trouble> {
+    Ok(connection.query_row("PRAGMA user_version", [], |row| row.get(0))?)
+}
+
+/// Looks a database of the present version through, page by page.
+pub(super) fn check(connection: &Connection) -> Result<(), Trouble> {
+    let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
+    if found != "ok" {
+        return Err(Trouble::Damaged(found));
+    }
+    tables::check(connection)
+        .map_err(|_| Trouble::Damaged("its tables are not those of carrom".into()))
+}

@@ -1,0 +1,98 @@
+//! What is written to the tables and read from them.
+
+use rusqlite::{Connection, Row, named_params, params};
+
+use crate::progress::{Attempt, Starred};
+use crate::quiz::Confidence;
+
+const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, question, answer, \
+    truth, error_deg, credit, is_right, confidence, misconception \
+    FROM attempt WHERE :player IS NULL OR player = :player ORDER BY id";
+
+const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
+
+/// Fails unless both tables are there with all their columns.
+pub(super) fn check(connection: &Connection) -> rusqlite::Result<()> {
+    connection.prepare(ATTEMPTS)?;
+    connection.prepare(STARS)?;
+    Ok(())
+}
+
+pub(super) fn insert_attempt(connection: &Connection, attempt: &Attempt) -> rusqlite::Result<()> {
+    connection.execute(
+        "INSERT INTO attempt (time_s, player, family, topic, seed, number, question, answer, \
+         truth, error_deg, credit, is_right, confidence, misconception) \
+         VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)",
+        params![
+            attempt.time_s,
+            attempt.player,
+            attempt.family,
+            attempt.topic,
+            attempt.seed.cast_signed(),
+            attempt.number,
+            attempt.question,
+            attempt.answer,
+            attempt.truth,
+            attempt.error_deg,
+            attempt.credit,
+            attempt.right,
+            attempt.confidence.map(Confidence::id),
+            attempt.misconception,
+        ],
+    )?;
+    Ok(())
+}
+
+pub(super) fn attempts(
+    connection: &Connection,
+    player: Option<&str>,
+) -> rusqlite::Result<Vec<Attempt>> {
+    let mut statement = connection.prepare(ATTEMPTS)?;
+    let found = statement.query_map(named_params! {":player": player}, attempt)?;
+    found.collect()
+}
+
+fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
+    let confidence: Option<String> = row.get("confidence")?;
+    Ok(Attempt {
+        time_s: row.get("time_s")?,
+        player: row.get("player")?,
+        family: row.get("family")?,
+        topic: row.get("topic")?,
+        seed: row.get::<_, i64>("seed")?.cast_unsigned(),
+        number: row.get("number")?,
+        question: row.get("question")?,
+        answer: row.get("answer")?,
+        truth: row.get("truth")?,
+        error_deg: row.get("error_deg")?,
+        credit: row.get("credit")?,
+        right: row.get("is_right")?,
+        confidence: confidence.as_deref().and_then(Confidence::with_id),
+        misconception: row.get("misconception")?,
+    })
+}
+
+pub(super) fn upsert_star(
+    connection: &Connection,
+    player: &str,
+    starred: &Starred,
+) -> rusqlite::Result<()> {
+    connection.execute(
+        "INSERT INTO star (player, pack, level, stars) VALUES (?1, ?2, ?3, ?4) \
+         ON CONFLICT DO UPDATE SET stars = max(stars, excluded.stars)",
+        params![player, starred.pack, starred.level, starred.stars],
+    )?;
+    Ok(())
+}
+
+pub(super) fn stars(connection: &Connection, player: &str) -> rusqlite::Result<Vec<Starred>> {
+    let mut statement = connection.prepare(STARS)?;
+    let found = statement.query_map([player], |row| {
+        Ok(Starred {
+            pack: row.get("pack")?,
+            level: row.get("level")?,
+            stars: row.get("stars")?,
+        })
+    })?;
+    found.collect()
+}

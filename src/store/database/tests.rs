@@ -1,0 +1,270 @@
+use std::env;
+use std::process;
+
+use super::*;
+use crate::quiz::Confidence;
+
+/// An empty folder, removed when it is dropped.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let folder = env::temp_dir().join(format!("carrom-db-{name}-{}", process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).unwrap();
+        Self(folder)
+    }
+
+    fn database(&self) -> Database {
+        Database::in_folder(self.0.clone())
+    }
+
+    fn path(&self) -> PathBuf {
+        path(&self.0)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<_> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| !name.starts_with('.'))
+            .collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn attempt(player: &str, number: u32) -> Attempt {
+    Attempt {
+        time_s: Some(1_800_000_000),
+        player: player.into(),
+        family: "where-to".into(),
+        topic: "equal masses".into(),
+        seed: u64::MAX - 1,
+        number,
+        question: "{\"alpha_deg\":30}".into(),
+        answer: "{}".into(),
+        truth: "{}".into(),
+        error_deg: Some(0.1 + 0.2),
+        credit: 0.7,
+        right: true,
+        confidence: Some(Confidence::ThinkSo),
+        misconception: Some("swapped".into()),
+    }
+}
+
+fn starred(level: &str, stars: u8) -> Starred {
+    Starred {
+        pack: "first".into(),
+        level: level.into(),
+        stars,
+    }
+}
+
+#[test]
+fn what_is_kept_is_found_again_bit_for_bit() {
+    let scratch = Scratch::new("kept");
+    for mut database in [Database::in_memory(), scratch.database()] {
+        let names = [
+            "Ada",
+            "O'Brien\"; DROP TABLE attempt; --",
+            "a\nb\0c\u{1b}",
+            &"球".repeat(10_000),
+        ];
+        for name in names {
+            for number in 1..=3 {
+                database.record(&attempt(name, number)).unwrap();
+            }
+        }
+        let bare = Attempt {
+            time_s: None,
+            error_deg: None,
+            confidence: None,
+            misconception: None,
+            ..attempt("bare", 1)
+        };
+        database.record(&bare).unwrap();
+        for name in names {
+            let expected = [1, 2, 3].map(|number| attempt(name, number));
+            assert_eq!(database.attempts(Some(name)).unwrap(), expected);
+        }
+        assert_eq!(database.attempts(Some("bare")).unwrap(), [bare]);
+        assert_eq!(database.attempts(Some("nobody")).unwrap(), []);
+        assert_eq!(database.attempts(None).unwrap().len(), 13);
+        assert_eq!(database.take_notice(), None);
+    }
+}
+
+#[test]
+fn the_most_stars_of_each_player_stay() {
+    let mut database = Database::in_memory();
+    for (player, level, stars) in [
+        ("Ada", "a", 2),
+        ("Ada", "a", 3),
+        ("Ada", "a", 1),
+        ("Ada", "b", 1),
+        ("Bo", "a", 1),
+    ] {
+        database.star(player, &starred(level, stars)).unwrap();
+    }
+    let ada = database.stars("Ada").unwrap();
+    assert_eq!(ada, [starred("a", 3), starred("b", 1)]);
+    assert_eq!(database.stars("Bo").unwrap(), [starred("a", 1)]);
+    assert_eq!(database.stars("Cy").unwrap(), []);
+}
+
+#[test]
+fn looking_makes_no_file() {
+    let scratch = Scratch::new("looking");
+    let mut database = scratch.database();
+    assert_eq!(database.attempts(None).unwrap(), []);
+    assert_eq!(database.stars("Ada").unwrap(), []);
+    assert_eq!(scratch.names(), Vec::<String>::new());
+}
+
+/// A database with some hundred answers.
+fn filled(name: &str) -> (Scratch, Vec<u8>) {
+    let scratch = Scratch::new(name);
+    let mut database = scratch.database();
+    for number in 0..200 {
+        database.record(&attempt("Ada", number)).unwrap();
+    }
+    let bytes = fs::read(scratch.path()).unwrap();
+    (scratch, bytes)
+}
+
+#[test]
+fn a_damaged_database_is_set_aside_and_the_game_goes_on() {
+    let (scratch, sound) = filled("damaged");
+    let mut flipped = sound.clone();
+    let page = flipped.len() / 2 / 4096 * 4096;
+    flipped[page..page + 512].fill(0xa5);
+    let cases = [
+        b"This is no database at all, but long enough to be looked at as one.".repeat(40),
+        sound[..sound.len() / 2].to_vec(),
+        flipped,
+        [&[0_u8; 100], &sound[100..]].concat(),
+    ];
+    for (i, damaged) in cases.into_iter().enumerate() {
+        fs::write(scratch.path(), &damaged).unwrap();
+        let mut database = scratch.database();
+        let reading = i % 2 == 0;
+        if reading {
+            assert_eq!(database.attempts(None).unwrap(), [], "{i}");
+        }
+        database.record(&attempt("Bo", 7)).unwrap();
+        let notice = database.take_notice().unwrap();
+        let name = format!("progress-damaged-{}.db", i + 1);
+        assert!(notice.contains(&name), "{notice}");
+        assert_eq!(database.take_notice(), None, "it is told once");
+        assert_eq!(database.attempts(None).unwrap(), [attempt("Bo", 7)]);
+        assert_eq!(fs::read(scratch.0.join(name)).unwrap(), damaged);
+        assert_eq!(scratch.database().attempts(None).unwrap().len(), 1);
+    }
+    let databases = |name: &String| name.ends_with(".db");
+    assert_eq!(scratch.names().iter().filter(|it| databases(it)).count(), 5);
+}
+
+#[test]
+fn a_strange_database_is_set_aside() {
+    for (i, sql) in [
+        "CREATE TABLE recipe (name TEXT)",
+        "CREATE TABLE attempt (name TEXT); PRAGMA user_version = 1",
+        "PRAGMA user_version = -3",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let scratch = Scratch::new(&format!("strange-{i}"));
+        let strange = Connection::open(scratch.path()).unwrap();
+        strange.execute_batch(sql).unwrap();
+        drop(strange);
+        let mut database = scratch.database();
+        database.record(&attempt("Ada", 1)).unwrap();
+        assert!(database.take_notice().is_some(), "{sql}");
+        assert_eq!(scratch.names(), ["progress-damaged-1.db", "progress.db"]);
+    }
+}
+
+#[test]
+fn a_newer_database_is_refused_untouched() {
+    let (scratch, _) = filled("newer");
+    // Once with its last changes still in the log, as a killed carrom leaves it.
+    for in_log in [false, true] {
+        let newer = Connection::open(scratch.path()).unwrap();
+        if in_log {
+            let no_checkpoint = rusqlite::config::DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE;
+            newer.set_db_config(no_checkpoint, true).unwrap();
+        }
+        newer
+            .execute_batch("PRAGMA user_version = 99; CREATE TABLE IF NOT EXISTS later (x)")
+            .unwrap();
+        drop(newer);
+        let log = scratch.0.join("progress.db-wal");
+        // An empty log beside it says nothing.
+        let log = || fs::read(&log).unwrap_or_default();
+        let files = || (fs::read(scratch.path()).unwrap(), log());
+        let before = files();
+        let mut database = scratch.database();
+        let refusals = [
+            database.record(&attempt("Ada", 1)),
+            database.star("Ada", &starred("a", 1)),
+            database.attempts(None).map(drop),
+            database.stars("Ada").map(drop),
+        ];
+        for refusal in refusals {
+            let message = refusal.unwrap_err();
+            assert!(message.contains("newer carrom (format 99"), "{message}");
+        }
+        assert_eq!(database.take_notice(), None);
+        assert!(files() == before, "the files were changed");
+    }
+}
+
+/// What the first released version wrote; it must open for ever.
+const PINNED_1: &str = "
+    CREATE TABLE attempt (
+        id INTEGER PRIMARY KEY, time_s INTEGER, player TEXT NOT NULL, family TEXT NOT NULL,
+        topic TEXT NOT NULL, seed INTEGER NOT NULL, number INTEGER NOT NULL,
+        question TEXT NOT NULL, answer TEXT NOT NULL, truth TEXT NOT NULL, error_deg REAL,
+        credit REAL NOT NULL, is_right INTEGER NOT NULL, confidence TEXT, misconception TEXT
+    ) STRICT;
+    CREATE INDEX attempt_of_player ON attempt (player);
+    CREATE TABLE star (
+        player TEXT NOT NULL, pack TEXT NOT NULL, level TEXT NOT NULL, stars INTEGER NOT NULL,
+        PRIMARY KEY (player, pack, level)
+    ) STRICT, WITHOUT ROWID;
+    INSERT INTO attempt VALUES (1, 1800000000, 'Ada', 'where-to', 'equal masses', -2, 5,
+        '{\"alpha_deg\":30}', '{}', '{}', 0.30000000000000004, 0.7, 1, 'think-so', 'swapped');
+    INSERT INTO star VALUES ('Ada', 'first', 'a', 3);
+    PRAGMA user_version = 1;";
+
+#[test]
+fn a_database_of_the_first_format_opens() {
+    let scratch = Scratch::new("pinned");
+    let old = Connection::open(scratch.path()).unwrap();
+    old.execute_batch(PINNED_1).unwrap();
+    drop(old);
+    let mut database = scratch.database();
+    assert_eq!(database.attempts(None).unwrap(), [attempt("Ada", 5)]);
+    assert_eq!(database.stars("Ada").unwrap(), [starred("a", 3)]);
+    database.record(&attempt("Ada", 6)).unwrap();
+    assert_eq!(database.attempts(Some("Ada")).unwrap().len(), 2);
+    assert_eq!(database.take_notice(), None);
+}
+
+#[test]
+fn a_folder_that_cannot_be_is_no_more_than_a_message() {
+    let scratch = Scratch::new("file");
+    let file = scratch.0.join("file");
+    fs::write(&file, "x").unwrap();
+    let mut database = Database::in_folder(file.join("below"));
+    let message = database.record(&attempt("Ada", 1)).unwrap_err();
+    assert!(message.contains("progress.db: "), "{message}");
+}
