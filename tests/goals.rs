@@ -161,6 +161,9 @@ fn cushions_are_counted() {
     let twice = judged(&format!("{bank}\nleast = 2"), 180.0);
     assert!(!twice.met);
     assert_eq!(twice.told, once.told);
+    let hit = "kind = \"hit\"\ndisc = 1\nby = 0\nleast = 1";
+    assert!(judged(hit, 180.0).met);
+    missed(hit, "the striker hit the white coin off no cushion");
     let goal = "kind = \"cushions\"\ndisc = 0\nleast = 1";
     assert!(judged(goal, 180.0).met);
     missed(

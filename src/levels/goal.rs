@@ -37,6 +37,8 @@ pub enum Goal {
         disc: usize,
         /// The disc that hits it.
         by: usize,
+        /// How many times that one meets a cushion before, at least.
+        least: usize,
     },
     /// A disc comes to rest with its centre in a circle.
     Rest {
@@ -167,6 +169,7 @@ impl Goal {
             Name::Hit => Self::Hit {
                 disc: disc(&mut fields)?,
                 by: fields.disc("by", count)?,
+                least: read_optional_least(&mut fields, 0)?,
             },
             Name::Rest => Self::Rest {
                 disc: disc(&mut fields)?,
@@ -179,11 +182,7 @@ impl Goal {
             Name::Bank => Self::Bank {
                 disc: disc(&mut fields)?,
                 target: fields.disc("target", count)?,
-                least: if fields.has("least") {
-                    read_least(&mut fields)?
-                } else {
-                    1
-                },
+                least: read_optional_least(&mut fields, 1)?,
             },
             Name::Cushions => Self::Cushions {
                 disc: disc(&mut fields)?,
@@ -232,7 +231,15 @@ impl Goal {
             Self::Untouched { disc, by: Some(by) } => {
                 format!("Do not hit {} with {}.", name(disc), name(by))
             }
-            Self::Hit { disc, by } => format!("Hit {} with {}.", name(disc), name(by)),
+            Self::Hit { disc, by, least: 0 } => {
+                format!("Hit {} with {}.", name(disc), name(by))
+            }
+            Self::Hit { disc, by, least } => format!(
+                "Hit {} with {} off {}.",
+                name(disc),
+                name(by),
+                cushions(*least)
+            ),
             Self::Rest { disc, .. } => {
                 format!("Bring {} to rest in the marked circle.", name(disc))
             }
@@ -283,6 +290,15 @@ fn read_least(fields: &mut Fields) -> Result<usize, Fault> {
     match fields.whole("least", &expected, MOST_CUSHIONS)? {
         0 => Err(fields.fault_at("least", format!("expected {expected}, found 0"))),
         least => Ok(least),
+    }
+}
+
+/// As [`read_least`], or `otherwise` where the field is left out.
+fn read_optional_least(fields: &mut Fields, otherwise: usize) -> Result<usize, Fault> {
+    if fields.has("least") {
+        read_least(fields)
+    } else {
+        Ok(otherwise)
     }
 }
 

@@ -9,7 +9,7 @@ use super::quantity::Range;
 use super::scene::{Scene, figures, pockets, tidy};
 use crate::physics::angle::angle_between;
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::physics::{EventKind, Shot, State};
+use crate::physics::{Event, EventKind, Shot, State};
 
 /// What became of a level's goals, one finding each, in their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,11 +53,7 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
             finding(!fell, format!("{} {verb} into a pocket", name(disc)))
         }
         Goal::Untouched { disc, by } => untouched(*disc, *by, scene, shot),
-        Goal::Hit { disc, by } => {
-            let met = meet(*disc, *by, shot);
-            let verb = if met { "hit" } else { "did not hit" };
-            finding(met, format!("{} {verb} {}", name(by), name(disc)))
-        }
+        Goal::Hit { disc, by, least } => hit(*disc, *by, *least, scene, shot),
         Goal::Rest { disc, circle } => {
             let end = shot.at(*disc, shot.duration());
             match end.state {
@@ -76,7 +72,7 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
             least,
         } => banked(*disc, *target, *least, scene, shot),
         Goal::Cushions { disc, least } => {
-            let met = cushions(*disc, shot);
+            let met = cushions(*disc, shot.events());
             finding(
                 met >= *least,
                 format!("{} met {}", name(disc), counted(met)),
@@ -241,19 +237,32 @@ fn pocketed(discs: &[usize], scene: &Scene, shot: &Shot) -> Finding {
     }
 }
 
-/// Whether two discs meet.
-fn meet(one: usize, other: usize, shot: &Shot) -> bool {
-    shot.events().iter().any(|event| match event.kind {
+/// The events before two discs first meet; `None` if they never do.
+fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
+    let at = shot.events().iter().position(|event| match event.kind {
         EventKind::Impact { discs, .. } => discs.contains(&one) && discs.contains(&other),
         _ => false,
-    })
+    })?;
+    shot.events().get(..at)
+}
+
+fn hit(disc: usize, by: usize, least: usize, scene: &Scene, shot: &Shot) -> Finding {
+    let (name, by_name) = (scene.name(disc), scene.name(by));
+    match before_meeting(disc, by, shot) {
+        None => finding(false, format!("{by_name} did not hit {name}")),
+        Some(_) if least == 0 => finding(true, format!("{by_name} hit {name}")),
+        Some(before) => {
+            let met = cushions(by, before);
+            let told = format!("{by_name} hit {name} off {}", counted(met));
+            finding(met >= least, told)
+        }
+    }
 }
 
 /// How many times a disc meets a cushion.
-fn cushions(disc: usize, shot: &Shot) -> usize {
+fn cushions(disc: usize, events: &[Event]) -> usize {
     let met = |kind| matches!(kind, EventKind::Cushion { disc: met, .. } if met == disc);
-    let events = shot.events().iter();
-    events.filter(|event| met(event.kind)).count()
+    events.iter().filter(|event| met(event.kind)).count()
 }
 
 /// A number of cushions in words.
@@ -271,7 +280,9 @@ fn untouched(disc: usize, by: Option<usize>, scene: &Scene, shot: &Shot) -> Find
         EventKind::Impact { discs: [a, b], .. } if b == disc => Some(a),
         _ => None,
     });
-    let hit = by.map_or(other.is_some(), |by| meet(disc, by, shot));
+    let hit = by.map_or(other.is_some(), |by| {
+        before_meeting(disc, by, shot).is_some()
+    });
     let name = scene.name(disc);
     match (hit, by.or(other)) {
         (true, Some(other)) => finding(false, format!("{} hit {name}", scene.name(other))),

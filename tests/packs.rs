@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use std::collections::BTreeSet;
 use std::process::Command;
 
 use carrom::levels::{Level, Library, Trial, winning_share};
@@ -17,8 +18,43 @@ fn levels() -> Vec<Level> {
 }
 
 #[test]
-fn there_are_at_least_ten() {
-    assert!(levels().len() >= 10);
+fn there_are_at_least_forty_from_the_first_hits_to_design() {
+    assert!(levels().len() >= 40);
+    let packs = Library::embedded().packs;
+    let names: Vec<_> = packs.iter().map(|pack| pack.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "first-hits",
+            "right-angle",
+            "speeds-and-shares",
+            "unequal-masses",
+            "off-centre",
+            "weighing",
+            "energy-lost",
+            "cushions",
+            "combinations",
+            "design",
+        ]
+    );
+}
+
+/// An id opens a level from the command line, whatever its pack.
+#[test]
+fn no_two_levels_share_an_id_or_a_title() {
+    let levels = levels();
+    let ids: BTreeSet<_> = levels.iter().map(|level| &level.id).collect();
+    assert_eq!(ids.len(), levels.len());
+    let titles: BTreeSet<_> = levels.iter().map(|level| &level.title).collect();
+    assert_eq!(titles.len(), levels.len());
+}
+
+#[test]
+fn every_level_hints_in_stages_and_explains_itself() {
+    for level in levels() {
+        assert!(level.hints.len() >= 2, "{}", level.id);
+        assert!(level.explanation.len() > 150, "{}", level.id);
+    }
 }
 
 #[test]
