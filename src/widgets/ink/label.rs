@@ -132,6 +132,7 @@ impl Sheet {
             cell.y.floor() as i32 - i32::from(area.y),
         );
         let width = i32::try_from(text.width()).unwrap_or(i32::MAX / 2);
+        let last = i32::from(area.width) - width;
         let others = Side::ALL.iter().filter(|side| !sides.contains(side));
         let sides: Vec<Side> = sides.iter().chain(others).copied().collect();
         // Free paper first, then over boards and trails, then over geometry.
@@ -139,7 +140,12 @@ impl Sheet {
             .into_iter()
             .flat_map(|over| (1..=FARTHEST).map(move |away| (over, away)))
             .flat_map(|(over, away)| sides.iter().map(move |side| (over, away, *side)))
-            .map(|(over, away, side)| (over, side.start(at, width, away)))
+            .map(|(over, away, side)| (over, side, side.start(at, width, away)))
+            // Centred above or below it may move along to stay within the area.
+            .map(|(over, side, (x, y))| match side {
+                S::Above | S::Below => (over, (x.clamp(0, last.max(0)), y)),
+                _ => (over, (x, y)),
+            })
             .find(|&(over, start)| self.has_room(start, width, over))
             .map(|(_, start)| start);
         let Some((x, y)) = place else {
