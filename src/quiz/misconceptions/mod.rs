@@ -143,6 +143,7 @@ fn on_usual_sides(hit: &Hit, theta1: f64, theta2: f64) -> Rays {
 mod tests {
     use super::super::{Given, Pieces};
     use super::*;
+    use crate::physics::units::rad_from_deg;
 
     fn hit(pieces: Pieces, given: Given, restitution: f64) -> Hit {
         Hit {
