@@ -17,7 +17,7 @@ const PLACES: [Place; 11] = [
     Place::Learn,
     Place::Chapter { number: 2 },
     Place::Chapter { number: 3 },
-    Place::Quiz { seed: None },
+    Place::Quiz { code: None },
     Place::Foil,
     Place::Table,
     Place::Levels,

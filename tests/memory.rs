@@ -51,7 +51,7 @@ fn app(place: Place, player: &str) -> App {
 }
 
 fn quiz(folder: &Path, player: &str) -> Headless {
-    let app = app(Place::Quiz { seed: None }, player);
+    let app = app(Place::Quiz { code: None }, player);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 

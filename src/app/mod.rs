@@ -12,6 +12,7 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::quiz::Round;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
@@ -280,10 +281,10 @@ impl App {
                 Some(reading) => Box::new(reading),
                 None => return,
             },
-            Place::Quiz { seed } => {
-                let seed = seed.unwrap_or_else(|| self.context.next_seed());
-                Box::new(Quiz::new(seed))
-            }
+            Place::Quiz { code } => Box::new(Quiz::of(match code {
+                Some(code) => Round::of(code),
+                None => Round::hits(self.context.next_seed()),
+            })),
             Place::Levels => Box::new(Levels::new(&mut self.context)),
             Place::Level { number } => match Play::new(number, &mut self.context) {
                 Some(play) => Box::new(play),

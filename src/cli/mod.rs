@@ -122,7 +122,7 @@ impl Screen {
             }
             Self::Lab => Place::Lab,
             // The first round takes the app's own seed.
-            Self::Quiz => Place::Quiz { seed: None },
+            Self::Quiz => Place::Quiz { code: None },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,

@@ -1,20 +1,49 @@
 //! The families of questions: what is asked and how it is answered.
 
+use super::dice::Dice;
+use super::{Difficulty, Question, families};
+
 /// A family of questions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Family {
-    /// Where will the two go? Answered by two rays.
+    /// Where will the two go, whatever the pieces and the loss?
     WhereTo,
+    /// Both rays from the impact angle, equal masses.
+    FromAngle,
+    /// Both rays from the offset, equal masses.
+    FromOffset,
+    /// Both rays from the picture alone, without a figure.
+    FromPicture,
+    /// Both rays with unequal masses.
+    UnequalMasses,
+    /// How fast each one leaves.
+    Speeds,
 }
+
+/// How many draws a question may take before a family is given up: a guard against a
+/// family that has nothing clear to ask. A test sees that none needs a twentieth of it.
+const DRAWS: usize = 20_000;
 
 impl Family {
     /// All families, in the order in which they are taught.
-    pub const ALL: [Self; 1] = [Self::WhereTo];
+    pub const ALL: [Self; 6] = [
+        Self::WhereTo,
+        Self::FromAngle,
+        Self::FromOffset,
+        Self::FromPicture,
+        Self::UnequalMasses,
+        Self::Speeds,
+    ];
 
-    /// Its name in files.
+    /// Its name in files and in the codes of rounds.
     pub const fn id(self) -> &'static str {
         match self {
             Self::WhereTo => "where-to",
+            Self::FromAngle => "from-angle",
+            Self::FromOffset => "from-offset",
+            Self::FromPicture => "from-picture",
+            Self::UnequalMasses => "unequal-masses",
+            Self::Speeds => "speeds",
         }
     }
 
@@ -22,6 +51,38 @@ impl Family {
     pub const fn name(self) -> &'static str {
         match self {
             Self::WhereTo => "where will they go?",
+            Self::FromAngle => "angles from the angle",
+            Self::FromOffset => "angles from the offset",
+            Self::FromPicture => "from the picture alone",
+            Self::UnequalMasses => "unequal masses",
+            Self::Speeds => "speeds after the hit",
+        }
+    }
+
+    /// The family of an `id`.
+    pub fn with_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|family| family.id() == id)
+    }
+
+    /// A question of this family that is clear, with the draws it took. The same dice
+    /// always bring the same question: the draws of a family are part of the format of
+    /// a round's code. `None` only where a family has nothing clear to ask.
+    pub fn ask(self, difficulty: Difficulty, dice: &mut Dice) -> Option<(Question, usize)> {
+        (1..=DRAWS).find_map(|draws| {
+            let question = self.draw(difficulty, dice)?;
+            question.is_clear().then_some((question, draws))
+        })
+    }
+
+    /// One draw, clear or not; `None` where the figures drawn make no question.
+    fn draw(self, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+        match self {
+            Self::WhereTo => families::where_to::ask(difficulty, dice),
+            Self::FromAngle => families::from_angle::ask(difficulty, dice),
+            Self::FromOffset => families::from_offset::ask(difficulty, dice),
+            Self::FromPicture => families::from_picture::ask(difficulty, dice),
+            Self::UnequalMasses => families::unequal_masses::ask(difficulty, dice),
+            Self::Speeds => families::speeds::ask(difficulty, dice),
         }
     }
 }

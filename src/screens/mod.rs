@@ -64,7 +64,7 @@ pub trait Screen {
 }
 
 /// What follows from an input or from time that passed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Next {
     /// The input meant nothing here; the app may use it.
     Ignored,

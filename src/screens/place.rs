@@ -1,9 +1,10 @@
 //! Where one can go.
 
 use super::lab::Setup;
+use crate::quiz::Code;
 
 /// A screen to open, with what it is to show.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Place {
     /// The first screen.
     Home,
@@ -24,7 +25,7 @@ pub enum Place {
     /// A round of the quiz; the code fixes its questions.
     Quiz {
         /// The code of the round; `None` takes the app's next.
-        seed: Option<u64>,
+        code: Option<Code>,
     },
     /// The foil: beams of many particles.
     Foil,

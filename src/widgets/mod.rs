@@ -16,6 +16,7 @@ pub mod replay;
 pub mod svg;
 pub mod theme;
 
+mod answer_input;
 mod beside;
 mod entry;
 pub mod flow;
@@ -23,15 +24,18 @@ pub mod formula;
 pub mod hit;
 mod lines;
 mod look;
+mod number_input;
 mod ray_input;
 mod scroll;
 pub mod text;
 
+pub use answer_input::AnswerInput;
 pub use beside::Beside;
 pub use charset::Charset;
 pub use entry::{NumberEntry, Typed};
 pub use lines::{Lines, Spare};
 pub use look::Look;
+pub use number_input::NumberInput;
 pub use ray_input::{RayInput, Turned, brief, shown};
 pub use scroll::{Scroll, overflow};
 pub use theme::{Depth, Palette, Role, Theme};

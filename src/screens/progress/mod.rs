@@ -97,7 +97,7 @@ impl Progress {
             Key::Down => self.scroll_by(1, cx),
             Key::PageUp => self.scroll_by(-LEAF, cx),
             Key::PageDown => self.scroll_by(LEAF, cx),
-            Key::Enter => return Next::Replace(Place::Quiz { seed: None }),
+            Key::Enter => return Next::Replace(Place::Quiz { code: None }),
             _ => return Next::Ignored,
         }
         Next::Stay

@@ -1,4 +1,5 @@
-//! The quiz: ten hits to predict, each watched and explained, then a look back.
+//! The quiz: a round of questions, each answered, watched and explained, then a look
+//! back.
 
 mod panel;
 mod summary;
@@ -11,10 +12,11 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::progress::Attempt;
-use crate::quiz::{Answer, Confidence, Question, Round, Summary};
-use crate::widgets::hit::{Layers, Watch, point_at};
-use crate::widgets::{Beside, RayInput, Scroll, Turned};
+use crate::quiz::{Answer, Code, Confidence, Form, Question, Round, Said, Summary};
+use crate::widgets::hit::{Layers, Watch, drag_offset, point_at};
+use crate::widgets::{AnswerInput, Scroll, Turned};
 
 /// A round of the quiz.
 #[derive(Debug, Clone)]
@@ -33,11 +35,11 @@ pub struct Quiz {
 /// What one is doing in a round.
 #[derive(Debug, Clone)]
 enum Phase {
-    /// Saying where both will go.
-    Rays(Asked),
+    /// Answering.
+    Asked(Box<Asked>),
     /// Saying how sure one is.
-    Confidence(Asked, Confidence),
-    /// Watching what happens.
+    Confidence(Box<Asked>, Confidence),
+    /// Watching what happens, if there is anything to be watched, and reading why.
     Watch(Box<Watched>),
     /// Looking back.
     Summary,
@@ -47,24 +49,30 @@ enum Phase {
 #[derive(Debug, Clone)]
 struct Asked {
     question: Question,
-    rays: RayInput,
+    input: AnswerInput,
 }
 
-/// A question, the answer to it and the hit itself.
+/// A question and the answer to it.
 #[derive(Debug, Clone)]
 struct Watched {
     question: Question,
     answer: Answer,
-    watch: Watch,
+    /// The hit, where the question is about one.
+    watch: Option<Watch>,
     /// Whether the outcome has been told; it stays so while the hit is seen again.
     told: bool,
 }
 
 impl Quiz {
-    /// The round of a seed, at its first question.
-    pub fn new(seed: u64) -> Self {
+    /// The round of a code, at its first question.
+    pub fn new(code: Code) -> Self {
+        Self::of(Round::of(code))
+    }
+
+    /// A round, at its first question.
+    pub fn of(round: Round) -> Self {
         let mut quiz = Self {
-            round: Round::new(seed),
+            round,
             answers: Vec::new(),
             phase: Phase::Summary,
             layers: Layers::default(),
@@ -78,10 +86,10 @@ impl Quiz {
     /// Asks the next question, or looks back after the last.
     fn ask(&mut self) {
         let phase = match self.round.questions().get(self.answers.len()) {
-            Some(&question) => Phase::Rays(Asked {
-                question,
-                rays: RayInput::new(question.side()),
-            }),
+            Some(question) => Phase::Asked(Box::new(Asked {
+                question: question.clone(),
+                input: AnswerInput::new(&question.form),
+            })),
             None => Phase::Summary,
         };
         self.enter(phase);
@@ -92,38 +100,30 @@ impl Quiz {
         self.scroll = Scroll::default();
     }
 
-    /// Takes the answer and shows the hit.
+    /// Takes the answer, if there is one, and shows the hit.
     fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &mut Context) {
-        let answer = Answer {
-            rays: asked.rays.said(),
-            confidence,
+        let Some(said) = asked.input.said() else {
+            return;
         };
+        let answer = Answer::new(said, confidence);
         self.answers.push(answer);
         let attempt = Attempt::of_quiz(
             &cx.settings.player,
-            self.round.seed(),
+            self.round.code(),
             self.answers.len() as u32,
             &asked.question,
             &answer,
         );
         // It is safe before the explanation is seen.
         cx.record(attempt);
-        let collision = asked.question.collision();
-        let watch = Watch::new(collision, Some(answer.rays), cx.settings.reduced_motion)
-            .with_layers(self.layers);
-        let told = watch.is_told();
-        self.enter(Phase::Watch(Box::new(Watched {
-            question: asked.question,
-            answer,
-            watch,
-            told,
-        })));
+        let watched = Watched::new(asked.question.clone(), answer, self.layers, cx);
+        self.enter(Phase::Watch(Box::new(watched)));
     }
 
     /// Number of the question at hand, from 1.
     fn number(&self) -> usize {
         match self.phase {
-            Phase::Rays(_) | Phase::Confidence(..) => self.answers.len() + 1,
+            Phase::Asked(_) | Phase::Confidence(..) => self.answers.len() + 1,
             Phase::Watch(_) | Phase::Summary => self.answers.len(),
         }
     }
@@ -145,7 +145,7 @@ impl Quiz {
             _ => {}
         }
         match &mut self.phase {
-            Phase::Rays(asked) => match asked.rays.update(key) {
+            Phase::Asked(asked) => match asked.input.update(key) {
                 Turned::Turning => {}
                 Turned::Done => {
                     let asked = asked.clone();
@@ -159,7 +159,10 @@ impl Quiz {
             Phase::Summary => match key {
                 Key::Up => return self.scroll_by(-1, cx),
                 Key::Down => return self.scroll_by(1, cx),
-                Key::Enter | Key::Char('n' | 'N') => *self = Self::new(cx.next_seed()),
+                Key::Enter | Key::Char('n' | 'N') => {
+                    let course = self.round.course().clone();
+                    *self = Self::of(Round::new(course, cx.next_seed()));
+                }
                 Key::Escape => return Next::Back,
                 _ => return Next::Ignored,
             },
@@ -184,7 +187,7 @@ impl Quiz {
             }
             Key::Escape => {
                 let asked = asked.clone();
-                self.enter(Phase::Rays(asked));
+                self.enter(Phase::Asked(asked));
             }
             _ => return Next::Ignored,
         }
@@ -195,22 +198,16 @@ impl Quiz {
         let Phase::Watch(watched) = &mut self.phase else {
             return Next::Ignored;
         };
-        let key = match key {
-            Key::Char(' ') if watched.watch.clock().is_over() => Key::Char('a'),
-            key => key,
-        };
-        if watched.watch.update(key) {
-            watched.look();
+        if watched.update(key) {
             return Next::Stay;
         }
         match key {
             // Nobody skips what happened by a key too many.
-            Key::Enter if !watched.told => {
-                watched.watch.tell();
-                watched.look();
-            }
+            Key::Enter if !watched.told => watched.tell(),
             Key::Enter => {
-                self.layers = watched.watch.layers();
+                if let Some(watch) = &watched.watch {
+                    self.layers = watch.layers();
+                }
                 self.ask();
             }
             Key::Up => return self.scroll_by(-1, cx),
@@ -241,26 +238,33 @@ impl Quiz {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let layout = Beside::new(cx.body);
+        let layout = view::layout(self, cx.body);
         let cell = (mouse.column, mouse.row);
-        let on_picture =
-            layout.picture.contains(cell.into()) && !matches!(self.phase, Phase::Summary);
+        let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
+        let look = cx.settings.look();
+        let text = view::text_area(self, cx.body);
         match (mouse.kind, &mut self.phase) {
             (MouseKind::ScrollUp | MouseKind::ScrollDown, Phase::Watch(watched)) if on_picture => {
                 let later = mouse.kind == MouseKind::ScrollUp;
-                let key = Key::Char(if later { '.' } else { ',' });
-                watched.watch.update(key);
-                watched.look();
+                watched.update(Key::Char(if later { '.' } else { ',' }));
             }
             (MouseKind::ScrollUp, _) => return self.scroll_by(-1, cx),
             (MouseKind::ScrollDown, _) => return self.scroll_by(1, cx),
-            (MouseKind::Down | MouseKind::Drag, Phase::Rays(asked)) if on_picture => {
-                let collision = asked.question.collision();
-                point_at(layout.picture, &collision, &mut asked.rays, cell, pressed);
+            (MouseKind::Down | MouseKind::Drag, Phase::Asked(asked)) if on_picture => {
+                return asked.point(layout.picture, cell, pressed);
+            }
+            (MouseKind::Down, Phase::Asked(asked)) => {
+                let rows = self
+                    .scroll
+                    .rows(text, look, |lines| panel::asked(asked, lines));
+                let Some(chosen) = panel::choice_at(asked, text, rows, cell, look) else {
+                    return Next::Ignored;
+                };
+                asked.choose(chosen);
             }
             (MouseKind::Down, Phase::Confidence(asked, _)) => {
-                let Some(chosen) = panel::confidence_at(layout.panel, cell) else {
+                let Some(chosen) = panel::confidence_at(text, cell) else {
                     return Next::Ignored;
                 };
                 let asked = asked.clone();
@@ -275,10 +279,83 @@ impl Quiz {
     }
 }
 
+impl Asked {
+    /// Points at a cell of the picture: turns a ray, or drags the coin sideways.
+    fn point(&mut self, picture: Rect, cell: (u16, u16), pressed: bool) -> Next {
+        let Some(collision) = self.question.picture.collision() else {
+            return Next::Ignored;
+        };
+        match (&mut self.input, &self.question.form) {
+            (AnswerInput::Rays(rays), _) => point_at(picture, collision, rays, cell, pressed),
+            (AnswerInput::Shot(offset), Form::Shot(aim)) => {
+                let now = aim.with(m_from_mm(offset.value().unwrap_or(0.0)));
+                let dragged = mm_from_m(drag_offset(picture, &now, cell));
+                offset.set((2.0 * dragged).round() / 2.0);
+            }
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    /// Puts the mark at a choice.
+    fn choose(&mut self, choice: usize) {
+        if let AnswerInput::Choice { chosen, .. } = &mut self.input {
+            *chosen = choice;
+        }
+    }
+}
+
 impl Watched {
-    /// Notes whether the outcome may be told by now.
-    fn look(&mut self) {
-        self.told |= self.watch.is_told();
+    /// An answer just given. What was answered by shooting is what is watched.
+    fn new(question: Question, answer: Answer, layers: Layers, cx: &Context) -> Self {
+        let rays = match answer.said {
+            Said::Rays(rays) => Some(rays),
+            _ => None,
+        };
+        let collision = match (&question.form, answer.said) {
+            (Form::Shot(aim), Said::Shot(offset)) => Some(aim.with(offset)),
+            _ => question.picture.collision().copied(),
+        };
+        let watch = collision.map(|collision| {
+            Watch::new(collision, rays, cx.settings.reduced_motion).with_layers(layers)
+        });
+        let told = watch.as_ref().is_none_or(Watch::is_told);
+        Self {
+            question,
+            answer,
+            watch,
+            told,
+        }
+    }
+
+    /// Takes a key of the hit's; says whether it was one.
+    fn update(&mut self, key: Key) -> bool {
+        let Some(watch) = &mut self.watch else {
+            return false;
+        };
+        let key = match key {
+            Key::Char(' ') if watch.clock().is_over() => Key::Char('a'),
+            key => key,
+        };
+        let taken = watch.update(key);
+        self.told |= watch.is_told();
+        taken
+    }
+
+    /// Lets time pass.
+    fn advance(&mut self, passed: Duration) {
+        if let Some(watch) = &mut self.watch {
+            watch.advance(passed);
+            self.told |= watch.is_told();
+        }
+    }
+
+    /// Tells what happened at once.
+    fn tell(&mut self) {
+        if let Some(watch) = &mut self.watch {
+            watch.tell();
+        }
+        self.told = true;
     }
 }
 
@@ -304,7 +381,7 @@ impl Screen for Quiz {
             ),
         };
         let points = self.summary().points();
-        format!("{place}  {points:.1} points  code {}", self.round.seed())
+        format!("{place}  {points:.1} points  code {}", self.round.code())
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
@@ -321,15 +398,14 @@ impl Screen for Quiz {
 
     fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
         if let Phase::Watch(watched) = &mut self.phase {
-            watched.watch.advance(passed);
-            watched.look();
+            watched.advance(passed);
         }
         Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.phase {
-            Phase::Watch(watched) => watched.watch.wake(),
+            Phase::Watch(watched) => watched.watch.as_ref().and_then(Watch::wake),
             _ => None,
         }
     }
@@ -344,19 +420,39 @@ impl Screen for Quiz {
                 Hint::new("Esc", "leave the round"),
                 Hint::new("any other key", "stay"),
             ],
-            Phase::Rays(_) => vec![
-                Hint::new("arrows", "turn"),
-                Hint::new("0-9", "type"),
-                Hint::new("x", "stays still"),
-                Hint::new("Enter", "next"),
-                Hint::new("Tab", "other ray"),
-                Hint::new("Esc", "leave"),
-            ],
+            Phase::Asked(asked) => match &asked.input {
+                AnswerInput::Rays(_) => vec![
+                    Hint::new("arrows", "turn"),
+                    Hint::new("0-9", "type"),
+                    Hint::new("x", "stays still"),
+                    Hint::new("Enter", "next"),
+                    Hint::new("Tab", "other ray"),
+                    Hint::new("Esc", "leave"),
+                ],
+                AnswerInput::Number(_) => vec![
+                    Hint::new("0-9", "type"),
+                    Hint::new("arrows", "dial"),
+                    Hint::new("Enter", "next"),
+                    Hint::new("Esc", "leave"),
+                ],
+                AnswerInput::Choice { .. } => vec![
+                    Hint::new("Up Down", "choose"),
+                    Hint::new("a b c", "likewise"),
+                    Hint::new("Enter", "next"),
+                    Hint::new("Esc", "leave"),
+                ],
+                AnswerInput::Shot(_) => vec![
+                    Hint::new("arrows", "set the offset"),
+                    Hint::new("0-9", "type"),
+                    Hint::new("Enter", "next"),
+                    Hint::new("Esc", "leave"),
+                ],
+            },
             Phase::Confidence(..) => vec![
                 Hint::new("1 2 3", "how sure"),
                 Hint::new("Up Down", "choose"),
                 Hint::new("Enter", "watch"),
-                Hint::new("Esc", "back to the rays"),
+                Hint::new("Esc", "change it"),
             ],
             Phase::Watch(watched) if !watched.told => vec![
                 Hint::new("Enter", "show it"),
@@ -371,7 +467,14 @@ impl Screen for Quiz {
                 } else {
                     "look back"
                 };
-                let space = if watched.watch.clock().is_over() {
+                let Some(watch) = &watched.watch else {
+                    return vec![
+                        Hint::new("Enter", next),
+                        Hint::new("Up Down", "scroll"),
+                        Hint::new("Esc", "leave"),
+                    ];
+                };
+                let space = if watch.clock().is_over() {
                     "again"
                 } else {
                     "go on"

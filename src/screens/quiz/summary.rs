@@ -1,8 +1,9 @@
 //! The look back over a round.
 
 use super::Quiz;
-use crate::quiz::{Answer, Confidence, Question, Summary, SummaryLine, explain, words};
-use crate::widgets::hit::degrees;
+use crate::quiz::{
+    Answer, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain, words,
+};
 use crate::widgets::{Lines, Role};
 
 /// Writes the look back: the score, a row a question, how well confidence and answers
@@ -23,8 +24,10 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
     if gap_before {
         lines.gap();
     }
-    table.head(summary.lines.iter().any(missed_surely), lines);
     let answered = quiz.round.questions().iter().zip(&quiz.answers);
+    let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
+    let all_rays = answered.clone().all(|(question, _)| rays(question));
+    table.head(summary.lines.iter().any(missed_surely), all_rays, lines);
     for (i, (line, answered)) in summary.lines.iter().zip(answered).enumerate() {
         table.row(i + 1, line, answered, lines);
     }
@@ -38,12 +41,13 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
         lines.paragraph(text, Role::Text);
     }
     if friend {
-        let code = quiz.round.seed();
+        let code = quiz.round.code();
+        let command = match code.course.kind {
+            CourseKind::Hits => format!("The same ten for a friend: carrom quiz --seed {code}"),
+            _ => format!("The same round for a friend: carrom quiz --code {code}"),
+        };
         lines.gap();
-        lines.line(
-            &format!("The same ten for a friend: carrom quiz --seed {code}"),
-            Role::Dim,
-        );
+        lines.line(&command, Role::Dim);
     }
 }
 
@@ -75,7 +79,7 @@ fn closing(summary: &Summary) -> Vec<String> {
 }
 
 fn missed_surely(line: &SummaryLine) -> bool {
-    line.grade.confidence == Confidence::Sure && !line.grade.is_right()
+    line.grade.confidence == Confidence::Sure && !line.grade.right
 }
 
 /// Rows of [`Table::head`].
@@ -97,7 +101,7 @@ impl Table {
         }
     }
 
-    fn head(&self, marked: bool, lines: &mut Lines) {
+    fn head(&self, marked: bool, rays: bool, lines: &mut Lines) {
         let gap = self.gap;
         let legend = if marked { "! sure, but off" } else { "" };
         let over = format!(
@@ -105,8 +109,8 @@ impl Table {
             "you said", "truth"
         );
         lines.line(&over, Role::Dim);
-        let head = ["", " ", "S", "C", "S", "C", "pts"];
-        let head = self.cells(head, "sure?", "about", "it was");
+        let each = if rays { "   S    C" } else { "" };
+        let head = self.cells(["", " ", each, each, "pts"], "sure?", "about", "it was");
         lines.line(&head, Role::Dim);
     }
 
@@ -117,20 +121,19 @@ impl Table {
         (question, answer): (&Question, &Answer),
         lines: &mut Lines,
     ) {
-        let collision = question.collision();
-        let [s1, c1] = degrees(&collision, &answer.rays).map(whole);
-        let [s2, c2] = degrees(&collision, &question.truth()).map(whole);
+        let said = question.form.brief(&answer.said);
+        let truth = question.form.brief(&question.form.truth());
         let number = number.to_string();
         let points = format!("{:.1}", line.grade.points() + 0.0);
         let missed = missed_surely(line);
         let mark = if missed { "!" } else { " " };
         let role = match missed {
             true => Role::Warn,
-            false if line.grade.is_right() => Role::Good,
+            false if line.grade.right => Role::Good,
             false => Role::Text,
         };
         let row = self.cells(
-            [&number, mark, &s1, &c1, &s2, &c2, &points],
+            [&number, mark, &said, &truth, &points],
             line.grade.confidence.name(),
             &line.topic,
             explain(question, answer).title,
@@ -138,12 +141,11 @@ impl Table {
         lines.line(&row, role);
     }
 
-    /// Number, mark, both angles said, both true ones and points; then words.
-    fn cells(&self, cells: [&str; 7], confidence: &str, topic: &str, what: &str) -> String {
+    /// Number, mark, what was said, the truth and points; then words.
+    fn cells(&self, cells: [&str; 5], confidence: &str, topic: &str, what: &str) -> String {
         let gap = self.gap;
-        let [number, mark, s1, c1, s2, c2, points] = cells;
-        let mut row =
-            format!("{number:>2}{mark}{gap}{s1:>4}{c1:>5}{gap}{s2:>5}{c2:>5}{gap}{points:>5}  ");
+        let [number, mark, said, truth, points] = cells;
+        let mut row = format!("{number:>2}{mark}{gap}{said:>9}{gap}{truth:>10}{gap}{points:>5}  ");
         if self.confidence {
             row += &format!("{confidence:10}");
         }
@@ -152,9 +154,4 @@ impl Table {
         }
         row + what
     }
-}
-
-/// An angle to the degree, in at most four columns.
-fn whole(angle_deg: Option<f64>) -> String {
-    angle_deg.map_or("rest".into(), |angle| format!("{:.0}", angle.round() + 0.0))
 }

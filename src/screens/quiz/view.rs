@@ -5,9 +5,9 @@ use ratatui::layout::Rect;
 
 use super::{Asked, Phase, Quiz, Watched, panel, summary};
 use crate::physics::Frame;
-use crate::quiz;
+use crate::quiz::{Form, Picture, Question, Said};
 use crate::screens::Context;
-use crate::widgets::hit::{Given, draw_setup};
+use crate::widgets::hit::draw_setup;
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Beside, Lines, Look, Role};
 
@@ -24,6 +24,23 @@ fn summary_frame(area: Rect) -> Rect {
     }
 }
 
+/// Where picture and panel are: the panel alone for what is asked in words.
+pub(super) fn layout(quiz: &Quiz, area: Rect) -> Beside {
+    match question(quiz).map(|question| &question.picture) {
+        Some(Picture::Nothing) => Beside::text_alone(area),
+        _ => Beside::new(area),
+    }
+}
+
+/// The question at hand.
+fn question(quiz: &Quiz) -> Option<&Question> {
+    match &quiz.phase {
+        Phase::Asked(asked) | Phase::Confidence(asked, _) => Some(&asked.question),
+        Phase::Watch(watched) => Some(&watched.question),
+        Phase::Summary => None,
+    }
+}
+
 /// Where the text of the phase at hand is.
 pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
     let panel = match quiz.phase {
@@ -36,7 +53,7 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
                 frame.height.saturating_sub(2),
             )
         }
-        _ => Beside::new(area).panel,
+        _ => layout(quiz, area).panel,
     };
     // The notice has the top row to itself.
     let notice = u16::from(quiz.leaving).min(panel.height);
@@ -50,7 +67,7 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
 /// Writes the text of the phase at hand.
 pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
     match &quiz.phase {
-        Phase::Rays(asked) => panel::rays(asked, lines),
+        Phase::Asked(asked) => panel::asked(asked, lines),
         Phase::Confidence(asked, chosen) => panel::confidence(asked, *chosen, lines),
         Phase::Watch(watched) if watched.told => panel::told(watched, lines, look.charset),
         Phase::Watch(watched) => panel::untold(watched, lines),
@@ -61,20 +78,19 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
 /// Draws the quiz.
 pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = layout(quiz, area);
     match &quiz.phase {
-        Phase::Rays(asked) => {
-            layout.draw(buf, &look, "where will they go?", "say it first");
-            setup(asked, layout.picture, buf, &look);
-        }
-        Phase::Confidence(asked, _) => {
-            layout.draw(buf, &look, "where will they go?", "say it first");
+        Phase::Asked(asked) | Phase::Confidence(asked, _) => {
+            let title = asked.question.family.name();
+            layout.draw(buf, &look, title, "say it first");
             setup(asked, layout.picture, buf, &look);
         }
         Phase::Watch(watched) => {
             let side = if watched.told { "and why" } else { "watch" };
             layout.draw(buf, &look, &title(watched), side);
-            watched.watch.draw(layout.picture, buf, &look);
+            if let Some(watch) = &watched.watch {
+                watch.draw(layout.picture, buf, &look);
+            }
         }
         Phase::Summary => {
             let frame = summary_frame(area);
@@ -91,19 +107,26 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
 
 /// What is asked, with no more drawn in than the question gives.
 fn setup(asked: &Asked, area: Rect, buf: &mut Buffer, look: &Look) {
-    let by_angle = matches!(asked.question.given, quiz::Given::Angle { .. });
-    let given = Given {
-        offset: !by_angle,
-        angle: by_angle,
-    };
-    let collision = asked.question.collision();
-    draw_setup(area, buf, look, &collision, given, Some(&asked.rays));
+    let question = &asked.question;
+    match (&question.picture, &question.form, asked.input.said()) {
+        (Picture::Before { shown, .. }, Form::Shot(aim), Some(Said::Shot(offset))) => {
+            draw_setup(area, buf, look, &aim.with(offset), *shown, None);
+        }
+        (Picture::Before { collision, shown }, ..) => {
+            draw_setup(area, buf, look, collision, *shown, asked.input.rays());
+        }
+        // TODO: draw these
+        (Picture::After { .. } | Picture::Tracks { .. } | Picture::Nothing, ..) => {}
+    }
 }
 
 fn title(watched: &Watched) -> String {
-    match watched.watch.frame() {
+    let Some(watch) = &watched.watch else {
+        return watched.question.family.name().into();
+    };
+    match watch.frame() {
         Frame::Laboratory => {
-            format!("the hit, slowed {:.0}×", watched.watch.clock().slowed())
+            format!("the hit, slowed {:.0}×", watch.clock().slowed())
         }
         Frame::CentreOfMass => "seen from the centre of mass".into(),
         Frame::Target => "seen riding with the target".into(),

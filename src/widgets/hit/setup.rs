@@ -12,14 +12,7 @@ use crate::quiz::Ray;
 use crate::widgets::ink::{Pen, Sheet, Side};
 use crate::widgets::{Look, RayInput, Role};
 
-/// What of the geometry is drawn in, besides the discs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Given {
-    /// The impact parameter, between the two centre lines.
-    pub offset: bool,
-    /// The striker's place at contact, the line of impact and α.
-    pub angle: bool,
-}
+pub use crate::quiz::Shown as Given;
 
 /// Draws a striker and a coin about to meet, and the rays being turned.
 pub fn draw_setup(
@@ -58,7 +51,7 @@ pub fn draw_setup_of(
         let (from, to) = line(p1);
         sheet.line(from, to, Pen::new(Role::Aim).dotted());
         if given.offset {
-            offset(&mut sheet, &mut labels, &stage, along);
+            offset(&mut sheet, &mut labels, &stage, along, given.figures);
         }
     }
     for (body, (place, face)) in [p1, p2].into_iter().zip(faces).enumerate() {
@@ -70,10 +63,10 @@ pub fn draw_setup_of(
             sheet.circle(c2, stage.radius(1), Pen::new(Role::Trail).dotted());
         }
         if given.angle {
-            impact_angle(&mut sheet, &mut labels, &stage);
+            impact_angle(&mut sheet, &mut labels, &stage, given.figures);
         }
     }
-    moving(&mut sheet, &mut labels, &stage, [p1, p2]);
+    moving(&mut sheet, &mut labels, &stage, [p1, p2], given.figures);
     if let Some(rays) = rays {
         turned(&mut sheet, &mut labels, &stage, faces, rays);
     }
@@ -95,7 +88,7 @@ fn before(stage: &Stage) -> (DVec2, DVec2) {
 
 /// The impact parameter: the line through the coin's centre beside the striker's,
 /// and the distance between them.
-fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2) {
+fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2, figures: bool) {
     let [c1, c2] = stage.centres;
     let ahead = c2 + stage.room(c2, along) * along;
     sheet.line(c2, ahead, Pen::new(Role::Aim).dotted());
@@ -106,12 +99,15 @@ fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2) {
     // Measured ahead of the coin, where nothing else is.
     let foot = c2 + (1.35 * stage.radius(1)) * along;
     sheet.line(foot, foot - across, Role::Arc);
-    let text = format!("b = {:.1} mm", stage.collision.offset.abs() * 1000.0);
+    let text = match figures {
+        true => format!("b = {:.1} mm", stage.collision.offset.abs() * 1000.0),
+        false => "b".into(),
+    };
     labels.add(&text, foot - 0.5 * across, Side::towards(along), Role::Arc);
 }
 
 /// The line of impact where the two will meet, and the angle to it.
-fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage) {
+fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, figures: bool) {
     let [c1, c2] = stage.centres;
     let (Some(n), Some(alpha)) = (stage.collision.normal(), stage.collision.alpha()) else {
         return;
@@ -126,12 +122,21 @@ fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage) {
         let start = along.to_angle();
         sheet.arc(c1, radius, start, start - alpha, Role::Arc);
     }
-    let text = format!("α = {:.1}°", alpha.to_degrees().abs());
+    let text = match figures {
+        true => format!("α = {:.1}°", alpha.to_degrees().abs()),
+        false => "α".into(),
+    };
     labels.add(&text, end, Side::towards(n), Role::LineOfImpact);
 }
 
 /// An arrow ahead of each disc that moves.
-fn moving(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, places: [DVec2; 2]) {
+fn moving(
+    sheet: &mut Sheet,
+    labels: &mut Labels,
+    stage: &Stage,
+    places: [DVec2; 2],
+    figures: bool,
+) {
     let collision = &stage.collision;
     let speeds = [collision.u1, collision.u2];
     let fastest = speeds[0].length().max(speeds[1].length());
@@ -147,7 +152,10 @@ fn moving(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, places: [DVec2;
             from + length * direction,
             Pen::new(Role::Incoming).bold(),
         );
-        let text = format!("{name} = {:.2} m/s", v.length());
+        let text = match figures {
+            true => format!("{name} = {:.2} m/s", v.length()),
+            false => name.into(),
+        };
         let away = direction.perp() * stage.side();
         let anchor = places[body] + stage.radius(body) * away;
         labels.add(&text, anchor, Side::towards(away), Role::Incoming);

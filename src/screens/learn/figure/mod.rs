@@ -16,7 +16,7 @@ use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, Meeting};
-use crate::quiz::{self, Question, Rays};
+use crate::quiz::{self, Hit, Rays};
 use crate::screens::lab::{Field, Setup};
 use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, draw_setup_of, point_at};
 use crate::widgets::{Look, RayInput};
@@ -99,12 +99,12 @@ impl Shown {
 
     /// The question of where both will go, where it is given by the impact angle and
     /// one of the quiz's kind: smooth discs that meet, one of them at rest.
-    pub(super) fn question_by_angle(&self) -> Option<Question> {
+    pub(super) fn question_by_angle(&self) -> Option<Hit> {
         let collision = &self.collision;
         let hit = collision.outcome().meeting == Meeting::Hit;
         let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
         let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
-        by_angle.then(|| Question {
+        by_angle.then(|| Hit {
             given: quiz::Given::Angle {
                 alpha_deg: self.alpha_deg(),
             },
@@ -348,6 +348,7 @@ impl Shown {
             let given = Given {
                 offset: self.figure.shot.is_by_offset(),
                 angle: !self.figure.shot.is_by_offset(),
+                figures: true,
             };
             let faces = Face::STRIKER_AND_COIN;
             return draw_setup_of(faces, area, buf, look, &self.collision, given, rays);

@@ -6,11 +6,12 @@ use ratatui::layout::Rect;
 use super::Reading;
 use crate::lessons::{Asked, Checkpoint, Choice};
 use crate::physics::Collision;
-use crate::quiz::{self, Confidence, Rays};
+use crate::quiz::Rays;
 use crate::screens::lab::explain;
 use crate::screens::learn::answer::{Answer, sign_and_unit, truth};
 use crate::screens::learn::figure::Shown;
 use crate::screens::learn::prose;
+use crate::screens::why::of_hit;
 use crate::widgets::hit::{Watch, degrees};
 use crate::widgets::{Lines, Look, Role, brief};
 
@@ -110,12 +111,8 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
     lines.gap();
     let (title, text) = match figure.question_by_angle() {
         Some(question) => {
-            let answer = quiz::Answer {
-                rays: *rays,
-                confidence: Confidence::ThinkSo,
-            };
-            let explanation = quiz::explain(&question, &answer);
-            (explanation.title.into(), explanation.text)
+            let (title, text) = of_hit(&question, *rays);
+            (title.into(), text)
         }
         None => explain(&figure.setup(), watch),
     };

@@ -1,13 +1,14 @@
-//! The kinds of question a round is made of, from easy to hard.
+//! The kinds of hit that "where will they go?" asks about, from easy to hard.
 
-use crate::physics::units::deg_from_rad;
+use crate::physics::units::{deg_from_rad, rad_from_deg};
 
-use super::dice::Dice;
-use super::misconceptions::is_clear;
-use super::words::tenths;
-use super::{Given, Pieces, Question};
+use crate::quiz::dice::Dice;
+use crate::quiz::misconceptions::OF_RAYS;
+use crate::quiz::question::CLEAR;
+use crate::quiz::words::tenths;
+use crate::quiz::{Difficulty, Given, Hit, Pieces, RIGHT_DEG, Rays};
 
-/// A kind of question.
+/// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Equal masses, α given.
@@ -30,24 +31,11 @@ pub enum Kind {
     LossyMarbles,
 }
 
-/// How hard a question of a round is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Difficulty {
-    /// One idea, the striker always from the left.
-    Easy,
-    /// Another idea each, the striker from any of the four sides.
-    Middle,
-    /// Two ideas at once, the striker from anywhere.
-    Hard,
-}
-
+/// What a round of hits is made of, by difficulty: the ideas, and the turns.
 impl Difficulty {
-    /// The three, rising.
-    pub const ALL: [Self; 3] = [Self::Easy, Self::Middle, Self::Hard];
-
     /// The kinds that a round asks at this difficulty, each as often as it stands
     /// here.
-    pub const fn kinds(self) -> &'static [Kind] {
+    pub(super) const fn kinds(self) -> &'static [Kind] {
         match self {
             Self::Easy => &[Kind::EqualAngle, Kind::EqualAngle, Kind::EqualOffset],
             Self::Middle => &[
@@ -65,7 +53,7 @@ impl Difficulty {
     }
 
     /// The striker's directions are multiples of this, in degrees.
-    const fn turn_deg(self) -> u32 {
+    pub(super) const fn turn_deg(self) -> u32 {
         match self {
             Self::Easy => 360,
             Self::Middle => 90,
@@ -75,9 +63,9 @@ impl Difficulty {
 }
 
 impl Kind {
-    /// All questions of this kind that are good to ask, in a fixed order, with the
+    /// All hits of this kind that are good to ask, in a fixed order, with the
     /// target on the right and the striker moving to the right at 1 m/s.
-    pub fn candidates(self) -> Vec<Question> {
+    pub fn candidates(self) -> Vec<Hit> {
         let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
             let given = steps
                 .map(|i| Given::Angle {
@@ -110,44 +98,39 @@ impl Kind {
             Self::LossyMarbles => angles(Pieces::Marbles, 3..=15, 5, &[0.4, 0.5, 0.6]),
         };
         all.into_iter()
-            .filter(|question| within_reason(question) && adds_up(question) && is_clear(question))
+            .filter(|hit| {
+                within_reason(hit)
+                    && adds_up(hit)
+                    && clearance(hit) > rad_from_deg(CLEAR * RIGHT_DEG)
+            })
             .collect()
     }
 
-    /// Draws a question of this kind, none of `asked` again; `None` only if all have
+    /// Draws a hit of this kind, none of `asked` again; `None` only if all have
     /// been asked.
-    pub fn draw(
-        self,
-        difficulty: Difficulty,
-        asked: &[Question],
-        dice: &mut Dice,
-    ) -> Option<Question> {
-        let fresh: Vec<Question> = self
+    pub fn draw(self, difficulty: Difficulty, asked: &[Hit], dice: &mut Dice) -> Option<Hit> {
+        let fresh: Vec<Hit> = self
             .candidates()
             .into_iter()
             .filter(|candidate| !asked.iter().any(|old| same_hit(old, candidate)))
             .collect();
-        let question = *dice.pick(&fresh)?;
+        let hit = *dice.pick(&fresh)?;
         let left = dice.coin();
         let speed = f64::from(2 + dice.below(3));
         let turn = difficulty.turn_deg();
         let direction_deg = f64::from(turn * dice.below(360 / turn));
-        Some(Question {
-            given: if left {
-                mirrored(question.given)
-            } else {
-                question.given
-            },
+        Some(Hit {
+            given: if left { mirrored(hit.given) } else { hit.given },
             speed,
             direction_deg,
-            ..question
+            ..hit
         })
     }
 }
 
-/// A question with the target on the right and nothing else about it.
-fn plain(pieces: Pieces, given: Given, restitution: f64) -> Question {
-    Question {
+/// A hit with the target on the right and nothing else about it.
+fn plain(pieces: Pieces, given: Given, restitution: f64) -> Hit {
+    Hit {
         pieces,
         given,
         restitution,
@@ -156,7 +139,7 @@ fn plain(pieces: Pieces, given: Given, restitution: f64) -> Question {
     }
 }
 
-fn every(pieces: Pieces, given: &[Given], losses: &[f64]) -> Vec<Question> {
+fn every(pieces: Pieces, given: &[Given], losses: &[f64]) -> Vec<Hit> {
     given
         .iter()
         .flat_map(|&given| losses.iter().map(move |&e| plain(pieces, given, e)))
@@ -175,8 +158,8 @@ fn mirrored(given: Given) -> Given {
     }
 }
 
-/// Whether two questions ask about the same hit, but for side, speed and direction.
-fn same_hit(a: &Question, b: &Question) -> bool {
+/// Whether two hits ask about the same hit, but for side, speed and direction.
+fn same_hit(a: &Hit, b: &Hit) -> bool {
     let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
     a.pieces == b.pieces
         && close(a.restitution, b.restitution)
@@ -185,16 +168,33 @@ fn same_hit(a: &Question, b: &Question) -> bool {
 
 /// Head-on, or far enough from both head-on and a graze to be drawn. Not at 45°
 /// either, where "half and half" and a copied angle would be right by accident.
-fn within_reason(question: &Question) -> bool {
-    let alpha_deg = deg_from_rad(question.alpha());
+fn within_reason(hit: &Hit) -> bool {
+    let alpha_deg = deg_from_rad(hit.alpha());
     let drawable = (9.5..80.5).contains(&alpha_deg) && (alpha_deg - 45.0).abs() > 0.5;
-    question.head_on() || drawable
+    hit.head_on() || drawable
+}
+
+/// How far apart the two nearest of the truth and all predictions for a hit are, in
+/// radians: as [`Question::clearance`](crate::quiz::Question::clearance) has it, without
+/// the words of a question, for thousands of hits are looked through.
+fn clearance(hit: &Hit) -> f64 {
+    let mut rays: Vec<Rays> = OF_RAYS
+        .into_iter()
+        .filter_map(|misconception| misconception.predict(hit))
+        .map(|prediction| prediction.rays)
+        .collect();
+    rays.push(hit.truth());
+    let pairs = rays
+        .iter()
+        .enumerate()
+        .flat_map(|(i, a)| rays.iter().skip(i + 1).map(move |b| a.gap(b)));
+    pairs.fold(f64::INFINITY, f64::min)
 }
 
 /// Whether the angles that are printed add up to the printed separation, to the last
 /// place.
-fn adds_up(question: &Question) -> bool {
-    let outcome = question.outcome();
+fn adds_up(hit: &Hit) -> bool {
+    let outcome = hit.outcome();
     match (outcome.theta1, outcome.theta2, outcome.separation) {
         (Some(theta1), Some(theta2), Some(separation)) => {
             tenths(theta1) + tenths(theta2) == tenths(separation)
@@ -205,7 +205,6 @@ fn adds_up(question: &Question) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::misconceptions::{ALL, CLEAR_DEG};
     use super::*;
 
     const KINDS: [Kind; 9] = [
@@ -221,7 +220,7 @@ mod tests {
     ];
 
     #[test]
-    fn every_kind_has_questions_enough() {
+    fn every_kind_has_hits_enough() {
         for kind in KINDS {
             let least = if kind == Kind::HeadOn { 3 } else { 8 };
             let n = kind.candidates().len();
@@ -229,7 +228,7 @@ mod tests {
         }
     }
 
-    /// Machines may differ in the last bit of a sine. No question may hang on it.
+    /// Machines may differ in the last bit of a sine. No hit may hang on it.
     #[test]
     fn no_choice_hangs_on_the_last_bit() {
         let near_tie = |angle: f64| {
@@ -237,22 +236,12 @@ mod tests {
             (tenths - tenths.floor() - 0.5).abs() < 1e-7
         };
         for kind in KINDS {
-            for question in kind.candidates() {
-                let outcome = question.outcome();
+            for hit in kind.candidates() {
+                let outcome = hit.outcome();
                 let printed = [outcome.theta1, outcome.theta2, outcome.separation];
-                assert!(!printed.into_iter().flatten().any(near_tie), "{question:?}");
-                let mut rays: Vec<_> = ALL
-                    .into_iter()
-                    .filter_map(|m| m.predict(&question))
-                    .map(|prediction| prediction.rays)
-                    .collect();
-                rays.push(question.truth());
-                for (i, a) in rays.iter().enumerate() {
-                    for b in &rays[i + 1..] {
-                        let margin = a.gap(b).to_degrees() - CLEAR_DEG;
-                        assert!(margin > 1e-7, "{question:?}");
-                    }
-                }
+                assert!(!printed.into_iter().flatten().any(near_tie), "{hit:?}");
+                let margin = clearance(&hit).to_degrees() - CLEAR * RIGHT_DEG;
+                assert!(margin > 1e-7, "{hit:?}");
             }
         }
     }

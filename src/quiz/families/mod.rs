@@ -1,0 +1,17 @@
+//! The generators of questions, one file a family.
+//!
+//! A generator draws figures with the dice and makes a whole [`Question`] of them: the
+//! text, the picture, the true answer, what each misconception would answer, and why the
+//! truth is true. It need not care whether the answers can be told apart:
+//! [`Family::ask`](super::Family::ask) draws again until they can.
+//!
+//! [`Question`]: super::Question
+
+pub(super) mod from_angle;
+pub(super) mod from_offset;
+pub(super) mod from_picture;
+mod hit_kinds;
+mod setting;
+pub(super) mod speeds;
+pub(super) mod unequal_masses;
+pub mod where_to;

@@ -1,0 +1,112 @@
+//! Hits that more than one family asks about, and the question made of one.
+
+use std::ops::RangeInclusive;
+
+use serde_json::{Map, Value};
+
+use super::where_to::figures;
+use crate::quiz::dice::Dice;
+use crate::quiz::{Belief, Difficulty, Family, Form, Given, Hit, Picture, Pieces, Question, Shown};
+
+/// What a hit on a resting target is drawn from.
+pub(super) struct Setting<'a> {
+    /// The sets of pieces.
+    pub(super) pieces: &'a [Pieces],
+    /// Impact angles in degrees, in steps of five.
+    pub(super) fives_deg: RangeInclusive<u32>,
+    /// Coefficients of restitution.
+    pub(super) restitutions: &'a [f64],
+}
+
+impl Setting<'_> {
+    /// A hit: the pieces, α, e, a speed of 2 to 5 m/s, the side, and a direction that is
+    /// the freer the harder the question.
+    pub(super) fn draw(&self, difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
+        let pieces = *dice.pick(self.pieces)?;
+        let (from, to) = (self.fives_deg.start() / 5, self.fives_deg.end() / 5);
+        let alpha_deg = f64::from(5 * (from + dice.below((to + 1).saturating_sub(from))));
+        let restitution = *dice.pick(self.restitutions)?;
+        let speed = f64::from(2 + dice.below(4));
+        let left = dice.coin();
+        let turn = difficulty.turn_deg();
+        Some(Hit {
+            pieces,
+            given: Given::Angle {
+                // 0.0 - x, not -x: a head-on hit has no side.
+                alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
+            },
+            restitution,
+            speed,
+            direction_deg: f64::from(turn * dice.below(360 / turn)),
+        })
+    }
+}
+
+/// What a question about a hit is made of, besides the hit.
+pub(super) struct Asked {
+    pub(super) family: Family,
+    pub(super) difficulty: Difficulty,
+    pub(super) topic: String,
+    /// What is asked, after the hit has been described.
+    pub(super) ask: String,
+    pub(super) form: Form,
+    pub(super) beliefs: Vec<Belief>,
+    pub(super) why: String,
+    /// Figures besides those of the hit.
+    pub(super) more: Map<String, Value>,
+}
+
+/// A question about a hit that is given in full.
+pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
+    let by_angle = matches!(hit.given, Given::Angle { .. });
+    let mut figures = figures(hit);
+    figures.extend(asked.more);
+    Question {
+        family: asked.family,
+        difficulty: asked.difficulty,
+        topic: asked.topic,
+        text: format!("{} {}", hit.setting(), asked.ask),
+        picture: Picture::Before {
+            collision: hit.collision(),
+            shown: Shown {
+                offset: !by_angle,
+                angle: by_angle,
+                figures: true,
+            },
+        },
+        form: asked.form,
+        beliefs: asked.beliefs,
+        why: asked.why,
+        figures,
+    }
+}
+
+/// Figures with their names, besides those of the hit.
+pub(super) fn more<const N: usize>(figures: [(&str, Value); N]) -> Map<String, Value> {
+    figures
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect()
+}
+
+/// The belief that gives a number, if it gives one worth typing: finite and not
+/// negative.
+pub(super) fn number(
+    misconception: &'static crate::quiz::Misconception,
+    said: f64,
+    says: String,
+) -> Option<Belief> {
+    let sane = said.is_finite() && said >= 0.0;
+    sane.then(|| Belief::new(misconception, crate::quiz::Said::Number(said), says))
+}
+
+/// The beliefs whose answer is not the true one by accident, which then are none.
+pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief>>) -> Vec<Belief> {
+    /// What rounding alone may do.
+    const SAME: f64 = 1e-6;
+    beliefs
+        .into_iter()
+        .flatten()
+        .filter(|belief| form.distance(&belief.said, &form.truth()) > SAME)
+        .collect()
+}
