@@ -23,6 +23,9 @@
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
+//!   class/         a round for a class round one screen: teams, two votes, scores, what
+//!                  each question showed
+//!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      what a player has done, and what follows from it: topics, confidence,
 //!                  misconceptions that fade, what is due
@@ -42,6 +45,7 @@
 
 pub mod app;
 pub mod beams;
+pub mod class;
 pub mod cli;
 pub mod files;
 pub mod game;

@@ -26,36 +26,49 @@ const COLUMNS: [&str; 14] = [
     "misconception",
 ];
 
-/// The attempts as comma-separated values, one a row under a row of heads, as
-/// RFC 4180 has them. A text that a spreadsheet would take for a formula gets an
-/// apostrophe before it, which makes it plain text there.
+/// The attempts as a [`table`], one a row.
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
+    let number = |number: f64| number.to_string();
+    let rows: Vec<Vec<String>> = attempts
+        .iter()
+        .map(|attempt| {
+            vec![
+                attempt.time_s.and_then(time).unwrap_or_default(),
+                attempt.player.clone(),
+                attempt.family.clone(),
+                attempt.topic.clone(),
+                attempt.seed.to_string(),
+                attempt.number.to_string(),
+                attempt.question.clone(),
+                attempt.answer.clone(),
+                attempt.truth.clone(),
+                attempt.error_deg.map(number).unwrap_or_default(),
+                number(attempt.credit),
+                if attempt.right { "yes" } else { "no" }.into(),
+                attempt.confidence.map_or("", Confidence::id).into(),
+                attempt.misconception.clone().unwrap_or_default(),
+            ]
+        })
+        .collect();
+    table(&COLUMNS, &rows)
+}
+
+/// A table of comma-separated values, as RFC 4180 has them: the heads, then the rows. A
+/// text that a spreadsheet would take for a formula gets an apostrophe before it, which
+/// makes it plain text there; numbers below zero are left as they are.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let told = |error: csv::Error| error.to_string();
-    table.write_record(COLUMNS).map_err(told)?;
-    for attempt in attempts {
-        let number = |number: f64| number.to_string();
-        let cells: [Cow<str>; 14] = [
-            attempt.time_s.and_then(time).unwrap_or_default().into(),
-            plain(&attempt.player),
-            plain(&attempt.family),
-            plain(&attempt.topic),
-            attempt.seed.to_string().into(),
-            attempt.number.to_string().into(),
-            plain(&attempt.question),
-            plain(&attempt.answer),
-            plain(&attempt.truth),
-            attempt.error_deg.map(number).unwrap_or_default().into(),
-            number(attempt.credit).into(),
-            if attempt.right { "yes" } else { "no" }.into(),
-            attempt.confidence.map_or("", Confidence::id).into(),
-            plain(attempt.misconception.as_deref().unwrap_or_default()),
-        ];
+    table.write_record(heads).map_err(told)?;
+    for row in rows {
         table
-            .write_record(cells.iter().map(AsRef::as_ref))
+            .write_record(row.iter().map(|cell| plain(cell).into_owned()))
             .map_err(told)?;
     }
     let bytes = table.into_inner().map_err(|error| error.to_string())?;
@@ -64,7 +77,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
 
 /// A text that no spreadsheet takes for a formula.
 fn plain(text: &str) -> Cow<'_, str> {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+    let is_number = text.parse::<f64>().is_ok();
+    if !is_number && text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
         format!("'{text}").into()
     } else {
         text.into()

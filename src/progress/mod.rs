@@ -21,7 +21,7 @@ pub use advice::advice;
 pub use attempt::{Attempt, LESSON, angles};
 pub use beliefs::{Belief, Trend, beliefs};
 pub use calibration::{Calibrated, calibration, calibration_words};
-pub use export::{csv, json};
+pub use export::{csv, json, table};
 pub use schedule::{DAY_S, Review, reviews};
 pub use star::Starred;
 pub use tally::{Tally, smoothed_errors_deg};

@@ -1,5 +1,7 @@
 //! What the player says.
 
+use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+
 use super::{Confidence, Rays};
 
 /// What is said to a question, in the way it asks for.
@@ -15,6 +17,49 @@ pub enum Said {
     Shot(f64),
 }
 
+impl Said {
+    /// The text with which it is kept: "rays 60 still", "number 2.1", "choice 2" (from
+    /// 1), "shot 15" (angles in degrees, the offset in millimetres).
+    pub fn to_text(self) -> String {
+        match self {
+            Self::Rays(rays) => {
+                let [striker, target] = [rays.striker, rays.target].map(|angle| match angle {
+                    Some(angle) => deg_from_rad(angle).to_string(),
+                    None => STILL.into(),
+                });
+                format!("rays {striker} {target}")
+            }
+            Self::Number(x) => format!("number {x}"),
+            Self::Choice(i) => format!("choice {}", i.saturating_add(1)),
+            Self::Shot(offset) => format!("shot {}", mm_from_m(offset)),
+        }
+    }
+
+    /// What such a text says; `None` if it is none.
+    pub fn parse(text: &str) -> Option<Self> {
+        let finite = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
+        // An angle is that of a disc that moves, or of none.
+        let angle = |text: &str| match text {
+            STILL => Some(None),
+            text => finite(text).map(|angle| Some(rad_from_deg(angle))),
+        };
+        let words: Vec<&str> = text.split(' ').collect();
+        match *words.as_slice() {
+            ["rays", striker, target] => Some(Self::Rays(Rays {
+                striker: angle(striker)?,
+                target: angle(target)?,
+            })),
+            ["number", x] => finite(x).map(Self::Number),
+            ["choice", i] => Some(Self::Choice(i.parse::<usize>().ok()?.checked_sub(1)?)),
+            ["shot", offset] => finite(offset).map(|offset| Self::Shot(m_from_mm(offset))),
+            _ => None,
+        }
+    }
+}
+
+/// The word for a disc that stays still.
+const STILL: &str = "still";
+
 /// An answer: what is said, and how sure the player is of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
@@ -28,5 +73,46 @@ impl Answer {
     /// An answer.
     pub const fn new(said: Said, confidence: Confidence) -> Self {
         Self { said, confidence }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_said_is_read_as_it_is_written() {
+        for text in [
+            "rays 60 still",
+            "rays -0.5 30.25",
+            "number 2.1",
+            "choice 2",
+            "shot -15.5",
+        ] {
+            let said = Said::parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(Said::parse(&said.to_text()), Some(said), "{text}");
+        }
+        assert_eq!(Said::Choice(0).to_text(), "choice 1");
+    }
+
+    #[test]
+    fn what_says_nothing_is_refused() {
+        for text in [
+            "",
+            "rays",
+            "rays 1",
+            "rays 1 2 3",
+            "number NaN",
+            "number inf",
+            "choice 0",
+            "choice -1",
+            "choice 1.5",
+            "shot",
+            "Choice 1",
+            "choice  1",
+            "ray 1 2",
+        ] {
+            assert_eq!(Said::parse(text), None, "{text}");
+        }
     }
 }
