@@ -10,6 +10,7 @@
 //! Nothing here draws, and nothing is random but what follows from the seed.
 
 mod answer;
+pub mod concepts;
 mod confidence;
 mod course;
 mod dice;
