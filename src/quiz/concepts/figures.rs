@@ -50,7 +50,7 @@ fn figure(asked: &str, hit: Option<Shot>) -> Result<String, String> {
     };
     let value = value.ok_or_else(|| format!("expected a figure, but {name} is undefined here"))?;
     Ok(if percent {
-        shown(100.0 * value, PERCENT_DECIMALS) + "%"
+        shown(100.0 * value, PERCENT_DECIMALS) + " %"
     } else {
         shown(value, decimals)
     })
@@ -106,9 +106,9 @@ mod tests {
             ("{separation_deg m2_g=5.5}°", "51.2°"),
             ("{v2y}", "−1.73"),
             ("{v1n}", "0"),
-            ("{energy2_share %}, {energy2_share}", "75%, 0.75"),
+            ("{energy2_share %}, {energy2_share}", "75 %, 0.75"),
             ("{rutherford_ratio angle_deg=60 to_deg=90}", "4"),
-            ("{space_share angle_deg=60 %}", "25%"),
+            ("{space_share angle_deg=60 %}", "25 %"),
         ] {
             assert_eq!(fill(text, Some(Shot::default())).as_deref(), Ok(filled));
         }

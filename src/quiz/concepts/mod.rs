@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::Difficulty;
+use super::{Difficulty, Misconception};
 use crate::files::Fault;
 use crate::physics::Collision;
 
@@ -55,8 +55,8 @@ pub struct Concept {
 pub struct Wrong {
     /// The choice.
     pub choice: String,
-    /// Id of the misconception that it follows, where it follows one.
-    pub misconception: Option<String>,
+    /// The misconception that it follows, where it follows one.
+    pub misconception: Option<&'static Misconception>,
     /// What to say to whoever chose it; begins from what this choice says.
     pub says: String,
 }

@@ -9,7 +9,7 @@ use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{Fault, Source, harmless};
 use crate::physics::named::Shot;
-use crate::quiz::Difficulty;
+use crate::quiz::{Difficulty, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
@@ -51,7 +51,7 @@ struct Item {
 #[serde(deny_unknown_fields)]
 struct Mistake {
     choice: Spanned<String>,
-    misconception: Option<String>,
+    misconception: Option<Spanned<String>>,
     says: Spanned<String>,
 }
 
@@ -180,9 +180,23 @@ impl Reader<'_> {
     fn wrong(&self, wrong: &Mistake) -> Result<Wrong, Fault> {
         Ok(Wrong {
             choice: self.text(&wrong.choice, "choice", CHOICE)?,
-            misconception: wrong.misconception.clone(),
+            misconception: self.misconception(wrong)?,
             says: self.text(&wrong.says, "says", SAYS)?,
         })
+    }
+
+    fn misconception(&self, wrong: &Mistake) -> Result<Option<&'static Misconception>, Fault> {
+        let Some(id) = &wrong.misconception else {
+            return Ok(None);
+        };
+        match Misconception::with_id(id.get_ref()) {
+            Some(known) => Ok(Some(known)),
+            None => {
+                let found = harmless(id.get_ref(), 40);
+                let message = format!("expected the id of a misconception, found {found}");
+                Err(self.fault(id, "misconception", message))
+            }
+        }
     }
 
     fn id(&self, id: &Spanned<String>) -> Result<String, Fault> {
