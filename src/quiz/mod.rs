@@ -7,6 +7,8 @@
 //! is, [`Question::diagnose`] which known misconception it fits, [`explain()`] why the
 //! truth is true, and [`Summary`] looks back over the round.
 //!
+//! The [`concepts`] are questions in words, written by hand.
+//!
 //! Nothing here draws, and nothing is random but what follows from the seed.
 
 mod answer;
