@@ -30,7 +30,8 @@
 //!   progress/      what a player has done, and what follows from it: topics, confidence,
 //!                  misconceptions that fade, what is due
 //!   ─────────────────────────────────────────────────────────────
-//!   quiz/          questions, grading, misconceptions
+//!   quiz/          questions, grading, misconceptions; concept questions in words
+//!                  (data: assets/concepts)
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)

@@ -3,10 +3,9 @@
 use super::block::{self, Block, Piece};
 use super::figure::Figure;
 use super::inline::{self, Meaning};
-use super::quantity::Quantity;
-use super::shot::Shot;
 use super::source::{Line, Source};
 use super::words::Words;
+use super::{Quantity, Shot};
 use crate::levels::Fault;
 
 /// Least and most lines of a choice.

@@ -1,7 +1,7 @@
 //! The figure of a page.
 
+use super::Shot;
 use super::header::Shots;
-use super::shot::Shot;
 use super::words::Words;
 
 /// What a figure shows.

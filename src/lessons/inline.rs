@@ -3,14 +3,12 @@
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use super::block::{Piece, Tone};
-use super::constant::Constant;
 use super::formula::Formula;
 use super::header::Shots;
-use super::quantity::Quantity;
-use super::shot::Shot;
 use super::source::Source;
 use super::words::Words;
 use super::written::Written;
+use super::{Constant, Quantity, Shot};
 use crate::levels::Fault;
 
 /// What names in a text stand for.

@@ -7,9 +7,12 @@
 //! is, [`Question::diagnose`] which known misconception it fits, [`explain()`] why the
 //! truth is true, and [`Summary`] looks back over the round.
 //!
+//! The [`concepts`] are questions in words, written by hand.
+//!
 //! Nothing here draws, and nothing is random but what follows from the seed.
 
 mod answer;
+pub mod concepts;
 mod confidence;
 mod course;
 mod dice;

@@ -1,11 +1,11 @@
-//! Everything about a collision that a chapter can ask for by name.
+//! Everything about a collision that a text can ask for by name.
 
 use glam::DVec2;
 
-use crate::physics::frames::cm_scattering_angle;
-use crate::physics::resting_target::{LargestDeflection, mass_ratio_from_angles};
-use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
-use crate::physics::{Bond, Collision, Frame, Outcome, RestingTarget};
+use super::super::frames::cm_scattering_angle;
+use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
+use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
+use super::super::{Bond, Collision, Frame, Outcome, RestingTarget};
 
 /// A number that follows from a collision.
 #[derive(Debug, Clone, Copy)]
@@ -49,7 +49,7 @@ const MILLI: f64 = 1e3;
 
 impl Quantity {
     /// All of them, in the order of the table in `docs/lessons.md`.
-    pub const ALL: [Self; 52] = [
+    pub const ALL: [Self; 54] = [
         quantity("u", "u", "m/s", 2, |c, _| Some(c.u1.length())),
         quantity("v1", "v₁", "m/s", 2, |_, o| Some(o.v1.length())),
         quantity("v2", "v₂", "m/s", 2, |_, o| Some(o.v2.length())),
@@ -156,6 +156,12 @@ impl Quantity {
         }),
         quantity("p2y", "p₂ᵧ", "g m/s", 1, |c, o| {
             Some(momentum(c, DVec2::ZERO, o.v2).y)
+        }),
+        quantity("p1", "p₁", "g m/s", 1, |c, o| {
+            Some(momentum(c, o.v1, DVec2::ZERO).length())
+        }),
+        quantity("p2", "p₂", "g m/s", 1, |c, o| {
+            Some(momentum(c, DVec2::ZERO, o.v2).length())
         }),
         quantity("impulse", "J", "g m/s", 1, |_, o| {
             Some(g_from_kg(o.impulse))
@@ -278,6 +284,8 @@ mod tests {
             ("v2y", marbles, -1.0),
             ("px", marbles, 60.0),
             ("px_after", marbles, 60.0),
+            ("p1", marbles, 20.0 * 5.0_f64.sqrt()),
+            ("p2", marbles, 40.0 * 2.0_f64.sqrt()),
             ("py_after", marbles, 0.0),
             (
                 "separation_deg",
@@ -323,7 +331,7 @@ mod tests {
 
     #[test]
     fn the_manual_knows_every_name() {
-        let manual = include_str!("../../docs/lessons.md");
+        let manual = include_str!("../../../docs/lessons.md");
         for quantity in Quantity::ALL {
             assert!(
                 manual.contains(&format!("`{}`", quantity.name)),

@@ -1,11 +1,11 @@
-//! The collision a figure, a number or a checkpoint is about, in the units of files.
+//! A collision by the fields that files write it with.
 
 use glam::DVec2;
 
-use crate::physics::units::{kg_from_g, m_from_mm, rad_from_deg};
-use crate::physics::{Bond, Collision, Disc};
+use super::super::units::{kg_from_g, m_from_mm, rad_from_deg};
+use super::super::{Bond, Collision, Disc};
 
-/// A collision as a chapter writes it.
+/// A collision as a chapter or a concept question writes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shot {
     m1_g: f64,
@@ -66,7 +66,7 @@ const SCALES: [Scale; 10] = [
 
 impl Shot {
     /// Whether a shot has a field of this name.
-    pub(super) fn has(field: &str) -> bool {
+    pub fn has(field: &str) -> bool {
         field == "stick" || SCALES.iter().any(|(name, ..)| *name == field)
     }
 
@@ -74,7 +74,7 @@ impl Shot {
     ///
     /// # Errors
     /// What was expected, if there is no such field or the value is none for it.
-    pub(super) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+    pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         if field == "stick" {
             self.stick = match written {
                 "true" => true,
@@ -126,7 +126,7 @@ impl Shot {
     ///
     /// # Errors
     /// What was expected.
-    pub(super) fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), String> {
         let most = 1.25 * (self.r1_mm + self.r2_mm);
         match self.place {
             Place::Offset(offset) if offset.abs() > most => Err(format!(

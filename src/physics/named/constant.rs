@@ -1,8 +1,8 @@
 //! Numbers that follow from no collision of two discs: beams and Rutherford's atom.
 
-use crate::physics::beam::Beam;
-use crate::physics::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEV, Rutherford};
-use crate::physics::units::rad_from_deg;
+use super::super::beam::Beam;
+use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEV, Rutherford};
+use super::super::units::rad_from_deg;
 
 /// What a [`Constant`] is computed from, in the units of files.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +104,7 @@ pub struct Constant {
 
 impl Constant {
     /// The constant of this name, with the fields that are usual.
-    pub(super) fn named(name: &str) -> Option<Self> {
+    pub fn named(name: &str) -> Option<Self> {
         let (_, of) = ALL.into_iter().find(|(known, _)| *known == name)?;
         Some(Self {
             of,
@@ -116,7 +116,7 @@ impl Constant {
     ///
     /// # Errors
     /// What was expected.
-    pub(super) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+    pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         self.fields.set(field, written)
     }
 
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn the_manual_knows_every_name() {
-        let manual = include_str!("../../docs/lessons.md");
+        let manual = include_str!("../../../docs/lessons.md");
         for (name, _) in ALL {
             assert!(manual.contains(&format!("`{name}`")), "{name}");
         }
