@@ -25,14 +25,15 @@ impl Run {
 type Word = Vec<Run>;
 
 /// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in
-/// `charset`; a word longer than a row is broken where it must be.
+/// `charset`; a number keeps its unit beside it, and a word longer than a row is
+/// broken where it must be.
 pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let columns = columns.max(1);
     let mut rows = vec![Vec::new()];
     let mut used = 0;
-    for word in words(runs) {
-        let word = spelt(word, charset);
-        let width: usize = word.iter().map(|run| text::width(&run.text)).sum();
+    let words = words(runs).into_iter().map(|word| spelt(word, charset));
+    for word in held(words, columns) {
+        let width = width(&word);
         let gap = usize::from(used > 0);
         if used > 0 && used + gap + width > columns {
             rows.push(Vec::new());
@@ -56,6 +57,33 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
         }
     }
     rows
+}
+
+fn width(word: &Word) -> usize {
+    word.iter().map(|run| text::width(&run.text)).sum()
+}
+
+/// Words that belong together as one, if a row has room for it.
+fn held(words: impl Iterator<Item = Word>, columns: usize) -> Vec<Word> {
+    let mut held: Vec<Word> = Vec::new();
+    let letters = |word: &Word| word.iter().map(|run| run.text.as_str()).collect::<String>();
+    let mut before = String::new();
+    for word in words {
+        let after = letters(&word);
+        match held.last_mut() {
+            Some(last)
+                if text::belong_together(&before, &after)
+                    && width(last) + 1 + width(&word) <= columns =>
+            {
+                let role = word.first().map_or(Role::Text, |run| run.role);
+                last.push(Run::new(" ", role));
+                last.extend(word);
+            }
+            _ => held.push(word),
+        }
+        before = after;
+    }
+    held
 }
 
 fn push(rows: &mut [Vec<Run>], text: &str, role: Role) {
@@ -133,6 +161,20 @@ mod tests {
         let runs = [("30", Role::Title), ("°.", Role::Text)];
         assert_eq!(rows(&runs, 20, Charset::Ascii), ["30 deg."]);
         assert_eq!(rows(&runs, 20, Charset::Unicode), ["30°."]);
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit_across_styles() {
+        let runs = [
+            ("with ", Role::Text),
+            ("40", Role::Title),
+            (" g m/s.", Role::Text),
+        ];
+        for columns in 9..14 {
+            let broken = rows(&runs, columns, Charset::Ascii);
+            assert_eq!(broken, ["with", "40 g m/s."], "{columns}");
+        }
+        assert_eq!(rows(&runs, 6, Charset::Unicode), ["with", "40 g", "m/s."]);
     }
 
     proptest! {

@@ -7,14 +7,31 @@ pub fn width(text: &str) -> usize {
     text.width()
 }
 
-/// Breaks `text` at spaces into lines of at most `columns` (at least 1); a word
-/// longer than a line is broken where it must be. Line breaks in it are kept.
+/// Units as a text has them in either charset.
+const UNITS: [&str; 21] = [
+    "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
+    "keV", "MeV", "deg", "%", "turns",
+];
+
+/// Whether a blank between two words is no place to break a row: it parts a number
+/// from its unit (`2 m/s`), or a unit from the rest of it (`g m/s`).
+pub fn belong_together(before: &str, after: &str) -> bool {
+    let before = before.trim_end_matches([')', ']']);
+    let after = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
+    let number = before.ends_with(char::is_numeric);
+    (number && UNITS.contains(&after)) || (before.ends_with('g') && after == "m/s")
+}
+
+/// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
+/// keeps its unit beside it, and a word longer than a line is broken where it must
+/// be. Line breaks in it are kept.
 pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     let columns = columns.max(1);
     let mut lines = Vec::new();
     for paragraph in text.split('\n') {
         let mut line = String::new();
-        for word in paragraph.split(' ').filter(|word| !word.is_empty()) {
+        for word in held(paragraph, columns) {
+            let word = word.as_str();
             let gap = usize::from(!line.is_empty());
             if width(&line) + gap + width(word) > columns && !line.is_empty() {
                 lines.push(std::mem::take(&mut line));
@@ -33,6 +50,25 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
+/// The words of `text`; those that belong together are one, if a line has room for it.
+fn held(text: &str, columns: usize) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut before = "";
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        match words.last_mut() {
+            Some(last)
+                if belong_together(before, word) && width(last) + 1 + width(word) <= columns =>
+            {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+        before = word;
+    }
+    words
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -43,6 +79,16 @@ mod tests {
         assert_eq!(wrap("one two three", 7), ["one two", "three"]);
         assert_eq!(wrap("", 7), [""]);
         assert_eq!(wrap("a\n\nb", 7), ["a", "", "b"]);
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit() {
+        assert_eq!(wrap("it has 2 m/s, so", 8), ["it has", "2 m/s,", "so"]);
+        assert_eq!(wrap("has 60 g m/s.", 9), ["has", "60 g m/s."]);
+        assert_eq!(wrap("at (30 deg)", 9), ["at", "(30 deg)"]);
+        // Words that are no unit, and lines too short for both.
+        assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
+        assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);
     }
 
     #[test]
