@@ -125,11 +125,34 @@ fn the_place_is_kept_and_can_be_reset() {
         game.screen().contains("+ Along the line"),
         "the answer is still there"
     );
-    game.press("R");
-    assert!(game.screen().contains("> What") || game.screen().contains(">1"));
-    assert_eq!(game.app().book().mark(&chapter.id).unwrap().answered(), 0);
+    game.press("n");
+    game.press("Rn");
+    assert!(
+        game.screen().contains("page 2 of 5"),
+        "nothing but y forgets"
+    );
+    game.press("Ry");
+    let screen = game.screen();
+    assert!(
+        screen.contains("page 1 of 5") && screen.contains("begins anew"),
+        "{screen}"
+    );
+    let mark = game.app().book().mark(&chapter.id);
+    assert_eq!(mark.unwrap().answered(chapter), 0);
     game.press("<Escape>R");
+    let screen = game.screen();
+    assert!(
+        screen.contains("Forget chapter 2?") && screen.contains("1/5"),
+        "{screen}"
+    );
+    game.press("<Enter>");
+    assert!(
+        game.app().book().mark(&chapter.id).is_some(),
+        "nothing but y forgets"
+    );
+    game.press("Ry");
     assert!(game.app().book().mark(&chapter.id).is_none());
+    assert_eq!(game.attempts().len(), 1, "the record of answers stays");
 }
 
 #[test]

@@ -7,6 +7,7 @@ use super::source::{Line, Source};
 use super::words::Words;
 use super::{Quantity, Shot};
 use crate::levels::Fault;
+use crate::physics::Collision;
 
 /// Least and most lines of a choice.
 const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
@@ -22,6 +23,8 @@ pub struct Checkpoint {
     pub question: Vec<Block>,
     /// What is said after the answer.
     pub after: Vec<Block>,
+    /// All that it asks, as it is written: an answer belongs to this and to nothing else.
+    pub written: String,
     /// Its line in the file.
     pub line: usize,
 }
@@ -53,6 +56,25 @@ pub enum Expected {
     Fixed(f64, String),
 }
 
+impl Expected {
+    /// The right number. `figure` is the collision as the page's figure has it.
+    pub fn value(&self, figure: Option<&Collision>) -> Option<f64> {
+        match self {
+            Self::Of(quantity, shot) => quantity.of(&shot.collision()),
+            Self::Figure(quantity) => quantity.of(figure?),
+            Self::Fixed(value, _) => Some(*value),
+        }
+    }
+
+    /// Its sign and its unit.
+    pub fn sign_and_unit(&self) -> (&str, &str) {
+        match self {
+            Self::Of(quantity, _) | Self::Figure(quantity) => (quantity.symbol, quantity.unit),
+            Self::Fixed(_, unit) => ("your answer", unit),
+        }
+    }
+}
+
 /// A line of a choice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
@@ -80,6 +102,8 @@ impl Checkpoint {
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
         let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
         let telling = telling.get(1..).unwrap_or_default();
+        let texts = asking.iter().map(|(_, text)| text.trim());
+        let written: Vec<_> = std::iter::once(words.trim()).chain(texts).collect();
         let mut words = Words::of(words).map_err(fault)?;
         let name = words.first().unwrap_or_default();
         let first_choice = asking.iter().position(|(_, text)| text.starts_with("- ["));
@@ -101,6 +125,7 @@ impl Checkpoint {
             question: block::read(source, question, meaning)?,
             after: block::read(source, telling, meaning)?,
             asked,
+            written: written.join("\n").trim().to_owned(),
             line,
         };
         if checkpoint.question.is_empty() {
