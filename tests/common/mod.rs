@@ -1,5 +1,6 @@
 //! What several tests share.
 
+pub mod child;
 pub mod folder;
 pub mod play;
 #[cfg(unix)]

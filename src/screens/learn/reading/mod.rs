@@ -258,7 +258,7 @@ impl Reading {
     /// Notes the impact angle that the student has set.
     fn note_alpha(&mut self) {
         let figure = self.figure.as_ref();
-        if let Some(figure) = figure.filter(|figure| figure.is_set_by_keys()) {
+        if let Some(figure) = figure.filter(|figure| figure.is_own()) {
             self.alpha_deg = Some(figure.alpha_deg());
         }
     }
