@@ -152,6 +152,8 @@ fn rays(figure: Option<&Figure>) -> Result<Asked, String> {
 }
 
 fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
+    let tolerance = words.number("tolerance", 1e-9, 1e6)?;
+    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
     let expected = match words.field("answer") {
         Some(answer) => {
             let value = answer.parse().ok().filter(|value: &f64| value.abs() < 1e9);
@@ -163,18 +165,22 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
             }
             Expected::Fixed(value, unit)
         }
-        None => of_shot(words, meaning)?,
+        None => named(words, meaning)?,
     };
-    let tolerance = words.number("tolerance", 1e-9, 1e6)?;
-    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
     Ok(Asked::Number {
         expected,
         tolerance,
     })
 }
 
-fn of_shot(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
+/// The number of a name, of a shot or of none.
+fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
+    if let Some(constant) = words.constant(&name)? {
+        let value = constant.value();
+        let value = value.ok_or_else(|| format!("{name} is undefined here"))?;
+        return Ok(Expected::Fixed(value, String::new()));
+    }
     let quantity = Quantity::named(&name)
         .ok_or_else(|| format!("expected the name of a number or answer=, found {name}"))?;
     let shot = meaning.shots.take(words, None)?;

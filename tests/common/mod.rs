@@ -2,6 +2,7 @@
 
 pub mod child;
 pub mod folder;
+pub mod lessons;
 pub mod play;
 #[cfg(unix)]
 pub mod pty;
