@@ -1,5 +1,6 @@
 //! What several tests share.
 
+pub mod bad_files;
 pub mod child;
 pub mod folder;
 pub mod lessons;
