@@ -154,7 +154,16 @@ impl App {
                     self.context.shelf.recall(starred);
                 }
             }
-            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) if !self.told_of_trouble => {
+            Done::Marks(marks) => {
+                let book = &mut self.context.book;
+                book.recall(marks.as_ref().cloned().unwrap_or_default());
+            }
+            _ => {}
+        }
+        match &answer.done {
+            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason))
+                if !self.told_of_trouble =>
+            {
                 self.told_of_trouble = true;
                 self.notice = Some(format!(
                     "What you do cannot be kept: {reason}. You can go on all the same."

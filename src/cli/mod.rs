@@ -3,6 +3,7 @@
 mod completions;
 mod failure;
 mod figure;
+mod given;
 mod lesson;
 mod level;
 mod man;

@@ -9,7 +9,9 @@
 //!
 //! Nothing here draws.
 
+mod answer;
 mod block;
+mod bookmark;
 mod chapter;
 mod checkpoint;
 mod figure;
@@ -24,7 +26,9 @@ mod tests;
 mod words;
 mod written;
 
+pub use answer::Answer;
 pub use block::{Block, Piece, Tone};
+pub use bookmark::{Bookmark, Given};
 pub use chapter::Chapter;
 pub use checkpoint::{Asked, Checkpoint, Choice, Expected};
 pub use figure::{Figure, FigureKind};

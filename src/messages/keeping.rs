@@ -1,9 +1,11 @@
 //! Keeping games and what a player has done: what is asked of whoever keeps them, and
 //! what comes back.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::game::{Game, SavedGame};
+use crate::lessons::Bookmark;
 use crate::progress::{Attempt, Starred};
 
 /// Something to be done with what is kept.
@@ -38,6 +40,35 @@ pub enum Wish {
     Recall(Option<String>),
     /// Say which levels this player has won.
     Stars(String),
+    /// Add what a player has done in a chapter to the bookmark there.
+    Mark {
+        /// The player's name.
+        player: String,
+        /// The id of the chapter.
+        chapter: String,
+        /// What was done.
+        later: Bookmark,
+    },
+    /// Forget what this player has done in chapters.
+    Forget(String, Forget),
+    /// Say how far this player has read the chapters.
+    Marks(String),
+}
+
+/// What is to be forgotten of bookmarks. The record of answers stays in any case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Forget {
+    /// The answer given on a page.
+    Answer {
+        /// The id of the chapter.
+        chapter: String,
+        /// The title of the page.
+        page: String,
+    },
+    /// All of the chapter of this id.
+    Chapter(String),
+    /// All of all chapters.
+    All,
 }
 
 /// What came of a [`Request`]; where it failed, the reason in words.
@@ -64,12 +95,14 @@ pub enum Done {
     Removed(Result<(), String>),
     /// Where it was written.
     Exported(Result<String, String>),
-    /// The answer or the stars are safe.
+    /// The answer, the stars or the bookmark are safe.
     Noted(Result<(), String>),
     /// What was done so far.
     Recalled(Result<Box<History>, String>),
     /// The levels that were won.
     Stars(Result<Vec<Starred>, String>),
+    /// The bookmarks, by the ids of the chapters.
+    Marks(Result<BTreeMap<String, Bookmark>, String>),
 }
 
 /// What was done so far.
@@ -104,9 +137,12 @@ impl Request {
                 Wish::Load(_) => Done::Loaded(Err(reason)),
                 Wish::Remove(_) => Done::Removed(Err(reason)),
                 Wish::Export(_) => Done::Exported(Err(reason)),
-                Wish::Record(_) | Wish::Star(..) => Done::Noted(Err(reason)),
+                Wish::Record(_) | Wish::Star(..) | Wish::Mark { .. } | Wish::Forget(..) => {
+                    Done::Noted(Err(reason))
+                }
                 Wish::Recall(_) => Done::Recalled(Err(reason)),
                 Wish::Stars(_) => Done::Stars(Err(reason)),
+                Wish::Marks(_) => Done::Marks(Err(reason)),
             },
             notice: None,
         }

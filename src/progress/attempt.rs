@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Rays, Said};
+use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Said};
 
 /// The family of all questions that chapters ask.
 pub const LESSON: &str = "lesson";
@@ -86,25 +86,17 @@ impl Attempt {
 /// What is said to a question, with the units in the names.
 fn said(form: &Form, said: &Said) -> Value {
     match (form, said) {
-        (_, Said::Rays(rays)) => angles(rays),
+        (_, Said::Rays(rays)) => rays.json(),
         (Form::Number { quantity, .. }, Said::Number(x)) => json!({ quantity.id(): x }),
         (_, Said::Shot(offset)) => json!({ "offset_mm": mm_from_m(*offset) }),
         _ => json!({ "choice": form.words(said) }),
     }
 }
 
-/// Both angles in degrees, with names and signs as `carrom solve` gives them.
-pub fn angles(rays: &Rays) -> Value {
-    json!({
-        "theta1_deg": rays.striker.map(deg_from_rad),
-        "theta2_deg": rays.target.map(deg_from_rad),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quiz::{Given, Hit, Pieces, Ray};
+    use crate::quiz::{Given, Hit, Pieces, Ray, Rays};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,

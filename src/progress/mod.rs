@@ -18,7 +18,7 @@ mod tally;
 mod topics;
 
 pub use advice::advice;
-pub use attempt::{Attempt, LESSON, angles};
+pub use attempt::{Attempt, LESSON};
 pub use beliefs::{Belief, Trend, beliefs};
 pub use calibration::{Calibrated, calibration, calibration_words};
 pub use export::{csv, json, table};

@@ -6,8 +6,9 @@ use ratatui::layout::Rect;
 
 use super::{Book, Shelf};
 use crate::game::Game;
+use crate::lessons::Bookmark;
 use crate::levels::Win;
-use crate::messages::{Effect, Request, Task, Wanted, Wish};
+use crate::messages::{Effect, Forget, Request, Task, Wanted, Wish};
 use crate::progress::Attempt;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
@@ -121,6 +122,29 @@ impl Context {
         if let Some(starred) = self.shelf.won(number, win) {
             self.ask(Wish::Star(self.settings.player.clone(), starred));
         }
+    }
+
+    /// Asks how far the chapters have been read, unless that is known.
+    pub fn ask_for_marks(&mut self) {
+        if !self.book.is_known() {
+            self.ask(Wish::Marks(self.settings.player.clone()));
+        }
+    }
+
+    /// Notes what was done in the chapter of this id, and has that kept.
+    pub fn mark(&mut self, chapter: &str, later: Bookmark) {
+        self.book.merge(chapter, later.clone());
+        self.ask(Wish::Mark {
+            player: self.settings.player.clone(),
+            chapter: chapter.to_owned(),
+            later,
+        });
+    }
+
+    /// Forgets what was done in chapters, here and where it is kept.
+    pub fn forget(&mut self, what: Forget) {
+        self.book.forget(&what);
+        self.ask(Wish::Forget(self.settings.player.clone(), what));
     }
 
     /// A ticket that no request has had.

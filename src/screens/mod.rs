@@ -2,6 +2,7 @@
 
 mod book;
 mod context;
+mod list;
 mod place;
 mod shelf;
 mod why;
@@ -20,7 +21,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub use book::{Book, Bookmark};
+pub use book::Book;
 pub use context::{Context, Settings};
 pub use place::Place;
 pub use shelf::Shelf;

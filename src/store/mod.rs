@@ -1,5 +1,5 @@
 //! What is kept: saved games, one file a game, exported ones, and in a
-//! database every answer and every level won.
+//! database every answer, every level won and how far each chapter was read.
 //!
 //! Several carroms may keep their games in one folder, any of them may be killed at
 //! any moment, and any file may be damaged or not ours. So:
@@ -110,6 +110,13 @@ impl Store {
             Wish::Star(player, starred) => Done::Noted(self.progress.star(player, starred)),
             Wish::Recall(player) => Done::Recalled(self.recall(player.as_deref())),
             Wish::Stars(player) => Done::Stars(self.progress.stars(player)),
+            Wish::Mark {
+                player,
+                chapter,
+                later,
+            } => Done::Noted(self.progress.mark(player, chapter, later)),
+            Wish::Forget(player, what) => Done::Noted(self.progress.forget(player, what)),
+            Wish::Marks(player) => Done::Marks(self.progress.marks(player)),
         };
         Answer {
             ticket,

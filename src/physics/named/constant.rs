@@ -1,7 +1,7 @@
 //! Numbers that follow from no collision of two discs: beams and Rutherford's atom.
 
 use super::super::beam::Beam;
-use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEV, Rutherford};
+use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEASURED_SHARE, MEV, Rutherford};
 use super::super::units::rad_from_deg;
 
 /// What a [`Constant`] is computed from, in the units of files.
@@ -71,7 +71,7 @@ const SCREEN: f64 = 1e-6 / 1e-4;
 type Formula = fn(&Fields) -> Option<f64>;
 
 /// Names and how each is computed.
-const ALL: [(&str, Formula); 8] = [
+const ALL: [(&str, Formula); 9] = [
     ("board_share", |f| Some(Beam::Board.share_beyond(f.angle()))),
     ("space_share", |f| Some(Beam::Space.share_beyond(f.angle()))),
     ("rutherford_d_fm", |f| {
@@ -86,6 +86,7 @@ const ALL: [(&str, Formula); 8] = [
     ("rutherford_share", |f| {
         f.centre().share_into(f.angle(), SCREEN, f.atoms_per_area())
     }),
+    ("measured_share", |_| Some(MEASURED_SHARE)),
     ("rutherford_beyond", |f| {
         Some(f.centre().cross_section_beyond(f.angle())? * f.atoms_per_area())
     }),

@@ -49,7 +49,7 @@ const MILLI: f64 = 1e3;
 
 impl Quantity {
     /// All of them, in the order of the table in `docs/lessons.md`.
-    pub const ALL: [Self; 54] = [
+    pub const ALL: [Self; 55] = [
         quantity("u", "u", "m/s", 2, |c, _| Some(c.u1.length())),
         quantity("v1", "v₁", "m/s", 2, |_, o| Some(o.v1.length())),
         quantity("v2", "v₂", "m/s", 2, |_, o| Some(o.v2.length())),
@@ -112,6 +112,7 @@ impl Quantity {
             1,
             |c, _| largest_deflection(c),
         ),
+        quantity("half_energy_deg", "α", "°", 1, |c, _| half_energy(c)),
         quantity("energy_before_mj", "E before", "mJ", 1, |_, o| {
             Some(MILLI * o.energy_before)
         }),
@@ -250,6 +251,13 @@ fn largest_deflection(c: &Collision) -> Option<f64> {
     }
 }
 
+/// The impact angle that passes on half of the energy.
+fn half_energy(c: &Collision) -> Option<f64> {
+    let is_smooth = c.bond == Bond::Slip && c.u2 == DVec2::ZERO;
+    let alpha = RestingTarget::from(c).alpha_for_energy_passed(0.5)?;
+    is_smooth.then(|| deg_from_rad(alpha))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::Shot;
@@ -279,6 +287,9 @@ mod tests {
             ("u1t", "", 2.0),
             ("energy1_share", "alpha_deg=45", 0.5),
             ("energy2_share", "alpha_deg=45", 0.5),
+            ("half_energy_deg", "", 45.0),
+            // Head-on 8/9 goes over, and cos² 41.4° = 9/16.
+            ("half_energy_deg", marbles, 0.75_f64.acos().to_degrees()),
             ("v1x", marbles, 1.0),
             ("v1y", marbles, 2.0),
             ("v2y", marbles, -1.0),
@@ -312,6 +323,8 @@ mod tests {
         }
         assert_eq!(of("theta1_deg", "alpha_deg=0"), None);
         assert_eq!(of("v1n", "offset_mm=31"), None);
+        // Never: 4 · 1 · 99 / 100² is less than a half.
+        assert_eq!(of("half_energy_deg", "m1_g=1 m2_g=99"), None);
     }
 
     #[test]

@@ -140,6 +140,11 @@ impl Shown {
         self.has_alpha() || matches!(self.state, State::Step(_) | State::Solve { .. })
     }
 
+    /// Whether its α is the student's own, the same in all such figures of a chapter.
+    pub(super) fn is_own(&self) -> bool {
+        self.figure.own
+    }
+
     /// Whether α is set in it.
     fn has_alpha(&self) -> bool {
         let kind = self.figure.kind;
