@@ -2,7 +2,7 @@
 //!
 //! A document is written as HTML on a [`Page`] (self-contained, A4, nothing is loaded
 //! and nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures
-//! are vectors with true lines and text, an [`Svg`] each. All of them are meant for black
+//! are vectors with true lines and text, an [`Svg`] each; [`hit_picture`] draws a hit. All of them are meant for black
 //! and white too: an [`Ink`] is a strength before it is a colour.
 //!
 //! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which
@@ -28,11 +28,13 @@
 //! ```
 
 mod clean;
+mod hit;
 mod markdown;
 mod page;
 mod svg;
 
 pub use clean::clean;
+pub use hit::{After, Shown, hit_picture};
 pub use markdown::Markdown;
 pub use page::Page;
 pub use svg::{Anchor, Ink, Stroke, Svg};
