@@ -92,6 +92,9 @@ impl Moment<'_> {
             if beats >= 2 && (telling || self.shows(Layer::Split)) {
                 split(&mut sheet, &self.stage, &arrows, before[0], n, t);
                 labels.split(&self.stage, &arrows, before[0], n, t);
+                if !self.shows(Layer::Velocities) {
+                    labels.whole(&self.stage, &arrows, before[0]);
+                }
             }
         }
         if self.shows(Layer::Velocities) {
