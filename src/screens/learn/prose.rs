@@ -3,7 +3,7 @@
 use crate::lessons::{Block, Piece, Tone};
 use crate::physics::Collision;
 use crate::widgets::flow::Run;
-use crate::widgets::{Lines, Role, formula};
+use crate::widgets::{Charset, Lines, Role, formula};
 
 /// Columns by which formulas and the rows of a list are set in.
 const INDENT: u16 = 2;
@@ -13,7 +13,7 @@ pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collisi
     let mut before: Option<&Block> = None;
     for block in blocks {
         if let Some(before) = before
-            && !belong_together(before, block)
+            && !belong_together(before, block, lines.charset())
         {
             lines.gap();
         }
@@ -35,7 +35,15 @@ pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collisi
 }
 
 /// Whether two blocks stand without an empty row between them.
-fn belong_together(before: &Block, after: &Block) -> bool {
+fn belong_together(before: &Block, after: &Block, charset: Charset) -> bool {
+    // Fractions would run into what is above them.
+    let tall = |block: &Block| match block {
+        Block::Formula(formula) => formula::set(formula, charset).len() > 1,
+        _ => false,
+    };
+    if tall(before) || tall(after) {
+        return false;
+    }
     match (before, after) {
         (Block::Item(..), Block::Item(..)) | (Block::Formula(_), Block::Formula(_)) => true,
         (Block::Paragraph(pieces), Block::Item(..) | Block::Formula(_)) => {
