@@ -300,6 +300,7 @@ impl App {
                 None => return,
             },
             Place::Foil => Box::new(Foil::default()),
+            Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),
             Place::Progress => Box::new(Progress::ask(&mut self.context)),
         };

@@ -1,5 +1,6 @@
 //! Where one can go.
 
+use super::foil;
 use super::lab::Setup;
 use crate::quiz::Code;
 
@@ -29,6 +30,11 @@ pub enum Place {
     },
     /// The foil: beams of many particles.
     Foil,
+    /// One of its pages.
+    FoilAt {
+        /// The page.
+        page: foil::Page,
+    },
     /// The table: carrom itself.
     Table,
     /// What the player has done so far.
