@@ -248,14 +248,11 @@ mod tests {
         for (text, written) in [
             ("a;=1+1", "a;'=1+1"),
             ("a\n=1+1;b; @c", "a\n'=1+1;b; '@c"),
-            ("a\t-1", "a'\t'-1"),
+            ("a\t-1", "a\t'-1"),
             ("a-b=c", "a-b=c"),
             ("-6.1", "-6.1"),
         ] {
-            assert_eq!(
-                plain(text).replace("a'\t", "a\t"),
-                written.replace("a'\t", "a\t")
-            );
+            assert_eq!(plain(text), written);
         }
     }
 
