@@ -51,6 +51,8 @@ Examples:
   carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom progress --csv        every answer you gave, for a spreadsheet
+  carrom progress --report me.html
+                               a page of it, for a portfolio or a teacher
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won

@@ -6,6 +6,7 @@ mod beliefs;
 mod over_time;
 mod page;
 mod sure;
+mod sure_over_time;
 mod topics;
 mod words;
 
@@ -90,7 +91,7 @@ impl Progress {
         match key {
             Key::Tab | Key::Right => self.turn_to(self.page.beside(1)),
             Key::BackTab | Key::Left => self.turn_to(self.page.beside(-1)),
-            Key::Char(digit @ '1'..='4') => {
+            Key::Char(digit @ '1'..='5') => {
                 self.turn_to(Page::ALL[usize::from(digit as u8 - b'1')]);
             }
             Key::Up => self.scroll_by(-1, cx),
@@ -119,7 +120,7 @@ impl Progress {
             return self.nothing(lines);
         };
         match self.page {
-            Page::OverTime => {}
+            Page::OverTime | Page::SureOverTime => {}
             Page::Topics => topics::table(history, lines),
             Page::Sure => sure::table(history, lines),
             Page::Beliefs => beliefs::table(history, lines),
@@ -156,6 +157,7 @@ impl Progress {
                 Page::OverTime => over_time::panel(history, lines),
                 Page::Topics => topics::panel(history, lines),
                 Page::Sure => sure::panel(history, lines),
+                Page::SureOverTime => sure_over_time::panel(history, lines),
                 Page::Beliefs => beliefs::panel(history, lines),
             }
             lines.gap();
@@ -167,6 +169,9 @@ impl Progress {
         match self.history() {
             Some(history) if self.page == Page::OverTime => {
                 over_time::plot(history, area, buf, look);
+            }
+            Some(history) if self.page == Page::SureOverTime => {
+                sure_over_time::plot(history, area, buf, look);
             }
             _ => self
                 .scroll
@@ -235,7 +240,7 @@ impl Screen for Progress {
         if self.history().is_some() {
             keys.extend([
                 Hint::new("Tab", "next page"),
-                Hint::new("1-4", "page"),
+                Hint::new("1-5", "page"),
                 Hint::new("Up Down", "scroll"),
             ]);
         }
@@ -247,14 +252,17 @@ impl Screen for Progress {
         Help {
             text: vec![
                 "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
-                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately. How sure: the honest range is the one in which that confidence brings most points. Beliefs: what your wrong answers had in common, in the first half of all answers and in the second.",
+                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, in the first half of all answers and in the second.",
                 "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
-                "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json.",
+                "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print or hand in: --report FILE.html.",
             ],
             keys: vec![
                 Hint::new("Tab Right", "next page"),
                 Hint::new("Left", "page before"),
-                Hint::new("1-4", "over time, topics, how sure, beliefs"),
+                Hint::new(
+                    "1-5",
+                    "over time, topics, how sure, that over time, beliefs",
+                ),
                 Hint::new("Up Down", "scroll what is longer than its place"),
                 Hint::new("PageUp PageDown", "the same by eight rows"),
                 Hint::new("Enter", "a round of the quiz"),
