@@ -6,7 +6,10 @@ use serde_json::{Map, Value};
 
 use super::where_to::figures;
 use crate::quiz::dice::Dice;
-use crate::quiz::{Belief, Difficulty, Family, Form, Given, Hit, Picture, Pieces, Question, Shown};
+use crate::quiz::{
+    Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question, Said,
+    Shown,
+};
 
 /// What a hit on a resting target is drawn from.
 pub(super) struct Setting<'a> {
@@ -92,21 +95,29 @@ pub(super) fn more<const N: usize>(figures: [(&str, Value); N]) -> Map<String, V
 /// The belief that gives a number, if it gives one worth typing: finite and not
 /// negative.
 pub(super) fn number(
-    misconception: &'static crate::quiz::Misconception,
+    misconception: &'static Misconception,
     said: f64,
     says: String,
 ) -> Option<Belief> {
     let sane = said.is_finite() && said >= 0.0;
-    sane.then(|| Belief::new(misconception, crate::quiz::Said::Number(said), says))
+    sane.then(|| Belief::new(misconception, Said::Number(said), says))
 }
 
-/// The beliefs whose answer is not the true one by accident, which then are none.
+/// The beliefs whose answer can be given and is not the true one by accident; the others
+/// are none.
 pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief>>) -> Vec<Belief> {
     /// What rounding alone may do.
     const SAME: f64 = 1e-6;
+    let can_be_said = |said: &Said| match (form, said) {
+        (Form::Number { quantity, .. }, Said::Number(x)) => {
+            (quantity.smallest()..=quantity.largest()).contains(x)
+        }
+        _ => true,
+    };
     beliefs
         .into_iter()
         .flatten()
+        .filter(|belief| can_be_said(&belief.said))
         .filter(|belief| form.distance(&belief.said, &form.truth()) > SAME)
         .collect()
 }
