@@ -18,6 +18,16 @@ pub enum Family {
     UnequalMasses,
     /// How fast each one leaves.
     Speeds,
+    /// What corner the two ways out make.
+    Separation,
+    /// What share of the energy each one has after the hit.
+    EnergyShare,
+    /// What the coefficient of restitution does, and what it is.
+    Restitution,
+    /// How far a striker can be turned at most.
+    LargestDeflection,
+    /// A mass from what is seen after the hit.
+    Weigh,
 }
 
 /// How many draws a question may take before a family is given up: a guard against a
@@ -26,13 +36,18 @@ const DRAWS: usize = 20_000;
 
 impl Family {
     /// All families, in the order in which they are taught.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 11] = [
         Self::WhereTo,
         Self::FromAngle,
         Self::FromOffset,
         Self::FromPicture,
         Self::UnequalMasses,
         Self::Speeds,
+        Self::Separation,
+        Self::EnergyShare,
+        Self::Restitution,
+        Self::LargestDeflection,
+        Self::Weigh,
     ];
 
     /// Its name in files and in the codes of rounds.
@@ -44,6 +59,11 @@ impl Family {
             Self::FromPicture => "from-picture",
             Self::UnequalMasses => "unequal-masses",
             Self::Speeds => "speeds",
+            Self::Separation => "separation",
+            Self::EnergyShare => "energy-share",
+            Self::Restitution => "restitution",
+            Self::LargestDeflection => "largest-deflection",
+            Self::Weigh => "weigh",
         }
     }
 
@@ -56,6 +76,11 @@ impl Family {
             Self::FromPicture => "from the picture alone",
             Self::UnequalMasses => "unequal masses",
             Self::Speeds => "speeds after the hit",
+            Self::Separation => "more or less than 90°?",
+            Self::EnergyShare => "shares of energy",
+            Self::Restitution => "what e does",
+            Self::LargestDeflection => "the most it can be turned",
+            Self::Weigh => "weighing by angles",
         }
     }
 
@@ -83,6 +108,11 @@ impl Family {
             Self::FromPicture => families::from_picture::ask(difficulty, dice),
             Self::UnequalMasses => families::unequal_masses::ask(difficulty, dice),
             Self::Speeds => families::speeds::ask(difficulty, dice),
+            Self::Separation => families::separation::ask(difficulty, dice),
+            Self::EnergyShare => families::energy_share::ask(difficulty, dice),
+            Self::Restitution => families::restitution::ask(difficulty, dice),
+            Self::LargestDeflection => families::largest_deflection::ask(difficulty, dice),
+            Self::Weigh => families::weigh::ask(difficulty, dice),
         }
     }
 }

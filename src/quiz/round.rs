@@ -24,6 +24,11 @@ const MIXED: &[Family] = &[
     Family::FromPicture,
     Family::UnequalMasses,
     Family::Speeds,
+    Family::Separation,
+    Family::EnergyShare,
+    Family::Restitution,
+    Family::LargestDeflection,
+    Family::Weigh,
 ];
 
 /// How often a question that has been asked before is drawn anew before it is asked

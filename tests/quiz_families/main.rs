@@ -4,6 +4,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod energy_share;
 mod hit;
+mod largest_deflection;
+mod restitution;
+mod separation;
 mod speeds;
+mod weigh;
 mod where_to;

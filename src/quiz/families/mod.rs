@@ -7,11 +7,16 @@
 //!
 //! [`Question`]: super::Question
 
+pub(super) mod energy_share;
 pub(super) mod from_angle;
 pub(super) mod from_offset;
 pub(super) mod from_picture;
 mod hit_kinds;
+pub(super) mod largest_deflection;
+pub(super) mod restitution;
+pub(super) mod separation;
 mod setting;
 pub(super) mod speeds;
 pub(super) mod unequal_masses;
+pub(super) mod weigh;
 pub mod where_to;

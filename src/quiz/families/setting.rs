@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use serde_json::{Map, Value};
 
 use super::where_to::figures;
+use crate::physics::Disc;
 use crate::quiz::dice::Dice;
 use crate::quiz::{
     Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question, Said,
@@ -57,6 +58,15 @@ pub(super) struct Asked {
     pub(super) why: String,
     /// Figures besides those of the hit.
     pub(super) more: Map<String, Value>,
+}
+
+/// The question about a hit that is told in other words, beside another picture.
+pub(super) fn told(hit: &Hit, text: String, picture: Picture, asked: Asked) -> Question {
+    Question {
+        text: format!("{text} {}", asked.ask),
+        picture,
+        ..about(hit, asked)
+    }
 }
 
 /// A question about a hit that is given in full.
@@ -120,4 +130,39 @@ pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief
         .filter(|belief| can_be_said(&belief.said))
         .filter(|belief| form.distance(&belief.said, &form.truth()) > SAME)
         .collect()
+}
+
+/// What misconceptions would choose: which one, which choice, and what is wrong with it.
+pub(super) type Chosen = (&'static Misconception, usize, String);
+
+/// The beliefs among these that choose wrongly; of those that choose alike the first.
+pub(super) fn wrong_choices(right: usize, chosen: impl IntoIterator<Item = Chosen>) -> Vec<Belief> {
+    let mut beliefs: Vec<Belief> = Vec::new();
+    for (misconception, choice, says) in chosen {
+        let said = Said::Choice(choice);
+        if choice != right && !beliefs.iter().any(|belief| belief.said == said) {
+            beliefs.push(Belief::new(misconception, said, says));
+        }
+    }
+    beliefs
+}
+
+/// Two discs of one size with these masses in grams.
+pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
+    let disc = |mass_g| Disc::from_g_mm(f64::from(mass_g), 15.0);
+    Pieces::Own {
+        striker: disc(m1_g),
+        target: disc(m2_g),
+    }
+}
+
+/// A picture of a hit about to happen that shows nothing of where the two will meet.
+pub(super) fn unmarked(hit: &Hit) -> Picture {
+    Picture::Before {
+        collision: hit.collision(),
+        shown: Shown {
+            figures: true,
+            ..Shown::default()
+        },
+    }
 }
