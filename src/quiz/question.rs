@@ -93,10 +93,14 @@ impl Question {
         pairs.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether an answer tells which of the misconceptions it follows, if any: only
-    /// such questions are asked.
+    /// Whether an answer tells which of the misconceptions it follows, if any, and whether
+    /// it has to be found rather than read in the text: only such questions are asked.
     pub fn is_clear(&self) -> bool {
-        self.clearance() > CLEAR
+        let told = match &self.form {
+            Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
+            Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
+        };
+        !told && self.clearance() > CLEAR
     }
 
     /// Finds the misconception that an answer fits best, if it fits one.
