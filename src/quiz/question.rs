@@ -1,6 +1,8 @@
 //! One question of any family: what is asked, what is seen, what is true, and what each
 //! misconception would answer.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value};
 
 use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said};
@@ -27,6 +29,9 @@ pub struct Question {
     /// What misconceptions would answer; one that happens to be right is not among
     /// them.
     pub beliefs: Vec<Belief>,
+    /// What to say to wrong choices that follow no known misconception, by the choice
+    /// counted from 0; a choice that is not here has nothing of its own to be told.
+    pub replies: BTreeMap<usize, String>,
     /// Why the true answer is true, on the question's own figures: one to four short
     /// sentences.
     pub why: String,

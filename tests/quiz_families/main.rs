@@ -4,11 +4,17 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod both_moving;
+mod centre_of_mass;
+mod concept;
 mod energy_share;
 mod hit;
 mod largest_deflection;
+mod make_it_so;
 mod restitution;
+mod rutherford;
 mod separation;
+mod slip_or_stick;
 mod speeds;
 mod weigh;
 mod where_to;

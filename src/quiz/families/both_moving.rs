@@ -1,10 +1,12 @@
 //! Two equal discs that both move: who sees them part at 90°, and what is seen on the
 //! board.
 
+use std::collections::BTreeMap;
+
 use glam::DVec2;
 use serde_json::json;
 
-use super::choices::{Choice, ordered, shuffled};
+use super::choices::{Choice, Choices, ordered, shuffled};
 use super::setting::{more, number, wrong};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, Outcome};
@@ -18,6 +20,10 @@ use crate::quiz::{Belief, Difficulty, Family, Form, Picture, Pieces, Quantity, Q
 
 /// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
 const LEAST_COSINE: f64 = 0.3;
+
+/// The smallest impact angle asked about, as its sine: a meeting nearer to head-on is not
+/// seen to be off-centre.
+const LEAST_SINE: f64 = 0.17;
 
 /// Nearer to 90° than this no one is asked whether it is more or less, in degrees.
 const NEAR_SQUARE_DEG: f64 = 5.0;
@@ -63,12 +69,13 @@ impl Meeting {
         let relative = (u1 - u2).try_normalize()?;
         let (striker, target) = (Pieces::Equal.striker(), Pieces::Equal.target());
         let head_on = Collision::at_offset(striker, target, u1, 0.0);
-        let collision = Collision {
+        let sine = normal.perp_dot(relative);
+        let drawable = relative.dot(normal) > LEAST_COSINE && sine.abs() > LEAST_SINE;
+        drawable.then_some(Collision {
             u2,
-            offset: head_on.reach() * normal.perp_dot(relative),
+            offset: head_on.reach() * sine,
             ..head_on
-        };
-        (relative.dot(normal) > LEAST_COSINE).then_some(collision)
+        })
     }
 
     fn words(&self) -> String {
@@ -147,8 +154,9 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
                 figures: true,
             },
         },
-        form: asked.form,
-        beliefs: asked.beliefs,
+        form: asked.answers.form,
+        beliefs: asked.answers.beliefs,
+        replies: asked.answers.replies,
         why: asked.why,
         figures,
     })
@@ -158,9 +166,17 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
 struct Asked {
     id: &'static str,
     text: &'static str,
-    form: Form,
-    beliefs: Vec<Belief>,
+    answers: Choices,
     why: String,
+}
+
+/// The answers to a question for a number.
+fn by_number(form: Form, beliefs: Vec<Belief>) -> Choices {
+    Choices {
+        form,
+        beliefs,
+        replies: BTreeMap::new(),
+    }
 }
 
 /// Who sees 90°, or what somebody sees who moves along.
@@ -174,6 +190,8 @@ fn frames(meeting: &Meeting, outcome: &Outcome, dice: &mut Dice) -> Option<Asked
                  rule for a coin at rest holds.";
     let back_to_back = "With the centre of mass the momentum is zero, so the two part back to \
                         back: 180°.";
+    let it_depends = "The offset decides where they go. But seen from there, the angle between them \
+                      is always the same.";
     let depends = "At an angle that depends on the offset";
     let (id, text, choices, why) = match dice.below(3) {
         0 => (
@@ -211,7 +229,7 @@ fn frames(meeting: &Meeting, outcome: &Outcome, dice: &mut Dice) -> Option<Asked
                     "At 180°, wherever they touch",
                     "You took 180°. That is seen from the centre of mass, not from the coin.",
                 ),
-                Choice::wrong(depends),
+                Choice::wrong(depends, it_depends),
             ],
             format!("{rides} On the board the angle is {on_board}."),
         ),
@@ -225,17 +243,16 @@ fn frames(meeting: &Meeting, outcome: &Outcome, dice: &mut Dice) -> Option<Asked
                     "You took 90°. That is seen by one who rides along with the coin as it came.",
                 ),
                 Choice::right("At 180°, wherever they touch"),
-                Choice::wrong(depends),
+                Choice::wrong(depends, it_depends),
             ],
             format!("{back_to_back} On the board the angle is {on_board}."),
         ),
     };
-    let (form, beliefs) = shuffled(choices, dice)?;
+    let answers = shuffled(choices, dice)?;
     Some(Asked {
         id,
         text,
-        form,
-        beliefs,
+        answers,
         why,
     })
 }
@@ -259,10 +276,19 @@ fn on_the_board(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
             "You looked for 90° on the board. But that rule wants one coin at rest.",
         )
     };
+    let narrower = "You let them go on side by side. But as they came, so they part.";
     let choices = match meeting.way_deg {
         0..90 => vec![Choice::right(less), exactly(), wider()],
-        90 => vec![Choice::wrong(less), Choice::right(square), wider()],
-        _ => vec![Choice::wrong(less), exactly(), Choice::right(more)],
+        90 => vec![
+            Choice::wrong(less, narrower),
+            Choice::right(square),
+            wider(),
+        ],
+        _ => vec![
+            Choice::wrong(less, narrower),
+            exactly(),
+            Choice::right(more),
+        ],
     };
     if meeting.way_deg != 90 && (on_board - 90.0).abs() < NEAR_SQUARE_DEG {
         return None;
@@ -272,12 +298,11 @@ fn on_the_board(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
         90 => "They came square, so they part square:",
         _ => "They came against each other, and so they part:",
     };
-    let (form, beliefs) = ordered(choices)?;
+    let answers = ordered(choices)?;
     Some(Asked {
         id: "on-the-board",
         text: "On the board, at what angle do they part?",
-        form,
-        beliefs,
+        answers,
         why: format!(
             "Equal masses, momentum and energy kept: so v₁·v₂ = u₁·u₂. {came} {}.",
             degrees(rad_from_deg(on_board))
@@ -314,8 +339,7 @@ fn parting(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
     Some(Asked {
         id: "separation",
         text: "At what angle do they part on the board?",
-        beliefs,
-        form,
+        answers: by_number(form, beliefs),
         why: format!(
             "Along the line of impact they exchange velocities, across it each keeps its own: so \
              they leave at {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is \
@@ -384,8 +408,7 @@ fn speed(meeting: &Meeting, of_target: bool, outcome: &Outcome) -> Asked {
         } else {
             "How fast does the striker leave?"
         },
-        beliefs,
-        form,
+        answers: by_number(form, beliefs),
         why: format!(
             "Along the line of impact equal discs exchange: the {name} takes over {} cos {line} = \
              {} m/s. Across it, it keeps {} sin {line} = {} m/s. Square to each other, they make \

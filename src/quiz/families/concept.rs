@@ -22,11 +22,11 @@ fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
         concepts::Choice::Right(text) => Choice::right(text),
         concepts::Choice::Wrong(wrong) => match wrong.misconception {
             Some(misconception) => Choice::of(misconception, &wrong.choice, &wrong.says),
-            None => Choice::wrong(&wrong.choice),
+            None => Choice::wrong(&wrong.choice, &wrong.says),
         },
     });
     let choices = choices.collect();
-    let (form, beliefs) = if concept.ordered {
+    let choices = if concept.ordered {
         ordered(choices)
     } else {
         shuffled(choices, dice)
@@ -44,8 +44,9 @@ fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
         topic: concept.subject.replace('-', " "),
         text: concept.ask.clone(),
         picture,
-        form,
-        beliefs,
+        form: choices.form,
+        beliefs: choices.beliefs,
+        replies: choices.replies,
         why: concept.why.clone(),
         figures: more([("id", json!(concept.id))]),
     })

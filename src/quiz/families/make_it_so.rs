@@ -1,5 +1,7 @@
 //! "Make it so": choose the offset that sends a disc the way it is to go, and shoot.
 
+use std::collections::BTreeMap;
+
 use serde_json::json;
 
 use super::setting::{more, wrong};
@@ -257,6 +259,7 @@ fn question(hit: &Hit, difficulty: Difficulty, asked: Asked) -> Question {
         },
         form,
         beliefs,
+        replies: BTreeMap::new(),
         why: asked.why,
         figures: more([
             ("m1_g", json!(m1)),

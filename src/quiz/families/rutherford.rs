@@ -1,5 +1,7 @@
 //! Rutherford's law: how many are counted at two angles, 1 / sin⁴(φ/2).
 
+use std::collections::BTreeMap;
+
 use serde_json::json;
 
 use super::choices::{Choice, shuffled};
@@ -133,7 +135,7 @@ fn whole_ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
              do.",
         ),
     ];
-    let (form, beliefs) = shuffled(choices, dice)?;
+    let choices = shuffled(choices, dice)?;
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Easy,
@@ -145,8 +147,9 @@ fn whole_ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
             in_degrees(here)
         ),
         picture: beam.tracks([near_deg, far_deg]),
-        form,
-        beliefs,
+        form: choices.form,
+        beliefs: choices.beliefs,
+        replies: choices.replies,
         why: why(near_deg, far_deg),
         figures: more([
             ("foil", json!(beam.foil)),
@@ -185,6 +188,7 @@ fn ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
         ),
         picture: beam.tracks([here_deg, there_deg]),
         beliefs,
+        replies: BTreeMap::new(),
         form,
         why: why(here_deg, there_deg),
         figures: more([
@@ -241,6 +245,7 @@ fn ratio_of_energies(beam: &Beam, dice: &mut Dice) -> Option<Question> {
         ),
         picture: beam.tracks([here_deg, there_deg]),
         beliefs,
+        replies: BTreeMap::new(),
         form,
         why: format!(
             "{} Counts also go as 1 / E²: times {}, in all {}.",
@@ -308,6 +313,7 @@ fn angle(beam: &Beam, dice: &mut Dice) -> Option<Question> {
         ),
         picture: Picture::Nothing,
         beliefs,
+        replies: BTreeMap::new(),
         form,
         why: format!(
             "Counts go as 1 / sin⁴ of half the angle. For 1/{fewer} of them the sine must be {} \

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value};
 
 use super::where_to::figures;
@@ -89,6 +91,7 @@ pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
         },
         form: asked.form,
         beliefs: asked.beliefs,
+        replies: BTreeMap::new(),
         why: asked.why,
         figures,
     }

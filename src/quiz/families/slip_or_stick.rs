@@ -1,8 +1,10 @@
 //! Slipping, e = 0 with smooth rims, against sticking: how the two go on.
 
+use std::collections::BTreeMap;
+
 use serde_json::json;
 
-use super::choices::{Choice, shuffled};
+use super::choices::{Choice, Choices, shuffled};
 use super::in_short::in_short;
 use super::setting::{Setting, more, number, wrong};
 use super::where_to::figures;
@@ -14,9 +16,7 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
 use crate::quiz::words::{bare_degrees, degrees, significant};
-use crate::quiz::{
-    Belief, Difficulty, Family, Form, Hit, Picture, Pieces, Quantity, Question, Shown,
-};
+use crate::quiz::{Difficulty, Family, Form, Hit, Picture, Pieces, Quantity, Question, Shown};
 
 const UNEQUAL: [Pieces; 2] = [Pieces::Tournament, Pieces::Marbles];
 
@@ -122,7 +122,10 @@ fn by_choice(hit: &Hit, difficulty: Difficulty, dice: &mut Dice) -> Option<Quest
         Rims::Lossless => (
             vec![
                 Choice::right(SQUARE),
-                Choice::wrong(NARROW),
+                Choice::wrong(
+                    NARROW,
+                    "You let some of the bounce be lost. With e = 1 all of it comes back.",
+                ),
                 Choice::of(
                     &GRIP_STOPS_ALL,
                     MOVING,
@@ -172,12 +175,11 @@ fn by_choice(hit: &Hit, difficulty: Difficulty, dice: &mut Dice) -> Option<Quest
             ),
         ),
     };
-    let (form, beliefs) = shuffled(choices, dice)?;
+    let answers = shuffled(choices, dice)?;
     let asked = Asked {
         sought: "picture",
         text: "How do the two go on?",
-        form,
-        beliefs,
+        answers,
         why,
     };
     Some(question(hit, rims, difficulty, asked))
@@ -360,8 +362,11 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
     let asked = Asked {
         sought: sought.id(),
         text,
-        beliefs: wrong(&form, beliefs),
-        form,
+        answers: Choices {
+            beliefs: wrong(&form, beliefs),
+            form,
+            replies: BTreeMap::new(),
+        },
         why,
     };
     question(hit, rims, difficulty, asked)
@@ -385,8 +390,7 @@ fn collision(hit: &Hit, rims: Rims) -> Collision {
 struct Asked {
     sought: &'static str,
     text: &'static str,
-    form: Form,
-    beliefs: Vec<Belief>,
+    answers: Choices,
     why: String,
 }
 
@@ -413,8 +417,9 @@ fn question(hit: &Hit, rims: Rims, difficulty: Difficulty, asked: Asked) -> Ques
                 figures: true,
             },
         },
-        form: asked.form,
-        beliefs: asked.beliefs,
+        form: asked.answers.form,
+        beliefs: asked.answers.beliefs,
+        replies: asked.answers.replies,
         why: asked.why,
         figures,
     }
