@@ -24,6 +24,17 @@ const MIXED: &[Family] = &[
     Family::FromPicture,
     Family::UnequalMasses,
     Family::Speeds,
+    Family::Separation,
+    Family::EnergyShare,
+    Family::Restitution,
+    Family::LargestDeflection,
+    Family::Weigh,
+    Family::SlipOrStick,
+    Family::BothMoving,
+    Family::CentreOfMass,
+    Family::Rutherford,
+    Family::MakeItSo,
+    Family::Concept,
 ];
 
 /// How often a question that has been asked before is drawn anew before it is asked
