@@ -4,6 +4,8 @@
 mod choose;
 mod panel;
 mod summary;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use choose::Choosing;
