@@ -12,14 +12,13 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
-use crate::quiz::Round;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
 use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
-use crate::screens::quiz::Quiz;
+use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
 use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
 
@@ -290,10 +289,8 @@ impl App {
                 Some(reading) => Box::new(reading),
                 None => return,
             },
-            Place::Quiz { code } => Box::new(Quiz::of(match code {
-                Some(code) => Round::of(code),
-                None => Round::hits(self.context.next_seed()),
-            })),
+            Place::Quiz { code: Some(code) } => Box::new(Quiz::new(code)),
+            Place::Quiz { code: None } => Box::new(Choosing::ask(&mut self.context)),
             Place::Levels => Box::new(Levels::new(&mut self.context)),
             Place::Level { number } => match Play::new(number, &mut self.context) {
                 Some(play) => Box::new(play),

@@ -4,6 +4,7 @@ mod book;
 mod context;
 mod list;
 mod place;
+mod recall;
 mod shelf;
 mod why;
 

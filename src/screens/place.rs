@@ -23,9 +23,9 @@ pub enum Place {
         /// Its place among all chapters, from 0.
         number: usize,
     },
-    /// A round of the quiz; the code fixes its questions.
+    /// The quiz.
     Quiz {
-        /// The code of the round; `None` takes the app's next.
+        /// The code of the round to play; with `None` one is chosen there.
         code: Option<Code>,
     },
     /// The foil: beams of many particles.

@@ -13,8 +13,9 @@ mod words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::recall::Recall;
 use super::{Context, Help, Hint, Next, Place, Screen};
-use crate::messages::{Done, History, Input, Key, Mouse, MouseKind, Wish};
+use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::widgets::{Beside, Lines, Look, Role, Scroll};
 use page::Page;
 
@@ -28,20 +29,9 @@ const NARROW_PANEL: u16 = 26;
 /// The screen.
 #[derive(Debug, Clone)]
 pub struct Progress {
-    history: Loaded,
+    history: Recall,
     page: Page,
     scroll: Scrolls,
-}
-
-/// What the player has done, as far as it is known here.
-#[derive(Debug, Clone)]
-enum Loaded {
-    /// It has been asked for with this ticket.
-    Asked(u64),
-    /// Nobody can say, and why.
-    Unknown(String),
-    /// This.
-    Known(Box<History>),
 }
 
 /// How far both sides are scrolled.
@@ -54,10 +44,8 @@ struct Scrolls {
 impl Progress {
     /// The screen, with what the player has done asked for.
     pub fn ask(cx: &mut Context) -> Self {
-        let player = cx.settings.player.clone();
-        let ticket = cx.ask(Wish::Recall(Some(player)));
         Self {
-            history: Loaded::Asked(ticket),
+            history: Recall::ask(cx),
             page: Page::OverTime,
             scroll: Scrolls::default(),
         }
@@ -65,10 +53,7 @@ impl Progress {
 
     /// What was done, where there is something.
     fn history(&self) -> Option<&History> {
-        match &self.history {
-            Loaded::Known(history) if !history.attempts.is_empty() => Some(history),
-            _ => None,
-        }
+        self.history.history()
     }
 
     fn turn_to(&mut self, page: Page) {
@@ -130,12 +115,12 @@ impl Progress {
     /// What to say where there is nothing to be shown.
     fn nothing(&self, lines: &mut Lines) {
         match &self.history {
-            Loaded::Asked(_) => lines.line("Looking …", Role::Dim),
-            Loaded::Unknown(reason) => {
+            Recall::Asked(_) => lines.line("Looking …", Role::Dim),
+            Recall::Unknown(reason) => {
                 let message = format!("What you have done cannot be looked at: {reason}.");
                 lines.paragraph(&message, Role::Warn);
             }
-            Loaded::Known(_) => {
+            Recall::Known(_) => {
                 lines.paragraph(
                     "Nothing here yet: every beginning is a clean board.",
                     Role::Text,
@@ -207,15 +192,7 @@ impl Screen for Progress {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Kept(answer) => {
-                if let (Loaded::Asked(ticket), Done::Recalled(recalled)) =
-                    (&self.history, &answer.done)
-                    && *ticket == answer.ticket
-                {
-                    self.history = match recalled {
-                        Ok(history) => Loaded::Known(history.clone()),
-                        Err(reason) => Loaded::Unknown(reason.clone()),
-                    };
-                }
+                self.history.take(answer);
                 Next::Stay
             }
             _ => Next::Ignored,
