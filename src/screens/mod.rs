@@ -7,6 +7,7 @@ mod place;
 mod shelf;
 mod why;
 
+pub mod class;
 pub mod foil;
 pub mod home;
 pub mod lab;

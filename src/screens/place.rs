@@ -27,6 +27,13 @@ pub enum Place {
         /// The code of the round; `None` takes the app's next.
         code: Option<Code>,
     },
+    /// A round for a class round one screen.
+    Class {
+        /// The code of the round; `None` leaves it to be chosen.
+        code: Option<Code>,
+        /// The names of the teams, as far as they are known.
+        teams: Vec<String>,
+    },
     /// The foil: beams of many particles.
     Foil,
     /// The table: carrom itself.

@@ -80,17 +80,41 @@ impl Big {
     /// `None` if it does not fit at all or has letters that there are no large ones of.
     #[must_use]
     pub fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
-        let text = charset.text(text);
-        let words = words(&text)?;
-        let fitting = |size: &Size| {
-            let big = Self {
-                size: *size,
-                charset,
-                lines: broken(&words, *size, columns.into())?,
-            };
-            (big.columns() <= columns && big.rows() <= rows).then_some(big)
+        Self::fit_all(&[text], 0, columns, rows, charset)?.pop()
+    }
+
+    /// Several texts in letters of one size, as large as they fit below each other with
+    /// `gap` rows between any two; `None` as for one.
+    #[must_use]
+    pub fn fit_all(
+        texts: &[&str],
+        gap: u16,
+        columns: u16,
+        rows: u16,
+        charset: Charset,
+    ) -> Option<Vec<Self>> {
+        let texts: Option<Vec<_>> = texts
+            .iter()
+            .map(|text| words(&charset.text(text)))
+            .collect();
+        let texts = texts?;
+        let set = |size: Size| -> Option<Vec<Self>> {
+            let each = texts.iter().map(|words| {
+                Some(Self {
+                    size,
+                    charset,
+                    lines: broken(words, size, columns.into())?,
+                })
+            });
+            each.collect()
         };
-        Size::all(charset).iter().find_map(fitting)
+        let fits = |all: &Vec<Self>| {
+            let gaps = gap.saturating_mul(all.len().saturating_sub(1) as u16);
+            let high = all.iter().fold(gaps, |sum, it| sum.saturating_add(it.rows()));
+            high <= rows && all.iter().all(|it| it.columns() <= columns)
+        };
+        let sizes = Size::all(charset).iter();
+        sizes.filter_map(|size| set(*size)).find(fits)
     }
 
     /// The columns it takes.
