@@ -12,6 +12,7 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::screens::class::Class;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
@@ -218,6 +219,9 @@ impl App {
             Next::Ignored => self.shared_key(input),
             next => self.follow(next),
         };
+        if let Some(told) = self.context.take_told() {
+            self.notice = Some(told);
+        }
         effects.extend(self.context.take_asked());
         effects
     }
@@ -296,6 +300,7 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
+            Place::Class { code, teams } => Box::new(Class::new(code, teams)),
             Place::Foil => Box::new(Foil::default()),
             Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),

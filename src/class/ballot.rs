@@ -1,5 +1,6 @@
 //! The votes of the teams.
 
+use super::Place;
 use crate::quiz::{Answer, Code, Confidence, Diagnosis, Grade, Question, Round, Said};
 
 /// Which of the two votes on a question.
@@ -42,6 +43,7 @@ pub struct ClassRound {
     teams: Vec<String>,
     /// A row a question, a ballot a team.
     ballots: Vec<Vec<Ballot>>,
+    place: Place,
 }
 
 impl ClassRound {
@@ -54,6 +56,7 @@ impl ClassRound {
             round,
             teams,
             ballots,
+            place: Place::default(),
         }
     }
 
@@ -70,6 +73,18 @@ impl ClassRound {
     /// The names of the teams.
     pub fn teams(&self) -> &[String] {
         &self.teams
+    }
+
+    /// Where in the round the class is.
+    pub fn place(&self) -> Place {
+        self.place
+    }
+
+    /// Goes to a place in the round; to one behind the last question it does not.
+    pub fn go(&mut self, place: Place) {
+        if place.question < self.questions().len() {
+            self.place = place;
+        }
     }
 
     /// What a team said to a question, both counted from 0; nothing where there is no

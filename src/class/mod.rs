@@ -10,10 +10,12 @@ mod items;
 mod names;
 mod saved;
 mod scores;
+mod step;
 mod tables;
 
 pub use ballot::{Ballot, ClassRound, Vote};
 pub use items::{Item, Spread, items};
 pub use names::{LONGEST_NAME, MOST_TEAMS, NameTrouble, team_names};
 pub use scores::{Standing, standings};
+pub use step::{Place, Step};
 pub use tables::{answers_csv, items_csv};

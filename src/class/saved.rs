@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
-use super::{Ballot, ClassRound, Vote, team_names};
+use super::{Ballot, ClassRound, Place, Step, Vote, team_names};
 use crate::files::{Fault, Source};
 use crate::quiz::{Code, Said};
 
@@ -11,7 +11,7 @@ use crate::quiz::{Code, Said};
 const FORMAT: u32 = 1;
 
 /// Largest file that is read, in bytes; the fullest round takes some 60 kB.
-const LARGEST_FILE: usize = 1 << 18;
+const LARGEST: usize = 1 << 18;
 
 /// What stands in a file.
 #[derive(Serialize)]
@@ -19,6 +19,9 @@ struct Written<'a> {
     format: u32,
     code: String,
     teams: &'a [String],
+    /// The question the class is at, counted from 1.
+    number: usize,
+    step: &'a str,
     question: Vec<Votes>,
 }
 
@@ -41,6 +44,8 @@ struct Read {
     _format: u32,
     code: Spanned<String>,
     teams: Spanned<Vec<String>>,
+    number: Option<Spanned<usize>>,
+    step: Option<Spanned<String>>,
     #[serde(default)]
     question: Vec<ReadVotes>,
 }
@@ -53,6 +58,9 @@ struct ReadVotes {
 }
 
 impl ClassRound {
+    /// Largest file that is read, in bytes.
+    pub const LARGEST_FILE: usize = LARGEST;
+
     /// The text of the file that keeps it.
     ///
     /// # Errors
@@ -67,6 +75,8 @@ impl ClassRound {
             format: FORMAT,
             code: self.code().to_string(),
             teams: self.teams(),
+            number: self.place().question + 1,
+            step: self.place().step.id(),
             question: (0..self.questions().len())
                 .map(|question| Votes {
                     first: votes(question, Vote::First),
@@ -84,7 +94,7 @@ impl ClassRound {
     /// that its code or its teams are none; that a vote says nothing, or something else
     /// than was asked for.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
-        let source = Source::of_bytes(name, bytes, LARGEST_FILE)?;
+        let source = Source::of_bytes(name, bytes, LARGEST)?;
         check_format(source)?;
         let read: Read = parse(source)?;
         let Some(code) = Code::parse(read.code.get_ref()) else {
@@ -111,7 +121,42 @@ impl ClassRound {
                 }
             }
         }
+        let place = round.read_place(source, &read)?;
+        round.go(place);
         Ok(round)
+    }
+
+    /// The place in the round that a file gives: without one the first question that
+    /// nobody has voted on.
+    fn read_place(&self, source: Source, read: &Read) -> Result<Place, Fault> {
+        let last = self.questions().len().saturating_sub(1);
+        let question = match &read.number {
+            None => self.begun().min(last),
+            Some(number) => {
+                let question = number.get_ref().checked_sub(1);
+                question.filter(|it| *it <= last).ok_or_else(|| {
+                    let message = format!(
+                        "expected the number of a question, 1 to {}, found {}",
+                        last + 1,
+                        number.get_ref()
+                    );
+                    source.fault(number.span().start, "number", message)
+                })?
+            }
+        };
+        let step = match &read.step {
+            None => Step::default(),
+            Some(step) => Step::with_id(step.get_ref()).ok_or_else(|| {
+                let ids: Vec<_> = Step::ALL.into_iter().map(Step::id).collect();
+                let message = format!(
+                    "expected one of {}, found \"{}\"",
+                    ids.join(", "),
+                    step.get_ref().escape_debug()
+                );
+                source.fault(step.span().start, "step", message)
+            })?,
+        };
+        Ok(Place { question, step })
     }
 
     /// Takes a vote from a file.

@@ -73,6 +73,7 @@ pub struct Context {
     rounds: u64,
     tickets: u64,
     asked: Vec<Effect>,
+    told: Option<String>,
 }
 
 impl Context {
@@ -87,6 +88,7 @@ impl Context {
             rounds: 0,
             tickets: 0,
             asked: Vec::new(),
+            told: None,
         }
     }
 
@@ -161,6 +163,16 @@ impl Context {
     /// Asks for a text to be written to a file of this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
+    }
+
+    /// Tells the player something, over whatever the screen shows, until a key is pressed.
+    pub fn tell(&mut self, words: String) {
+        self.told = Some(words);
+    }
+
+    /// What the player is to be told.
+    pub fn take_told(&mut self) -> Option<String> {
+        self.told.take()
     }
 
     /// What the screens have asked of the shell since the last call.

@@ -8,6 +8,7 @@ mod recall;
 mod shelf;
 mod why;
 
+pub mod class;
 pub mod foil;
 pub mod home;
 pub mod lab;

@@ -28,6 +28,13 @@ pub enum Place {
         /// The code of the round to play; with `None` one is chosen there.
         code: Option<Code>,
     },
+    /// A round for a class round one screen.
+    Class {
+        /// The code of the round; `None` leaves it to be chosen.
+        code: Option<Code>,
+        /// The names of the teams, as far as they are known.
+        teams: Vec<String>,
+    },
     /// The foil: beams of many particles.
     Foil,
     /// One of its pages.

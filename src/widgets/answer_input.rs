@@ -1,10 +1,13 @@
 //! Answering a question, in whichever form it asks for.
 
+use ratatui::layout::Rect;
+
+use super::hit::{drag_offset, point_at};
 use super::number_input::NumberInput;
 use super::{Lines, RayInput, Role, Turned};
 use crate::messages::Key;
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::quiz::{Aim, Form, Quantity, Said, letter};
+use crate::quiz::{Aim, Form, Quantity, Question, Said, letter};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +43,21 @@ impl AnswerInput {
                 most_mm(aim),
             )),
         }
+    }
+
+    /// What was said before, to be changed.
+    pub fn saying(form: &Form, said: &Said) -> Self {
+        let mut input = Self::new(form);
+        match (&mut input, said) {
+            (Self::Rays(input), Said::Rays(rays)) => *input = input.clone().saying(rays),
+            (Self::Number(number), Said::Number(x)) => number.set(*x),
+            (Self::Choice { chosen, count }, Said::Choice(i)) if i < count => *chosen = *i,
+            (Self::Shot(offset), Said::Shot(x)) => {
+                offset.set((mm_from_m(*x) * 1e6).round() / 1e6);
+            }
+            _ => {}
+        }
+        input
     }
 
     /// What has been said so far; `None` while no number has been given.
@@ -89,6 +107,33 @@ impl AnswerInput {
                 _ => Turned::Ignored,
             },
         }
+    }
+
+    /// Points at a cell of the question's picture with the button down, just now
+    /// (`pressed`) or for some time: turns a ray, or drags the coin sideways. Says
+    /// whether there is anything to point at.
+    pub fn point(
+        &mut self,
+        question: &Question,
+        picture: Rect,
+        cell: (u16, u16),
+        pressed: bool,
+    ) -> bool {
+        if !picture.contains(cell.into()) {
+            return false;
+        }
+        match (self, &question.form, question.picture.collision()) {
+            (Self::Rays(rays), _, Some(collision)) => {
+                point_at(picture, collision, rays, cell, pressed);
+            }
+            (Self::Shot(offset), Form::Shot(aim), _) => {
+                let now = aim.with(m_from_mm(offset.value().unwrap_or(0.0)));
+                let dragged = mm_from_m(drag_offset(picture, &now, cell));
+                offset.set((2.0 * dragged).round() / 2.0);
+            }
+            _ => return false,
+        }
+        true
     }
 
     /// Writes what is said so far, with all there is to choose from.

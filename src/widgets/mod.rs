@@ -5,6 +5,7 @@
 //! and the [`Theme`] (which colours).
 
 pub mod bar;
+pub mod big;
 pub mod board;
 pub mod cells;
 pub mod charset;
