@@ -5,7 +5,7 @@ mod context;
 mod list;
 mod place;
 mod shelf;
-mod why;
+pub(crate) mod why;
 
 pub mod foil;
 pub mod home;
