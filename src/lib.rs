@@ -20,6 +20,7 @@
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
 //!                  home · learn · lab · foil · quiz · table · levels · progress
+//!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
@@ -53,6 +54,7 @@ pub mod game;
 pub mod lessons;
 pub mod levels;
 pub mod messages;
+pub mod paper;
 pub mod physics;
 pub mod progress;
 pub mod quiz;

@@ -12,7 +12,7 @@ const FLOORS: [&[&str]; 11] = [
     &["shells"],
     &["store"],
     &["app"],
-    &["screens"],
+    &["screens", "paper"],
     &["widgets"],
     &["messages"],
     &["class"],

@@ -25,6 +25,7 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
+use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
 use options::Look;
 
@@ -47,7 +48,7 @@ Examples:
   carrom                       open the game
   carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
-  carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
+  carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom progress --csv        every answer you gave, for a spreadsheet
   carrom --charset ascii       for terminals and fonts that know nothing else
@@ -89,8 +90,12 @@ enum Screen {
     Lab,
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
-    /// Open the quiz: ten hits to predict (with --seed N always the same ten)
-    Quiz,
+    /// Open the quiz and choose a round (with --seed N at once the ten hits of that seed)
+    Quiz {
+        /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
+        #[arg(long, value_name = "CODE", value_parser = code)]
+        code: Option<Code>,
+    },
     /// Open the table: carrom itself, the whole board
     Table,
     Progress(progress::Args),
@@ -102,11 +107,11 @@ enum Screen {
 }
 
 impl Screen {
-    /// Where that is, with these levels and chapters.
+    /// Where that is, with these levels, chapters and options.
     ///
     /// # Errors
     /// If there is no level or chapter of that name, in words.
-    fn place(&self, shelf: &Shelf, book: &Book) -> Result<Place, String> {
+    fn place(&self, shelf: &Shelf, book: &Book, options: &Options) -> Result<Place, String> {
         Ok(match self {
             Self::Learn { chapter: None } => Place::Learn,
             Self::Learn {
@@ -122,8 +127,9 @@ impl Screen {
                 Place::Chapter { number }
             }
             Self::Lab => Place::Lab,
-            // The first round takes the app's own seed.
-            Self::Quiz => Place::Quiz { code: None },
+            Self::Quiz { code } => Place::Quiz {
+                code: code.clone().or_else(|| options.seed.map(Code::hits)),
+            },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
@@ -142,13 +148,24 @@ impl Screen {
     }
 }
 
+/// The code of a round.
+fn code(text: &str) -> Result<Code, String> {
+    Code::parse(text).ok_or_else(|| {
+        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
+         speeds-7, or 7 for ten hits"
+            .into()
+    })
+}
+
 /// The app as the options have it, at a screen (`None`: the first one).
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
 fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
     let (shelf, book) = (options.shelf(), options.book());
-    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&shelf, &book))?;
+    let place = screen.map_or(Ok(Place::Home), |screen| {
+        screen.place(&shelf, &book, options)
+    })?;
     Ok(App::with_data(
         shelf,
         book,
@@ -253,6 +270,7 @@ mod tests {
         assert_eq!(app.settings().charset, Charset::Unicode);
         assert_eq!(app.settings().depth, Depth::None);
         assert_eq!(app.settings().player, "Ada L");
+        assert!(open("quiz --code mixed-7").is_ok());
     }
 
     #[test]
@@ -262,5 +280,14 @@ mod tests {
         assert_eq!(wrong("man"), "expected a command that opens a screen");
         assert_eq!(wrong("lob"), "unrecognized subcommand 'lob'");
         assert!(wrong("quiz --seed x").starts_with("invalid value 'x' for '--seed <N>'"));
+        let no_code = wrong("quiz --code mixed");
+        assert!(
+            no_code.starts_with("invalid value 'mixed' for '--code <CODE>'"),
+            "{no_code}"
+        );
+        assert!(
+            no_code.contains("expected the code of a round"),
+            "{no_code}"
+        );
     }
 }

@@ -71,14 +71,19 @@ impl CourseKind {
 
     /// The kind of an `id`; a review has none, for it is its player's alone.
     pub fn with_id(id: &str) -> Option<Self> {
+        let topic = || Self::topics().find(|family| family.id() == id);
         Self::ALWAYS
             .into_iter()
             .find(|kind| kind.id() == id)
-            .or_else(|| {
-                Family::with_id(id)
-                    .filter(|family| *family != Family::WhereTo)
-                    .map(Self::Topic)
-            })
+            .or_else(|| topic().map(Self::Topic))
+    }
+
+    /// The families that make a round of one topic: all but the hits of every kind,
+    /// which are a course of their own.
+    pub fn topics() -> impl Iterator<Item = Family> {
+        Family::ALL
+            .into_iter()
+            .filter(|family| *family != Family::WhereTo)
     }
 }
 
@@ -122,6 +127,14 @@ pub struct Code {
 }
 
 impl Code {
+    /// The code of the ten hits of a seed.
+    pub fn hits(seed: u64) -> Self {
+        Self {
+            course: Course::new(CourseKind::Hits),
+            seed,
+        }
+    }
+
     /// Reads a code; `None` if it is none. Case and blanks around it do not matter.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_ascii_lowercase();

@@ -12,9 +12,10 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::physics::Collision;
 use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::progress::Attempt;
-use crate::quiz::{Answer, Code, Confidence, Form, Question, Round, Said, Summary};
+use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Round, Said, Summary};
 use crate::widgets::hit::{Layers, Watch, drag_offset, point_at};
 use crate::widgets::{AnswerInput, Scroll, Turned};
 
@@ -61,6 +62,8 @@ struct Watched {
     watch: Option<Watch>,
     /// Whether the outcome has been told; it stays so while the hit is seen again.
     told: bool,
+    /// The right shot, still to be seen, where the player's own was not it.
+    remedy: Option<Watch>,
 }
 
 impl Quiz {
@@ -204,6 +207,7 @@ impl Quiz {
         match key {
             // Nobody skips what happened by a key too many.
             Key::Enter if !watched.told => watched.tell(),
+            Key::Enter if watched.remedy.is_some() => watched.watch = watched.remedy.take(),
             Key::Enter => {
                 if let Some(watch) = &watched.watch {
                     self.layers = watch.layers();
@@ -312,19 +316,24 @@ impl Watched {
             Said::Rays(rays) => Some(rays),
             _ => None,
         };
-        let collision = match (&question.form, answer.said) {
-            (Form::Shot(aim), Said::Shot(offset)) => Some(aim.with(offset)),
-            _ => question.picture.collision().copied(),
+        let reduced = cx.settings.reduced_motion;
+        let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
+        let (watch, remedy) = match (&question.form, answer.said) {
+            (Form::Shot(aim), Said::Shot(offset)) => {
+                let shot = |offset| watch(aim.with(offset)).with_mark(aim.into());
+                let right = Grade::new(&question, &answer).right;
+                let remedy = (!right).then(|| shot(aim.offset));
+                (Some(shot(offset)), remedy)
+            }
+            _ => (question.picture.collision().copied().map(watch), None),
         };
-        let watch = collision.map(|collision| {
-            Watch::new(collision, rays, cx.settings.reduced_motion).with_layers(layers)
-        });
         let told = watch.as_ref().is_none_or(Watch::is_told);
         Self {
             question,
             answer,
             watch,
             told,
+            remedy,
         }
     }
 

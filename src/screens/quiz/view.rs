@@ -3,13 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Asked, Phase, Quiz, Watched, panel, summary};
+use super::{Phase, Quiz, Watched, panel, summary};
 use crate::physics::Frame;
-use crate::quiz::{Form, Picture, Question, Said};
+use crate::quiz::{Picture, Question};
 use crate::screens::Context;
-use crate::widgets::hit::draw_setup;
 use crate::widgets::panel::draw_panel;
-use crate::widgets::{Beside, Lines, Look, Role};
+use crate::widgets::{Beside, Lines, Look, Role, draw_question};
 
 /// Columns of the look back at most, with its frame.
 const WIDEST: u16 = 108;
@@ -83,7 +82,13 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
         Phase::Asked(asked) | Phase::Confidence(asked, _) => {
             let title = asked.question.family.name();
             layout.draw(buf, &look, title, "say it first");
-            setup(asked, layout.picture, buf, &look);
+            draw_question(
+                layout.picture,
+                buf,
+                &look,
+                &asked.question,
+                Some(&asked.input),
+            );
         }
         Phase::Watch(watched) => {
             let side = if watched.told { "and why" } else { "watch" };
@@ -103,21 +108,6 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     }
     quiz.scroll
         .draw(text, buf, look, |lines| write(quiz, lines, look));
-}
-
-/// What is asked, with no more drawn in than the question gives.
-fn setup(asked: &Asked, area: Rect, buf: &mut Buffer, look: &Look) {
-    let question = &asked.question;
-    match (&question.picture, &question.form, asked.input.said()) {
-        (Picture::Before { shown, .. }, Form::Shot(aim), Some(Said::Shot(offset))) => {
-            draw_setup(area, buf, look, &aim.with(offset), *shown, None);
-        }
-        (Picture::Before { collision, shown }, ..) => {
-            draw_setup(area, buf, look, collision, *shown, asked.input.rays());
-        }
-        // TODO: draw these
-        (Picture::After { .. } | Picture::Tracks { .. } | Picture::Nothing, ..) => {}
-    }
 }
 
 fn title(watched: &Watched) -> String {

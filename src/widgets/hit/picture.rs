@@ -6,6 +6,7 @@ use ratatui::buffer::Buffer;
 use super::arrows::{Arrows, split};
 use super::labels::Labels;
 use super::layers::{Layer, Layers};
+use super::mark::Mark;
 use super::playback::Playback;
 use super::stage::Stage;
 use super::watch::Face;
@@ -25,6 +26,7 @@ pub(super) struct Moment<'a> {
     pub(super) frame: Frame,
     pub(super) layers: Layers,
     pub(super) said: Option<&'a Rays>,
+    pub(super) mark: Option<Mark>,
     pub(super) faces: [Face; 2],
 }
 
@@ -95,6 +97,12 @@ impl Moment<'_> {
         if self.shows(Layer::Velocities) {
             let at = if met { self.stage.centres } else { now };
             self.incoming(&mut sheet, &mut labels, &arrows, before, at);
+        }
+        if let Some(mark) = self.mark
+            && self.shows(Layer::Prediction)
+            && self.frame == Frame::Laboratory
+        {
+            mark.draw(&mut sheet, &mut labels, &self.stage);
         }
         if met && beats >= 3 {
             if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {

@@ -5,10 +5,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::labels::Labels;
+use super::mark::Mark;
 use super::stage::Stage;
 use super::watch::Face;
 use crate::physics::Collision;
-use crate::quiz::Ray;
+use crate::quiz::{Aim, Ray};
 use crate::widgets::ink::{Pen, Sheet, Side};
 use crate::widgets::{Look, RayInput, Role};
 
@@ -27,6 +28,24 @@ pub fn draw_setup(
     draw_setup_of(faces, area, buf, look, collision, given, rays);
 }
 
+/// Draws a striker and a coin about to meet at an offset in metres that is being set,
+/// and where one of them is to be sent.
+pub fn draw_aim(
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    (aim, offset): (&Aim, f64),
+    given: Given,
+) {
+    let given = Given {
+        offset: true,
+        ..given
+    };
+    let saying = Saying::Shot(Mark::from(aim));
+    let faces = Face::STRIKER_AND_COIN;
+    draw(faces, area, buf, look, &aim.with(offset), given, saying);
+}
+
 /// Draws two discs of any kind about to meet, and the rays being turned.
 pub fn draw_setup_of(
     faces: [Face; 2],
@@ -36,6 +55,29 @@ pub fn draw_setup_of(
     collision: &Collision,
     given: Given,
     rays: Option<&RayInput>,
+) {
+    let saying = rays.map_or(Saying::Nothing, Saying::Rays);
+    draw(faces, area, buf, look, collision, given, saying);
+}
+
+/// What is being said of a hit.
+enum Saying<'a> {
+    /// Nothing, or nothing that is seen.
+    Nothing,
+    /// Where both will go.
+    Rays(&'a RayInput),
+    /// The offset that sends one of them to a mark.
+    Shot(Mark),
+}
+
+fn draw(
+    faces: [Face; 2],
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    collision: &Collision,
+    given: Given,
+    saying: Saying,
 ) {
     let stage = Stage::new(area, collision);
     let mut sheet = Sheet::new(stage.view, look.charset);
@@ -67,8 +109,10 @@ pub fn draw_setup_of(
         }
     }
     moving(&mut sheet, &mut labels, &stage, [p1, p2], given.figures);
-    if let Some(rays) = rays {
-        turned(&mut sheet, &mut labels, &stage, faces, rays);
+    match saying {
+        Saying::Nothing => {}
+        Saying::Rays(rays) => turned(&mut sheet, &mut labels, &stage, faces, rays),
+        Saying::Shot(mark) => mark.draw(&mut sheet, &mut labels, &stage),
     }
     labels.write(&mut sheet);
     sheet.draw(buf, &look.theme);
