@@ -2,6 +2,7 @@
 
 use super::answering::{self, choice, number};
 use super::quiz::Keeper;
+use super::spoken::unit_name;
 use super::talk::{Asked as Question, Leave, Talk};
 use super::{figure, formula};
 use crate::lessons::{
@@ -155,7 +156,7 @@ fn mark(
     let wish = Wish::Mark {
         player: keeper.player.to_owned(),
         chapter: chapter.id.clone(),
-        later,
+        later: Box::new(later),
     };
     keeper.wish(talk, wish)?;
     Ok(())
@@ -190,8 +191,11 @@ fn ask(
         talk.say(&line)?;
     }
     if let Some(shown) = &page.figure {
+        let said = figure::describe(shown, false);
         for line in figure::describe(shown, true) {
-            talk.say(&line)?;
+            if !said.contains(&line) {
+                talk.say(&line)?;
+            }
         }
     }
     Ok(())
@@ -221,8 +225,7 @@ fn hear(
             let (_, unit) = expected.sign_and_unit();
             let line = match unit {
                 "" => "Your answer?".to_owned(),
-                // After a number the unit is read out as a word.
-                unit => format!("Your answer, in the unit of 1 {unit}?"),
+                unit => format!("Your answer in {}?", unit_name(unit)),
             };
             let lines = [question, &[line]].concat();
             let asked = Question {
@@ -288,7 +291,10 @@ fn tell(
                 let (_, unit) = expected.sign_and_unit();
                 let truth = crate::physics::worked::number(truth);
                 let gap = if unit == "°" { "" } else { " " };
-                talk.say(format!("It is {truth}{gap}{unit}").trim_end())
+                talk.say(&format!(
+                    "It is {}.",
+                    format!("{truth}{gap}{unit}").trim_end()
+                ))
             }
             None => Ok(()),
         },

@@ -73,6 +73,10 @@ fn spell_signs(text: &str) -> String {
             '/' if name(before) && name(after) => plain.push_str(" over "),
             c => plain.push_str(spelling(c).unwrap_or(c.encode_utf8(&mut [0; 4]))),
         }
+        // A letter after a subscript is another quantity.
+        if matches!(letter, '₀'..='₉') && after.is_some_and(|c| c.is_ascii_alphabetic()) {
+            plain.push(' ');
+        }
         i += 1;
     }
     for (function, name) in [
@@ -127,6 +131,13 @@ fn ends_in_number(word: &str) -> bool {
 fn without_stop(word: &str) -> (&str, &str) {
     let bare = word.trim_end_matches([',', '.', ';', ':', ')', '?', '!']);
     (bare, &word[bare.len()..])
+}
+
+/// A unit as it is read aloud: "m/s" as "metres per second", "g m/s" as "gram metres per
+/// second".
+pub(super) fn unit_name(unit: &str) -> String {
+    let read = spoken(&format!("1 {unit}"));
+    read.strip_prefix("1 ").unwrap_or(unit).to_owned()
 }
 
 fn named_unit(unit: &str) -> Option<&'static str> {
@@ -253,6 +264,7 @@ mod tests {
             ("1/sin⁴", "1 over sin to the power 4"),
             ("3.2×10⁻⁷", "3.2 times 10 to the power minus 7"),
             ("well-known and off-centre", "well-known and off-centre"),
+            ("m₁u₁", "m 1 u 1"),
             ("Ada Łoś", "Ada Łoś"),
             ("  ", ""),
         ] {

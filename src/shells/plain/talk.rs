@@ -67,12 +67,12 @@ impl<'a> Talk<'a> {
         Ok(())
     }
 
-    /// Asks, and hears a line without the blanks at its ends; it may be empty.
+    /// Asks by these lines, and hears one without the blanks at its ends; it may be empty.
     ///
     /// # Errors
     /// If the player quits, or nothing more is to be heard.
-    pub(super) fn ask(&mut self, asked: &Asked) -> Result<String, Leave> {
-        for line in asked.lines {
+    fn ask(&mut self, asked: &Asked, lines: &[String]) -> Result<String, Leave> {
+        for line in lines {
             self.say(line)?;
         }
         loop {
@@ -103,18 +103,16 @@ impl<'a> Talk<'a> {
         asked: &Asked,
         read: impl Fn(&str) -> Result<T, String>,
     ) -> Result<T, Leave> {
+        let question = asked.lines.len().saturating_sub(1);
         let mut lines = asked.lines;
         loop {
-            let heard = self.ask(&Asked { lines, ..*asked })?;
+            let heard = self.ask(asked, lines)?;
             match read(&heard) {
                 Ok(meant) => return Ok(meant),
                 Err(expected) => self.say(&expected)?,
             }
-            // The question stands; it need not be said again unless it is asked for.
-            lines = asked
-                .lines
-                .get(asked.lines.len().saturating_sub(1)..)
-                .unwrap_or_default();
+            // The question stands; what led to it is said again only if it is asked for.
+            lines = asked.lines.get(question..).unwrap_or_default();
         }
     }
 
