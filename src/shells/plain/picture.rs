@@ -13,14 +13,14 @@ pub(super) fn describe(question: &Question) -> String {
     }
 }
 
-/// How a hit looks, as an eye would judge it: to a twentieth.
+/// How a hit looks, as a careful eye would judge it.
 fn seen(collision: &Collision, line: bool) -> String {
     let share = collision.offset / collision.reach();
-    let twentieths = (20.0 * share.abs()).round() * 5.0;
+    let percent = (100.0 * share.abs()).round();
     let side = if share < 0.0 { "left" } else { "right" };
     let place = format!(
         "Seen along the striker's path, the target's centre lies to the {side} of the path, by \
-         about {twentieths:.0} percent of the two radii together."
+         about {percent:.0} percent of the two radii together."
     );
     match collision.alpha() {
         Some(alpha) if line => format!(
