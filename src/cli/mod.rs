@@ -8,6 +8,7 @@ mod lesson;
 mod level;
 mod man;
 mod options;
+mod plain;
 mod play;
 mod progress;
 mod replay;
@@ -25,6 +26,7 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
+use crate::lessons::Library;
 use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
 use options::Look;
@@ -87,6 +89,10 @@ enum Screen {
     Learn {
         /// A chapter to read at once: its number or its name
         chapter: Option<String>,
+        /// Read and ask in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
     },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
     Lab,
@@ -97,6 +103,10 @@ enum Screen {
         /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
         #[arg(long, value_name = "CODE", value_parser = code)]
         code: Option<Code>,
+        /// Ask and answer in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
     },
     /// Open the table: carrom itself, the whole board
     Table,
@@ -115,22 +125,16 @@ impl Screen {
     /// If there is no level or chapter of that name, in words.
     fn place(&self, shelf: &Shelf, book: &Book, options: &Options) -> Result<Place, String> {
         Ok(match self {
-            Self::Learn { chapter: None } => Place::Learn,
+            Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
                 chapter: Some(name),
-            } => {
-                let number = book.library().find(name);
-                let number = number.ok_or_else(|| {
-                    format!(
-                        "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
-                        name.escape_debug()
-                    )
-                })?;
-                Place::Chapter { number }
-            }
+                ..
+            } => Place::Chapter {
+                number: find_chapter(book.library(), name)?,
+            },
             Self::Lab => Place::Lab,
-            Self::Quiz { code } => Place::Quiz {
-                code: code.clone().or_else(|| options.seed.map(Code::hits)),
+            Self::Quiz { code, .. } => Place::Quiz {
+                code: round(code.as_ref(), options),
             },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
@@ -156,6 +160,24 @@ fn code(text: &str) -> Result<Code, String> {
         "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
          speeds-7, or 7 for ten hits"
             .into()
+    })
+}
+
+/// The round that is asked for: by its code, or ten hits by a seed alone.
+fn round(code: Option<&Code>, options: &Options) -> Option<Code> {
+    code.cloned().or_else(|| options.seed.map(Code::hits))
+}
+
+/// The place of a chapter by its number or its name, from 0.
+///
+/// # Errors
+/// If there is none, in words.
+fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
+    library.find(name).ok_or_else(|| {
+        format!(
+            "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
+            name.escape_debug()
+        )
     })
 }
 
@@ -199,6 +221,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
+        Some(Command::Open(Screen::Quiz { code, plain: true })) => {
+            plain::quiz(round(code.as_ref(), &cli.options), &cli.options)
+        }
+        Some(Command::Open(Screen::Learn {
+            chapter,
+            plain: true,
+        })) => plain::learn(chapter.as_deref(), &cli.options),
         Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
@@ -234,6 +263,9 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     })?;
     let screen = match &cli.command {
         None => None,
+        Some(Command::Open(
+            Screen::Quiz { plain: true, .. } | Screen::Learn { plain: true, .. },
+        )) => return Err("expected a command that opens a screen".into()),
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             return Err("expected a command that opens a screen".into());
         }

@@ -6,7 +6,7 @@ mod list;
 mod place;
 mod recall;
 mod shelf;
-mod why;
+pub(crate) mod why;
 
 pub mod class;
 pub mod foil;
