@@ -20,14 +20,19 @@
 //!   app/           App: the stack of screens, what every screen shares
 //!   screens/       one folder a screen: its state and update, its view beside it
 //!                  home · learn · lab · foil · quiz · table · levels · progress
+//!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
+//!   ─────────────────────────────────────────────────────────────
+//!   class/         a round for a class round one screen: teams, two votes, scores, what
+//!                  each question showed
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      what a player has done, and what follows from it: topics, confidence,
 //!                  misconceptions that fade, what is due
 //!   ─────────────────────────────────────────────────────────────
-//!   quiz/          questions, grading, misconceptions
+//!   quiz/          questions, grading, misconceptions; concept questions in words
+//!                  (data: assets/concepts)
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)
@@ -42,12 +47,14 @@
 
 pub mod app;
 pub mod beams;
+pub mod class;
 pub mod cli;
 pub mod files;
 pub mod game;
 pub mod lessons;
 pub mod levels;
 pub mod messages;
+pub mod paper;
 pub mod physics;
 pub mod progress;
 pub mod quiz;

@@ -5,70 +5,36 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
 use carrom::cli;
 use carrom::lessons::{Chapter, Library};
 use carrom::screens::learn::check;
 use carrom::shells::Headless;
+use common::bad_files::{self, BadFiles, message};
 use proptest::prelude::*;
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad-lessons")
-}
-
-fn carrom(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carrom"))
-        .args(arguments)
-        .current_dir(folder())
-        .output()
-        .expect("carrom runs")
-}
-
-/// Standard error without the name of the program before the message.
-fn message(output: &Output) -> String {
-    let text = String::from_utf8_lossy(&output.stderr);
-    let text = text.trim_end();
-    text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
-}
-
-fn bad_files() -> Vec<String> {
-    let names = fs::read_dir(folder()).unwrap();
-    let names = names.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    names.filter(|name| name.ends_with(".md")).collect()
-}
+const BAD: BadFiles = BadFiles {
+    folder: "bad-lessons",
+    ending: "md",
+};
 
 #[test]
 fn every_bad_file_gives_its_message() {
-    let files = bad_files();
-    for name in &files {
-        let output = carrom(&["lesson", "check", name]);
-        let expected = folder().join(name).with_extension("expected");
-        let expected = fs::read_to_string(expected).unwrap();
-        assert_eq!(message(&output), expected.trim_end(), "{name}");
-        assert_eq!(output.status.code(), Some(2), "{name}");
-    }
-    let all = fs::read_dir(folder()).unwrap().count();
-    assert_eq!(
-        2 * files.len(),
-        all,
-        "every bad file has a message, and every message a file"
-    );
+    BAD.each(["lesson", "check"], |_, _, _| {});
 }
 
 #[test]
 fn the_rest_of_the_book_opens_beside_bad_files() {
     let mut library = Library::embedded();
     let own = library.chapters.len();
-    library.add_dir(&folder());
+    library.add_dir(&BAD.path());
     // Those that are only too long for a small screen can be read.
     let readable = ["too-long", "formula-too-wide"];
     assert_eq!(library.chapters.len(), own + readable.len());
-    assert_eq!(library.problems.len(), bad_files().len() - readable.len());
+    assert_eq!(library.problems.len(), BAD.names().len() - readable.len());
 
-    let arguments = format!("learn --lessons '{}'", folder().display());
+    let arguments = format!("learn --lessons '{}'", BAD.path().display());
     let mut game = Headless::new(cli::open(&arguments).unwrap(), 100, 60);
     let screen = game.screen();
     assert!(screen.contains("left out"), "{screen}");
@@ -85,7 +51,7 @@ fn the_rest_of_the_book_opens_beside_bad_files() {
 
 #[test]
 fn the_chapters_in_the_program_are_good() {
-    let output = carrom(&["lesson", "check"]);
+    let output = BAD.carrom(&["lesson", "check"]);
     assert_eq!(message(&output), "");
     assert_eq!(output.status.code(), Some(0));
     let report = String::from_utf8(output.stdout).unwrap();
@@ -94,7 +60,7 @@ fn the_chapters_in_the_program_are_good() {
 
 #[test]
 fn a_missing_file_is_named() {
-    let output = carrom(&["lesson", "check", "99-none.md"]);
+    let output = BAD.carrom(&["lesson", "check", "99-none.md"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(message(&output).starts_with("99-none.md: cannot be read: "));
 }
@@ -105,7 +71,7 @@ fn figures_are_pictures_without_a_terminal() {
         "lab", "split", "triangle", "frames", "curves", "angles", "energy", "worked", "solve",
         "foil",
     ] {
-        let output = carrom(&["figure", figure, "alpha_deg=40"]);
+        let output = BAD.carrom(&["figure", figure, "alpha_deg=40"]);
         assert_eq!(output.status.code(), Some(0), "{figure}");
         let svg = String::from_utf8(output.stdout).unwrap();
         assert!(
@@ -117,9 +83,9 @@ fn figures_are_pictures_without_a_terminal() {
         (["figure", "film"], "expected a figure (lab, split,"),
         (["figure", "lab"], ""),
     ] {
-        assert!(message(&carrom(&words)).starts_with(expected));
+        assert!(message(&BAD.carrom(&words)).starts_with(expected));
     }
-    let output = carrom(&["figure", "curves", "m1_g=-1"]);
+    let output = BAD.carrom(&["figure", "curves", "m1_g=-1"]);
     assert_eq!(
         message(&output),
         "m1_g: expected a mass in g from 0.1 to 1000, found -1"
@@ -129,16 +95,6 @@ fn figures_are_pictures_without_a_terminal() {
 
 /// A chapter with a stretch of it replaced.
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
-    let mut chapters: Vec<_> = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .collect();
-    chapters.sort();
-    let chapters: Vec<Vec<u8>> = chapters
-        .iter()
-        .map(|path| fs::read(path).unwrap())
-        .collect();
     let piece = prop_oneof![
         "[0-9.eE+-]{0,6}",
         "[-$\\{\\}:#*_`\\[\\]()=/^ ]{0,5}",
@@ -147,18 +103,7 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
         Just("\n:::choice\n".to_owned()),
         Just("\n::lab alpha_deg=90\n".to_owned()),
     ];
-    (
-        proptest::sample::select(chapters),
-        any::<proptest::sample::Index>(),
-        0_usize..8,
-        piece,
-    )
-        .prop_map(|(mut bytes, at, length, piece)| {
-            let start = at.index(bytes.len());
-            let end = (start + length).min(bytes.len());
-            bytes.splice(start..end, piece.bytes());
-            bytes
-        })
+    bad_files::mutated("assets/lessons", piece)
 }
 
 fn is_chapter_or_message(bytes: &[u8], whole: bool) -> Result<(), TestCaseError> {

@@ -6,78 +6,33 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use carrom::levels::{Level, Library, Scene, judge};
+use common::bad_files::{self, BadFiles, message};
 use proptest::prelude::*;
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad-levels")
-}
-
-fn carrom(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carrom"))
-        .args(arguments)
-        .current_dir(folder())
-        .output()
-        .expect("carrom runs")
-}
-
-/// Standard error without the name of the program before the message.
-fn message(output: &Output) -> String {
-    let text = String::from_utf8_lossy(&output.stderr);
-    let text = text.trim_end();
-    text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
-}
+const BAD: BadFiles = BadFiles {
+    folder: "bad-levels",
+    ending: "toml",
+};
 
 #[test]
 fn every_bad_file_gives_its_message() {
-    let mut count = 0;
-    for entry in fs::read_dir(folder()).unwrap() {
-        let expected = entry.unwrap().path();
-        if expected
-            .extension()
-            .is_none_or(|extension| extension != "expected")
-        {
-            continue;
-        }
-        let bad = expected.with_extension("toml");
-        let is_file = bad.exists();
-        let bad = if is_file {
-            bad
-        } else {
-            expected.with_extension("")
-        };
-        let name = bad.file_name().unwrap().to_str().unwrap();
-        let output = carrom(&["level", "check", name]);
-        assert_eq!(
-            message(&output),
-            fs::read_to_string(&expected).unwrap().trim_end()
-        );
-        assert_eq!(output.status.code(), Some(2), "{name}");
-        if is_file {
-            assert_eq!(output.stdout, b"", "{name}");
-        }
-        count += 1;
-    }
-    let files = fs::read_dir(folder()).unwrap().count();
-    assert_eq!(
-        2 * count,
-        files,
-        "every bad file has a message, and every message a file"
-    );
+    BAD.each(["level", "check"], |name, is_file, printed| {
+        assert!(!is_file || printed.is_empty(), "{name}");
+    });
 }
 
 #[test]
 fn a_bad_scene_is_refused_by_simulate_with_the_same_message() {
     let name = "negative-mass.toml";
-    let output = carrom(&["simulate", name, "--json"]);
+    let output = BAD.carrom(&["simulate", name, "--json"]);
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(output.stdout, b"");
-    let expected = fs::read_to_string(folder().join("negative-mass.expected")).unwrap();
-    assert_eq!(message(&output), expected.trim_end());
+    assert_eq!(message(&output), BAD.expected("negative-mass"));
 }
 
 #[test]
@@ -95,7 +50,7 @@ fn ten_megabytes_of_noise_give_one_message() {
     .collect();
     fs::write(&path, &noise).unwrap();
     let name = path.to_str().unwrap();
-    let output = carrom(&["level", "check", name]);
+    let output = BAD.carrom(&["level", "check", name]);
     fs::remove_file(&path).unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(output.stdout, b"");
@@ -108,7 +63,7 @@ fn ten_megabytes_of_noise_give_one_message() {
 
 #[test]
 fn a_missing_file_is_named() {
-    let output = carrom(&["level", "check", "no-such-level.toml"]);
+    let output = BAD.carrom(&["level", "check", "no-such-level.toml"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(message(&output).starts_with("no-such-level.toml: cannot be read: "));
 }
@@ -116,24 +71,16 @@ fn a_missing_file_is_named() {
 #[test]
 fn a_bad_file_does_not_keep_the_rest_of_a_folder_from_opening() {
     let mut library = Library::default();
-    library.add_dir(&folder());
+    library.add_dir(&BAD.path());
     // The folder of two levels with one id gives one level and one fault.
     assert_eq!(library.packs.len(), 1);
     assert_eq!(library.packs[0].name, "duplicate-id");
     assert_eq!(library.packs[0].levels.len(), 1);
-    let bad = fs::read_dir(folder()).unwrap().count() / 2;
-    assert_eq!(library.problems.len(), bad);
+    assert_eq!(library.problems.len(), BAD.names().len());
 }
 
 /// A level file with a stretch of it replaced.
 fn mutated() -> impl Strategy<Value = Vec<u8>> {
-    let levels: Vec<Vec<u8>> = {
-        let pack = Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/first-hits");
-        let paths = fs::read_dir(pack).unwrap();
-        paths
-            .map(|path| fs::read(path.unwrap().path()).unwrap())
-            .collect()
-    };
     let piece = prop_oneof![
         "[0-9.eE+-]{0,6}",
         "\\PC{0,4}",
@@ -141,18 +88,7 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
         Just("nan".to_owned()),
         Just("-".to_owned()),
     ];
-    (
-        proptest::sample::select(levels),
-        any::<proptest::sample::Index>(),
-        0_usize..8,
-        piece,
-    )
-        .prop_map(|(mut bytes, at, length, piece)| {
-            let start = at.index(bytes.len());
-            let end = (start + length).min(bytes.len());
-            bytes.splice(start..end, piece.bytes());
-            bytes
-        })
+    bad_files::mutated("levels/first-hits", piece)
 }
 
 fn is_level_or_message(bytes: &[u8]) -> Result<(), TestCaseError> {

@@ -17,7 +17,7 @@ const PLACES: [Place; 11] = [
     Place::Learn,
     Place::Chapter { number: 2 },
     Place::Chapter { number: 3 },
-    Place::Quiz { seed: None },
+    Place::Quiz { code: None },
     Place::Foil,
     Place::Table,
     Place::Levels,
@@ -87,7 +87,7 @@ proptest! {
         acts in prop::collection::vec(act(), 1..60),
     ) {
         let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
-        let mut game = opened(place, charset, seed);
+        let mut game = opened(place.clone(), charset, seed);
         for act in &acts {
             match act {
                 Act::Tell(input) => game.input(input),
@@ -106,7 +106,7 @@ proptest! {
 fn every_screen_and_its_help_are_printable_ascii() {
     for place in PLACES {
         for (columns, rows) in [(60, 20), (80, 24), (120, 40), (300, 100)] {
-            let mut game = opened(place, Charset::Ascii, 1);
+            let mut game = opened(place.clone(), Charset::Ascii, 1);
             game.resize(columns, rows);
             for keys in ["", "?", "<Down><Down>"] {
                 game.press(keys);
@@ -125,7 +125,7 @@ fn every_screen_and_its_help_are_printable_ascii() {
 #[test]
 fn escape_leads_home_and_q_out() {
     for place in PLACES {
-        let mut game = opened(place, Charset::Ascii, 1);
+        let mut game = opened(place.clone(), Charset::Ascii, 1);
         for _ in 0..5 {
             game.press("<Escape>");
         }

@@ -7,14 +7,15 @@ use std::fs;
 use std::path::Path;
 
 /// The floors from the top, as the map in `lib.rs` draws them.
-const FLOORS: [&[&str]; 10] = [
+const FLOORS: [&[&str]; 11] = [
     &["cli"],
     &["shells"],
     &["store"],
     &["app"],
-    &["screens"],
+    &["screens", "paper"],
     &["widgets"],
     &["messages"],
+    &["class"],
     &["lessons", "progress"],
     &["quiz", "levels", "game", "beams"],
     &["physics", "files"],

@@ -6,10 +6,7 @@
 mod common;
 
 use std::collections::BTreeMap;
-use std::env;
-use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStdout, Command, Stdio};
+use std::path::Path;
 use std::thread;
 use std::time::Duration;
 
@@ -19,6 +16,7 @@ use carrom::messages::{Done, Request, Wish};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
+use common::child::{self, Player};
 use common::folder::Folder;
 use common::pty::{Pty, carrom};
 use rand::{RngExt, SeedableRng};
@@ -27,6 +25,13 @@ use rustix::process::Signal;
 
 /// The keys from the page of a new game to one of two people.
 const TWO_PEOPLE: &str = "<Down><Down><Down> <Enter>";
+/// The keys to the game that was played last.
+const RESUME: &str = "s<Enter>";
+
+/// A player of a game that these keys lead to.
+fn start(folder: &Path, seed: u64, keys: &str) -> Player {
+    Player::start("child_plays", folder, &[&seed.to_string(), keys])
+}
 
 /// All games by name; each must be readable.
 fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
@@ -54,79 +59,22 @@ fn stroke(screen: &str) -> Option<usize> {
     (of == "of" && number == all).then(|| number.parse().ok())?
 }
 
-/// A process that plays until it is killed and says the number of each stroke as soon
-/// as it is on the screen.
-struct Player {
-    child: Child,
-    said: BufReader<ChildStdout>,
-}
-
-impl Player {
-    fn start(folder: &Path, resume: bool, seed: u64) -> Self {
-        let mut child = Command::new(env::current_exe().unwrap())
-            .args(["child_plays", "--exact", "--nocapture"])
-            .env("CARROM_KILL_FOLDER", folder)
-            .env("CARROM_KILL_RESUME", if resume { "yes" } else { "no" })
-            .env("CARROM_KILL_SEED", seed.to_string())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        let said = BufReader::new(child.stdout.take().unwrap());
-        Self { child, said }
-    }
-
-    /// The number of the next stroke; `None` once there will be no more.
-    fn next(&mut self) -> Option<usize> {
-        loop {
-            let mut line = String::new();
-            if self.said.read_line(&mut line).unwrap() == 0 {
-                return None;
-            }
-            if let Some(number) = line.trim().strip_prefix("struck ") {
-                return Some(number.parse().unwrap());
-            }
-        }
-    }
-
-    /// Kills it after so many strokes and then some time, and gives the number of the
-    /// last stroke it said.
-    fn kill(mut self, strokes: usize, then: Duration) -> Option<usize> {
-        let mut last = None;
-        for _ in 0..strokes {
-            last = self.next();
-            assert!(last.is_some(), "it ended by itself");
-        }
-        thread::sleep(then);
-        self.child.kill().unwrap();
-        self.child.wait().unwrap();
-        while let Some(number) = self.next() {
-            last = Some(number);
-        }
-        last
-    }
-}
-
-/// What [`Player`] runs; nothing when run as a test.
+/// Plays until it is killed, and says the number of each stroke as soon as it is on the
+/// screen.
 #[test]
 fn child_plays() {
-    let Some(folder) = env::var_os("CARROM_KILL_FOLDER") else {
+    let Some((folder, words)) = child::told() else {
         return;
     };
-    let resume = env::var("CARROM_KILL_RESUME").unwrap() == "yes";
-    let seed = env::var("CARROM_KILL_SEED").unwrap().parse().unwrap();
+    let seed = words[0].parse().unwrap();
     let settings = Settings {
         reduced_motion: true,
         ..Settings::default()
     };
     let app = App::new(Place::Table, settings, seed);
-    let store = Store::in_folder(&PathBuf::from(folder));
+    let store = Store::in_folder(&folder);
     let mut game = Headless::keeping(app, 80, 24, store);
-    if resume {
-        game.press("s<Enter>");
-    } else {
-        game.press(TWO_PEOPLE);
-    }
+    game.press(&words[1]);
     let mut chance = Pcg64::seed_from_u64(seed);
     loop {
         if !game.screen().contains("Space strike") {
@@ -136,8 +84,7 @@ fn child_plays() {
         }
         game.press(&format!("{:.1} ", chance.random_range(20.0..160.0)));
         if let Some(number) = stroke(&game.screen()) {
-            println!("struck {number}");
-            std::io::stdout().flush().unwrap();
+            child::say(number);
         }
     }
 }
@@ -148,15 +95,15 @@ fn a_game_that_is_killed_sixty_times_loses_at_most_the_stroke_in_motion() {
     let mut chance = Pcg64::seed_from_u64(60);
     let mut before = 0;
     for kill in 0..60 {
-        let player = Player::start(folder.path(), before > 0, kill);
+        let keys = if before > 0 { RESUME } else { TWO_PEOPLE };
+        let player = start(folder.path(), kill, keys);
         // Now and then before it has done anything at all.
         let strokes = if kill % 10 == 9 {
             0
         } else {
             chance.random_range(1..8)
         };
-        let then = Duration::from_micros(chance.random_range(0..20_000));
-        let said = player.kill(strokes, then).unwrap_or(before);
+        let said = player.kill(strokes, &mut chance).unwrap_or(before);
         let games = games(folder.path());
         let kept = games.values().map(|game| game.record.strokes()).max();
         let kept = kept.unwrap_or(0);
@@ -176,10 +123,10 @@ fn two_who_play_and_are_killed_do_no_harm_to_each_other_nor_to_older_games() {
     let mut chance = Pcg64::seed_from_u64(2);
     let mut before = BTreeMap::new();
     for round in 0..10 {
-        let players = [0, 1].map(|i| Player::start(folder.path(), false, 2 * round + i));
+        let players = [0, 1].map(|i| start(folder.path(), 2 * round + i, TWO_PEOPLE));
         let said = players.map(|player| {
-            let then = Duration::from_micros(chance.random_range(0..20_000));
-            player.kill(chance.random_range(1..4), then).unwrap()
+            let strokes = chance.random_range(1..4);
+            player.kill(strokes, &mut chance).unwrap()
         });
         let mut now = games(folder.path());
         for (name, game) in &before {

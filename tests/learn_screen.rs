@@ -2,17 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::time::Duration;
+mod common;
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::lessons::{Asked, Chapter, Library, Page};
+use carrom::lessons::{Chapter, Library, Page};
 use carrom::messages::Key;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
-
-const LONG: Duration = Duration::from_secs(60);
+use common::lessons::answer;
 
 fn open(number: usize, charset: Charset, size: (u16, u16)) -> Headless {
     let settings = Settings {
@@ -27,17 +26,6 @@ fn chapter(name: &str) -> (usize, &'static Chapter) {
     let library = Library::embedded_once();
     let number = library.find(name).unwrap();
     (number, &library.chapters[number])
-}
-
-/// Presses what answers a page's question: anything will do.
-fn answer(game: &mut Headless, page: &Page) {
-    match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
-        None => return,
-        Some(Asked::Rays) => game.press("40<Enter>40<Enter>"),
-        Some(Asked::Number { .. }) => game.press("1<Enter>"),
-        Some(Asked::Choice(_)) => game.press("2<Enter>"),
-    }
-    assert!(game.settle(LONG));
 }
 
 #[test]
@@ -125,11 +113,34 @@ fn the_place_is_kept_and_can_be_reset() {
         game.screen().contains("+ Along the line"),
         "the answer is still there"
     );
-    game.press("R");
-    assert!(game.screen().contains("> What") || game.screen().contains(">1"));
-    assert_eq!(game.app().book().mark(&chapter.id).unwrap().answered(), 0);
+    game.press("n");
+    game.press("Rn");
+    assert!(
+        game.screen().contains("page 2 of 5"),
+        "nothing but y forgets"
+    );
+    game.press("Ry");
+    let screen = game.screen();
+    assert!(
+        screen.contains("page 1 of 5") && screen.contains("begins anew"),
+        "{screen}"
+    );
+    let mark = game.app().book().mark(&chapter.id);
+    assert_eq!(mark.unwrap().answered(chapter), 0);
     game.press("<Escape>R");
+    let screen = game.screen();
+    assert!(
+        screen.contains("Forget chapter 2?") && screen.contains("1/5"),
+        "{screen}"
+    );
+    game.press("<Enter>");
+    assert!(
+        game.app().book().mark(&chapter.id).is_some(),
+        "nothing but y forgets"
+    );
+    game.press("Ry");
     assert!(game.app().book().mark(&chapter.id).is_none());
+    assert_eq!(game.attempts().len(), 1, "the record of answers stays");
 }
 
 #[test]
@@ -234,32 +245,4 @@ fn a_chapter_is_opened_by_number_or_name() {
         wrong.contains("expected the number or the name of a chapter"),
         "{wrong}"
     );
-}
-
-/// What a chapter says, in one string.
-fn said(chapter: &Chapter) -> String {
-    format!("{:?}", chapter.pages)
-}
-
-/// Every figure that the article quotes stands in some chapter; that each is what the
-/// engine computes is checked when the chapter is read.
-#[test]
-fn every_figure_of_the_article_is_there() {
-    let all: String = Library::embedded_once().chapters.iter().map(said).collect();
-    for figure in [
-        "2√3",
-        "3.46",
-        "2.00",
-        "√5",
-        "2.24",
-        "63.4",
-        "√2",
-        "1.41",
-        "108.4",
-        "3.2×10⁻⁷",
-        "51.2",
-        "21.5",
-    ] {
-        assert!(all.contains(figure), "{figure}");
-    }
 }

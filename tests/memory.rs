@@ -5,20 +5,18 @@
 
 mod common;
 
-use std::env;
 use std::fs;
-use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStdout, Command, Output, Stdio};
-use std::thread;
-use std::time::Duration;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
 
 use carrom::app::App;
 use carrom::messages::{Done, Request, Wish};
 use carrom::progress::{Attempt, Starred};
+use carrom::quiz::Code;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
+use common::child::{self, Player};
 use common::folder::Folder;
 #[cfg(unix)]
 use common::pty::{Pty, carrom as carrom_in_terminal};
@@ -51,7 +49,8 @@ fn app(place: Place, player: &str) -> App {
 }
 
 fn quiz(folder: &Path, player: &str) -> Headless {
-    let app = app(Place::Quiz { seed: None }, player);
+    let code = Some(Code::hits(7));
+    let app = app(Place::Quiz { code }, player);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
@@ -59,7 +58,7 @@ fn quiz(folder: &Path, player: &str) -> Headless {
 /// is over gives way to the next.
 fn answer(game: &mut Headless) {
     if game.screen().contains("all answered") {
-        game.press("<Enter>");
+        game.press("n");
     }
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
@@ -69,56 +68,18 @@ fn answer(game: &mut Headless) {
     );
 }
 
-/// A process that answers until it is killed, or as often as is said, and says the
-/// number of each answer as soon as its explanation is on the screen.
-struct Player {
-    child: Child,
-    said: BufReader<ChildStdout>,
-}
-
-impl Player {
-    fn start(folder: &Path, name: &str, answers: usize) -> Self {
-        let mut child = Command::new(env::current_exe().unwrap())
-            .args(["child_answers", "--exact", "--nocapture"])
-            .env("CARROM_MEMORY_FOLDER", folder)
-            .env("CARROM_MEMORY_NAME", name)
-            .env("CARROM_MEMORY_ANSWERS", answers.to_string())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        let said = BufReader::new(child.stdout.take().unwrap());
-        Self { child, said }
-    }
-
-    /// The number of the next answer; `None` once there will be no more.
-    fn next(&mut self) -> Option<usize> {
-        loop {
-            let mut line = String::new();
-            if self.said.read_line(&mut line).unwrap() == 0 {
-                return None;
-            }
-            if let Some(number) = line.trim().strip_prefix("answered ") {
-                return Some(number.parse().unwrap());
-            }
-        }
-    }
-}
-
-/// What [`Player`] runs; nothing when run as a test.
+/// Answers as often as is said, and says the number of each answer as soon as its
+/// explanation is on the screen.
 #[test]
 fn child_answers() {
-    let Some(folder) = env::var_os("CARROM_MEMORY_FOLDER") else {
+    let Some((folder, words)) = child::told() else {
         return;
     };
-    let name = env::var("CARROM_MEMORY_NAME").unwrap();
-    let answers: usize = env::var("CARROM_MEMORY_ANSWERS").unwrap().parse().unwrap();
-    let mut game = quiz(&PathBuf::from(folder), &name);
-    for number in 1..=answers {
+    let mut game = quiz(&folder, &words[0]);
+    for number in 1..=words[1].parse().unwrap() {
         answer(&mut game);
         assert!(!game.screen().contains("please note"));
-        println!("answered {number}");
-        std::io::stdout().flush().unwrap();
+        child::say(number);
         game.press("<Enter>");
     }
 }
@@ -129,17 +90,9 @@ fn a_hundred_kills_in_the_midst_of_answering_lose_no_answer() {
     let mut chance = Pcg64::seed_from_u64(100);
     let mut before = 0;
     for kill in 0..100 {
-        let mut player = Player::start(folder.path(), "Ada", 1000);
-        let mut said = 0;
-        for _ in 0..chance.random_range(0..4) {
-            said = player.next().expect("it ended by itself");
-        }
-        thread::sleep(Duration::from_micros(chance.random_range(0..20_000)));
-        player.child.kill().unwrap();
-        player.child.wait().unwrap();
-        while let Some(number) = player.next() {
-            said = number;
-        }
+        let player = Player::start("child_answers", folder.path(), &["Ada", "1000"]);
+        let answers = chance.random_range(0..4);
+        let said = player.kill(answers, &mut chance).unwrap_or(0);
         let now = kept(folder.path(), Some("Ada")).len();
         // One may have been kept that had no time to be told.
         assert!(
@@ -156,14 +109,10 @@ fn four_who_answer_at_once_lose_none() {
     const EACH: usize = 40;
     let folder = Folder::new("memory-four");
     let names = ["Ada", "Bo", "Ada", "球"];
-    let mut players = names.map(|name| Player::start(folder.path(), name, EACH));
-    for player in &mut players {
-        let mut last = 0;
-        while let Some(number) = player.next() {
-            last = number;
-        }
-        assert!(player.child.wait().unwrap().success());
-        assert_eq!(last, EACH);
+    let each = EACH.to_string();
+    let start = |name| Player::start("child_answers", folder.path(), &[name, &each]);
+    for player in names.map(start) {
+        assert_eq!(player.end(), Some(EACH));
     }
     assert_eq!(kept(folder.path(), None).len(), 4 * EACH);
     for (name, count) in [("Ada", 2), ("Bo", 1), ("球", 1)] {

@@ -1,29 +1,58 @@
 //! Rounds of the quiz over thousands of seeds: the truth is the truth, every
 //! misconception is known by its answer, every text can be read.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::sync::LazyLock;
 
-use carrom::quiz::misconceptions::{ALL, FIT_DEG};
+use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{
-    Answer, Confidence, Fit, Given, Grade, Pieces, Question, Rays, Round, Summary, diagnose,
-    explain,
+    Answer, Confidence, Fit, Form, Given, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG,
+    Ray, Rays, Round, Said, Summary, explain, hits,
 };
 use carrom::widgets::text::wrap;
 use glam::DVec2;
 
 const SEEDS: u64 = 2_000;
 
-static ROUNDS: LazyLock<Vec<Round>> = LazyLock::new(|| (0..SEEDS).map(Round::new).collect());
+static ROUNDS: LazyLock<Vec<Round>> = LazyLock::new(|| (0..SEEDS).map(Round::hits).collect());
 
-fn questions() -> impl Iterator<Item = Question> {
-    ROUNDS.iter().flat_map(Round::questions).copied()
+fn questions() -> impl Iterator<Item = &'static Question> {
+    ROUNDS.iter().flat_map(Round::questions)
+}
+
+fn drawn() -> impl Iterator<Item = Hit> {
+    (0..SEEDS).flat_map(hits).map(|(_, hit)| hit)
+}
+
+/// The rays that are true for a question of this family.
+fn truth(question: &Question) -> Rays {
+    match question.form.truth() {
+        Said::Rays(rays) => rays,
+        other => panic!("not rays: {other:?}"),
+    }
+}
+
+/// The side on which the target lies.
+fn side(question: &Question) -> f64 {
+    match question.form {
+        Form::Rays { side, .. } => side,
+        ref other => panic!("not rays: {other:?}"),
+    }
+}
+
+/// What misconceptions make of a question, with the ray that gives each away.
+fn beliefs(
+    question: &Question,
+) -> impl Iterator<Item = (&'static Misconception, Rays, Option<Ray>)> {
+    question.beliefs.iter().map(|belief| match belief.said {
+        Said::Rays(rays) => (belief.misconception, rays, belief.telltale),
+        other => panic!("not rays: {other:?}"),
+    })
 }
 
 fn sure(rays: Rays) -> Answer {
-    Answer {
-        rays,
-        confidence: Confidence::Sure,
-    }
+    Answer::new(Said::Rays(rays), Confidence::Sure)
 }
 
 /// The angle from `a` to `b`, anticlockwise; `None` if `b` is at rest.
@@ -32,7 +61,7 @@ fn turn(a: DVec2, b: DVec2) -> Option<f64> {
 }
 
 /// Where the two go, by an impulse along the line of centres.
-fn by_impulse(question: &Question) -> Rays {
+fn by_impulse(question: &Hit) -> Rays {
     let (m1, r1, m2, r2) = match question.pieces {
         Pieces::Equal => (15.0, 15.0, 15.0, 15.0),
         Pieces::Tournament => (15.0, 20.65, 5.5, 15.9),
@@ -56,7 +85,7 @@ fn by_impulse(question: &Question) -> Rays {
 
 #[test]
 fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
-    for question in questions() {
+    for question in drawn() {
         let gap = question.truth().gap(&by_impulse(&question));
         assert!(gap < 1e-9, "{question:?}: off by {gap}");
     }
@@ -65,13 +94,13 @@ fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
 #[test]
 fn the_truth_earns_all_and_is_never_diagnosed() {
     for question in questions() {
-        let answer = sure(question.truth());
-        let grade = Grade::new(&question, &answer);
-        assert!(grade.is_right());
-        assert!((grade.credit() - 1.0).abs() < 1e-12);
+        let answer = sure(truth(question));
+        let grade = Grade::new(question, &answer);
+        assert!(grade.right);
+        assert!((grade.credit - 1.0).abs() < 1e-12);
         assert!((grade.points() - Grade::MOST).abs() < 1e-12);
-        assert_eq!(diagnose(&question, &answer), None);
-        assert_eq!(explain(&question, &answer).title, "right");
+        assert_eq!(question.diagnose(&answer), None);
+        assert_eq!(explain(question, &answer).title, "right");
     }
 }
 
@@ -79,15 +108,13 @@ fn the_truth_earns_all_and_is_never_diagnosed() {
 fn each_misconception_is_known_by_its_answer() {
     let mut met = [0; ALL.len()];
     for question in questions() {
-        for (i, misconception) in ALL.into_iter().enumerate() {
-            let Some(prediction) = misconception.predict(&question) else {
-                continue;
-            };
-            met[i] += 1;
-            let answer = sure(prediction.rays);
-            assert!(!Grade::new(&question, &answer).is_right());
-            let diagnosis = diagnose(&question, &answer).expect("a diagnosis");
-            assert_eq!(diagnosis.misconception, misconception, "{question:?}");
+        for belief in &question.beliefs {
+            let place = ALL.into_iter().position(|it| it == belief.misconception);
+            met[place.expect("a misconception of rays")] += 1;
+            let answer = Answer::new(belief.said, Confidence::Sure);
+            assert!(!Grade::new(question, &answer).right);
+            let diagnosis = question.diagnose(&answer).expect("a diagnosis");
+            assert_eq!(diagnosis.misconception, belief.misconception);
             assert_eq!(diagnosis.fit, Fit::Whole);
         }
     }
@@ -98,21 +125,19 @@ fn each_misconception_is_known_by_its_answer() {
 
 #[test]
 fn a_slip_of_the_hand_changes_no_diagnosis() {
-    let slip = 0.99 * FIT_DEG.to_radians();
+    let slip = 0.99 * RIGHT_DEG.to_radians();
     let nudged = |rays: Rays, a: f64, b: f64| Rays {
         striker: rays.striker.map(|angle| angle + a * slip),
         target: rays.target.map(|angle| angle + b * slip),
     };
     for question in questions().take(2_000) {
         for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            let right = sure(nudged(question.truth(), a, b));
-            assert_eq!(diagnose(&question, &right), None);
-            for misconception in ALL {
-                if let Some(prediction) = misconception.predict(&question) {
-                    let answer = sure(nudged(prediction.rays, a, b));
-                    let diagnosis = diagnose(&question, &answer).expect("a diagnosis");
-                    assert_eq!(diagnosis.misconception, misconception, "{question:?}");
-                }
+            let right = sure(nudged(truth(question), a, b));
+            assert_eq!(question.diagnose(&right), None);
+            for (misconception, rays, _) in beliefs(question) {
+                let answer = sure(nudged(rays, a, b));
+                let diagnosis = question.diagnose(&answer).expect("a diagnosis");
+                assert_eq!(diagnosis.misconception, misconception);
             }
         }
     }
@@ -121,27 +146,23 @@ fn a_slip_of_the_hand_changes_no_diagnosis() {
 #[test]
 fn one_ray_that_gives_a_misconception_away_is_enough() {
     for question in questions().take(2_000) {
-        for misconception in ALL {
-            let Some(prediction) = misconception.predict(&question) else {
+        for (_, held, telltale) in beliefs(question) {
+            let Some(ray) = telltale else {
                 continue;
             };
-            let Some(ray) = prediction.telltale else {
-                continue;
-            };
-            let wild = Some(-2.2 * question.side());
-            let mut rays = prediction.rays;
+            let wild = Some(-2.2 * side(question));
+            let mut rays = held;
             match ray {
-                carrom::quiz::Ray::Striker => rays.target = wild,
-                carrom::quiz::Ray::Target => rays.striker = wild,
+                Ray::Striker => rays.target = wild,
+                Ray::Target => rays.striker = wild,
             }
-            let diagnosis = diagnose(&question, &sure(rays)).expect("a diagnosis");
+            let diagnosis = question.diagnose(&sure(rays)).expect("a diagnosis");
             assert_eq!(diagnosis.fit, Fit::OneRay(ray), "{question:?}");
-            let named = diagnosis
-                .misconception
-                .predict(&question)
+            let (_, named, _) = beliefs(question)
+                .find(|(misconception, ..)| *misconception == diagnosis.misconception)
                 .expect("a prediction");
-            let off = named.rays.apart(&prediction.rays, ray).expect("an angle");
-            assert!(off <= FIT_DEG.to_radians());
+            let off = named.apart(&held, ray).expect("an angle");
+            assert!(off <= RIGHT_DEG.to_radians());
         }
     }
 }
@@ -168,18 +189,14 @@ fn every_text_can_be_read() {
         Some(2.0),
     ];
     for question in questions().take(2_000) {
-        assert_readable(&question.text(), 10);
-        let mut answers: Vec<Rays> = ALL
-            .into_iter()
-            .filter_map(|misconception| misconception.predict(&question))
-            .map(|prediction| prediction.rays)
-            .collect();
-        answers.push(question.truth());
+        assert_readable(&question.text, 10);
+        let mut answers: Vec<Rays> = beliefs(question).map(|(_, rays, _)| rays).collect();
+        answers.push(truth(question));
         for striker in angles {
             answers.extend(angles.map(|target| Rays { striker, target }));
         }
         for rays in answers {
-            let explanation = explain(&question, &sure(rays));
+            let explanation = explain(question, &sure(rays));
             assert_readable(&explanation.text, 12);
             assert!(explanation.title.len() <= 28);
             let sentences = explanation.text.matches(['.', ':']).count();
@@ -192,11 +209,11 @@ fn every_text_can_be_read() {
 fn a_round_is_ten_different_questions() {
     let mut left = 0;
     for (seed, round) in (0..).zip(ROUNDS.iter()) {
-        assert_eq!(round.seed(), seed);
-        assert_eq!(round.questions().len(), Round::LENGTH);
+        assert_eq!(round.code().seed, seed);
+        assert_eq!(round.questions().len(), 10);
         for (i, question) in round.questions().iter().enumerate() {
             assert!(!round.questions()[..i].contains(question));
-            left += usize::from(question.side() < 0.0);
+            left += usize::from(side(question) < 0.0);
         }
     }
     // Nine questions in ten have a side; five standard deviations about a half.
@@ -206,11 +223,14 @@ fn a_round_is_ten_different_questions() {
 #[test]
 fn a_code_is_the_same_round_for_ever() {
     for seed in [0, 1, 7, 42, 999_999, u64::MAX] {
-        let round = Round::new(seed);
+        let round = Round::hits(seed);
         let text: Vec<String> = round
             .questions()
             .iter()
-            .map(|question| format!("[{}°] {}", question.direction_deg, question.text()))
+            .map(|question| {
+                let direction_deg = question.figures["direction_deg"].as_f64();
+                format!("[{}°] {}", direction_deg.unwrap(), question.text)
+            })
             .collect();
         insta::assert_snapshot!(format!("round_{seed}"), text.join("\n"));
     }
@@ -224,12 +244,12 @@ fn a_round_of_one_belief_names_it() {
                 .questions()
                 .iter()
                 .map(|question| {
-                    let held = misconception.predict(question);
-                    sure(held.map_or(question.truth(), |prediction| prediction.rays))
+                    let held = beliefs(question).find(|(held, ..)| *held == misconception);
+                    sure(held.map_or(truth(question), |(_, rays, _)| rays))
                 })
                 .collect();
             let summary = Summary::new(round.questions().iter().zip(&answers));
-            let met = Round::LENGTH - summary.right();
+            let met = round.questions().len() - summary.right();
             if met > 0 {
                 assert_eq!(summary.most_held(), Some((misconception, met)));
                 assert_eq!(summary.advice(), misconception.advice);
@@ -243,8 +263,8 @@ fn a_round_of_one_belief_names_it() {
 
 #[test]
 fn the_summary_of_a_perfect_round_and_of_none() {
-    let round = Round::new(3);
-    let answers: Vec<Answer> = round.questions().iter().map(|q| sure(q.truth())).collect();
+    let round = Round::hits(3);
+    let answers: Vec<Answer> = round.questions().iter().map(|q| sure(truth(q))).collect();
     let summary = Summary::new(round.questions().iter().zip(&answers));
     assert!((summary.points() - 100.0).abs() < 1e-9);
     assert_eq!(summary.right(), 10);

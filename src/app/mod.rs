@@ -12,13 +12,14 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::screens::class::Class;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
 use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
-use crate::screens::quiz::Quiz;
+use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
 use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
 
@@ -153,7 +154,16 @@ impl App {
                     self.context.shelf.recall(starred);
                 }
             }
-            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) if !self.told_of_trouble => {
+            Done::Marks(marks) => {
+                let book = &mut self.context.book;
+                book.recall(marks.as_ref().cloned().unwrap_or_default());
+            }
+            _ => {}
+        }
+        match &answer.done {
+            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason))
+                if !self.told_of_trouble =>
+            {
                 self.told_of_trouble = true;
                 self.notice = Some(format!(
                     "What you do cannot be kept: {reason}. You can go on all the same."
@@ -209,6 +219,9 @@ impl App {
             Next::Ignored => self.shared_key(input),
             next => self.follow(next),
         };
+        if let Some(told) = self.context.take_told() {
+            self.notice = Some(told);
+        }
         effects.extend(self.context.take_asked());
         effects
     }
@@ -280,16 +293,16 @@ impl App {
                 Some(reading) => Box::new(reading),
                 None => return,
             },
-            Place::Quiz { seed } => {
-                let seed = seed.unwrap_or_else(|| self.context.next_seed());
-                Box::new(Quiz::new(seed))
-            }
+            Place::Quiz { code: Some(code) } => Box::new(Quiz::new(code)),
+            Place::Quiz { code: None } => Box::new(Choosing::ask(&mut self.context)),
             Place::Levels => Box::new(Levels::new(&mut self.context)),
             Place::Level { number } => match Play::new(number, &mut self.context) {
                 Some(play) => Box::new(play),
                 None => return,
             },
+            Place::Class { code, teams } => Box::new(Class::new(code, teams)),
             Place::Foil => Box::new(Foil::default()),
+            Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),
             Place::Progress => Box::new(Progress::ask(&mut self.context)),
         };

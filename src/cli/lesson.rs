@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, print};
+use super::{Failure, given, print};
 use crate::lessons::Library;
 
 /// Check chapters: every directive, every number, every page
@@ -34,7 +34,12 @@ struct Check {
 
 pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
-    let library = open(&args.paths);
+    let library = given::read(
+        &args.paths,
+        Library::embedded,
+        Library::add_file,
+        Library::add_dir,
+    );
     let mut report = Vec::new();
     let mut faults = library.problems.clone();
     for chapter in &library.chapters {
@@ -49,27 +54,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
         faults.extend(found);
     }
     print(&report)?;
-    if !faults.is_empty() {
-        let messages: Vec<_> = faults.iter().map(ToString::to_string).collect();
-        return Err(Failure::Input(anyhow!("{}", messages.join("\n"))));
-    }
+    given::refuse(&faults)?;
     if library.chapters.is_empty() {
         return Err(Failure::Input(anyhow!("no chapters found")));
     }
     Ok(ExitCode::SUCCESS)
-}
-
-fn open(paths: &[PathBuf]) -> Library {
-    if paths.is_empty() {
-        return Library::embedded();
-    }
-    let mut library = Library::default();
-    for path in paths {
-        if path.is_dir() {
-            library.add_dir(path);
-        } else {
-            library.add_file(path);
-        }
-    }
-    library
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, print};
+use super::{Failure, given, print};
 use crate::levels::{Level, Library, Trial, Verdict, winning_share};
 
 /// How many aims the measure of difficulty tries.
@@ -41,7 +41,12 @@ struct Check {
 
 pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
-    let library = open(&args.paths);
+    let library = given::read(
+        &args.paths,
+        Library::embedded,
+        Library::add_file,
+        Library::add_dir,
+    );
     let mut report = Vec::new();
     let mut lost = 0;
     for pack in &library.packs {
@@ -51,10 +56,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
         }
     }
     print(&report)?;
-    if !library.problems.is_empty() {
-        let messages: Vec<_> = library.problems.iter().map(ToString::to_string).collect();
-        return Err(Failure::Input(anyhow!("{}", messages.join("\n"))));
-    }
+    given::refuse(&library.problems)?;
     match lost {
         _ if library.packs.is_empty() => Err(Failure::Input(anyhow!("no levels found"))),
         0 => Ok(ExitCode::SUCCESS),
@@ -63,21 +65,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
             "{n} levels are not won by their solutions"
         ))),
     }
-}
-
-fn open(paths: &[PathBuf]) -> Library {
-    if paths.is_empty() {
-        return Library::embedded();
-    }
-    let mut library = Library::default();
-    for path in paths {
-        if path.is_dir() {
-            library.add_dir(path);
-        } else {
-            library.add_file(path);
-        }
-    }
-    library
 }
 
 /// Prints what becomes of a level and returns whether it can be won.

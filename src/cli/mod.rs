@@ -3,10 +3,12 @@
 mod completions;
 mod failure;
 mod figure;
+mod given;
 mod lesson;
 mod level;
 mod man;
 mod options;
+mod plain;
 mod play;
 mod progress;
 mod replay;
@@ -24,6 +26,8 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
+use crate::lessons::Library;
+use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
 use options::Look;
 
@@ -46,9 +50,11 @@ Examples:
   carrom                       open the game
   carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
-  carrom quiz --seed 7         a round of the quiz that everyone with this seed gets
+  carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom progress --csv        every answer you gave, for a spreadsheet
+  carrom progress --report me.html
+                               a page of it, for a portfolio or a teacher
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
@@ -83,13 +89,25 @@ enum Screen {
     Learn {
         /// A chapter to read at once: its number or its name
         chapter: Option<String>,
+        /// Read and ask in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
     },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
     Lab,
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
-    /// Open the quiz: ten hits to predict (with --seed N always the same ten)
-    Quiz,
+    /// Open the quiz and choose a round (with --seed N at once the ten hits of that seed)
+    Quiz {
+        /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
+        #[arg(long, value_name = "CODE", value_parser = code)]
+        code: Option<Code>,
+        /// Ask and answer in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
+    },
     /// Open the table: carrom itself, the whole board
     Table,
     Progress(progress::Args),
@@ -101,28 +119,23 @@ enum Screen {
 }
 
 impl Screen {
-    /// Where that is, with these levels and chapters.
+    /// Where that is, with these levels, chapters and options.
     ///
     /// # Errors
     /// If there is no level or chapter of that name, in words.
-    fn place(&self, shelf: &Shelf, book: &Book) -> Result<Place, String> {
+    fn place(&self, shelf: &Shelf, book: &Book, options: &Options) -> Result<Place, String> {
         Ok(match self {
-            Self::Learn { chapter: None } => Place::Learn,
+            Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
                 chapter: Some(name),
-            } => {
-                let number = book.library().find(name);
-                let number = number.ok_or_else(|| {
-                    format!(
-                        "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
-                        name.escape_debug()
-                    )
-                })?;
-                Place::Chapter { number }
-            }
+                ..
+            } => Place::Chapter {
+                number: find_chapter(book.library(), name)?,
+            },
             Self::Lab => Place::Lab,
-            // The first round takes the app's own seed.
-            Self::Quiz => Place::Quiz { seed: None },
+            Self::Quiz { code, .. } => Place::Quiz {
+                code: round(code.as_ref(), options),
+            },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
@@ -141,13 +154,42 @@ impl Screen {
     }
 }
 
+/// The code of a round.
+fn code(text: &str) -> Result<Code, String> {
+    Code::parse(text).ok_or_else(|| {
+        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
+         speeds-7, or 7 for ten hits"
+            .into()
+    })
+}
+
+/// The round that is asked for: by its code, or ten hits by a seed alone.
+fn round(code: Option<&Code>, options: &Options) -> Option<Code> {
+    code.cloned().or_else(|| options.seed.map(Code::hits))
+}
+
+/// The place of a chapter by its number or its name, from 0.
+///
+/// # Errors
+/// If there is none, in words.
+fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
+    library.find(name).ok_or_else(|| {
+        format!(
+            "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
+            name.escape_debug()
+        )
+    })
+}
+
 /// The app as the options have it, at a screen (`None`: the first one).
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
 fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
     let (shelf, book) = (options.shelf(), options.book());
-    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&shelf, &book))?;
+    let place = screen.map_or(Ok(Place::Home), |screen| {
+        screen.place(&shelf, &book, options)
+    })?;
     Ok(App::with_data(
         shelf,
         book,
@@ -179,6 +221,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
+        Some(Command::Open(Screen::Quiz { code, plain: true })) => {
+            plain::quiz(round(code.as_ref(), &cli.options), &cli.options)
+        }
+        Some(Command::Open(Screen::Learn {
+            chapter,
+            plain: true,
+        })) => plain::learn(chapter.as_deref(), &cli.options),
         Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
@@ -214,6 +263,9 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     })?;
     let screen = match &cli.command {
         None => None,
+        Some(Command::Open(
+            Screen::Quiz { plain: true, .. } | Screen::Learn { plain: true, .. },
+        )) => return Err("expected a command that opens a screen".into()),
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             return Err("expected a command that opens a screen".into());
         }
@@ -252,6 +304,7 @@ mod tests {
         assert_eq!(app.settings().charset, Charset::Unicode);
         assert_eq!(app.settings().depth, Depth::None);
         assert_eq!(app.settings().player, "Ada L");
+        assert!(open("quiz --code mixed-7").is_ok());
     }
 
     #[test]
@@ -261,5 +314,14 @@ mod tests {
         assert_eq!(wrong("man"), "expected a command that opens a screen");
         assert_eq!(wrong("lob"), "unrecognized subcommand 'lob'");
         assert!(wrong("quiz --seed x").starts_with("invalid value 'x' for '--seed <N>'"));
+        let no_code = wrong("quiz --code mixed");
+        assert!(
+            no_code.starts_with("invalid value 'mixed' for '--code <CODE>'"),
+            "{no_code}"
+        );
+        assert!(
+            no_code.contains("expected the code of a round"),
+            "{no_code}"
+        );
     }
 }

@@ -7,7 +7,7 @@ use etcetera::BaseStrategy;
 
 use crate::game::is_player_name;
 use crate::screens::{Book, Settings, Shelf};
-use crate::widgets::{Charset, Depth};
+use crate::widgets::{Charset, Depth, Palette};
 use crate::{lessons, levels};
 
 /// Options that every command takes.
@@ -20,6 +20,9 @@ pub struct Options {
     /// Colours to draw with; auto: what the terminal shows, and none with NO_COLOR
     #[arg(long, global = true, value_enum, default_value_t, value_name = "DEPTH")]
     color: ColorChoice,
+    /// Dark for a desk, light for a projector in a bright room
+    #[arg(long, global = true, value_enum, value_name = "PALETTE")]
+    palette: Option<PaletteChoice>,
     /// Fix everything that is left to chance, such as the questions of a quiz
     #[arg(long, global = true, value_name = "N", allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
@@ -60,6 +63,12 @@ enum ColorChoice {
     Truecolor,
 }
 
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum PaletteChoice {
+    Dark,
+    Light,
+}
+
 /// What `auto` means for charset and colours.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Look {
@@ -88,6 +97,7 @@ impl Options {
                 ColorChoice::Auto => other.color,
                 chosen => chosen,
             },
+            palette: self.palette.or(other.palette),
             seed: self.seed.or(other.seed),
             player: self.player.or(other.player),
             lessons: if self.lessons.is_empty() {
@@ -130,6 +140,11 @@ impl Options {
                 ColorChoice::Sixteen => Depth::Ansi16,
                 ColorChoice::Cube => Depth::Indexed256,
                 ColorChoice::Truecolor => Depth::True,
+            },
+            palette: match self.palette {
+                Some(PaletteChoice::Light) => Palette::Light,
+                Some(PaletteChoice::Dark) => Palette::Dark,
+                None => defaults.palette,
             },
             player: self.player_name(),
             ..defaults

@@ -2,9 +2,11 @@
 //! one says what is wrong with them.
 
 mod fault;
+mod list;
 mod read;
 mod source;
 
 pub use fault::{Fault, harmless};
+pub use list::{List, embedded, list};
 pub use read::read;
 pub use source::Source;

@@ -19,7 +19,7 @@ pub struct Chapter {
     pub title: String,
     /// What it is about, in one line.
     pub about: String,
-    /// Its pages, at least one.
+    /// Its pages, at least one; no two have the same title.
     pub pages: Vec<Page>,
     /// The file it was read from, for messages.
     pub file: String,
@@ -44,7 +44,7 @@ impl Chapter {
         } = header::read(&source)?;
         let lines: Vec<Line> = source.lines().skip(ends - 1).collect();
         let is_heading = |(_, text): &Line| text.starts_with("# ") || *text == "#";
-        let mut pages = Vec::new();
+        let mut pages: Vec<Page> = Vec::new();
         let mut left = lines.as_slice();
         while let [(number, text), rest @ ..] = left {
             if !is_heading(&(*number, text)) {
@@ -57,7 +57,15 @@ impl Chapter {
             let length = rest.iter().position(is_heading).unwrap_or(rest.len());
             let (inside, after) = rest.split_at(length);
             let title = text.trim_start_matches('#');
-            pages.push(Page::read(&source, (*number, title), inside, &shots)?);
+            let page = Page::read(&source, (*number, title), inside, &shots)?;
+            if let Some(other) = pages.iter().find(|other| other.title == page.title) {
+                let message = format!(
+                    "expected a title of its own; the page at line {} has it already",
+                    other.line
+                );
+                return Err(source.fault(*number, message));
+            }
+            pages.push(page);
             if pages.len() > MOST_PAGES {
                 let message = format!("expected at most {MOST_PAGES} pages");
                 return Err(source.fault(*number, message));
@@ -75,6 +83,12 @@ impl Chapter {
             pages,
             file: file.into(),
         })
+    }
+
+    /// How many checkpoints it has.
+    pub fn checkpoints(&self) -> usize {
+        let pages = self.pages.iter();
+        pages.filter(|page| page.checkpoint.is_some()).count()
     }
 
     /// A fault at a line of its file.

@@ -3,11 +3,11 @@
 use super::block::{self, Block, Piece};
 use super::figure::Figure;
 use super::inline::{self, Meaning};
-use super::quantity::Quantity;
-use super::shot::Shot;
 use super::source::{Line, Source};
 use super::words::Words;
+use super::{Quantity, Shot};
 use crate::levels::Fault;
+use crate::physics::Collision;
 
 /// Least and most lines of a choice.
 const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
@@ -23,6 +23,8 @@ pub struct Checkpoint {
     pub question: Vec<Block>,
     /// What is said after the answer.
     pub after: Vec<Block>,
+    /// All that it asks, as it is written: an answer belongs to this and to nothing else.
+    pub written: String,
     /// Its line in the file.
     pub line: usize,
 }
@@ -54,6 +56,25 @@ pub enum Expected {
     Fixed(f64, String),
 }
 
+impl Expected {
+    /// The right number. `figure` is the collision as the page's figure has it.
+    pub fn value(&self, figure: Option<&Collision>) -> Option<f64> {
+        match self {
+            Self::Of(quantity, shot) => quantity.of(&shot.collision()),
+            Self::Figure(quantity) => quantity.of(figure?),
+            Self::Fixed(value, _) => Some(*value),
+        }
+    }
+
+    /// Its sign and its unit.
+    pub fn sign_and_unit(&self) -> (&str, &str) {
+        match self {
+            Self::Of(quantity, _) | Self::Figure(quantity) => (quantity.symbol, quantity.unit),
+            Self::Fixed(_, unit) => ("your answer", unit),
+        }
+    }
+}
+
 /// A line of a choice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
@@ -81,6 +102,8 @@ impl Checkpoint {
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
         let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
         let telling = telling.get(1..).unwrap_or_default();
+        let texts = asking.iter().map(|(_, text)| text.trim());
+        let written: Vec<_> = std::iter::once(words.trim()).chain(texts).collect();
         let mut words = Words::of(words).map_err(fault)?;
         let name = words.first().unwrap_or_default();
         let first_choice = asking.iter().position(|(_, text)| text.starts_with("- ["));
@@ -102,6 +125,7 @@ impl Checkpoint {
             question: block::read(source, question, meaning)?,
             after: block::read(source, telling, meaning)?,
             asked,
+            written: written.join("\n").trim().to_owned(),
             line,
         };
         if checkpoint.question.is_empty() {
@@ -128,6 +152,8 @@ fn rays(figure: Option<&Figure>) -> Result<Asked, String> {
 }
 
 fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
+    let tolerance = words.number("tolerance", 1e-9, 1e6)?;
+    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
     let expected = match words.field("answer") {
         Some(answer) => {
             let value = answer.parse().ok().filter(|value: &f64| value.abs() < 1e9);
@@ -139,18 +165,22 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
             }
             Expected::Fixed(value, unit)
         }
-        None => of_shot(words, meaning)?,
+        None => named(words, meaning)?,
     };
-    let tolerance = words.number("tolerance", 1e-9, 1e6)?;
-    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
     Ok(Asked::Number {
         expected,
         tolerance,
     })
 }
 
-fn of_shot(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
+/// The number of a name, of a shot or of none.
+fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
+    if let Some(constant) = words.constant(&name)? {
+        let value = constant.value();
+        let value = value.ok_or_else(|| format!("{name} is undefined here"))?;
+        return Ok(Expected::Fixed(value, String::new()));
+    }
     let quantity = Quantity::named(&name)
         .ok_or_else(|| format!("expected the name of a number or answer=, found {name}"))?;
     let shot = meaning.shots.take(words, None)?;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::shot::Shot;
+use super::Shot;
 use super::source::{FORMAT, Line, Source};
 use super::words::Words;
 use crate::levels::Fault;

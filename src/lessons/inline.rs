@@ -3,14 +3,12 @@
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use super::block::{Piece, Tone};
-use super::constant::Constant;
 use super::formula::Formula;
 use super::header::Shots;
-use super::quantity::Quantity;
-use super::shot::Shot;
 use super::source::Source;
 use super::words::Words;
 use super::written::Written;
+use super::{Quantity, Shot};
 use crate::levels::Fault;
 
 /// What names in a text stand for.
@@ -77,10 +75,7 @@ fn number(text: &str, meaning: &Meaning) -> Result<Piece, String> {
     };
     let mut words = Words::of(what)?;
     let name = words.first().unwrap_or_default();
-    if let Some(mut constant) = Constant::named(&name) {
-        for (field, value) in words.fields(|_| true) {
-            constant.set(&field, &value)?;
-        }
+    if let Some(constant) = words.constant(&name)? {
         words.finish()?;
         let written = written.ok_or_else(|| format!("expected {name}: and its figure"))?;
         return agreed(&name, &written, constant.value());

@@ -1,16 +1,18 @@
 //! The chapters there are: those in the program, and a teacher's own.
 
-use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
 use super::chapter::Chapter;
-use crate::levels::{Fault, read_file};
+use crate::files::{self, Fault};
+use crate::levels::read_file;
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
+/// How the names of chapters end.
+const ENDING: &str = "md";
 /// The most chapters that are read from one folder.
 const MOST_FILES: usize = 200;
 
@@ -34,13 +36,8 @@ impl Library {
 
     /// The chapters that come with the program.
     pub fn embedded() -> Self {
-        let mut files: Vec<_> = EMBEDDED.files().collect();
-        files.sort_by_key(|file| file.path());
         let mut library = Self::default();
-        for file in files
-            .into_iter()
-            .filter(|file| is_chapter_name(file.path()))
-        {
+        for file in files::embedded(&EMBEDDED, ENDING) {
             library.add(&file.path().display().to_string(), file.contents());
         }
         library
@@ -49,34 +46,9 @@ impl Library {
     /// Adds the chapters of a folder. A file that is no good is left out and reported
     /// in [`Library::problems`].
     pub fn add_dir(&mut self, dir: &Path) {
-        let unreadable = |error: std::io::Error| {
-            let name = dir.display().to_string();
-            Fault::of_file(&name, format!("cannot be read: {error}"))
-        };
-        let entries = match fs::read_dir(dir) {
-            Ok(entries) => entries,
-            Err(error) => return self.problems.push(unreadable(error)),
-        };
-        let mut paths = Vec::new();
-        for entry in entries {
-            match entry {
-                Ok(entry) => paths.push(entry.path()),
-                Err(error) => return self.problems.push(unreadable(error)),
-            }
-        }
-        // Only plain files: opening a pipe would wait for whoever writes to it.
-        paths.retain(|path| is_chapter_name(path) && path.is_file());
-        paths.sort();
-        if paths.len() > MOST_FILES {
-            let name = dir.display().to_string();
-            let message = format!(
-                "expected at most {MOST_FILES} chapters, found {}",
-                paths.len()
-            );
-            return self.problems.push(Fault::of_file(&name, message));
-        }
-        for path in paths {
-            self.add_file(&path);
+        match files::list(dir, ENDING, MOST_FILES) {
+            Ok(list) => list.files.iter().for_each(|file| self.add_file(file)),
+            Err(fault) => self.problems.push(fault),
         }
     }
 
@@ -113,8 +85,4 @@ impl Library {
             }
         }
     }
-}
-
-fn is_chapter_name(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "md")
 }

@@ -9,34 +9,33 @@
 //!
 //! Nothing here draws.
 
+mod answer;
 mod block;
+mod bookmark;
 mod chapter;
 mod checkpoint;
-mod constant;
 mod figure;
 pub mod formula;
 mod header;
 mod inline;
 mod library;
 mod page;
-mod quantity;
-mod shot;
 mod source;
 #[cfg(test)]
 mod tests;
 mod words;
 mod written;
 
+pub use answer::Answer;
 pub use block::{Block, Piece, Tone};
+pub use bookmark::{Bookmark, Given};
 pub use chapter::Chapter;
 pub use checkpoint::{Asked, Checkpoint, Choice, Expected};
-pub use constant::Constant;
 pub use figure::{Figure, FigureKind};
 pub use formula::{Formula, Node, Term};
 pub use library::Library;
 pub use page::Page;
-pub use quantity::Quantity;
-pub use shot::Shot;
 pub use source::FORMAT;
 
 pub use crate::levels::Fault;
+pub use crate::physics::named::{Constant, Quantity, Shot};

@@ -1,5 +1,7 @@
 //! The words of a directive: `lab carrom alpha_deg=40 own`.
 
+use super::Constant;
+
 /// The words of a directive, taken one by one by whoever knows them.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
@@ -56,6 +58,20 @@ impl Words {
             .partition(|(name, _)| wanted(name));
         self.fields = left;
         taken
+    }
+
+    /// The constant of this name, if there is one, with its fields taken.
+    ///
+    /// # Errors
+    /// What was expected of a field.
+    pub(super) fn constant(&mut self, name: &str) -> Result<Option<Constant>, String> {
+        let Some(mut constant) = Constant::named(name) else {
+            return Ok(None);
+        };
+        for (field, value) in self.fields(|_| true) {
+            constant.set(&field, &value)?;
+        }
+        Ok(Some(constant))
     }
 
     /// Takes a field that is a number between two bounds.

@@ -1,6 +1,5 @@
 //! Packs of levels: those in the program, and a teacher's own from a folder.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
@@ -8,10 +7,12 @@ use include_dir::{Dir, include_dir};
 
 use super::level::Level;
 use super::source::LARGEST_FILE;
-use crate::files::{self, Fault};
+use crate::files::{self, Fault, List};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 
+/// How the names of level files end.
+const ENDING: &str = "toml";
 /// The most level files that are read from one folder.
 const MOST_FILES: usize = 500;
 
@@ -60,10 +61,8 @@ impl Library {
         let mut dirs: Vec<_> = EMBEDDED.dirs().collect();
         dirs.sort_by_key(|dir| order(dir.path()));
         for dir in dirs {
-            let mut files: Vec<_> = dir.files().collect();
-            files.sort_by_key(|file| file.path());
             let (_, name) = order(dir.path());
-            for file in files.into_iter().filter(|file| is_level_name(file.path())) {
+            for file in files::embedded(dir, ENDING) {
                 library.add(&name, &file.path().display().to_string(), file.contents());
             }
         }
@@ -74,19 +73,21 @@ impl Library {
     /// a pack of its own. A file that is no good is left out and reported in
     /// [`Library::problems`].
     pub fn add_dir(&mut self, dir: &Path) {
-        let (dirs, files) = match list(dir) {
-            Ok(listed) => listed,
-            Err(fault) => return self.problems.push(fault),
-        };
-        for file in files {
-            self.add_file(&file);
+        let mut folders = self.add_files_of(dir);
+        folders.sort_by_key(|folder| order(folder));
+        for inner in folders {
+            self.add_files_of(&inner);
         }
-        for inner in dirs {
-            match list(&inner) {
-                Ok((_, files)) => files.iter().for_each(|file| self.add_file(file)),
-                Err(fault) => self.problems.push(fault),
-            }
-        }
+    }
+
+    /// Adds the level files of a folder, and gives the folders in it.
+    fn add_files_of(&mut self, dir: &Path) -> Vec<PathBuf> {
+        let list = files::list(dir, ENDING, MOST_FILES).unwrap_or_else(|fault| {
+            self.problems.push(fault);
+            List::default()
+        });
+        list.files.iter().for_each(|file| self.add_file(file));
+        list.folders
     }
 
     /// Adds one level file to the pack named after its folder.
@@ -123,41 +124,6 @@ impl Library {
 /// If the file cannot be read.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, Fault> {
     files::read(path, LARGEST_FILE)
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
-    let name = path.display().to_string();
-    Fault::of_file(&name, format!("cannot be read: {error}"))
-}
-
-/// The folders and the level files in a folder, each in their order.
-fn list(dir: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Fault> {
-    let mut paths = Vec::new();
-    for entry in fs::read_dir(dir).map_err(|error| unreadable(dir, &error))? {
-        paths.push(entry.map_err(|error| unreadable(dir, &error))?.path());
-    }
-    paths.sort();
-    let (mut dirs, rest): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
-    dirs.sort_by_key(|dir| order(dir));
-    // Only plain files: opening a pipe would wait for whoever writes to it.
-    let files: Vec<_> = rest
-        .into_iter()
-        .filter(|path| is_level_name(path) && path.is_file())
-        .collect();
-    if files.len() > MOST_FILES {
-        let name = dir.display().to_string();
-        let message = format!(
-            "expected at most {MOST_FILES} levels, found {}",
-            files.len()
-        );
-        return Err(Fault::of_file(&name, message));
-    }
-    Ok((dirs, files))
-}
-
-fn is_level_name(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| extension == "toml")
 }
 
 /// Where the pack of a folder comes among others, and its name: `2-right-angle` is

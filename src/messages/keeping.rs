@@ -1,9 +1,12 @@
 //! Keeping games and what a player has done: what is asked of whoever keeps them, and
 //! what comes back.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
+use crate::class::ClassRound;
 use crate::game::{Game, SavedGame};
+use crate::lessons::Bookmark;
 use crate::progress::{Attempt, Starred};
 
 /// Something to be done with what is kept.
@@ -29,6 +32,18 @@ pub enum Wish {
     Remove(String),
     /// Write a game where its player finds it.
     Export(Box<SavedGame>),
+    /// Keep the round of a class as it now stands, in place of what was kept or loaded
+    /// with the same ticket before.
+    SaveClass(Box<ClassRound>),
+    /// Say what rounds of classes there are.
+    ListClasses,
+    /// Load the round of a class of this name, to be saved with the same ticket from now
+    /// on.
+    LoadClass(String),
+    /// Remove the round of a class of this name.
+    RemoveClass(String),
+    /// Write the tables of a class's round where its teacher finds them.
+    ExportClass(Box<ClassRound>),
     /// Keep an answer, with the time. It must be safe before the explanation is shown,
     /// so nothing is drawn before it is done.
     Record(Box<Attempt>),
@@ -38,6 +53,35 @@ pub enum Wish {
     Recall(Option<String>),
     /// Say which levels this player has won.
     Stars(String),
+    /// Add what a player has done in a chapter to the bookmark there.
+    Mark {
+        /// The player's name.
+        player: String,
+        /// The id of the chapter.
+        chapter: String,
+        /// What was done.
+        later: Box<Bookmark>,
+    },
+    /// Forget what this player has done in chapters.
+    Forget(String, Forget),
+    /// Say how far this player has read the chapters.
+    Marks(String),
+}
+
+/// What is to be forgotten of bookmarks. The record of answers stays in any case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Forget {
+    /// The answer given on a page.
+    Answer {
+        /// The id of the chapter.
+        chapter: String,
+        /// The title of the page.
+        page: String,
+    },
+    /// All of the chapter of this id.
+    Chapter(String),
+    /// All of all chapters.
+    All,
 }
 
 /// What came of a [`Request`]; where it failed, the reason in words.
@@ -54,7 +98,7 @@ pub struct Answer {
 /// What was done about a [`Wish`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Done {
-    /// The game is safe.
+    /// The game or the round is safe.
     Saved(Result<(), String>),
     /// The games there are, the newest first.
     Listed(Result<Vec<Kept>, String>),
@@ -64,12 +108,18 @@ pub enum Done {
     Removed(Result<(), String>),
     /// Where it was written.
     Exported(Result<String, String>),
-    /// The answer or the stars are safe.
+    /// The rounds of classes there are, the newest first.
+    Classes(Result<Vec<KeptRound>, String>),
+    /// The round of a class.
+    Class(Result<Box<ClassRound>, String>),
+    /// The answer, the stars or the bookmark are safe.
     Noted(Result<(), String>),
     /// What was done so far.
     Recalled(Result<Box<History>, String>),
     /// The levels that were won.
     Stars(Result<Vec<Starred>, String>),
+    /// The bookmarks, by the ids of the chapters.
+    Marks(Result<BTreeMap<String, Bookmark>, String>),
 }
 
 /// What was done so far.
@@ -92,6 +142,17 @@ pub struct Kept {
     pub game: Result<Box<(SavedGame, Game)>, String>,
 }
 
+/// One of the rounds of classes that are kept.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeptRound {
+    /// Its name.
+    pub name: String,
+    /// How long ago it was saved; `None` where nobody knows the time.
+    pub age: Option<Duration>,
+    /// The round, or why it cannot be read.
+    pub round: Result<Box<ClassRound>, String>,
+}
+
 impl Request {
     /// The answer that it cannot be done.
     pub fn refused(&self, reason: &str) -> Answer {
@@ -99,14 +160,19 @@ impl Request {
         Answer {
             ticket: self.ticket,
             done: match self.wish {
-                Wish::Save(_) => Done::Saved(Err(reason)),
+                Wish::Save(_) | Wish::SaveClass(_) => Done::Saved(Err(reason)),
                 Wish::List => Done::Listed(Err(reason)),
                 Wish::Load(_) => Done::Loaded(Err(reason)),
-                Wish::Remove(_) => Done::Removed(Err(reason)),
-                Wish::Export(_) => Done::Exported(Err(reason)),
-                Wish::Record(_) | Wish::Star(..) => Done::Noted(Err(reason)),
+                Wish::Remove(_) | Wish::RemoveClass(_) => Done::Removed(Err(reason)),
+                Wish::Export(_) | Wish::ExportClass(_) => Done::Exported(Err(reason)),
+                Wish::ListClasses => Done::Classes(Err(reason)),
+                Wish::LoadClass(_) => Done::Class(Err(reason)),
+                Wish::Record(_) | Wish::Star(..) | Wish::Mark { .. } | Wish::Forget(..) => {
+                    Done::Noted(Err(reason))
+                }
                 Wish::Recall(_) => Done::Recalled(Err(reason)),
                 Wish::Stars(_) => Done::Stars(Err(reason)),
+                Wish::Marks(_) => Done::Marks(Err(reason)),
             },
             notice: None,
         }

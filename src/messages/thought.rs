@@ -42,9 +42,19 @@ pub enum Found {
     Stroke(Option<Decision>),
     /// The hint.
     Hint(Option<Hint>),
+    /// Neither: whoever thought has failed.
+    Failed,
 }
 
 impl Task {
+    /// What came of it where whoever thought has failed.
+    pub const fn failed(&self) -> Thought {
+        Thought {
+            ticket: self.ticket,
+            found: Found::Failed,
+        }
+    }
+
     /// Thinks. The same task always leads to the same thought.
     pub fn think(&self) -> Thought {
         let board = Board::default();

@@ -16,6 +16,7 @@ mod engine;
 pub mod frames;
 pub mod hyperbola;
 pub mod impact;
+pub mod named;
 pub mod resting_target;
 pub mod rutherford;
 mod shot;

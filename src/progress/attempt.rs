@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
-use crate::quiz::{Answer, Confidence, Given, Grade, Question, Rays, diagnose};
+use crate::physics::units::{deg_from_rad, mm_from_m};
+use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Said};
 
 /// The family of all questions that chapters ask.
 pub const LESSON: &str = "lesson";
@@ -45,35 +45,34 @@ pub struct Attempt {
 }
 
 impl Attempt {
-    /// An answer to question `number` (from 1) of the quiz's round `seed`.
+    /// An answer to question `number` (from 1) of the round of a code.
     pub fn of_quiz(
         player: &str,
-        seed: u64,
+        code: &Code,
         number: u32,
         question: &Question,
         answer: &Answer,
     ) -> Self {
         let grade = Grade::new(question, answer);
-        let errors = [grade.striker.error, grade.target.error];
+        let mut figures = question.figures.clone();
+        figures.insert("round".into(), code.to_string().into());
+        figures.insert("difficulty".into(), question.difficulty.id().into());
         Self {
             time_s: None,
             player: player.to_owned(),
-            family: question.family().id().to_owned(),
-            topic: question.topic(),
-            seed,
+            family: question.family.id().to_owned(),
+            topic: question.topic.clone(),
+            seed: code.seed,
             number,
-            question: figures(question),
-            answer: angles(&answer.rays).to_string(),
-            truth: angles(&question.truth()).to_string(),
-            error_deg: errors
-                .into_iter()
-                .flatten()
-                .reduce(f64::max)
-                .map(deg_from_rad),
-            credit: grade.credit(),
-            right: grade.is_right(),
+            question: Value::Object(figures).to_string(),
+            answer: said(&question.form, &answer.said).to_string(),
+            truth: said(&question.form, &question.form.truth()).to_string(),
+            error_deg: grade.angle_error.map(deg_from_rad),
+            credit: grade.credit,
+            right: grade.right,
             confidence: Some(answer.confidence),
-            misconception: diagnose(question, answer)
+            misconception: question
+                .diagnose(answer)
                 .map(|diagnosis| diagnosis.misconception.id.to_owned()),
         }
     }
@@ -84,39 +83,22 @@ impl Attempt {
     }
 }
 
-/// All that fixes a question of the quiz.
-fn figures(question: &Question) -> String {
-    let (striker, target) = (question.pieces.striker(), question.pieces.target());
-    let mut figures = json!({
-        "m1_g": g_from_kg(striker.mass),
-        "m2_g": g_from_kg(target.mass),
-        "r1_mm": mm_from_m(striker.radius),
-        "r2_mm": mm_from_m(target.radius),
-        "restitution": question.restitution,
-        "speed": question.speed,
-        "direction_deg": question.direction_deg,
-    });
-    match question.given {
-        Given::Angle { alpha_deg } => figures["alpha_deg"] = alpha_deg.into(),
-        Given::Offset { offset_mm } => figures["offset_mm"] = offset_mm.into(),
+/// What is said to a question, with the units in the names.
+fn said(form: &Form, said: &Said) -> Value {
+    match (form, said) {
+        (_, Said::Rays(rays)) => rays.json(),
+        (Form::Number { quantity, .. }, Said::Number(x)) => json!({ quantity.id(): x }),
+        (_, Said::Shot(offset)) => json!({ "offset_mm": mm_from_m(*offset) }),
+        _ => json!({ "choice": form.words(said) }),
     }
-    figures.to_string()
-}
-
-/// Both angles in degrees, with names and signs as `carrom solve` gives them.
-pub fn angles(rays: &Rays) -> Value {
-    json!({
-        "theta1_deg": rays.striker.map(deg_from_rad),
-        "theta2_deg": rays.target.map(deg_from_rad),
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quiz::{Pieces, Ray};
+    use crate::quiz::{Given, Hit, Pieces, Ray, Rays};
 
-    const QUESTION: Question = Question {
+    const HIT: Hit = Hit {
         pieces: Pieces::Equal,
         given: Given::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
@@ -125,11 +107,14 @@ mod tests {
     };
 
     fn attempt(theta1_deg: f64, theta2_deg: f64) -> Attempt {
-        let answer = Answer {
-            rays: Rays::new(theta1_deg.to_radians(), theta2_deg.to_radians()),
-            confidence: Confidence::Sure,
-        };
-        Attempt::of_quiz("Ada", 7, 3, &QUESTION, &answer)
+        let rays = Rays::new(theta1_deg.to_radians(), theta2_deg.to_radians());
+        noted(rays, Confidence::Sure)
+    }
+
+    fn noted(rays: Rays, confidence: Confidence) -> Attempt {
+        let answer = Answer::new(Said::Rays(rays), confidence);
+        let code = Code::parse("7").unwrap();
+        Attempt::of_quiz("Ada", &code, 3, &Question::from(&HIT), &answer)
     }
 
     #[test]
@@ -156,15 +141,11 @@ mod tests {
         assert_eq!(copied.misconception.as_deref(), Some("copied-angle"));
         let rays = Rays {
             striker: None,
-            ..QUESTION.truth()
+            ..HIT.truth()
         };
-        let still = Answer {
-            rays,
-            confidence: Confidence::Guess,
-        };
-        let still = Attempt::of_quiz("Ada", 7, 3, &QUESTION, &still);
+        let still = noted(rays, Confidence::Guess);
         // The striker has no angle to be off, but its answer is none the less wrong.
-        assert!(rays.apart(&QUESTION.truth(), Ray::Striker).is_none());
+        assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }
 }

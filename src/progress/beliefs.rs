@@ -61,8 +61,7 @@ pub fn beliefs(attempts: &[Attempt]) -> Vec<Belief> {
         let fits = |it: &&Attempt| it.misconception.as_deref() == Some(id);
         part.iter().filter(fits).count()
     };
-    let mut beliefs: Vec<_> = crate::quiz::misconceptions::ALL
-        .into_iter()
+    let mut beliefs: Vec<_> = crate::quiz::misconceptions::all()
         .map(|misconception| Belief {
             misconception,
             before: count(misconception.id, before),

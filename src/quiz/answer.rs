@@ -1,77 +1,79 @@
 //! What the player says.
 
-use super::Rays;
+use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
-/// How sure the player is. The points are in [`Confidence::points`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Confidence {
-    /// No idea, really.
-    Guess,
-    /// More likely right than wrong.
-    ThinkSo,
-    /// Would bet on it.
-    Sure,
+use super::{Confidence, Rays};
+
+/// What is said to a question, in the way it asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Said {
+    /// Where the two will go.
+    Rays(Rays),
+    /// A number, in the unit of its [`Quantity`](super::Quantity).
+    Number(f64),
+    /// One of the choices, counted from 0.
+    Choice(usize),
+    /// A shot with this offset, in metres; positive puts the target to the right.
+    Shot(f64),
 }
 
-impl Confidence {
-    /// All three, from the least.
-    pub const ALL: [Self; 3] = [Self::Guess, Self::ThinkSo, Self::Sure];
-
-    /// As shown.
-    pub const fn name(self) -> &'static str {
+impl Said {
+    /// The text with which it is kept: "rays 60 still", "number 2.1", "choice 2" (from
+    /// 1), "shot 15" (angles in degrees, the offset in millimetres).
+    pub fn to_text(self) -> String {
         match self {
-            Self::Guess => "guess",
-            Self::ThinkSo => "think so",
-            Self::Sure => "sure",
+            Self::Rays(rays) => {
+                let [striker, target] = [rays.striker, rays.target].map(|angle| match angle {
+                    Some(angle) => deg_from_rad(angle).to_string(),
+                    None => STILL.into(),
+                });
+                format!("rays {striker} {target}")
+            }
+            Self::Number(x) => format!("number {x}"),
+            Self::Choice(i) => format!("choice {}", i.saturating_add(1)),
+            Self::Shot(offset) => format!("shot {}", mm_from_m(offset)),
         }
     }
 
-    /// Its name in files.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Guess => "guess",
-            Self::ThinkSo => "think-so",
-            Self::Sure => "sure",
-        }
-    }
-
-    /// The confidence of an `id`.
-    pub fn with_id(id: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|confidence| confidence.id() == id)
-    }
-
-    /// Points for an answer of this confidence that earned `credit`, 0 to 1.
-    ///
-    /// | | credit 0 | credit 1 |
-    /// |---|---|---|
-    /// | guess | 0 | 7 |
-    /// | think so | −2 | 9 |
-    /// | sure | −6 | 10 |
-    ///
-    /// and straight lines between. The lines cross at a credit of 0.5 (guess and
-    /// think so) and 0.8 (think so and sure), so whoever expects less than a half is
-    /// best served by saying "guess", and "sure" pays only from four fifths on:
-    /// being honest is the way to most points. This is the idea of certainty-based
-    /// marking (A. R. Gardner-Medwin, 1995) with other numbers.
-    pub fn points(self, credit: f64) -> f64 {
-        let (worst, best) = match self {
-            Self::Guess => (0.0, 7.0),
-            Self::ThinkSo => (-2.0, 9.0),
-            Self::Sure => (-6.0, 10.0),
+    /// What such a text says; `None` if it is none.
+    pub fn parse(text: &str) -> Option<Self> {
+        let finite = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
+        // An angle is that of a disc that moves, or of none.
+        let angle = |text: &str| match text {
+            STILL => Some(None),
+            text => finite(text).map(|angle| Some(rad_from_deg(angle))),
         };
-        worst + (best - worst) * credit
+        let words: Vec<&str> = text.split(' ').collect();
+        match *words.as_slice() {
+            ["rays", striker, target] => Some(Self::Rays(Rays {
+                striker: angle(striker)?,
+                target: angle(target)?,
+            })),
+            ["number", x] => finite(x).map(Self::Number),
+            ["choice", i] => Some(Self::Choice(i.parse::<usize>().ok()?.checked_sub(1)?)),
+            ["shot", offset] => finite(offset).map(|offset| Self::Shot(m_from_mm(offset))),
+            _ => None,
+        }
     }
 }
 
-/// An answer: two rays, and how sure the player is of them.
+/// The word for a disc that stays still.
+const STILL: &str = "still";
+
+/// An answer: what is said, and how sure the player is of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
-    /// Where the two will go.
-    pub rays: Rays,
+    /// What is said.
+    pub said: Said,
     /// How sure the player is.
     pub confidence: Confidence,
+}
+
+impl Answer {
+    /// An answer.
+    pub const fn new(said: Said, confidence: Confidence) -> Self {
+        Self { said, confidence }
+    }
 }
 
 #[cfg(test)]
@@ -79,17 +81,38 @@ mod tests {
     use super::*;
 
     #[test]
-    fn honesty_pays() {
-        for percent in 0..=100 {
-            let expected = f64::from(percent) / 100.0;
-            let honest = match percent {
-                0..50 => Confidence::Guess,
-                50..80 => Confidence::ThinkSo,
-                _ => Confidence::Sure,
-            };
-            for other in Confidence::ALL {
-                assert!(honest.points(expected) >= other.points(expected) - 1e-12);
-            }
+    fn what_is_said_is_read_as_it_is_written() {
+        for text in [
+            "rays 60 still",
+            "rays -0.5 30.25",
+            "number 2.1",
+            "choice 2",
+            "shot -15.5",
+        ] {
+            let said = Said::parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(Said::parse(&said.to_text()), Some(said), "{text}");
+        }
+        assert_eq!(Said::Choice(0).to_text(), "choice 1");
+    }
+
+    #[test]
+    fn what_says_nothing_is_refused() {
+        for text in [
+            "",
+            "rays",
+            "rays 1",
+            "rays 1 2 3",
+            "number NaN",
+            "number inf",
+            "choice 0",
+            "choice -1",
+            "choice 1.5",
+            "shot",
+            "Choice 1",
+            "choice  1",
+            "ray 1 2",
+        ] {
+            assert_eq!(Said::parse(text), None, "{text}");
         }
     }
 }

@@ -1,17 +1,15 @@
-//! The one explanation after an answer: first what was wrong with it, then why the
-//! two go where they go.
+//! The one explanation after an answer: first what was wrong with it, then why the true
+//! answer is true.
 
-use crate::physics::Outcome;
-
-use super::words::{bare_degrees, bare_millimetres, degrees, significant, tenths};
-use super::{Answer, Diagnosis, Given, Grade, Question, Ray, RayGrade, diagnose};
+use super::words::{degrees, tenths};
+use super::{Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Said};
 
 /// An explanation, to be shown as a title over a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explanation {
     /// The name of the misconception, or how the answer was: "right", "one is off".
     pub title: &'static str,
-    /// The text, two to five short sentences.
+    /// The text, two to six short sentences.
     pub text: String,
     /// The misconception it begins with.
     pub diagnosis: Option<Diagnosis>,
@@ -19,48 +17,81 @@ pub struct Explanation {
 
 /// Explains a question to a player who gave this answer.
 pub fn explain(question: &Question, answer: &Answer) -> Explanation {
-    let grade = Grade::new(question, answer);
-    let diagnosis = diagnose(question, answer);
-    let (title, opening) = match diagnosis {
-        Some(Diagnosis { misconception, .. }) => (
-            misconception.name,
-            misconception.say(question, &answer.rays),
-        ),
-        None if grade.is_right() => ("right", "Right, and this is why.".into()),
-        None => undiagnosed(question, answer, &grade),
+    let belief = question.belief_of(answer);
+    let diagnosis = belief.map(|(belief, fit)| Diagnosis {
+        misconception: belief.misconception,
+        fit,
+    });
+    let (title, opening) = match belief {
+        Some((belief, _)) => (belief.misconception.name, belief.says.clone()),
+        None if Grade::new(question, answer).right => ("right", "Right, and this is why.".into()),
+        None => undiagnosed(question, answer),
     };
     Explanation {
         title,
-        text: format!("{opening} {}", reasoning(question)),
+        text: format!("{opening} {}", question.why).trim().to_owned(),
         diagnosis,
     }
 }
 
 /// What to say of an answer that is off in its own way.
-fn undiagnosed(question: &Question, answer: &Answer, grade: &Grade) -> (&'static str, String) {
-    let name = question.pieces.target_name();
-    let striker = off(question, answer, Ray::Striker, &grade.striker);
-    let target = off(question, answer, Ray::Target, &grade.target);
-    match (grade.striker.is_right(), grade.target.is_right()) {
+fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
+    let form = &question.form;
+    match (form, &answer.said) {
+        (Form::Rays { truth, target, .. }, Said::Rays(said)) => rays_off(said, truth, target),
+        (Form::Shot(aim), Said::Shot(offset)) => {
+            let disc = match aim.ray {
+                Ray::Striker => "striker",
+                Ray::Target => "coin",
+            };
+            let way = match aim.error(*offset) {
+                Some(error) => format!("The {disc} goes {} off its way.", degrees(error)),
+                None if aim.outcome(*offset).hit() => format!("The {disc} does not move."),
+                None => "It misses: the offset is more than both radii together.".into(),
+            };
+            ("off the mark", way)
+        }
+        (Form::Choice { .. }, Said::Choice(choice)) => {
+            let reply = question.replies.get(choice).cloned();
+            ("not that one", reply.unwrap_or_default())
+        }
+        _ => (
+            "off",
+            format!(
+                "You said {}; it is {}.",
+                form.words(&answer.said),
+                form.words(&form.truth())
+            ),
+        ),
+    }
+}
+
+/// How two rays are off that fit no misconception.
+fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
+    let [striker_grade, target_grade] = Ray::BOTH.map(|ray| RayGrade {
+        error: said.apart(truth, ray),
+    });
+    let striker_off = off(said, truth, Ray::Striker, &striker_grade);
+    let target_off = off(said, truth, Ray::Target, &target_grade);
+    match (striker_grade.is_right(), target_grade.is_right()) {
         (true, _) => (
             "one is off",
-            format!("The striker is right; the {name} {target}."),
+            format!("The striker is right; the {target} {target_off}."),
         ),
         (_, true) => (
             "one is off",
-            format!("The {name} is right; the striker {striker}."),
+            format!("The {target} is right; the striker {striker_off}."),
         ),
         _ => (
             "both are off",
-            format!("The striker {striker}; the {name} {target}."),
+            format!("The striker {striker_off}; the {target} {target_off}."),
         ),
     }
 }
 
 /// How a ray is off: "is 12.0° too wide", "does not stay still".
-fn off(question: &Question, answer: &Answer, ray: Ray, grade: &RayGrade) -> String {
-    let truth = question.truth();
-    match (answer.rays.get(ray), truth.get(ray), grade.error) {
+fn off(said: &Rays, truth: &Rays, ray: Ray, grade: &RayGrade) -> String {
+    match (said.get(ray), truth.get(ray), grade.error) {
         (Some(said), Some(true_angle), Some(error)) => {
             // Straight ahead and straight back have no side.
             let has_side = tenths(true_angle.abs()) % 1800 != 0;
@@ -78,95 +109,24 @@ fn off(question: &Question, answer: &Answer, ray: Ray, grade: &RayGrade) -> Stri
     }
 }
 
-/// Why the two go where they go, on the question's own figures.
-pub fn reasoning(question: &Question) -> String {
-    let outcome = question.outcome();
-    if question.head_on() {
-        return head_on(question, &outcome);
-    }
-    let name = question.pieces.target_name();
-    let alpha = degrees(question.alpha().abs());
-    let target = match question.given {
-        Given::Angle { .. } => format!("The {name} leaves along the line of impact: {alpha}."),
-        Given::Offset { offset_mm } => format!(
-            "{} / {} = sin {alpha}: there lies the line of impact, and the {name} leaves along it.",
-            bare_millimetres(offset_mm.abs()),
-            bare_millimetres(question.reach_mm())
-        ),
-    };
-    format!("{target} {}", striker(question, &outcome))
-}
-
-/// The striker's part, by its velocity along the line of impact and across it.
-fn striker(question: &Question, outcome: &Outcome) -> String {
-    let (Some(normal), Some(tangent), Some(theta1), Some(separation)) = (
-        outcome.normal,
-        outcome.tangent,
-        outcome.theta1,
-        outcome.separation,
-    ) else {
-        return String::new();
-    };
-    let alpha = bare_degrees(question.alpha().abs());
-    let theta1 = degrees(theta1.abs());
-    let along = outcome.v1.dot(normal);
-    let across = significant(outcome.v1.dot(tangent).abs());
-    // Rounding noise against the speed of the striker.
-    if along.abs() <= 1e-9 * question.speed {
-        return format!(
-            "Along it the striker gives up all it had. It keeps its part across, square to \
-             the line: 90 - {alpha} = {theta1}."
-        );
-    }
-    let rest = significant(along.abs());
-    let rest = if along > 0.0 {
-        format!("along it {rest} m/s is left")
-    } else {
-        format!("along it, it bounces at {rest} m/s")
-    };
-    format!(
-        "Across the line the striker keeps {across} m/s; {rest}. So the two part by \
-         {separation}: {bare} - {alpha} = {theta1}.",
-        separation = degrees(separation),
-        bare = bare_degrees(separation),
-    )
-}
-
-fn head_on(question: &Question, outcome: &Outcome) -> String {
-    let name = question.pieces.target_name();
-    let before = question.collision().u1;
-    let v1 = significant(outcome.v1.length());
-    let v2 = significant(outcome.v2.length());
-    let striker = match outcome.theta1 {
-        None => "With equal masses and no loss they exchange velocities: the striker stops".into(),
-        Some(_) if outcome.v1.dot(before) > 0.0 => {
-            format!("The heavier striker is slowed but goes on, at {v1} m/s")
-        }
-        Some(_) => format!("The lighter striker is thrown straight back, at {v1} m/s"),
-    };
-    format!("Head-on, all stays on one line. {striker}, and the {name} leaves at {v2} m/s.")
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::{Confidence, Pieces, Rays};
+    use super::super::{Confidence, Given, Hit, Pieces};
     use super::*;
 
     fn explained(pieces: Pieces, alpha_deg: f64, striker: Option<f64>, target: f64) -> String {
-        let question = Question {
+        let question = Question::from(&Hit {
             pieces,
             given: Given::Angle { alpha_deg },
             restitution: 1.0,
             speed: 3.0,
             direction_deg: 0.0,
+        });
+        let rays = Rays {
+            striker: striker.map(f64::to_radians),
+            target: Some(target.to_radians()),
         };
-        let answer = Answer {
-            rays: Rays {
-                striker: striker.map(f64::to_radians),
-                target: Some(target.to_radians()),
-            },
-            confidence: Confidence::Sure,
-        };
+        let answer = Answer::new(Said::Rays(rays), Confidence::Sure);
         let explanation = explain(&question, &answer);
         format!("[{}] {}", explanation.title, explanation.text)
     }

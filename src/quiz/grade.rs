@@ -1,20 +1,29 @@
-//! How good an answer is, by how far off each ray is.
+//! How good an answer is, by how far off it is.
 
 use std::f64::consts::FRAC_PI_2;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
-use super::{Answer, Confidence, Question, Ray, Rays};
+use super::{Answer, Confidence, Form, Question, Ray, Rays, Said};
 
-/// Up to this error a ray earns full credit, in degrees: about what can be read off
-/// the picture.
-pub const FULL_CREDIT_DEG: f64 = 2.0;
-
-/// From this error on a ray earns nothing, in degrees.
-pub const NO_CREDIT_DEG: f64 = 30.0;
-
-/// Up to this error a ray counts as right, in degrees.
+/// Up to this error an angle counts as right, in degrees.
 pub const RIGHT_DEG: f64 = 4.0;
+
+/// Up to this share of what counts as right an answer earns full credit: for an angle
+/// 2°, about what can be read off the picture.
+const FULL_CREDIT: f64 = 0.5;
+
+/// From this many times what counts as right on an answer earns nothing: for an angle
+/// 30°.
+const NO_CREDIT: f64 = 7.5;
+
+/// Credit from 0 to 1 for an answer that is off by `distance`, counted in what still
+/// counts as right: 1 up to a half, then cos² down to 0 at seven and a half, which has
+/// no corner at either end. Infinite earns 0.
+fn credit(distance: f64) -> f64 {
+    let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
+    (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2)
+}
 
 /// How good one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,15 +34,11 @@ pub struct RayGrade {
 }
 
 impl RayGrade {
-    /// Credit from 0 to 1 for an error δ: 1 up to 2°, then cos²(90° · (δ − 2°)/28°),
-    /// which has no corner at either end, and 0 from 30° on. A ray where there is
+    /// Credit from 0 to 1: full up to 2°, nothing from 30° on. A ray where there is
     /// none, or none where there is one, earns 0.
     pub fn credit(&self) -> f64 {
-        let Some(error) = self.error else {
-            return 0.0;
-        };
-        let share = (deg_from_rad(error) - FULL_CREDIT_DEG) / (NO_CREDIT_DEG - FULL_CREDIT_DEG);
-        (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2)
+        self.error
+            .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))
     }
 
     /// Whether it counts as right.
@@ -43,42 +48,27 @@ impl RayGrade {
     }
 }
 
-/// How good an answer is.
+/// How good two rays are.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Grade {
+pub struct RaysGrade {
     /// The striker's ray.
     pub striker: RayGrade,
     /// The target's ray.
     pub target: RayGrade,
-    /// How sure the player was.
-    pub confidence: Confidence,
 }
 
-impl Grade {
-    /// Most points a question can bring.
-    pub const MOST: f64 = 10.0;
-
-    /// Grades an answer.
-    pub fn new(question: &Question, answer: &Answer) -> Self {
-        let truth = question.truth();
+impl RaysGrade {
+    /// Grades what was said of both.
+    pub fn new(said: &Rays, truth: &Rays) -> Self {
         let [striker, target] = Ray::BOTH.map(|ray| RayGrade {
-            error: answer.rays.apart(&truth, ray),
+            error: said.apart(truth, ray),
         });
-        Self {
-            striker,
-            target,
-            confidence: answer.confidence,
-        }
+        Self { striker, target }
     }
 
     /// Credit from 0 to 1: the mean of both rays.
     pub fn credit(&self) -> f64 {
         f64::midpoint(self.striker.credit(), self.target.credit())
-    }
-
-    /// Points by [`Confidence::points`], −6 to 10.
-    pub fn points(&self) -> f64 {
-        self.confidence.points(self.credit())
     }
 
     /// Whether both rays count as right.
@@ -87,9 +77,59 @@ impl Grade {
     }
 }
 
-/// Whether `rays` count as right for `question`.
-pub(super) fn is_right(question: &Question, rays: &Rays) -> bool {
-    rays.gap(&question.truth()) <= rad_from_deg(RIGHT_DEG)
+/// How good an answer is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grade {
+    /// Credit from 0 to 1.
+    pub credit: f64,
+    /// Whether it counts as right.
+    pub right: bool,
+    /// How far off the angle was, in radians, or of two rays the one further off;
+    /// `None` where there was no angle to be off.
+    pub angle_error: Option<f64>,
+    /// Each of two rays, if that is what was asked for.
+    pub rays: Option<RaysGrade>,
+    /// How sure the player was.
+    pub confidence: Confidence,
+}
+
+impl Grade {
+    /// Most points a question can bring.
+    pub const MOST: f64 = 10.0;
+
+    /// Grades an answer. One of another kind than was asked for earns nothing.
+    pub fn new(question: &Question, answer: &Answer) -> Self {
+        let form = &question.form;
+        let distance = form.distance(&answer.said, &form.truth());
+        let rays = match (form, &answer.said) {
+            (Form::Rays { truth, .. }, Said::Rays(said)) => Some(RaysGrade::new(said, truth)),
+            _ => None,
+        };
+        Self {
+            credit: rays.map_or_else(|| credit(distance), |rays| rays.credit()),
+            right: distance <= 1.0,
+            angle_error: match (form, &answer.said) {
+                (Form::Number { quantity, truth }, Said::Number(said))
+                    if *quantity == super::Quantity::Angle =>
+                {
+                    let off = quantity.distance(*said, *truth) * RIGHT_DEG;
+                    Some(rad_from_deg(off))
+                }
+                (Form::Shot(aim), Said::Shot(offset)) => aim.error(*offset),
+                _ => rays.and_then(|rays| {
+                    let errors = [rays.striker.error, rays.target.error];
+                    errors.into_iter().flatten().reduce(f64::max)
+                }),
+            },
+            rays,
+            confidence: answer.confidence,
+        }
+    }
+
+    /// Points by [`Confidence::points`], −6 to 10.
+    pub fn points(&self) -> f64 {
+        self.confidence.points(self.credit)
+    }
 }
 
 #[cfg(test)]

@@ -1,33 +1,56 @@
 //! Questions, grading, misconceptions.
 //!
-//! A [`Round`] is ten [`Question`]s fixed by a seed. The player gives an [`Answer`]
-//! to each: two rays and how sure they are. [`Grade`] says how far off the rays
-//! are, [`diagnose`] which known misconception they fit, [`explain()`] why the discs
-//! go where they go, and [`Summary`] looks back over the round.
+//! A [`Round`] is a list of [`Question`]s fixed by a [`Code`]. Each belongs to a
+//! [`Family`], which draws its figures and knows the true answer and what each
+//! [`Misconception`] would answer. The player gives an [`Answer`]: what is [`Said`] in
+//! the [`Form`] the question asks for, and how sure they are. [`Grade`] says how good it
+//! is, [`Question::diagnose`] which known misconception it fits, [`explain()`] why the
+//! truth is true, and [`Summary`] looks back over the round.
+//!
+//! The [`concepts`] are questions in words, written by hand.
 //!
 //! Nothing here draws, and nothing is random but what follows from the seed.
 
 mod answer;
+pub mod concepts;
+mod confidence;
+mod course;
 mod dice;
+mod difficulty;
 mod explain;
+mod families;
 mod family;
+mod form;
 mod grade;
-mod kind;
+mod hit;
 pub mod misconceptions;
+mod picture;
 mod pieces;
+mod quantity;
 mod question;
 mod rays;
+mod reasoning;
 mod round;
 mod summary;
 pub mod words;
 
-pub use answer::{Answer, Confidence};
-pub use explain::{Explanation, explain, reasoning};
+pub use answer::{Answer, Said};
+pub use confidence::Confidence;
+pub use course::{Code, Course, CourseKind};
+pub use dice::Dice;
+pub use difficulty::Difficulty;
+pub use explain::{Explanation, explain};
+pub use families::where_to::hits;
 pub use family::Family;
-pub use grade::{Grade, RIGHT_DEG, RayGrade};
-pub use misconceptions::{Diagnosis, Fit, Misconception, diagnose};
+pub use form::{Aim, Form, letter};
+pub use grade::{Grade, RIGHT_DEG, RayGrade, RaysGrade};
+pub use hit::{Given, Hit};
+pub use misconceptions::Misconception;
+pub use picture::{Picture, Shown};
 pub use pieces::Pieces;
-pub use question::{Given, Question};
+pub use quantity::Quantity;
+pub use question::{Belief, CLEAR, Diagnosis, Fit, Question};
 pub use rays::{Ray, Rays};
+pub use reasoning::reasoning;
 pub use round::Round;
 pub use summary::{Summary, SummaryLine};

@@ -1,167 +1,157 @@
-//! One question: where will the two go?
+//! One question of any family: what is asked, what is seen, what is true, and what each
+//! misconception would answer.
 
-use glam::DVec2;
+use std::collections::BTreeMap;
 
-use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use serde_json::{Map, Value};
 
-use super::words::significant;
-use super::{Family, Pieces, Rays, words};
+use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said};
 
-/// How a question says where the two meet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Given {
-    /// By the impact angle α in degrees, positive when the target lies to the right.
-    Angle {
-        /// α, −90 to 90.
-        alpha_deg: f64,
-    },
-    /// By the impact parameter b in millimetres, positive when the target lies to
-    /// the right.
-    Offset {
-        /// b, at most r₁ + r₂ either way.
-        offset_mm: f64,
-    },
+/// Answers nearer to each other than this cannot be told apart, counted in what still
+/// counts as right; more than 2, so that no answer fits two.
+pub const CLEAR: f64 = 2.0625;
+
+/// A question, ready to be asked on a screen, on paper or line by line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Its family.
+    pub family: Family,
+    /// How hard it is.
+    pub difficulty: Difficulty,
+    /// What it is about, in a few words: "equal masses, by offset".
+    pub topic: String,
+    /// The question in words.
+    pub text: String,
+    /// What is seen beside it.
+    pub picture: Picture,
+    /// How it is answered, and the true answer.
+    pub form: Form,
+    /// What misconceptions would answer; one that happens to be right is not among
+    /// them.
+    pub beliefs: Vec<Belief>,
+    /// What to say to wrong choices that follow no known misconception, by the choice
+    /// counted from 0; a choice that is not here has nothing of its own to be told.
+    pub replies: BTreeMap<usize, String>,
+    /// Why the true answer is true, on the question's own figures: one to four short
+    /// sentences.
+    pub why: String,
+    /// The figures that fix it, with the units in their names, to be kept with every
+    /// answer.
+    pub figures: Map<String, Value>,
 }
 
-/// A question: the figures as the player reads them. All else follows from them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Question {
-    /// What meets what.
-    pub pieces: Pieces,
-    /// Where they meet.
-    pub given: Given,
-    /// Coefficient of restitution e, 0 to 1.
-    pub restitution: f64,
-    /// Speed of the striker in m/s.
-    pub speed: f64,
-    /// Direction of the striker on the picture in degrees, anticlockwise from the
-    /// right. The answer's angles count from it.
-    pub direction_deg: f64,
+/// What a misconception would answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Belief {
+    /// Which misconception.
+    pub misconception: &'static Misconception,
+    /// Its answer.
+    pub said: Said,
+    /// Of two rays the one that gives it away whatever the other does; `None` if only
+    /// both together do.
+    pub telltale: Option<Ray>,
+    /// One or two sentences on what is wrong with it, on the question's figures.
+    pub says: String,
+}
+
+impl Belief {
+    /// What a misconception would answer where one thing is asked for.
+    pub fn new(misconception: &'static Misconception, said: Said, says: String) -> Self {
+        Self {
+            misconception,
+            said,
+            telltale: None,
+            says,
+        }
+    }
+}
+
+/// The misconception that an answer fits best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Diagnosis {
+    /// Which one.
+    pub misconception: &'static Misconception,
+    /// How much of the answer fits it.
+    pub fit: Fit,
+}
+
+/// How much of an answer fits a misconception.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fit {
+    /// All of it.
+    Whole,
+    /// The ray that gives it away; the other one is off in its own way.
+    OneRay(Ray),
 }
 
 impl Question {
-    /// The family it belongs to.
-    pub const fn family(&self) -> Family {
-        Family::WhereTo
+    /// How far apart the two nearest of the true answer and all that misconceptions
+    /// would answer are, counted in what still counts as right. Choices are 0 or
+    /// infinitely far apart.
+    pub fn clearance(&self) -> f64 {
+        let mut answers: Vec<Said> = self.beliefs.iter().map(|belief| belief.said).collect();
+        answers.push(self.form.truth());
+        let pairs = answers.iter().enumerate().flat_map(|(i, a)| {
+            let later = answers.iter().skip(i + 1);
+            later.map(move |b| self.form.distance(a, b))
+        });
+        pairs.fold(f64::INFINITY, f64::min)
     }
 
-    /// The collision it asks about.
-    pub fn collision(&self) -> Collision {
-        let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
-        let (striker, target) = (self.pieces.striker(), self.pieces.target());
-        let collision = match self.given {
-            Given::Angle { alpha_deg } => {
-                Collision::at_angle(striker, target, u1, rad_from_deg(alpha_deg))
-            }
-            Given::Offset { offset_mm } => {
-                Collision::at_offset(striker, target, u1, m_from_mm(offset_mm))
-            }
+    /// Whether an answer tells which of the misconceptions it follows, if any, and whether
+    /// it has to be found rather than read in the text: only such questions are asked.
+    pub fn is_clear(&self) -> bool {
+        let told = match &self.form {
+            Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
+            Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
         };
-        Collision {
-            restitution: self.restitution,
-            ..collision
+        !told && self.clearance() > CLEAR
+    }
+
+    /// Finds the misconception that an answer fits best, if it fits one.
+    ///
+    /// A right answer fits none. A fit of the whole answer goes before a fit of the
+    /// telltale ray alone; among those the nearest goes first, to a fortieth of what
+    /// counts as right (a tenth of a degree), and then the first in
+    /// [`OF_RAYS`](super::misconceptions::OF_RAYS). A telltale ray must also be off
+    /// the truth by more than counts as right.
+    pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
+        self.belief_of(answer).map(|(belief, fit)| Diagnosis {
+            misconception: belief.misconception,
+            fit,
+        })
+    }
+
+    /// The belief that an answer fits best, and how much of it fits.
+    pub(super) fn belief_of(&self, answer: &Answer) -> Option<(&Belief, Fit)> {
+        let right = |said: &Said| self.form.distance(said, &self.form.truth()) <= 1.0;
+        if right(&answer.said) {
+            return None;
         }
+        let fits = self.beliefs.iter().filter_map(|belief| {
+            let (fit, distance) = self.fit(belief, &answer.said)?;
+            Some((belief, fit, distance))
+        });
+        fits.min_by_key(|(_, fit, distance)| (*fit != Fit::Whole, (40.0 * distance).round() as i64))
+            .map(|(belief, fit, _)| (belief, fit))
     }
 
-    /// What becomes of it.
-    pub fn outcome(&self) -> Outcome {
-        self.collision().outcome()
-    }
-
-    /// Where the two really go.
-    pub fn truth(&self) -> Rays {
-        Rays::from(&self.outcome())
-    }
-
-    /// The impact angle α in radians, positive when the target lies to the right; 0
-    /// for a miss, which no round asks about.
-    pub fn alpha(&self) -> f64 {
-        self.collision().alpha().unwrap_or(0.0)
-    }
-
-    /// Whether the two meet dead centre.
-    pub fn head_on(&self) -> bool {
-        self.collision().offset.abs() <= 0.0
-    }
-
-    /// The side on which the target lies, as the sign of α: 1 for the right and for
-    /// a head-on hit, −1 for the left.
-    pub fn side(&self) -> f64 {
-        if self.collision().offset < 0.0 {
-            -1.0
-        } else {
-            1.0
+    /// How `said` fits a belief, and how far off it is.
+    fn fit(&self, belief: &Belief, said: &Said) -> Option<(Fit, f64)> {
+        let distance = self.form.distance(said, &belief.said);
+        if distance <= 1.0 {
+            return Some((Fit::Whole, distance));
         }
-    }
-
-    /// That side in words, "right" or "left".
-    pub fn side_name(&self) -> &'static str {
-        if self.side() < 0.0 { "left" } else { "right" }
-    }
-
-    /// Mass of the striker over mass of the target.
-    pub fn mass_ratio(&self) -> f64 {
-        self.pieces.striker().mass / self.pieces.target().mass
-    }
-
-    /// The distance of the centres at contact, r₁ + r₂, in millimetres.
-    pub fn reach_mm(&self) -> f64 {
-        mm_from_m(self.collision().reach())
-    }
-
-    /// What it is about, in a few words: "equal masses, by offset".
-    pub fn topic(&self) -> String {
-        let ratio = self.mass_ratio();
-        let pieces = if ratio > 1.0 {
-            "heavier striker"
-        } else if ratio < 1.0 {
-            "heavier target"
-        } else {
-            "equal masses"
+        let ray = belief.telltale?;
+        let (Form::Rays { truth, .. }, Said::Rays(said), Said::Rays(held)) =
+            (&self.form, said, &belief.said)
+        else {
+            return None;
         };
-        let place = match self.given {
-            _ if self.head_on() => ", head-on",
-            Given::Angle { .. } => "",
-            Given::Offset { .. } => ", by offset",
-        };
-        let loss = if self.restitution < 1.0 {
-            ", lossy"
-        } else {
-            ""
-        };
-        format!("{pieces}{place}{loss}")
-    }
-
-    /// The question in words, without what the picture alone can tell.
-    pub fn text(&self) -> String {
-        let name = self.pieces.target_name();
-        let m1 = significant(g_from_kg(self.pieces.striker().mass));
-        let m2 = significant(g_from_kg(self.pieces.target().mass));
-        let speed = significant(self.speed);
-        let side = self.side_name();
-        let place = match self.given {
-            _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
-            Given::Angle { .. } => format!(
-                "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
-                words::degrees(self.alpha().abs())
-            ),
-            Given::Offset { offset_mm } => format!(
-                "The {name}'s centre lies {} to the {side} of its path; the two radii \
-                 make {} together.",
-                words::millimetres(offset_mm.abs()),
-                words::millimetres(self.reach_mm())
-            ),
-        };
-        let restitution = significant(self.restitution);
-        let loss = if self.restitution < 1.0 {
-            format!("Some energy is lost: e = {restitution}.")
-        } else {
-            format!("No energy is lost: e = {restitution}.")
-        };
-        format!(
-            "A striker of {m1} g hits a resting {name} of {m2} g at {speed} m/s. \
-             {place} {loss} Where will they go?"
-        )
+        let near = super::RIGHT_DEG.to_radians();
+        let gap = said.apart(held, ray)?;
+        let from_truth = said.apart(truth, ray).unwrap_or(f64::INFINITY);
+        let fits = gap <= near && from_truth > near;
+        fits.then_some((Fit::OneRay(ray), gap / near))
     }
 }

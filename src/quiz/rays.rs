@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use serde_json::{Value, json};
+
 use crate::physics::Outcome;
+use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use super::words;
 
@@ -59,6 +62,29 @@ impl Rays {
             striker: Some(theta1),
             target: Some(theta2),
         }
+    }
+
+    /// Both in degrees, with names and signs as `carrom solve` gives them.
+    pub fn json(&self) -> Value {
+        json!({
+            "theta1_deg": self.striker.map(deg_from_rad),
+            "theta2_deg": self.target.map(deg_from_rad),
+        })
+    }
+
+    /// Rays as [`Rays::json`] writes them; `None` if they are none.
+    pub fn of_json(value: &Value) -> Option<Self> {
+        let ray = |name| match value.get(name)? {
+            Value::Null => Some(None),
+            angle => {
+                let degrees = angle.as_f64().filter(|angle| angle.abs() <= 360.0)?;
+                Some(Some(rad_from_deg(degrees)))
+            }
+        };
+        Some(Self {
+            striker: ray("theta1_deg")?,
+            target: ray("theta2_deg")?,
+        })
     }
 
     /// One of the two.

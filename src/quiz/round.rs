@@ -1,47 +1,154 @@
-//! A round: ten questions fixed by a seed.
+//! A round: questions fixed by a code.
 
-use super::Question;
 use super::dice::Dice;
-use super::kind::Difficulty;
+use super::families::where_to;
+use super::{Code, Course, CourseKind, Difficulty, Family, Question};
 
-/// Ten questions, mixed in kind and rising in difficulty.
+/// The questions of a round.
 ///
-/// The seed is a code that players give each other, so the same seed must bring the
-/// same questions on every machine and in every version. They follow from it alone:
-/// the dice are PCG32 as described in the `dice` file, the kinds, their order and
-/// their possible figures stand in the `kind` file, and all three are part of the
-/// format.
+/// They follow from its [`Code`] alone, which players give each other: the dice, the
+/// lists of this file, the figures each family draws from and the order of the written
+/// questions are all part of the format, and a test pins the text of several rounds. A
+/// family that is added later must not change what a code of today brings: it goes into
+/// a new kind of course, or into a topic of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Round {
-    seed: u64,
+    code: Code,
     questions: Vec<Question>,
 }
 
-impl Round {
-    /// How many questions a round has.
-    pub const LENGTH: usize = 10;
+/// The families of mixed rounds; those that stand here twice come twice as often.
+const MIXED: &[Family] = &[
+    Family::FromAngle,
+    Family::FromOffset,
+    Family::FromPicture,
+    Family::UnequalMasses,
+    Family::Speeds,
+    Family::Separation,
+    Family::EnergyShare,
+    Family::Restitution,
+    Family::LargestDeflection,
+    Family::Weigh,
+    Family::SlipOrStick,
+    Family::BothMoving,
+    Family::CentreOfMass,
+    Family::Rutherford,
+    Family::MakeItSo,
+    Family::Concept,
+];
 
-    /// The round of a seed.
-    pub fn new(seed: u64) -> Self {
-        let mut dice = Dice::new(seed);
-        let mut questions = Vec::with_capacity(Self::LENGTH);
-        for difficulty in Difficulty::ALL {
-            let mut kinds = difficulty.kinds().to_vec();
-            dice.shuffle(&mut kinds);
-            for kind in kinds {
-                questions.extend(kind.draw(difficulty, &questions, &mut dice));
+/// How often a question that has been asked before is drawn anew before it is asked
+/// again.
+const REDRAWS: usize = 50;
+
+impl Round {
+    /// The round of a course and a seed.
+    pub fn new(course: Course, seed: u64) -> Self {
+        let questions = match &course.kind {
+            CourseKind::Hits => where_to::hits(seed)
+                .iter()
+                .map(|(difficulty, hit)| Question {
+                    difficulty: *difficulty,
+                    ..where_to::question(hit)
+                })
+                .collect(),
+            CourseKind::Quick | CourseKind::Mixed | CourseKind::Exam => {
+                rising(MIXED, &course, seed)
             }
+            CourseKind::Topic(family) => rising(&[*family], &course, seed),
+            CourseKind::Review(families) => rising(families, &course, seed),
+        };
+        Self {
+            code: Code { course, seed },
+            questions,
         }
-        Self { seed, questions }
     }
 
-    /// The code that fixes it.
-    pub fn seed(&self) -> u64 {
-        self.seed
+    /// The ten hits of a seed.
+    pub fn hits(seed: u64) -> Self {
+        Self::new(Course::new(CourseKind::Hits), seed)
+    }
+
+    /// The round of a code.
+    pub fn of(code: Code) -> Self {
+        Self::new(code.course, code.seed)
+    }
+
+    /// The code that fixes it; that of a review cannot be read back, for it is its
+    /// player's alone.
+    pub fn code(&self) -> &Code {
+        &self.code
+    }
+
+    /// What it is made of.
+    pub fn course(&self) -> &Course {
+        &self.code.course
     }
 
     /// Its questions in order.
     pub fn questions(&self) -> &[Question] {
         &self.questions
+    }
+}
+
+/// Questions of these families in any order, rising in difficulty. No family comes
+/// again before all have come.
+fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
+    let mut dice = Dice::new(salted(course.kind.id(), seed));
+    let mut order: Vec<Family> = Vec::new();
+    while order.len() < course.count && !families.is_empty() {
+        let mut all = families.to_vec();
+        dice.shuffle(&mut all);
+        // Coming back works best when something else has come between.
+        let reviews = matches!(course.kind, CourseKind::Review(_));
+        if reviews && order.last() == all.first() {
+            all.rotate_left(1);
+        }
+        order.extend(all);
+    }
+    let mut questions: Vec<Question> = Vec::with_capacity(course.count);
+    for (i, family) in order.into_iter().take(course.count).enumerate() {
+        let difficulty = Difficulty::rising(i, course.count);
+        let mut fresh = None;
+        for _ in 0..REDRAWS {
+            fresh = family.ask(difficulty, &mut dice).map(|(asked, _)| asked);
+            let old = |it: &Question| Some(&it.text) == fresh.as_ref().map(|it| &it.text);
+            if !questions.iter().any(old) {
+                break;
+            }
+        }
+        questions.extend(fresh);
+    }
+    questions
+}
+
+/// A seed of each kind of course's own, so that the quick five of a seed are not the
+/// first half of its mixed ten: the seed and the FNV-1a hash of the name.
+fn salted(id: &str, seed: u64) -> u64 {
+    let start = 0xcbf2_9ce4_8422_2325_u64;
+    let hash = id.bytes().fold(start, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    seed ^ hash
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_review_asks_no_family_twice_in_a_row() {
+        let families = [Family::FromAngle, Family::Speeds, Family::WhereTo];
+        for count in 2..=3 {
+            let due = &families[..count];
+            for seed in 0..200 {
+                let course = Course::of(CourseKind::Review(due.to_vec()), 12);
+                let round = Round::new(course, seed);
+                let asked: Vec<_> = round.questions().iter().map(|it| it.family).collect();
+                assert_eq!(asked.len(), 12);
+                assert!(asked.windows(2).all(|pair| pair[0] != pair[1]), "{asked:?}");
+                assert!(due.iter().all(|family| asked.contains(family)));
+            }
+        }
     }
 }

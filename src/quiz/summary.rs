@@ -2,8 +2,8 @@
 
 use crate::physics::units::deg_from_rad;
 
-use super::misconceptions::ALL;
-use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, diagnose};
+use super::misconceptions::all;
+use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question};
 
 /// A round that has been answered, or as much of it as has.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,9 +29,9 @@ impl Summary {
         let lines = answered
             .into_iter()
             .map(|(question, answer)| SummaryLine {
-                topic: question.topic(),
+                topic: question.topic.clone(),
                 grade: Grade::new(question, answer),
-                diagnosis: diagnose(question, answer),
+                diagnosis: question.diagnose(answer),
             })
             .collect();
         Self { lines }
@@ -50,18 +50,19 @@ impl Summary {
 
     /// How many answers were right.
     pub fn right(&self) -> usize {
-        self.lines
-            .iter()
-            .filter(|line| line.grade.is_right())
-            .count()
+        self.lines.iter().filter(|line| line.grade.right).count()
     }
 
-    /// Mean error of all rays that have one, in radians; `None` if none has.
+    /// Mean error of all angles, in radians: each of two rays counts for itself; `None`
+    /// if there were none.
     pub fn mean_error(&self) -> Option<f64> {
         let errors: Vec<f64> = self
             .lines
             .iter()
-            .flat_map(|line| [line.grade.striker.error, line.grade.target.error])
+            .flat_map(|line| match line.grade.rays {
+                Some(rays) => [rays.striker.error, rays.target.error],
+                None => [line.grade.angle_error, None],
+            })
             .flatten()
             .collect();
         (!errors.is_empty()).then(|| errors.iter().sum::<f64>() / errors.len() as f64)
@@ -73,7 +74,7 @@ impl Summary {
             .lines
             .iter()
             .filter(|line| line.grade.confidence == confidence)
-            .map(|line| line.grade.is_right())
+            .map(|line| line.grade.right)
             .collect();
         (right.len(), right.iter().filter(|right| **right).count())
     }
@@ -104,7 +105,7 @@ impl Summary {
     }
 
     /// The misconception that most answers fitted and how many did; of several the
-    /// first in [`ALL`].
+    /// first of [`all`].
     pub fn most_held(&self) -> Option<(&'static Misconception, usize)> {
         let held = |misconception: &Misconception| {
             self.lines
@@ -113,9 +114,11 @@ impl Summary {
                 .filter(|diagnosis| diagnosis.misconception == misconception)
                 .count()
         };
-        ALL.into_iter()
-            .map(|misconception| (misconception, held(misconception)))
-            .rev()
+        // Of equals, `max_by_key` gives the last.
+        let mut counted: Vec<_> = all().map(|it| (it, held(it))).collect();
+        counted.reverse();
+        counted
+            .into_iter()
             .max_by_key(|(_, count)| *count)
             .filter(|(_, count)| *count > 0)
     }
@@ -139,10 +142,10 @@ impl Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Given, Pieces, Rays};
+    use super::super::{Given, Hit, Pieces, Rays, Said};
     use super::*;
 
-    const QUESTION: Question = Question {
+    const HIT: Hit = Hit {
         pieces: Pieces::Equal,
         given: Given::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
@@ -152,18 +155,19 @@ mod tests {
 
     /// A summary of right (`true`) and wrong answers.
     fn summary(answers: &[(Confidence, bool)]) -> Summary {
+        let question = Question::from(&HIT);
         let answers: Vec<Answer> = answers
             .iter()
-            .map(|&(confidence, right)| Answer {
-                rays: if right {
-                    QUESTION.truth()
+            .map(|&(confidence, right)| {
+                let rays = if right {
+                    HIT.truth()
                 } else {
                     Rays::new(-3.0, 3.0)
-                },
-                confidence,
+                };
+                Answer::new(Said::Rays(rays), confidence)
             })
             .collect();
-        Summary::new(answers.iter().map(|answer| (&QUESTION, answer)))
+        Summary::new(answers.iter().map(|answer| (&question, answer)))
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! The chapters there are for this player, and how far they have been read.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::learn::Answer;
-use crate::lessons::{Chapter, Library};
+use crate::lessons::{Bookmark, Chapter, Library};
+use crate::messages::Forget;
 
 /// All chapters, with a bookmark in each.
 #[derive(Debug, Clone, Default)]
@@ -14,56 +14,8 @@ pub struct Book {
     library: Option<Arc<Library>>,
     /// The line of the contents that was looked at last.
     pub at: usize,
-    marks: BTreeMap<String, Bookmark>,
-}
-
-/// How far a chapter has been read.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Bookmark {
-    /// The page it is open at, from 0.
-    pub page: usize,
-    /// The impact angle that the student set last in its figures, in degrees.
-    pub alpha_deg: Option<f64>,
-    seen: BTreeSet<usize>,
-    answers: BTreeMap<usize, (Answer, bool)>,
-}
-
-impl Bookmark {
-    /// Opens a page.
-    pub fn open(&mut self, page: usize) {
-        self.page = page;
-        self.seen.insert(page);
-    }
-
-    /// Notes an answer and whether it was right.
-    pub fn answer(&mut self, page: usize, answer: Answer, right: bool) {
-        self.answers.insert(page, (answer, right));
-    }
-
-    /// The answer given on a page.
-    pub fn answer_on(&self, page: usize) -> Option<&Answer> {
-        self.answers.get(&page).map(|(answer, _)| answer)
-    }
-
-    /// Forgets the answer given on a page, so that it is asked again.
-    pub fn forget(&mut self, page: usize) {
-        self.answers.remove(&page);
-    }
-
-    /// How many pages have been seen.
-    pub fn seen(&self) -> usize {
-        self.seen.len()
-    }
-
-    /// How many checkpoints have been answered.
-    pub fn answered(&self) -> usize {
-        self.answers.len()
-    }
-
-    /// How many were answered right.
-    pub fn right(&self) -> usize {
-        self.answers.values().filter(|(_, right)| *right).count()
-    }
+    /// By the ids of the chapters; `None` until it is known what was kept.
+    marks: Option<BTreeMap<String, Bookmark>>,
 }
 
 impl Book {
@@ -86,26 +38,54 @@ impl Book {
         self.library().chapters.get(number)
     }
 
+    /// Whether it is known how far the chapters have been read.
+    pub fn is_known(&self) -> bool {
+        self.marks.is_some()
+    }
+
+    /// Takes the bookmarks that were kept; from then on the book knows them itself.
+    pub(crate) fn recall(&mut self, marks: BTreeMap<String, Bookmark>) {
+        self.marks.get_or_insert(marks);
+    }
+
     /// The bookmark in a chapter, if it was ever opened.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
-        self.marks.get(id)
+        self.marks.as_ref()?.get(id)
     }
 
-    /// The bookmark in a chapter.
-    pub fn mark_mut(&mut self, id: &str) -> &mut Bookmark {
-        self.marks.entry(id.to_owned()).or_default()
+    /// Adds to the bookmark in a chapter what was done there.
+    pub(super) fn merge(&mut self, id: &str, later: Bookmark) {
+        let marks = self.marks.get_or_insert_default();
+        marks.entry(id.to_owned()).or_default().merge(later);
     }
 
-    /// Takes the bookmark out of a chapter: nothing of it has been read.
-    pub fn reset(&mut self, id: &str) {
-        self.marks.remove(id);
+    /// Forgets what is to be forgotten.
+    pub(super) fn forget(&mut self, what: &Forget) {
+        let Some(marks) = &mut self.marks else {
+            return;
+        };
+        match what {
+            Forget::Answer { chapter, page } => {
+                if let Some(mark) = marks.get_mut(chapter) {
+                    mark.pages.insert(page.clone(), None);
+                }
+            }
+            Forget::Chapter(chapter) => {
+                marks.remove(chapter);
+            }
+            Forget::All => marks.clear(),
+        }
+    }
+
+    /// Whether anything has been read.
+    pub fn is_begun(&self) -> bool {
+        self.marks.as_ref().is_some_and(|marks| !marks.is_empty())
     }
 
     /// Whether all of a chapter has been read and answered.
     pub fn is_done(&self, chapter: &Chapter) -> bool {
-        self.mark(&chapter.id).is_some_and(|mark| {
-            mark.seen() >= chapter.pages.len() && mark.answered() >= checkpoints(chapter)
-        })
+        let mark = self.mark(&chapter.id);
+        mark.is_some_and(|mark| mark.is_done(chapter))
     }
 
     /// The first chapter that is not done; `None` if all are.
@@ -113,10 +93,4 @@ impl Book {
         let chapters = &self.library().chapters;
         chapters.iter().position(|chapter| !self.is_done(chapter))
     }
-}
-
-/// How many checkpoints a chapter has.
-pub(super) fn checkpoints(chapter: &Chapter) -> usize {
-    let pages = chapter.pages.iter();
-    pages.filter(|page| page.checkpoint.is_some()).count()
 }

@@ -6,8 +6,9 @@ use ratatui::layout::Rect;
 
 use super::{Book, Shelf};
 use crate::game::Game;
+use crate::lessons::Bookmark;
 use crate::levels::Win;
-use crate::messages::{Effect, Request, Task, Wanted, Wish};
+use crate::messages::{Effect, Forget, Request, Task, Wanted, Wish};
 use crate::progress::Attempt;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
@@ -72,6 +73,7 @@ pub struct Context {
     rounds: u64,
     tickets: u64,
     asked: Vec<Effect>,
+    told: Option<String>,
 }
 
 impl Context {
@@ -86,6 +88,7 @@ impl Context {
             rounds: 0,
             tickets: 0,
             asked: Vec::new(),
+            told: None,
         }
     }
 
@@ -123,6 +126,29 @@ impl Context {
         }
     }
 
+    /// Asks how far the chapters have been read, unless that is known.
+    pub fn ask_for_marks(&mut self) {
+        if !self.book.is_known() {
+            self.ask(Wish::Marks(self.settings.player.clone()));
+        }
+    }
+
+    /// Notes what was done in the chapter of this id, and has that kept.
+    pub fn mark(&mut self, chapter: &str, later: Bookmark) {
+        self.book.merge(chapter, later.clone());
+        self.ask(Wish::Mark {
+            player: self.settings.player.clone(),
+            chapter: chapter.to_owned(),
+            later: Box::new(later),
+        });
+    }
+
+    /// Forgets what was done in chapters, here and where it is kept.
+    pub fn forget(&mut self, what: Forget) {
+        self.book.forget(&what);
+        self.ask(Wish::Forget(self.settings.player.clone(), what));
+    }
+
     /// A ticket that no request has had.
     pub fn ticket(&mut self) -> u64 {
         self.tickets += 1;
@@ -137,6 +163,16 @@ impl Context {
     /// Asks for a text to be written to a file of this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
+    }
+
+    /// Tells the player something, over whatever the screen shows, until a key is pressed.
+    pub fn tell(&mut self, words: String) {
+        self.told = Some(words);
+    }
+
+    /// What the player is to be told.
+    pub fn take_told(&mut self) -> Option<String> {
+        self.told.take()
     }
 
     /// What the screens have asked of the shell since the last call.

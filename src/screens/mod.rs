@@ -2,10 +2,13 @@
 
 mod book;
 mod context;
+mod list;
 mod place;
+mod recall;
 mod shelf;
-mod why;
+pub(crate) mod why;
 
+pub mod class;
 pub mod foil;
 pub mod home;
 pub mod lab;
@@ -20,7 +23,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub use book::{Book, Bookmark};
+pub use book::Book;
 pub use context::{Context, Settings};
 pub use place::Place;
 pub use shelf::Shelf;
@@ -64,7 +67,7 @@ pub trait Screen {
 }
 
 /// What follows from an input or from time that passed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Next {
     /// The input meant nothing here; the app may use it.
     Ignored,

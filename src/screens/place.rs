@@ -1,9 +1,11 @@
 //! Where one can go.
 
+use super::foil;
 use super::lab::Setup;
+use crate::quiz::Code;
 
 /// A screen to open, with what it is to show.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Place {
     /// The first screen.
     Home,
@@ -21,13 +23,25 @@ pub enum Place {
         /// Its place among all chapters, from 0.
         number: usize,
     },
-    /// A round of the quiz; the code fixes its questions.
+    /// The quiz.
     Quiz {
-        /// The code of the round; `None` takes the app's next.
-        seed: Option<u64>,
+        /// The code of the round to play; with `None` one is chosen there.
+        code: Option<Code>,
+    },
+    /// A round for a class round one screen.
+    Class {
+        /// The code of the round; `None` leaves it to be chosen.
+        code: Option<Code>,
+        /// The names of the teams, as far as they are known.
+        teams: Vec<String>,
     },
     /// The foil: beams of many particles.
     Foil,
+    /// One of its pages.
+    FoilAt {
+        /// The page.
+        page: foil::Page,
+    },
     /// The table: carrom itself.
     Table,
     /// What the player has done so far.

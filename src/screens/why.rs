@@ -1,7 +1,7 @@
 //! Reasons that more than one screen gives.
 
 use crate::physics::{Collision, Meeting};
-use crate::quiz::{self, Answer, Confidence, Given, Pieces, Question, Rays};
+use crate::quiz::{self, Answer, Confidence, Given, Hit, Pieces, Rays, Said};
 
 /// Why two that both move go where they go, in their own numbers; nothing for a miss.
 pub(super) fn both_moving(collision: &Collision) -> String {
@@ -22,7 +22,7 @@ pub(super) fn both_moving(collision: &Collision) -> String {
 
 /// Why any two smooth discs go where they go, starting from what the player said of
 /// both, if they did: a title, which may be empty, and a text.
-pub(super) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, String) {
+pub(crate) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, String) {
     let plain = |text: String| (String::new(), text);
     if collision.outcome().meeting != Meeting::Hit {
         return plain("They just brush: nothing is pushed, and both go on as before.".into());
@@ -30,7 +30,7 @@ pub(super) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, S
     if collision.u2 != glam::DVec2::ZERO {
         return plain(both_moving(collision));
     }
-    let question = Question {
+    let hit = Hit {
         pieces: Pieces::Own {
             striker: collision.striker,
             target: collision.target,
@@ -45,10 +45,17 @@ pub(super) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, S
     };
     match said {
         Some(rays) => {
-            let confidence = Confidence::ThinkSo;
-            let explanation = quiz::explain(&question, &Answer { rays, confidence });
-            (explanation.title.into(), explanation.text)
+            let (title, text) = of_hit(&hit, rays);
+            (title.into(), text)
         }
-        None => plain(quiz::reasoning(&question)),
+        None => plain(quiz::reasoning(&hit)),
     }
+}
+
+/// Why the two of a hit go where they go, starting from what the player said of them: a
+/// title and a text.
+pub(super) fn of_hit(hit: &Hit, said: Rays) -> (&'static str, String) {
+    let answer = Answer::new(Said::Rays(said), Confidence::ThinkSo);
+    let explanation = quiz::explain(&hit.into(), &answer);
+    (explanation.title, explanation.text)
 }

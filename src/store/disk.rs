@@ -9,10 +9,7 @@ use std::time::{Duration, SystemTime};
 use super::shelf::{Shelf, free_number, number};
 use super::turn::Turn;
 use crate::files::{self, Fault};
-use crate::game::SavedGame;
 
-/// How the names of the files end.
-const ENDING: &str = ".toml";
 /// How the names of files begin that are still being written.
 const UNFINISHED: &str = ".new-";
 /// The file that stands for the right to write to a folder.
@@ -21,16 +18,25 @@ const LOCK: &str = ".lock";
 /// Texts as files in a folder, which is made when the first is written.
 pub(super) struct Disk {
     folder: PathBuf,
+    /// How the names of the files end.
+    ending: &'static str,
+    /// Most bytes of a file that are read.
+    largest: usize,
 }
 
 impl Disk {
-    /// The files in `folder`.
-    pub(super) fn new(folder: PathBuf) -> Self {
-        Self { folder }
+    /// The files in `folder` whose names have this ending, each of at most `largest`
+    /// bytes.
+    pub(super) fn new(folder: PathBuf, ending: &'static str, largest: usize) -> Self {
+        Self {
+            folder,
+            ending,
+            largest,
+        }
     }
 
     fn path(&self, name: &str) -> PathBuf {
-        self.folder.join(format!("{name}{ENDING}"))
+        self.folder.join(format!("{name}{}", self.ending))
     }
 
     /// Waits until nobody else writes to the folder.
@@ -115,7 +121,7 @@ impl Disk {
         for entry in entries {
             let entry = entry?;
             let file = entry.file_name();
-            let name = file.to_str().and_then(|name| name.strip_suffix(ENDING));
+            let name = file.to_str().and_then(|name| name.strip_suffix(self.ending));
             if let Some(name) = name
                 && !name.starts_with('.')
                 && entry.path().is_file()
@@ -138,13 +144,13 @@ impl Disk {
 impl Shelf for Disk {
     fn names(&self) -> Result<Vec<String>, String> {
         let mut names = self.names().map_err(|error| self.told(&error))?;
-        names.sort_by_cached_key(|name| (self.saved(name), number(name, "game"), name.clone()));
+        names.sort_by_cached_key(|name| (self.saved(name), number(name), name.clone()));
         names.reverse();
         Ok(names)
     }
 
     fn read(&self, name: &str) -> Result<Vec<u8>, Fault> {
-        files::read(&self.path(name), SavedGame::LARGEST_FILE)
+        files::read(&self.path(name), self.largest)
     }
 
     fn age(&self, name: &str) -> Option<Duration> {

@@ -8,14 +8,17 @@ use crate::files::Fault;
 /// Texts in memory, the latest last.
 pub(super) struct Memory {
     folder: &'static str,
+    /// How names end.
+    ending: &'static str,
     texts: Vec<(String, String)>,
 }
 
 impl Memory {
-    /// An empty shelf that goes by this name.
-    pub(super) fn new(folder: &'static str) -> Self {
+    /// An empty shelf that goes by this name, whose texts have this ending.
+    pub(super) fn new(folder: &'static str, ending: &'static str) -> Self {
         Self {
             folder,
+            ending,
             texts: Vec::new(),
         }
     }
@@ -42,7 +45,7 @@ impl Shelf for Memory {
     }
 
     fn place(&self, name: &str) -> String {
-        format!("{}/{name}.toml", self.folder)
+        format!("{}/{name}{}", self.folder, self.ending)
     }
 
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {

@@ -1,5 +1,5 @@
-//! What is kept: saved games, one file a game, exported ones, and in a
-//! database every answer and every level won.
+//! What is kept: saved games and rounds of classes, one file each, exported ones, and in a
+//! database every answer, every level won and how far each chapter was read.
 //!
 //! Several carroms may keep their games in one folder, any of them may be killed at
 //! any moment, and any file may be damaged or not ours. So:
@@ -7,63 +7,79 @@
 //! - a file is written beside its place, brought to the disk and then put in its
 //!   place, so that there is always either the old or the new one;
 //! - a file is replaced only while it still holds what this store last put or found
-//!   there; otherwise the game moves to a new file of its own;
+//!   there; otherwise the game or round moves to a new file of its own;
 //! - nothing is believed of a file until all of it has been played.
 
 mod database;
 mod disk;
+mod drawer;
 mod memory;
 mod shelf;
 mod turn;
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use crate::class::{ClassRound, answers_csv, items_csv};
 use crate::files::Fault;
 use crate::game::{Game, SavedGame};
-use crate::messages::{Answer, Done, History, Kept, Request, Wish};
+use crate::messages::{Answer, Done, History, Kept, KeptRound, Request, Wish};
 use crate::progress::Attempt;
 use database::Database;
 use disk::Disk;
+use drawer::Drawer;
 use memory::Memory;
 use shelf::Shelf;
 
+/// How the names of texts that are read again end.
+const TEXT: &str = ".toml";
+/// How the names of tables for other programs end.
+const TABLE: &str = ".csv";
+
 /// Where everything is kept.
 pub struct Store {
-    games: Box<dyn Shelf>,
+    games: Drawer,
+    classes: Drawer,
     exports: Box<dyn Shelf>,
+    tables: Box<dyn Shelf>,
     progress: Database,
-    /// What was last put or found under which name, by ticket.
-    open: BTreeMap<u64, Open>,
     knows_time: bool,
     closed: bool,
 }
 
-/// A game being played.
-struct Open {
-    name: String,
-    text: String,
+/// The shelves of a store.
+struct Shelves<S> {
+    games: S,
+    classes: S,
+    exports: S,
+    tables: S,
 }
 
 impl Store {
     /// A store that is gone with the process.
     pub fn in_memory() -> Self {
-        Self::of(
-            Memory::new("games"),
-            Memory::new("exports"),
-            Database::in_memory(),
-        )
+        let shelves = Shelves {
+            games: Memory::new("games", TEXT),
+            classes: Memory::new("classes", TEXT),
+            exports: Memory::new("exports", TEXT),
+            tables: Memory::new("exports", TABLE),
+        };
+        Self::of(shelves, Database::in_memory())
     }
 
     /// A store in `folder`, which is made when it is first needed: saved games in
-    /// `games`, exported ones in `exports`, all else in `progress.db`.
+    /// `games`, rounds of classes in `classes`, what is exported in `exports`, all else
+    /// in `progress.db`.
     pub fn in_folder(folder: &Path) -> Self {
-        Self::of(
-            Disk::new(folder.join("games")),
-            Disk::new(folder.join("exports")),
-            Database::in_folder(folder.to_owned()),
-        )
+        let disk = |name, ending, largest| Disk::new(folder.join(name), ending, largest);
+        let shelves = Shelves {
+            games: disk("games", TEXT, SavedGame::LARGEST_FILE),
+            classes: disk("classes", TEXT, ClassRound::LARGEST_FILE),
+            exports: disk("exports", TEXT, SavedGame::LARGEST_FILE),
+            // They are written alone.
+            tables: disk("exports", TABLE, 0),
+        };
+        Self::of(shelves, Database::in_folder(folder.to_owned()))
     }
 
     /// No store: there is no folder for it, and it refuses everything.
@@ -83,12 +99,13 @@ impl Store {
         }
     }
 
-    fn of(games: impl Shelf + 'static, exports: impl Shelf + 'static, progress: Database) -> Self {
+    fn of<S: Shelf + 'static>(shelves: Shelves<S>, progress: Database) -> Self {
         Self {
-            games: Box::new(games),
-            exports: Box::new(exports),
+            games: Drawer::new(shelves.games, "game"),
+            classes: Drawer::new(shelves.classes, "class"),
+            exports: Box::new(shelves.exports),
+            tables: Box::new(shelves.tables),
             progress,
-            open: BTreeMap::new(),
             knows_time: true,
             closed: false,
         }
@@ -106,10 +123,22 @@ impl Store {
             Wish::Load(name) => Done::Loaded(self.load(ticket, name)),
             Wish::Remove(name) => Done::Removed(self.remove(name)),
             Wish::Export(game) => Done::Exported(self.export(game)),
+            Wish::SaveClass(round) => Done::Saved(self.save_class(ticket, round)),
+            Wish::ListClasses => Done::Classes(self.list_classes()),
+            Wish::LoadClass(name) => Done::Class(self.load_class(ticket, name)),
+            Wish::RemoveClass(name) => Done::Removed(self.classes.shelf.remove(name)),
+            Wish::ExportClass(round) => Done::Exported(self.export_class(round)),
             Wish::Record(attempt) => Done::Noted(self.record(attempt)),
             Wish::Star(player, starred) => Done::Noted(self.progress.star(player, starred)),
             Wish::Recall(player) => Done::Recalled(self.recall(player.as_deref())),
             Wish::Stars(player) => Done::Stars(self.progress.stars(player)),
+            Wish::Mark {
+                player,
+                chapter,
+                later,
+            } => Done::Noted(self.progress.mark(player, chapter, later)),
+            Wish::Forget(player, what) => Done::Noted(self.progress.forget(player, what)),
+            Wish::Marks(player) => Done::Marks(self.progress.marks(player)),
         };
         Answer {
             ticket,
@@ -120,23 +149,15 @@ impl Store {
 
     fn save(&mut self, ticket: u64, game: &SavedGame) -> Result<(), String> {
         let text = game.text().map_err(|error| error.to_string())?;
-        if let Some(open) = self.open.get_mut(&ticket)
-            && self.games.replace(&open.name, &open.text, &text)?
-        {
-            open.text = text;
-            return Ok(());
-        }
-        let name = self.games.add("game", &text)?;
-        self.open.insert(ticket, Open { name, text });
-        Ok(())
+        self.games.save(ticket, text)
     }
 
     fn list(&self) -> Result<Vec<Kept>, String> {
         let mut found = Vec::new();
-        for name in self.games.names()? {
+        for name in self.games.shelf.names()? {
             let game = self.read(&name).map(|(_, game)| Box::new(game));
             found.push(Kept {
-                age: self.games.age(&name).filter(|_| self.knows_time),
+                age: self.games.shelf.age(&name).filter(|_| self.knows_time),
                 // Where it is, is said beside.
                 game: game.map_err(|fault| fault.without_file()),
                 name,
@@ -147,26 +168,68 @@ impl Store {
 
     fn load(&mut self, ticket: u64, name: &str) -> Result<Box<SavedGame>, String> {
         let (text, (game, _)) = self.read(name).map_err(|fault| fault.to_string())?;
-        let name = name.to_owned();
-        self.open.insert(ticket, Open { name, text });
+        self.games.taken(ticket, name, text);
         Ok(Box::new(game))
     }
 
     /// The text of a game and the game, with where it stands.
     fn read(&self, name: &str) -> Result<(String, (SavedGame, Game)), Fault> {
-        let bytes = self.games.read(name)?;
-        let game = SavedGame::read(&self.games.place(name), &bytes)?;
+        let bytes = self.games.shelf.read(name)?;
+        let game = SavedGame::read(&self.games.shelf.place(name), &bytes)?;
         Ok((String::from_utf8_lossy(&bytes).into_owned(), game))
     }
 
     fn remove(&mut self, name: &str) -> Result<(), String> {
-        self.games.remove(name)
+        self.games.shelf.remove(name)
     }
 
     fn export(&mut self, game: &SavedGame) -> Result<String, String> {
         let text = game.text().map_err(|error| error.to_string())?;
         let name = self.exports.add("carrom-game", &text)?;
         Ok(self.exports.place(&name))
+    }
+
+    fn save_class(&mut self, ticket: u64, round: &ClassRound) -> Result<(), String> {
+        self.classes.save(ticket, round.text()?)
+    }
+
+    fn list_classes(&self) -> Result<Vec<KeptRound>, String> {
+        let names = self.classes.shelf.names()?.into_iter();
+        let kept = names.map(|name| KeptRound {
+            age: self.classes.shelf.age(&name).filter(|_| self.knows_time),
+            round: match self.read_class(&name) {
+                Ok((_, round)) => Ok(Box::new(round)),
+                Err(fault) => Err(fault.without_file()),
+            },
+            name,
+        });
+        Ok(kept.collect())
+    }
+
+    fn load_class(&mut self, ticket: u64, name: &str) -> Result<Box<ClassRound>, String> {
+        let (text, round) = self.read_class(name).map_err(|fault| fault.to_string())?;
+        self.classes.taken(ticket, name, text);
+        Ok(Box::new(round))
+    }
+
+    /// The text of a class's round and the round.
+    fn read_class(&self, name: &str) -> Result<(String, ClassRound), Fault> {
+        let bytes = self.classes.shelf.read(name)?;
+        let round = ClassRound::read(&self.classes.shelf.place(name), &bytes)?;
+        Ok((String::from_utf8_lossy(&bytes).into_owned(), round))
+    }
+
+    /// Writes both tables of a class's round.
+    fn export_class(&mut self, round: &ClassRound) -> Result<String, String> {
+        let mut places = Vec::new();
+        for (kind, text) in [
+            ("class-answers", answers_csv(round)?),
+            ("class-items", items_csv(round)?),
+        ] {
+            let name = self.tables.add(kind, &text)?;
+            places.push(self.tables.place(&name));
+        }
+        Ok(places.join(" and "))
     }
 
     /// Keeps an answer, with the time.

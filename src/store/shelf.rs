@@ -30,12 +30,16 @@ pub(super) trait Shelf: Send {
 }
 
 /// The number in a name that [`Shelf::add`] made: 7 in `game-7`.
-pub(super) fn number(name: &str, kind: &str) -> Option<u64> {
-    name.strip_prefix(kind)?.strip_prefix('-')?.parse().ok()
+pub(super) fn number(name: &str) -> Option<u64> {
+    name.rsplit_once('-')?.1.parse().ok()
 }
 
 /// A number larger than those of all names of that kind.
 pub(super) fn free_number<'a>(names: impl IntoIterator<Item = &'a str>, kind: &str) -> u64 {
-    let numbers = names.into_iter().filter_map(|name| number(name, kind));
+    let of_kind = |name: &&str| {
+        let number = name.strip_prefix(kind);
+        number.is_some_and(|rest| rest.starts_with('-'))
+    };
+    let numbers = names.into_iter().filter(of_kind).filter_map(number);
     numbers.max().unwrap_or(0).saturating_add(1)
 }

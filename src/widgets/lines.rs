@@ -150,6 +150,28 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// Text over as many rows as it takes behind a mark, under which nothing else is
+    /// written.
+    pub fn hanging(&mut self, mark: &str, text: &str, role: Role) {
+        let indent = self.width_of(mark) as u16;
+        let width = self.area.width.saturating_sub(1 + indent).into();
+        let rows = text::wrap(&self.look.charset.text(text), width);
+        for (i, row) in rows.iter().enumerate() {
+            if i == 0 {
+                self.put(0, mark, role);
+            }
+            self.put(indent, row, role);
+            self.written += 1;
+        }
+    }
+
+    /// Rows that a [`Lines::hanging`] text takes.
+    pub fn rows_of_hanging(&self, mark: &str, text: &str) -> u16 {
+        let indent = self.width_of(mark) as u16;
+        let width = self.area.width.saturating_sub(1 + indent).into();
+        text::wrap(&self.look.charset.text(text), width).len() as u16
+    }
+
     fn wrapped(&self, text: &str) -> Vec<String> {
         let width = self.area.width.saturating_sub(1).into();
         text::wrap(&self.look.charset.text(text), width)

@@ -5,6 +5,7 @@
 //! and the [`Theme`] (which colours).
 
 pub mod bar;
+pub mod big;
 pub mod board;
 pub mod cells;
 pub mod charset;
@@ -16,6 +17,7 @@ pub mod replay;
 pub mod svg;
 pub mod theme;
 
+mod answer_input;
 mod beside;
 mod entry;
 pub mod flow;
@@ -23,15 +25,21 @@ pub mod formula;
 pub mod hit;
 mod lines;
 mod look;
+mod number_input;
+mod question_picture;
 mod ray_input;
 mod scroll;
 pub mod text;
+pub mod tracks;
 
+pub use answer_input::AnswerInput;
 pub use beside::Beside;
 pub use charset::Charset;
 pub use entry::{NumberEntry, Typed};
 pub use lines::{Lines, Spare};
 pub use look::Look;
+pub use number_input::NumberInput;
+pub use question_picture::draw_question;
 pub use ray_input::{RayInput, Turned, brief, shown};
 pub use scroll::{Scroll, overflow};
 pub use theme::{Depth, Palette, Role, Theme};

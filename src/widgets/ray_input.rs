@@ -47,6 +47,18 @@ impl RayInput {
         }
     }
 
+    /// The same with these rays said, to be changed.
+    #[must_use]
+    pub fn saying(mut self, rays: &Rays) -> Self {
+        for ray in Ray::BOTH {
+            let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
+            // As it was typed, whatever rounding left.
+            let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
+            self.angles_deg[index(ray)] = angle;
+        }
+        self
+    }
+
     /// The same with one ray alone to be said. The other one reads as a disc that
     /// stays still.
     #[must_use]

@@ -1,5 +1,7 @@
 //! Plain text in columns.
 
+use std::time::Duration;
+
 use unicode_width::UnicodeWidthStr;
 
 /// Columns that `text` takes.
@@ -78,6 +80,33 @@ fn held(text: &str, columns: usize) -> Vec<String> {
     words
 }
 
+/// A time that has passed, in few letters.
+pub fn ago(age: Duration) -> String {
+    let minutes = age.as_secs() / 60;
+    match minutes {
+        0 => "now".into(),
+        1..60 => format!("{minutes} min"),
+        60..1440 => format!("{} h", minutes / 60),
+        1440..2880 => "1 day".into(),
+        _ => format!("{} days", minutes / 1440),
+    }
+}
+
+/// The beginning of a text, in at most so many columns; what is cut off is told by dots.
+pub fn clipped(text: &str, columns: usize) -> String {
+    if width(text) <= columns {
+        return text.to_owned();
+    }
+    let mut clipped = String::new();
+    for c in text.chars() {
+        if width(&clipped) + c.to_string().width() + 2 > columns {
+            break;
+        }
+        clipped.push(c);
+    }
+    clipped + &".."[..columns.min(2)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -105,6 +134,15 @@ mod tests {
         // Words that are no unit, and lines too short for both.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
         assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);
+    }
+
+    #[test]
+    fn a_text_is_clipped_to_its_columns() {
+        assert_eq!(clipped("ants", 4), "ants");
+        assert_eq!(clipped("anteaters", 6), "ante..");
+        for columns in 0..9 {
+            assert!(width(&clipped("蟻蟻蟻蟻蟻", columns)) <= columns);
+        }
     }
 
     #[test]

@@ -11,20 +11,20 @@ pub static ALWAYS_SQUARE: Misconception = Misconception {
     name: "always 90°",
     advice: "In the lab, set a right angle with equal masses, then change one mass or e and \
              watch it open or close.",
-    predicts: |question| {
-        let alpha = question.alpha().abs();
-        (!question.head_on()).then(|| Prediction {
-            rays: on_usual_sides(question, FRAC_PI_2 - alpha, alpha),
+    predicts: |hit| {
+        let alpha = hit.alpha().abs();
+        (!hit.head_on()).then(|| Prediction {
+            rays: on_usual_sides(hit, FRAC_PI_2 - alpha, alpha),
             telltale: None,
         })
     },
-    says: |question, _| {
-        let reason = if question.restitution < 1.0 {
+    says: |hit| {
+        let reason = if hit.restitution < 1.0 {
             "with energy lost"
         } else {
             "with unequal masses"
         };
-        let alpha = question.alpha().abs();
+        let alpha = hit.alpha().abs();
         format!(
             "You opened a right angle, {} + {}. That is not so {reason}.",
             words::bare_degrees(FRAC_PI_2 - alpha),

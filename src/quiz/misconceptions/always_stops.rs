@@ -8,14 +8,14 @@ pub static ALWAYS_STOPS: Misconception = Misconception {
     id: "always-stops",
     name: "the striker always stops",
     advice: "In the lab, hit head-on with a heavier striker and then with a lighter one.",
-    predicts: |question| {
-        question.head_on().then(|| Prediction {
+    predicts: |hit| {
+        hit.head_on().then(|| Prediction {
             rays: Rays {
                 striker: None,
-                ..question.truth()
+                ..hit.truth()
             },
             telltale: Some(Ray::Striker),
         })
     },
-    says: |_, _| "You stopped the striker. That takes equal masses and no loss.".into(),
+    says: |_| "You stopped the striker. That takes equal masses and no loss.".into(),
 };

@@ -9,18 +9,18 @@ pub static COPIED_ANGLE: Misconception = Misconception {
     name: "the angle was copied",
     advice: "In the lab, step the offset and watch both angles: as the coin's grows, the \
              striker's shrinks.",
-    predicts: |question| {
-        let alpha = question.alpha().abs();
-        (!question.head_on()).then(|| Prediction {
-            rays: on_usual_sides(question, alpha, alpha),
+    predicts: |hit| {
+        let alpha = hit.alpha().abs();
+        (!hit.head_on()).then(|| Prediction {
+            rays: on_usual_sides(hit, alpha, alpha),
             telltale: Some(Ray::Striker),
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "You sent the striker off at the impact angle, {}. That is the {}'s angle.",
-            words::degrees(question.alpha().abs()),
-            question.pieces.target_name()
+            words::degrees(hit.alpha().abs()),
+            hit.pieces.target_name()
         )
     },
 };

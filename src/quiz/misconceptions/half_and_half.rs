@@ -10,13 +10,13 @@ pub static HALF_AND_HALF: Misconception = Misconception {
     name: "half and half",
     advice: "In the lab, move the offset from 0 to a graze: equal pieces share evenly at one \
              place alone.",
-    predicts: |question| {
+    predicts: |hit| {
         Some(Prediction {
-            rays: on_usual_sides(question, FRAC_PI_4, FRAC_PI_4),
+            rays: on_usual_sides(hit, FRAC_PI_4, FRAC_PI_4),
             telltale: None,
         })
     },
-    says: |_, _| {
+    says: |_| {
         "You gave each of them 45°. But they do not share evenly: where they touch decides.".into()
     },
 };

@@ -11,12 +11,12 @@ pub static HEAVY_UNMOVED: Misconception = Misconception {
     name: "the heavier is not moved",
     advice: "In the lab, make one piece ten times as heavy as the other and look closely: it \
              still turns, a little.",
-    predicts: |question| {
-        let alpha = question.alpha().abs();
-        let ratio = question.mass_ratio();
+    predicts: |hit| {
+        let alpha = hit.alpha().abs();
+        let ratio = hit.mass_ratio();
         if ratio > 1.0 {
             Some(Prediction {
-                rays: on_usual_sides(question, 0.0, alpha),
+                rays: on_usual_sides(hit, 0.0, alpha),
                 telltale: Some(Ray::Striker),
             })
         } else if ratio < 1.0 {
@@ -24,7 +24,7 @@ pub static HEAVY_UNMOVED: Misconception = Misconception {
             Some(Prediction {
                 rays: Rays {
                     target: None,
-                    ..on_usual_sides(question, PI - 2.0 * alpha, 0.0)
+                    ..on_usual_sides(hit, PI - 2.0 * alpha, 0.0)
                 },
                 telltale: Some(Ray::Target),
             })
@@ -32,8 +32,8 @@ pub static HEAVY_UNMOVED: Misconception = Misconception {
             None
         }
     },
-    says: |question, _| {
-        if question.mass_ratio() > 1.0 {
+    says: |hit| {
+        if hit.mass_ratio() > 1.0 {
             "You let the heavy striker go straight on. But the push that moves the coin pushes \
              the striker back as hard."
                 .into()

@@ -10,22 +10,22 @@ pub static LOSSLESS: Misconception = Misconception {
     id: "lossless",
     name: "the loss was forgotten",
     advice: "In the lab, turn e down from 1 and watch the striker's ray alone.",
-    predicts: |question| {
-        let unequal = (question.mass_ratio() - 1.0).abs() > 0.0;
+    predicts: |hit| {
+        let unequal = (hit.mass_ratio() - 1.0).abs() > 0.0;
         let lossless = Collision {
             restitution: 1.0,
-            ..question.collision()
+            ..hit.collision()
         };
         unequal.then(|| Prediction {
             rays: Rays::from(&lossless.outcome()),
             telltale: None,
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "Your angles are those without loss. With e = {} the two part more slowly along \
              the line of impact.",
-            words::significant(question.restitution)
+            words::significant(hit.restitution)
         )
     },
 };

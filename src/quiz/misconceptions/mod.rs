@@ -1,14 +1,15 @@
-//! What students are known to believe about glancing hits, one file a belief.
+//! What students are known to believe about hits, one file a belief where it says
+//! where both discs will go, and all others in the catalogue.
 //!
-//! Each misconception says where it would send the two discs of a question.
-//! [`diagnose`] compares an answer with all of them. A question is only asked if
-//! it [tells them apart](is_clear): then no two of them, and none and the truth,
-//! lie so close that an answer could fit both.
+//! A misconception that predicts rays does so for any [`Hit`]; a family of questions
+//! that asks for something else says itself what a misconception would answer. A
+//! question is only asked if it tells them apart: then no two of them, and none and
+//! the truth, lie so close that an answer could fit both.
 
 mod always_square;
 mod always_stops;
+pub mod catalogue;
 mod copied_angle;
-mod diagnosis;
 mod half_and_half;
 mod heavy_unmoved;
 mod lossless;
@@ -22,18 +23,21 @@ mod swapped;
 
 use std::fmt;
 
-use crate::physics::units::rad_from_deg;
+use super::{Hit, Ray, Rays};
 
-use super::{Question, Ray, Rays};
-
-pub use diagnosis::{Diagnosis, Fit, diagnose};
-
-/// Up to this far from what a misconception predicts, a ray fits it, in degrees.
-pub const FIT_DEG: f64 = 4.0;
-
-/// Predictions nearer to each other than this cannot be told apart, in degrees;
-/// more than twice [`FIT_DEG`], so that no answer fits two.
-pub const CLEAR_DEG: f64 = 8.25;
+pub use always_square::ALWAYS_SQUARE;
+pub use always_stops::ALWAYS_STOPS;
+pub use copied_angle::COPIED_ANGLE;
+pub use half_and_half::HALF_AND_HALF;
+pub use heavy_unmoved::HEAVY_UNMOVED;
+pub use lossless::LOSSLESS;
+pub use off_a_wall::OFF_A_WALL;
+pub use offset_as_angle::OFFSET_AS_ANGLE;
+pub use pushed_ahead::PUSHED_AHEAD;
+pub use same_side::SAME_SIDE;
+pub use sides_exchanged::SIDES_EXCHANGED;
+pub use straight_on::STRAIGHT_ON;
+pub use swapped::SWAPPED;
 
 /// A prediction that differs from the truth by less is the truth, in radians.
 const SAME: f64 = 1e-9;
@@ -47,10 +51,9 @@ pub struct Misconception {
     /// What to try next against it.
     pub advice: &'static str,
     /// Where it sends the two; `None` where it has nothing to say.
-    predicts: fn(&Question) -> Option<Prediction>,
-    /// One or two sentences on what is wrong, with the question's and the player's
-    /// own figures.
-    says: fn(&Question, &Rays) -> String,
+    predicts: fn(&Hit) -> Option<Prediction>,
+    /// One or two sentences on what is wrong, on the figures of the hit.
+    says: fn(&Hit) -> String,
 }
 
 /// Where a misconception sends the two.
@@ -63,38 +66,55 @@ pub struct Prediction {
     pub telltale: Option<Ray>,
 }
 
-/// All misconceptions. Where an answer fits two alike, the earlier one is named.
-pub static ALL: [&Misconception; 13] = [
-    &copied_angle::COPIED_ANGLE,
-    &always_square::ALWAYS_SQUARE,
-    &half_and_half::HALF_AND_HALF,
-    &swapped::SWAPPED,
-    &heavy_unmoved::HEAVY_UNMOVED,
-    &straight_on::STRAIGHT_ON,
-    &pushed_ahead::PUSHED_AHEAD,
-    &same_side::SAME_SIDE,
-    &sides_exchanged::SIDES_EXCHANGED,
-    &off_a_wall::OFF_A_WALL,
-    &offset_as_angle::OFFSET_AS_ANGLE,
-    &lossless::LOSSLESS,
-    &always_stops::ALWAYS_STOPS,
+/// The misconceptions that say where both discs of a hit will go. Where an answer fits
+/// two alike, the earlier one is named.
+pub static OF_RAYS: [&Misconception; 13] = [
+    &COPIED_ANGLE,
+    &ALWAYS_SQUARE,
+    &HALF_AND_HALF,
+    &SWAPPED,
+    &HEAVY_UNMOVED,
+    &STRAIGHT_ON,
+    &PUSHED_AHEAD,
+    &SAME_SIDE,
+    &SIDES_EXCHANGED,
+    &OFF_A_WALL,
+    &OFFSET_AS_ANGLE,
+    &LOSSLESS,
+    &ALWAYS_STOPS,
 ];
 
+/// All misconceptions: those of [`OF_RAYS`], then those of the [`catalogue`].
+pub fn all() -> impl Iterator<Item = &'static Misconception> + Clone {
+    OF_RAYS.into_iter().chain(catalogue::ALL)
+}
+
 impl Misconception {
+    /// A misconception that says nothing of where both discs go.
+    const fn in_words(id: &'static str, name: &'static str, advice: &'static str) -> Self {
+        Self {
+            id,
+            name,
+            advice,
+            predicts: |_| None,
+            says: |_| String::new(),
+        }
+    }
+
     /// The misconception of an `id`.
     pub fn with_id(id: &str) -> Option<&'static Self> {
-        ALL.into_iter().find(|misconception| misconception.id == id)
+        all().find(|misconception| misconception.id == id)
     }
 
-    /// Where it sends the two in this question; `None` where it has nothing to say
-    /// or happens to be right.
-    pub fn predict(&self, question: &Question) -> Option<Prediction> {
-        (self.predicts)(question).filter(|prediction| prediction.rays.gap(&question.truth()) > SAME)
+    /// Where it sends the two of a hit; `None` where it has nothing to say or happens
+    /// to be right.
+    pub fn predict(&self, hit: &Hit) -> Option<Prediction> {
+        (self.predicts)(hit).filter(|prediction| prediction.rays.gap(&hit.truth()) > SAME)
     }
 
-    /// What is wrong, in one or two sentences on the player's own figures.
-    pub fn say(&self, question: &Question, said: &Rays) -> String {
-        (self.says)(question, said)
+    /// What is wrong with its rays, in one or two sentences.
+    pub fn say(&self, hit: &Hit) -> String {
+        (self.says)(hit)
     }
 }
 
@@ -112,25 +132,10 @@ impl fmt::Debug for Misconception {
     }
 }
 
-/// Whether the truth and all that the misconceptions predict for this question are
-/// far enough apart to tell from an answer which of them it follows.
-pub fn is_clear(question: &Question) -> bool {
-    let clear = rad_from_deg(CLEAR_DEG);
-    let mut rays: Vec<Rays> = ALL
-        .into_iter()
-        .filter_map(|misconception| misconception.predict(question))
-        .map(|prediction| prediction.rays)
-        .collect();
-    rays.push(question.truth());
-    rays.iter()
-        .enumerate()
-        .all(|(i, a)| rays.iter().skip(i + 1).all(|b| a.gap(b) > clear))
-}
-
 /// A prediction on the usual sides: the striker away from the target, the target
 /// towards its own side, both by these angles in radians.
-fn on_usual_sides(question: &Question, theta1: f64, theta2: f64) -> Rays {
-    let side = question.side();
+fn on_usual_sides(hit: &Hit, theta1: f64, theta2: f64) -> Rays {
+    let side = hit.side();
     Rays::new(side * theta1, side * theta2)
 }
 
@@ -138,9 +143,10 @@ fn on_usual_sides(question: &Question, theta1: f64, theta2: f64) -> Rays {
 mod tests {
     use super::super::{Given, Pieces};
     use super::*;
+    use crate::physics::units::rad_from_deg;
 
-    fn question(pieces: Pieces, given: Given, restitution: f64) -> Question {
-        Question {
+    fn hit(pieces: Pieces, given: Given, restitution: f64) -> Hit {
+        Hit {
             pieces,
             given,
             restitution,
@@ -154,14 +160,14 @@ mod tests {
     fn predictions_in_degrees() {
         let still = f64::NAN;
         let angle = |alpha_deg| Given::Angle { alpha_deg };
-        let equal = question(Pieces::Equal, angle(30.0), 1.0);
-        let to_the_left = question(Pieces::Equal, angle(-30.0), 1.0);
-        let tournament = question(Pieces::Tournament, angle(30.0), 1.0);
-        let marbles = question(Pieces::Marbles, angle(30.0), 1.0);
-        let lossy = question(Pieces::Marbles, angle(45.0), 0.8);
-        let offset = question(Pieces::Equal, Given::Offset { offset_mm: 10.0 }, 1.0);
-        let head_on = question(Pieces::Tournament, angle(0.0), 1.0);
-        for (id, question, theta1_deg, theta2_deg) in [
+        let equal = hit(Pieces::Equal, angle(30.0), 1.0);
+        let to_the_left = hit(Pieces::Equal, angle(-30.0), 1.0);
+        let tournament = hit(Pieces::Tournament, angle(30.0), 1.0);
+        let marbles = hit(Pieces::Marbles, angle(30.0), 1.0);
+        let lossy = hit(Pieces::Marbles, angle(45.0), 0.8);
+        let offset = hit(Pieces::Equal, Given::Offset { offset_mm: 10.0 }, 1.0);
+        let head_on = hit(Pieces::Tournament, angle(0.0), 1.0);
+        for (id, hit, theta1_deg, theta2_deg) in [
             ("copied-angle", equal, 30.0, 30.0),
             ("copied-angle", to_the_left, -30.0, -30.0),
             ("always-square", tournament, 60.0, 30.0),
@@ -184,25 +190,25 @@ mod tests {
                 target: angle(theta2_deg),
             };
             let misconception = Misconception::with_id(id).unwrap();
-            let found = misconception.predict(&question).unwrap().rays;
+            let found = misconception.predict(&hit).unwrap().rays;
             assert!(found.gap(&expected) < 1e-12, "{id}: {found:?}");
         }
     }
 
     #[test]
     fn what_is_true_is_no_misconception() {
-        let equal = question(Pieces::Equal, Given::Angle { alpha_deg: 30.0 }, 1.0);
+        let equal = hit(Pieces::Equal, Given::Angle { alpha_deg: 30.0 }, 1.0);
         // m1 = e m2 opens a right angle again.
-        let half = question(Pieces::Marbles, Given::Angle { alpha_deg: 30.0 }, 0.5);
-        for question in [equal, half] {
-            assert_eq!(always_square::ALWAYS_SQUARE.predict(&question), None);
+        let half = hit(Pieces::Marbles, Given::Angle { alpha_deg: 30.0 }, 0.5);
+        for hit in [equal, half] {
+            assert_eq!(ALWAYS_SQUARE.predict(&hit), None);
         }
     }
 
     #[test]
     fn no_two_share_an_id_or_a_name() {
-        for (i, a) in ALL.into_iter().enumerate() {
-            for b in ALL.into_iter().skip(i + 1) {
+        for (i, a) in all().enumerate() {
+            for b in all().skip(i + 1) {
                 assert!(a.id != b.id && a.name != b.name);
             }
             assert_eq!(Misconception::with_id(a.id), Some(a));

@@ -11,18 +11,18 @@ pub static OFF_A_WALL: Misconception = Misconception {
     name: "bounced as off a wall",
     advice: "In the lab, make the target heavier and heavier: only then does the striker bounce \
              as off a wall.",
-    predicts: |question| {
-        let alpha = question.alpha().abs();
+    predicts: |hit| {
+        let alpha = hit.alpha().abs();
         Some(Prediction {
-            rays: on_usual_sides(question, PI - 2.0 * alpha, alpha),
+            rays: on_usual_sides(hit, PI - 2.0 * alpha, alpha),
             telltale: Some(Ray::Striker),
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "You bounced the striker by {}, as off a wall. But the {} gives way.",
-            words::degrees(PI - 2.0 * question.alpha().abs()),
-            question.pieces.target_name()
+            words::degrees(PI - 2.0 * hit.alpha().abs()),
+            hit.pieces.target_name()
         )
     },
 };

@@ -11,19 +11,19 @@ pub static OFFSET_AS_ANGLE: Misconception = Misconception {
     id: "offset-as-angle",
     name: "the offset read as an angle",
     advice: "In the lab, set half the largest offset and read the impact angle: 30°, not 45°.",
-    predicts: |question| match question.given {
+    predicts: |hit| match hit.given {
         Given::Angle { .. } => None,
         Given::Offset { offset_mm } => {
-            let alpha = FRAC_PI_2 * offset_mm / question.reach_mm();
-            let outcome = question.collision().with_alpha(alpha).outcome();
+            let alpha = FRAC_PI_2 * offset_mm / hit.reach_mm();
+            let outcome = hit.collision().with_alpha(alpha).outcome();
             Some(Prediction {
                 rays: Rays::from(&outcome),
                 telltale: None,
             })
         }
     },
-    says: |question, _| {
-        let alpha = FRAC_PI_2 * question.alpha().sin().abs();
+    says: |hit| {
+        let alpha = FRAC_PI_2 * hit.alpha().sin().abs();
         format!(
             "You took the offset as a share of 90° and found {}. It gives the sine of the \
              angle.",

@@ -10,20 +10,20 @@ pub static PUSHED_AHEAD: Misconception = Misconception {
     name: "pushed straight ahead",
     advice: "In the lab, switch on the line of impact and see the coin leave along it every \
              time.",
-    predicts: |question| {
+    predicts: |hit| {
         Some(Prediction {
             rays: Rays {
                 target: Some(0.0),
-                ..question.truth()
+                ..hit.truth()
             },
             telltale: Some(Ray::Target),
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "You sent the {} straight ahead. But smooth discs push only along the line through \
              their centres.",
-            question.pieces.target_name()
+            hit.pieces.target_name()
         )
     },
 };

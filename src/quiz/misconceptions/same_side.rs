@@ -9,8 +9,8 @@ pub static SAME_SIDE: Misconception = Misconception {
     name: "both to one side",
     advice: "Before you answer, ask what moves sideways before the hit. Nothing: so afterwards \
              the two must balance.",
-    predicts: |question| {
-        let truth = question.truth();
+    predicts: |hit| {
+        let truth = hit.truth();
         Some(Prediction {
             rays: Rays {
                 striker: truth.striker.map(|theta1| -theta1),
@@ -19,11 +19,11 @@ pub static SAME_SIDE: Misconception = Misconception {
             telltale: None,
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "You sent both to the {}. Nothing moved sideways before, so sideways the two must \
              balance.",
-            question.side_name()
+            hit.side_name()
         )
     },
 };

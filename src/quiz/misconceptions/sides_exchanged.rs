@@ -9,8 +9,8 @@ pub static SIDES_EXCHANGED: Misconception = Misconception {
     name: "left and right exchanged",
     advice: "Look along the striker's path, as if you rode on it, and say first on which side \
              the coin lies.",
-    predicts: |question| {
-        let truth = question.truth();
+    predicts: |hit| {
+        let truth = hit.truth();
         Some(Prediction {
             rays: Rays {
                 striker: truth.striker.map(|theta1| -theta1),
@@ -19,12 +19,12 @@ pub static SIDES_EXCHANGED: Misconception = Misconception {
             telltale: None,
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "Your figures are right, on the wrong sides. The {} lies to the {side}, so it \
              goes to the {side}.",
-            question.pieces.target_name(),
-            side = question.side_name()
+            hit.pieces.target_name(),
+            side = hit.side_name()
         )
     },
 };

@@ -10,17 +10,17 @@ pub static STRAIGHT_ON: Misconception = Misconception {
     name: "the striker goes straight on",
     advice: "In the lab, watch the striker alone: only a hit that barely grazes leaves it on \
              its path.",
-    predicts: |question| {
-        (question.mass_ratio() <= 1.0).then(|| Prediction {
-            rays: on_usual_sides(question, 0.0, question.alpha().abs()),
+    predicts: |hit| {
+        (hit.mass_ratio() <= 1.0).then(|| Prediction {
+            rays: on_usual_sides(hit, 0.0, hit.alpha().abs()),
             telltale: Some(Ray::Striker),
         })
     },
-    says: |question, _| {
+    says: |hit| {
         format!(
             "You let the striker go straight on. But it pushes the {name}, and the {name} \
              pushes it back as hard.",
-            name = question.pieces.target_name()
+            name = hit.pieces.target_name()
         )
     },
 };

@@ -8,8 +8,8 @@ pub static SWAPPED: Misconception = Misconception {
     id: "swapped",
     name: "the two were swapped",
     advice: "Before you answer, find the line through the two centres: it is the coin's way out.",
-    predicts: |question| {
-        let truth = question.truth();
+    predicts: |hit| {
+        let truth = hit.truth();
         Some(Prediction {
             rays: Rays {
                 striker: truth.target,
@@ -18,13 +18,13 @@ pub static SWAPPED: Misconception = Misconception {
             telltale: None,
         })
     },
-    says: |question, _| {
-        let name = question.pieces.target_name();
-        match question.truth() {
+    says: |hit| {
+        let name = hit.pieces.target_name();
+        match hit.truth() {
             Rays {
                 striker: Some(theta1),
                 target: Some(theta2),
-            } if !question.head_on() => format!(
+            } if !hit.head_on() => format!(
                 "Your figures are right, but swapped: {} is the {name}'s, {} the striker's.",
                 words::degrees(theta2.abs()),
                 words::degrees(theta1.abs())

@@ -12,6 +12,7 @@ use crate::beams::{Law, Target};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::tracks::draw_way;
 use crate::widgets::{Lines, Look, Role};
 
 /// Half the height of the picture of a nucleus, in fm.
@@ -157,25 +158,17 @@ fn draw_particle(setup: &Setup, sheet: &mut Sheet, reach: f64) {
     let straight = Pen::new(Role::Aim).dashed();
     let from = set.nearest.map_or(0.0, |nearest| nearest.x.max(-reach));
     sheet.line(dvec2(from, offset), dvec2(reach, offset), straight);
-    sheet.polyline(set.points.iter().copied(), pen);
-    let shown = |at: &DVec2| sheet.view().cell_at(*at).is_some();
-    let Some(tip) = exit(&set.points, shown) else {
+    let Some((tip, direction)) = draw_way(sheet, &set.points, pen) else {
         return;
     };
-    let tail = tip.1 - (tip.1 - tip.0).normalize_or_zero() * 6.0 * sheet.view().per_column();
-    sheet.arrow(tail, tip.1, pen);
     let left = sheet.view().world_at(sheet.view().area().x + 1, 0).x;
     let (unit, decimals) = match setup.obstacle {
         Obstacle::Hard => ("R", 2),
         Obstacle::Nucleus => ("fm", 1),
     };
     let angle = format!("Θ = {:.1}°", set.angle.to_degrees());
-    sheet.label(
-        &angle,
-        tip.1,
-        &Side::towards(tip.1 - tip.0),
-        Role::StrikerOut,
-    );
+    let sides = Side::towards(direction);
+    sheet.label(&angle, tip, &sides, Role::StrikerOut);
     let text = format!("b = {:.decimals$} {unit}", offset.abs());
     let sides = if offset < 0.0 {
         [Side::BelowRight, Side::AboveRight]
@@ -192,16 +185,6 @@ fn draw_particle(setup: &Setup, sheet: &mut Sheet, reach: f64) {
             Role::Text,
         );
     }
-}
-
-/// The last piece of a path that is shown: where it comes from, and its last point shown.
-fn exit(points: &[DVec2], shown: impl Fn(&DVec2) -> bool) -> Option<(DVec2, DVec2)> {
-    // Long straight pieces are gone along in small steps.
-    let steps = points.windows(2).flat_map(|pair| {
-        let (from, to) = (pair[0], pair[1]);
-        (0..200).map(move |i| (from, from.lerp(to, f64::from(i + 1) / 200.0)))
-    });
-    steps.filter(|(_, at)| shown(at)).last()
 }
 
 /// Writes what stands below the settings.

@@ -60,8 +60,8 @@ const CHOICES: [Choice; 7] = [
     Choice {
         key: 'z',
         name: "Quiz",
-        about: "ten hits to predict",
-        place: Place::Quiz { seed: None },
+        about: "find out what you know",
+        place: Place::Quiz { code: None },
     },
     Choice {
         key: 't',
@@ -101,7 +101,7 @@ impl Screen for Home {
             }
             Input::Key(Key::Down | Key::Tab) => self.chosen = (self.chosen + 1) % CHOICES.len(),
             Input::Key(Key::Enter | Key::Char(' ')) => {
-                return Next::Open(CHOICES[self.chosen].place);
+                return Next::Open(CHOICES[self.chosen].place.clone());
             }
             Input::Key(Key::Char('q')) => return Next::Quit,
             // Nothing lies behind the first screen; leaving it takes a plain Q.
@@ -111,12 +111,12 @@ impl Screen for Home {
                     return Next::Ignored;
                 };
                 self.chosen = i;
-                return Next::Open(CHOICES[i].place);
+                return Next::Open(CHOICES[i].place.clone());
             }
             Input::Mouse(mouse) if mouse.kind == MouseKind::Down => {
                 if let Some(i) = view::choice_at(cx.body, mouse.column, mouse.row) {
                     self.chosen = i;
-                    return Next::Open(CHOICES[i].place);
+                    return Next::Open(CHOICES[i].place.clone());
                 }
             }
             _ => return Next::Ignored,

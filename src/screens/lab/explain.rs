@@ -2,8 +2,8 @@
 
 use super::Setup;
 use crate::physics::{Bond, Meeting};
-use crate::quiz::{self, Answer, Confidence};
-use crate::screens::why::both_moving;
+use crate::quiz;
+use crate::screens::why::{both_moving, of_hit};
 use crate::widgets::hit::Watch;
 
 /// A title and a text for the panel.
@@ -30,13 +30,8 @@ pub(in crate::screens) fn explain(setup: &Setup, watch: &Watch) -> (String, Stri
         )),
         Meeting::Hit => match watch.said() {
             Some(said) => {
-                let question = setup.question();
-                let answer = Answer {
-                    rays: *said,
-                    confidence: Confidence::ThinkSo,
-                };
-                let explanation = quiz::explain(&question, &answer);
-                (explanation.title.into(), explanation.text)
+                let (title, text) = of_hit(&setup.question(), *said);
+                (title.into(), text)
             }
             None => plain(quiz::reasoning(&setup.question())),
         },

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::physics::angle::unit_vector;
 use crate::physics::{Bond, Collision, Disc};
-use crate::quiz::{Given, Pieces, Question};
+use crate::quiz::{Given, Hit, Pieces};
 
 /// A named pair of discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,9 +140,9 @@ impl Setup {
     }
 
     /// The question this poses, where the target is at rest and the discs slip.
-    pub fn question(&self) -> Question {
+    pub fn question(&self) -> Hit {
         let collision = self.collision();
-        Question {
+        Hit {
             pieces: Pieces::Own {
                 striker: collision.striker,
                 target: collision.target,

@@ -25,6 +25,7 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let given = Given {
         offset: true,
         angle: true,
+        figures: true,
     };
     match &lab.phase {
         Phase::Aim => {

@@ -3,9 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Answer;
 use super::reading::Reading;
-use crate::lessons::{Asked, Block, Chapter, Fault, Page};
+use crate::lessons::{Answer, Asked, Block, Chapter, Fault, Page};
 use crate::quiz::Rays;
 use crate::screens::{Context, Screen, Settings};
 use crate::widgets::{Beside, Charset, formula, text};

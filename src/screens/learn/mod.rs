@@ -1,6 +1,5 @@
 //! Learn: the contents, and a chapter being read.
 
-mod answer;
 mod check;
 mod contents;
 mod figure;
@@ -9,8 +8,8 @@ mod question;
 mod reading;
 mod record;
 
-pub use answer::Answer;
 pub use check::check;
 pub use contents::Contents;
 pub use figure::{FigureError, draw_figure};
 pub use reading::Reading;
+pub use record::attempt;

@@ -1,8 +1,7 @@
 //! A question being answered.
 
-use super::answer::{Answer, sign_and_unit};
 use super::prose;
-use crate::lessons::{Asked, Checkpoint};
+use crate::lessons::{Answer, Asked, Checkpoint};
 use crate::messages::Key;
 use crate::physics::Collision;
 use crate::widgets::hit::side;
@@ -19,12 +18,12 @@ pub(super) enum Question {
     Choice(usize, usize),
 }
 
-/// What a key meant to a [`Question`].
-pub(super) enum Given {
+/// What a key said to a [`Question`].
+pub(super) enum Said {
     /// Nothing: it is somebody else's key.
-    Ignored,
-    /// The answer is being made.
-    Making,
+    Nothing,
+    /// A part of the answer.
+    Part,
     /// This is the answer.
     Answer(Answer),
 }
@@ -48,40 +47,40 @@ impl Question {
     }
 
     /// Takes a key.
-    pub(super) fn update(&mut self, key: Key) -> Given {
+    pub(super) fn update(&mut self, key: Key) -> Said {
         match self {
             // The other ray is chosen by Enter; Tab goes to the figure.
-            Self::Rays(_) if matches!(key, Key::Tab | Key::BackTab) => Given::Ignored,
+            Self::Rays(_) if matches!(key, Key::Tab | Key::BackTab) => Said::Nothing,
             Self::Rays(rays) => match rays.update(key) {
-                Turned::Ignored => Given::Ignored,
-                Turned::Turning => Given::Making,
-                Turned::Done => Given::Answer(Answer::Rays(rays.said())),
+                Turned::Ignored => Said::Nothing,
+                Turned::Turning => Said::Part,
+                Turned::Done => Said::Answer(Answer::Rays(rays.said())),
             },
             Self::Number(entry) => match entry.update(key) {
-                Typed::Ignored => Given::Ignored,
-                Typed::Editing => Given::Making,
-                Typed::Entered(number) => Given::Answer(Answer::Number(number)),
+                Typed::Ignored => Said::Nothing,
+                Typed::Editing => Said::Part,
+                Typed::Entered(number) => Said::Answer(Answer::Number(number)),
             },
             Self::Choice(chosen, count) => match key {
                 Key::Up => Self::step(chosen, *count - 1, *count),
                 Key::Down => Self::step(chosen, 1, *count),
-                Key::Enter => Given::Answer(Answer::Choice(*chosen)),
+                Key::Enter => Said::Answer(Answer::Choice(*chosen)),
                 Key::Char(digit @ '1'..='9') => {
                     let line = usize::from(digit as u8 - b'1');
                     if line >= *count {
-                        return Given::Ignored;
+                        return Said::Nothing;
                     }
                     *chosen = line;
-                    Given::Making
+                    Said::Part
                 }
-                _ => Given::Ignored,
+                _ => Said::Nothing,
             },
         }
     }
 
-    fn step(chosen: &mut usize, by: usize, count: usize) -> Given {
+    fn step(chosen: &mut usize, by: usize, count: usize) -> Said {
         *chosen = (*chosen + by) % count.max(1);
-        Given::Making
+        Said::Part
     }
 
     /// Chooses a line by hand; says whether it was chosen already.
@@ -103,7 +102,7 @@ impl Question {
         match (self, &checkpoint.asked) {
             (Self::Rays(rays), _) => rays.write(lines, "coin"),
             (Self::Number(entry), Asked::Number { expected, .. }) => {
-                let (sign, unit) = sign_and_unit(expected);
+                let (sign, unit) = expected.sign_and_unit();
                 let shown = format!("{}_ {unit}", entry.text());
                 lines.pair(
                     &format!("> {sign} ="),

@@ -2,17 +2,15 @@
 
 use serde_json::{Value, json};
 
-use super::Answer;
-use super::answer::{sign_and_unit, truth};
-use crate::lessons::{Asked, Chapter, Checkpoint};
+use crate::lessons::{Answer, Asked, Chapter, Checkpoint};
 use crate::physics::Collision;
 use crate::physics::units::deg_from_rad;
-use crate::progress::{Attempt, LESSON, angles};
+use crate::progress::{Attempt, LESSON};
 use crate::quiz::{Ray, Rays};
 
 /// An answer to the checkpoint of page `at` (from 0), marked; `figure` is the collision
 /// as the page's figure has it.
-pub(super) fn attempt(
+pub fn attempt(
     player: &str,
     chapter: &Chapter,
     at: usize,
@@ -31,7 +29,7 @@ pub(super) fn attempt(
         seed: 0,
         number,
         question: question.to_string(),
-        answer: said(answer).to_string(),
+        answer: answer.json().to_string(),
         truth: truth.to_string(),
         error_deg: error_deg(answer, &checkpoint.asked, figure),
         credit: answer.credit(checkpoint, figure),
@@ -41,24 +39,16 @@ pub(super) fn attempt(
     }
 }
 
-fn said(answer: &Answer) -> Value {
-    match answer {
-        Answer::Rays(rays) => angles(rays),
-        Answer::Number(number) => json!({"number": number}),
-        Answer::Choice(line) => json!({"choice": line + 1}),
-    }
-}
-
 /// How the answer is given, and the right one.
 fn truly(asked: &Asked, figure: Option<&Collision>) -> (&'static str, Value) {
     match asked {
         Asked::Rays => (
             "rays",
-            true_rays(figure).map_or(Value::Null, |rays| angles(&rays)),
+            true_rays(figure).map_or(Value::Null, |rays| rays.json()),
         ),
         Asked::Number { expected, .. } => {
-            let (_, unit) = sign_and_unit(expected);
-            let number = truth(expected, figure);
+            let (_, unit) = expected.sign_and_unit();
+            let number = expected.value(figure);
             ("number", json!({"number": number, "unit": unit}))
         }
         Asked::Choice(choices) => {
@@ -85,8 +75,8 @@ fn error_deg(answer: &Answer, asked: &Asked, figure: Option<&Collision>) -> Opti
                 .map(deg_from_rad)
         }
         (Answer::Number(number), Asked::Number { expected, .. }) => {
-            let (_, unit) = sign_and_unit(expected);
-            let error = (number - truth(expected, figure)?).abs();
+            let (_, unit) = expected.sign_and_unit();
+            let error = (number - expected.value(figure)?).abs();
             (unit == "°").then_some(error)
         }
         _ => None,

@@ -1,30 +1,35 @@
 //! The panel beside the quiz's picture: the question, how sure one is, the answer
 //! and why.
 
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Asked, Watched};
 use crate::quiz::words::bare_degrees;
-use crate::quiz::{Confidence, Grade, Ray, explain};
+use crate::quiz::{Confidence, Form, Grade, Ray, RaysGrade, Said, explain, letter};
 use crate::widgets::bar::bar;
-use crate::widgets::hit::degrees;
-use crate::widgets::{Charset, Lines, RayInput, Role, brief};
+use crate::widgets::hit::{Watch, degrees};
+use crate::widgets::{AnswerInput, Charset, Lines, Look, Role, brief};
 
-/// The question, and the rays being turned.
-pub(super) fn rays(asked: &Asked, lines: &mut Lines) {
-    let question = asked.question.text();
-    let target = asked.question.pieces.target_name();
-    let about = asked.rays.about(target);
-    let next = match asked.rays.turning() {
-        Ray::Striker => format!("Enter: then the {target}."),
-        Ray::Target => "Enter: then how sure.".into(),
+/// The question, and what is being said to it.
+pub(super) fn asked(asked: &Asked, lines: &mut Lines) {
+    let form = &asked.question.form;
+    let about = asked.input.about(form);
+    let next = match (&asked.input, form) {
+        (AnswerInput::Rays(rays), Form::Rays { target, .. }) if rays.turning() == Ray::Striker => {
+            format!("Enter: then the {target}.")
+        }
+        _ => "Enter: then how sure.".into(),
     };
-    let mut spare = lines.spare(lines.rows_of(&question) + 1 + RAYS);
+    let head = head_rows(asked, lines);
+    let left = lines.left().saturating_sub(head);
+    let needed = head + AnswerInput::rows(form, lines, left);
+    let mut spare = lines.spare(needed);
     let about = spare.take(lines.rows_of(&about) + 1).then_some(about);
     let next = spare.take(lines.rows_of(&next) + 1).then_some(next);
-    lines.paragraph(&question, Role::Text);
+    lines.paragraph(&asked.question.text, Role::Text);
     lines.gap();
-    asked.rays.write(lines, target);
+    asked.input.write(form, lines);
     for (text, role) in [(about, Role::Dim), (next, Role::Key)] {
         if let Some(text) = text {
             lines.gap();
@@ -33,13 +38,35 @@ pub(super) fn rays(asked: &Asked, lines: &mut Lines) {
     }
 }
 
-/// Rows of both rays.
-const RAYS: u16 = 2;
+/// Rows above the answer.
+fn head_rows(asked: &Asked, lines: &Lines) -> u16 {
+    lines.rows_of(&asked.question.text) + 1
+}
+
+/// The choice whose rows are at a cell of the panel, which is scrolled by so many rows.
+pub(super) fn choice_at(
+    asked: &Asked,
+    panel: Rect,
+    scrolled: u16,
+    (column, row): (u16, u16),
+    look: Look,
+) -> Option<usize> {
+    if !panel.contains((column, row).into()) {
+        return None;
+    }
+    let mut scratch = Buffer::empty(panel);
+    let lines = Lines::new(panel, &mut scratch, look);
+    let head = head_rows(asked, &lines);
+    let row = (row - panel.y + scrolled).checked_sub(head)?;
+    let left = panel.height.saturating_sub(head);
+    AnswerInput::choice_at(&asked.question.form, &lines, left, row)
+}
+
 /// Row of the first confidence, from the top of the text.
 const FIRST_CONFIDENCE: u16 = 2;
 
 /// How sure one is, what that may bring, and what one is to be sure of.
-pub(super) fn confidence(asked: &Asked, chosen: Confidence, lines: &mut Lines) {
+pub(super) fn confidence(asked: &Asked, chosen: Confidence, told_at_end: bool, lines: &mut Lines) {
     lines.line("How sure are you?", Role::Title);
     let head = |text| (text, Role::Dim);
     lines.columns(head("points if"), ["wrong", "right"].map(head));
@@ -58,7 +85,7 @@ pub(super) fn confidence(asked: &Asked, chosen: Confidence, lines: &mut Lines) {
     }
     lines.gap();
     lines.line("You said", Role::Dim);
-    said(&asked.rays, asked.question.pieces.target_name(), lines);
+    said(asked, lines);
     let advice = "Be honest with yourself: that is what brings most points.";
     let mut spare = lines.spare(0);
     if spare.take(lines.rows_of(advice) + 1) {
@@ -67,14 +94,36 @@ pub(super) fn confidence(asked: &Asked, chosen: Confidence, lines: &mut Lines) {
     }
     if spare.take(2) {
         lines.gap();
-        lines.line("Enter: watch what happens.", Role::Key);
+        let next = match asked.question.picture.collision() {
+            _ if told_at_end => "Enter: on to the next.",
+            Some(_) => "Enter: watch what happens.",
+            None => "Enter: see how it is.",
+        };
+        lines.line(next, Role::Key);
     }
 }
 
-fn said(rays: &RayInput, target: &str, lines: &mut Lines) {
-    for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
-        let name = format!("  {name}");
-        lines.pair(&name, &rays.shown(ray), Role::Dim, Role::Predicted);
+fn said(asked: &Asked, lines: &mut Lines) {
+    match (&asked.input, &asked.question.form) {
+        (AnswerInput::Rays(rays), Form::Rays { target, .. }) => {
+            for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, *target)] {
+                let name = format!("  {name}");
+                lines.pair(&name, &rays.shown(ray), Role::Dim, Role::Predicted);
+            }
+        }
+        (input, form) => {
+            if let Some(said) = input.said() {
+                lines.paragraph(&lettered(form, &said), Role::Predicted);
+            }
+        }
+    }
+}
+
+/// An answer in words, a choice with its letter.
+fn lettered(form: &Form, said: &Said) -> String {
+    match said {
+        Said::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
+        _ => form.words(said),
     }
 }
 
@@ -90,28 +139,30 @@ pub(super) fn confidence_at(panel: Rect, (column, row): (u16, u16)) -> Option<Co
 
 /// What the picture is just showing.
 pub(super) fn untold(watched: &Watched, lines: &mut Lines) {
-    let question = watched.question.text();
-    lines.paragraph(&question, Role::Dim);
+    lines.paragraph(&watched.question.text, Role::Dim);
     lines.gap();
-    lines.paragraph(watched.watch.telling(), Role::Text);
+    if let Some(watch) = &watched.watch {
+        lines.paragraph(watch.telling(), Role::Text);
+    }
 }
 
-/// The points, both rays beside the truth, and the one explanation, which comes
+/// The points, the answer beside the truth, and the one explanation, which comes
 /// whole: where there is not room for all, other things give way.
 pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);
     let explanation = explain(question, &watched.answer);
-    let again = question.text();
+    let again = &question.text;
     let title_rows = lines.rows_of(explanation.title);
-    let needed = ANSWERS + title_rows + lines.rows_of(&explanation.text);
+    let answers = answer_rows(watched, lines);
+    let needed = 1 + answers + title_rows + lines.rows_of(&explanation.text);
     let mut spare = lines.spare(needed);
     let credit = spare.take(1);
     let gap = spare.take(1);
     let gap_before = spare.take(1);
     let next = spare.take(2);
-    if spare.take(lines.rows_of(&again) + 1) {
-        lines.paragraph(&again, Role::Dim);
+    if spare.take(lines.rows_of(again) + 1) {
+        lines.paragraph(again, Role::Dim);
         lines.gap();
     }
     points(&grade, lines);
@@ -121,7 +172,7 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
     if gap_before {
         lines.gap();
     }
-    answers(watched, &grade, lines);
+    write_answers(watched, &grade, lines);
     if gap {
         lines.gap();
     }
@@ -129,39 +180,74 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
     lines.paragraph(&explanation.text, Role::Text);
     if next {
         lines.gap();
-        lines.line("Enter: go on.", Role::Key);
+        let next = match watched.opened {
+            _ if watched.remedy.is_some() => "Enter: the shot that does it.",
+            Some(_) => "Enter: back to the list.",
+            None => "Enter: go on.",
+        };
+        lines.line(next, Role::Key);
     }
 }
 
-/// Rows of the points and of [`answers`].
-const ANSWERS: u16 = 4;
-
 fn points(grade: &Grade, lines: &mut Lines) {
     let points = format!("{:.1} of {:.0} points", grade.points() + 0.0, Grade::MOST);
-    let role = if grade.is_right() {
-        Role::Good
-    } else {
-        Role::Text
-    };
+    let role = if grade.right { Role::Good } else { Role::Text };
     lines.pair(&points, grade.confidence.name(), role, Role::Dim);
 }
 
 fn credit_bar(grade: &Grade, lines: &mut Lines, charset: Charset) {
-    let percent = format!("{:.0} %", 100.0 * grade.credit());
+    let percent = format!("{:.0} %", 100.0 * grade.credit);
     // A name of eight columns, five and a blank for the share.
     let width = lines.width().saturating_sub(8 + 1 + 6);
-    let bar = bar(grade.credit(), width, charset);
+    let bar = bar(grade.credit, width, charset);
     lines.pair(&format!("credit  {bar}"), &percent, Role::Text, Role::Text);
 }
 
-fn answers(watched: &Watched, grade: &Grade, lines: &mut Lines) {
-    let collision = watched.watch.collision();
-    let said = degrees(collision, &watched.answer.rays);
-    let truth = degrees(collision, &watched.question.truth());
+/// Rows of [`write_answers`].
+fn answer_rows(watched: &Watched, lines: &Lines) -> u16 {
+    match said_and_truth(watched) {
+        Some([said, truth]) => {
+            lines.rows_of_hanging(YOU, &said) + lines.rows_of_hanging(TRUTH, &truth)
+        }
+        None => 3,
+    }
+}
+
+/// What stands before an answer and before the true one.
+const YOU: &str = "you    ";
+const TRUTH: &str = "truth  ";
+
+/// The answer and the true one in words; `None` for rays of a hit, which make a table.
+fn said_and_truth(watched: &Watched) -> Option<[String; 2]> {
+    let form = &watched.question.form;
+    let both = [watched.answer.said, form.truth()];
+    // Without a hit to be seen, rays have no sides to count from.
+    let table = matches!(form, Form::Rays { .. }) && watched.watch.is_some();
+    (!table).then(|| both.map(|said| lettered(form, &said)))
+}
+
+fn write_answers(watched: &Watched, grade: &Grade, lines: &mut Lines) {
+    if let Some([said, truth]) = said_and_truth(watched) {
+        lines.hanging(YOU, &said, Role::Predicted);
+        lines.hanging(TRUTH, &truth, Role::Good);
+    } else if let (Some(watch), Some(rays)) = (&watched.watch, grade.rays) {
+        ray_table(watched, watch, &rays, lines);
+    }
+}
+
+fn ray_table(watched: &Watched, watch: &Watch, grade: &RaysGrade, lines: &mut Lines) {
+    let (Form::Rays { truth, target, .. }, Said::Rays(said)) =
+        (&watched.question.form, &watched.answer.said)
+    else {
+        return;
+    };
+    let collision = watch.collision();
+    let said = degrees(collision, said);
+    let truth = degrees(collision, truth);
     let off = [grade.striker, grade.target].map(|ray| ray.error.map_or("-".into(), bare_degrees));
     let head = |text| (text, Role::Dim);
     lines.columns(head("degrees"), ["you", "truth", "off"].map(head));
-    let names = ["striker", watched.question.pieces.target_name()];
+    let names = ["striker", target];
     let roles = [Role::StrikerOut, Role::CoinOut];
     for i in 0..2 {
         lines.columns(

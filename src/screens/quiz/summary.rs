@@ -1,15 +1,20 @@
 //! The look back over a round.
 
 use super::Quiz;
-use crate::quiz::{Answer, Confidence, Question, Summary, SummaryLine, explain, words};
-use crate::widgets::hit::degrees;
+use crate::quiz::{
+    Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain, words,
+};
 use crate::widgets::{Lines, Role};
 
-/// Writes the look back: the score, a row a question, how well confidence and answers
-/// went together, and what to try next.
-pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
+/// Writes the look back: the score, a row a question with a mark at the one `at`, how
+/// well confidence and answers went together, and what to try next. Gives the row of
+/// the first question.
+pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
     let summary = quiz.summary();
-    let table = Table::new(lines.width());
+    let answered = quiz.round.questions().iter().zip(&quiz.answers);
+    let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
+    let all_rays = answered.clone().all(|(question, _)| rays(question));
+    let table = Table::new(lines, all_rays);
     let closing = closing(&summary);
     let closing_rows: u16 = closing.iter().map(|text| lines.rows_of(text)).sum();
     let rows = summary.lines.len() as u16;
@@ -17,16 +22,17 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
     let mut spare = lines.spare(lines.rows_of(&score) + HEAD + rows + closing_rows);
     let gap_after = spare.take(1);
     let gap_before = spare.take(1);
-    let friend = spare.take(2);
+    let command = for_a_friend(quiz.round.code());
+    let friend = command.filter(|_| spare.take(2));
     let apart = spare.take(closing.len() as u16 - 1);
     lines.paragraph(&score, Role::Title);
     if gap_before {
         lines.gap();
     }
     table.head(summary.lines.iter().any(missed_surely), lines);
-    let answered = quiz.round.questions().iter().zip(&quiz.answers);
+    let first = lines.written();
     for (i, (line, answered)) in summary.lines.iter().zip(answered).enumerate() {
-        table.row(i + 1, line, answered, lines);
+        table.row((i, i == at), line, answered, lines);
     }
     if gap_after {
         lines.gap();
@@ -37,13 +43,23 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
         }
         lines.paragraph(text, Role::Text);
     }
-    if friend {
-        let code = quiz.round.seed();
+    if let Some(command) = friend {
         lines.gap();
-        lines.line(
-            &format!("The same ten for a friend: carrom quiz --seed {code}"),
-            Role::Dim,
-        );
+        lines.line(&command, Role::Dim);
+    }
+    first
+}
+
+/// How a friend gets the same round; a review is its player's alone.
+fn for_a_friend(code: &Code) -> Option<String> {
+    match code.course.kind {
+        CourseKind::Review(_) => None,
+        CourseKind::Hits => Some(format!(
+            "The same ten for a friend: carrom quiz --seed {code}"
+        )),
+        _ => Some(format!(
+            "The same round for a friend: carrom quiz --code {code}"
+        )),
     }
 }
 
@@ -75,25 +91,37 @@ fn closing(summary: &Summary) -> Vec<String> {
 }
 
 fn missed_surely(line: &SummaryLine) -> bool {
-    line.grade.confidence == Confidence::Sure && !line.grade.is_right()
+    line.grade.confidence == Confidence::Sure && !line.grade.right
 }
 
 /// Rows of [`Table::head`].
 const HEAD: u16 = 2;
 
+/// Columns of a topic, where there is room for what it was too.
+const TOPIC: usize = 28;
+
 /// The columns of the look back; the more room, the more of them.
 struct Table {
     gap: &'static str,
+    /// Whether every answer is two rays, with a column for each of them.
+    rays: bool,
     confidence: bool,
+    /// What the question was about.
     topic: bool,
+    /// What became of the answer, in words.
+    outcome: bool,
 }
 
 impl Table {
-    fn new(width: u16) -> Self {
+    fn new(lines: &Lines, rays: bool) -> Self {
+        let width = lines.width();
         Self {
             gap: if width >= 72 { "   " } else { "" },
+            rays,
             confidence: width >= 72,
-            topic: width >= 104,
+            // Where answers are of many forms, one wants to know to what.
+            topic: width >= 104 || !rays,
+            outcome: width >= 104 || rays,
         }
     }
 
@@ -101,36 +129,39 @@ impl Table {
         let gap = self.gap;
         let legend = if marked { "! sure, but off" } else { "" };
         let over = format!(
-            "   {gap}{:>9}{gap}{:>10}{gap}       {legend}",
+            "    {gap}{:>10}{gap}{:>11}{gap}       {legend}",
             "you said", "truth"
         );
         lines.line(&over, Role::Dim);
-        let head = ["", " ", "S", "C", "S", "C", "pts"];
-        let head = self.cells(head, "sure?", "about", "it was");
+        let each = if self.rays { "   S    C" } else { "" };
+        let cells = [" ", "", " ", each, each, "pts"];
+        let head = self.cells(cells, "sure?", "about", "it was");
         lines.line(&head, Role::Dim);
     }
 
     fn row(
         &self,
-        number: usize,
+        (number, chosen): (usize, bool),
         line: &SummaryLine,
         (question, answer): (&Question, &Answer),
         lines: &mut Lines,
     ) {
-        let collision = question.collision();
-        let [s1, c1] = degrees(&collision, &answer.rays).map(whole);
-        let [s2, c2] = degrees(&collision, &question.truth()).map(whole);
-        let number = number.to_string();
+        let charset = lines.charset();
+        let brief = |said| charset.text(&question.form.brief(said)).into_owned();
+        let (said, truth) = (brief(&answer.said), brief(&question.form.truth()));
+        let number = (number + 1).to_string();
         let points = format!("{:.1}", line.grade.points() + 0.0);
         let missed = missed_surely(line);
+        let chosen_mark = if chosen { ">" } else { " " };
         let mark = if missed { "!" } else { " " };
         let role = match missed {
+            _ if chosen => Role::Selected,
             true => Role::Warn,
-            false if line.grade.is_right() => Role::Good,
+            false if line.grade.right => Role::Good,
             false => Role::Text,
         };
         let row = self.cells(
-            [&number, mark, &s1, &c1, &s2, &c2, &points],
+            [chosen_mark, &number, mark, &said, &truth, &points],
             line.grade.confidence.name(),
             &line.topic,
             explain(question, answer).title,
@@ -138,23 +169,21 @@ impl Table {
         lines.line(&row, role);
     }
 
-    /// Number, mark, both angles said, both true ones and points; then words.
-    fn cells(&self, cells: [&str; 7], confidence: &str, topic: &str, what: &str) -> String {
+    /// The mark of the chosen line, number, mark, what was said, the truth and points;
+    /// then words.
+    fn cells(&self, cells: [&str; 6], confidence: &str, topic: &str, outcome: &str) -> String {
         let gap = self.gap;
-        let [number, mark, s1, c1, s2, c2, points] = cells;
+        let [chosen, number, mark, said, truth, points] = cells;
         let mut row =
-            format!("{number:>2}{mark}{gap}{s1:>4}{c1:>5}{gap}{s2:>5}{c2:>5}{gap}{points:>5}  ");
+            format!("{chosen}{number:>2}{mark}{gap}{said:>10}{gap}{truth:>11}{gap}{points:>5}  ");
         if self.confidence {
             row += &format!("{confidence:10}");
         }
-        if self.topic {
-            row += &format!("{topic:28}");
+        match (self.topic, self.outcome) {
+            (true, true) => row += &format!("{topic:TOPIC$}{outcome}"),
+            (true, false) => row += topic,
+            _ => row += outcome,
         }
-        row + what
+        row
     }
-}
-
-/// An angle to the degree, in at most four columns.
-fn whole(angle_deg: Option<f64>) -> String {
-    angle_deg.map_or("rest".into(), |angle| format!("{:.0}", angle.round() + 0.0))
 }

@@ -3,13 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Asked, Phase, Quiz, Watched, panel, summary};
+use super::{Phase, Quiz, Watched, panel, summary};
 use crate::physics::Frame;
-use crate::quiz;
+use crate::quiz::{Form, Picture, Question};
 use crate::screens::Context;
-use crate::widgets::hit::{Given, draw_setup};
 use crate::widgets::panel::draw_panel;
-use crate::widgets::{Beside, Lines, Look, Role};
+use crate::widgets::{Beside, Lines, Look, Role, draw_question};
 
 /// Columns of the look back at most, with its frame.
 const WIDEST: u16 = 108;
@@ -24,10 +23,27 @@ fn summary_frame(area: Rect) -> Rect {
     }
 }
 
+/// Where picture and panel are: the panel alone for what is asked in words.
+pub(super) fn layout(quiz: &Quiz, area: Rect) -> Beside {
+    match question(quiz).map(|question| &question.picture) {
+        Some(Picture::Nothing) => Beside::card(area),
+        _ => Beside::new(area),
+    }
+}
+
+/// The question at hand.
+fn question(quiz: &Quiz) -> Option<&Question> {
+    match &quiz.phase {
+        Phase::Asked(asked) | Phase::Confidence(asked, _) => Some(&asked.question),
+        Phase::Watch(watched) => Some(&watched.question),
+        Phase::Summary(_) => None,
+    }
+}
+
 /// Where the text of the phase at hand is.
 pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
     let panel = match quiz.phase {
-        Phase::Summary => {
+        Phase::Summary(_) => {
             let frame = summary_frame(area);
             Rect::new(
                 frame.x + 1,
@@ -36,7 +52,7 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
                 frame.height.saturating_sub(2),
             )
         }
-        _ => Beside::new(area).panel,
+        _ => layout(quiz, area).panel,
     };
     // The notice has the top row to itself.
     let notice = u16::from(quiz.leaving).min(panel.height);
@@ -50,33 +66,43 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
 /// Writes the text of the phase at hand.
 pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
     match &quiz.phase {
-        Phase::Rays(asked) => panel::rays(asked, lines),
-        Phase::Confidence(asked, chosen) => panel::confidence(asked, *chosen, lines),
+        Phase::Asked(asked) => panel::asked(asked, lines),
+        Phase::Confidence(asked, chosen) => {
+            panel::confidence(asked, *chosen, quiz.tells_at_end(), lines);
+        }
         Phase::Watch(watched) if watched.told => panel::told(watched, lines, look.charset),
         Phase::Watch(watched) => panel::untold(watched, lines),
-        Phase::Summary => summary::write(quiz, lines),
+        Phase::Summary(at) => {
+            summary::write(quiz, *at, lines);
+        }
     }
 }
 
 /// Draws the quiz.
 pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = layout(quiz, area);
     match &quiz.phase {
-        Phase::Rays(asked) => {
-            layout.draw(buf, &look, "where will they go?", "say it first");
-            setup(asked, layout.picture, buf, &look);
-        }
-        Phase::Confidence(asked, _) => {
-            layout.draw(buf, &look, "where will they go?", "say it first");
-            setup(asked, layout.picture, buf, &look);
+        Phase::Asked(asked) | Phase::Confidence(asked, _) => {
+            let title = asked.question.family.name();
+            draw_frames(&layout, buf, &look, title, "say it first");
+            draw_question(
+                layout.picture,
+                buf,
+                &look,
+                &asked.question,
+                Some(&asked.input),
+            );
         }
         Phase::Watch(watched) => {
             let side = if watched.told { "and why" } else { "watch" };
-            layout.draw(buf, &look, &title(watched), side);
-            watched.watch.draw(layout.picture, buf, &look);
+            draw_frames(&layout, buf, &look, &title(watched), side);
+            match &watched.watch {
+                Some(watch) => watch.draw(layout.picture, buf, &look),
+                None => draw_question(layout.picture, buf, &look, &watched.question, None),
+            }
         }
-        Phase::Summary => {
+        Phase::Summary(_) => {
             let frame = summary_frame(area);
             draw_panel(buf, frame, "your round", look.charset, &look.theme);
         }
@@ -89,21 +115,62 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
         .draw(text, buf, look, |lines| write(quiz, lines, look));
 }
 
-/// What is asked, with no more drawn in than the question gives.
-fn setup(asked: &Asked, area: Rect, buf: &mut Buffer, look: &Look) {
-    let by_angle = matches!(asked.question.given, quiz::Given::Angle { .. });
-    let given = Given {
-        offset: !by_angle,
-        angle: by_angle,
+/// The frames with their titles; where there is no picture its title goes to the text.
+fn draw_frames(layout: &Beside, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
+    let panel = if layout.picture.is_empty() {
+        picture
+    } else {
+        panel
     };
-    let collision = asked.question.collision();
-    draw_setup(area, buf, look, &collision, given, Some(&asked.rays));
+    layout.draw(buf, look, picture, panel);
+}
+
+/// The line of the look back at a cell.
+pub(super) fn line_at(
+    quiz: &Quiz,
+    at: usize,
+    area: Rect,
+    look: Look,
+    cell: (u16, u16),
+) -> Option<usize> {
+    let text = text_area(quiz, area);
+    if !text.contains(cell.into()) {
+        return None;
+    }
+    let scrolled = quiz
+        .scroll
+        .rows(text, look, |lines| write(quiz, lines, look));
+    let row = cell.1 - text.y + scrolled;
+    let line = usize::from(row.checked_sub(first_line(quiz, at, text, look))?);
+    (line < quiz.answers.len()).then_some(line)
+}
+
+/// Row of the first line of the look back.
+pub(super) fn first_line(quiz: &Quiz, at: usize, text: Rect, look: Look) -> u16 {
+    let mut scratch = Buffer::empty(text);
+    summary::write(quiz, at, &mut Lines::new(text, &mut scratch, look))
 }
 
 fn title(watched: &Watched) -> String {
-    match watched.watch.frame() {
+    let Some(watch) = &watched.watch else {
+        return watched.question.family.name().into();
+    };
+    if let Form::Shot(aim) = &watched.question.form
+        && watched.told
+        && watched.remedy.is_none()
+        && watch.frame() == Frame::Laboratory
+    {
+        let does_it = watch.collision().offset == aim.offset;
+        return if does_it {
+            "the shot that does it"
+        } else {
+            "your shot"
+        }
+        .into();
+    }
+    match watch.frame() {
         Frame::Laboratory => {
-            format!("the hit, slowed {:.0}×", watched.watch.clock().slowed())
+            format!("the hit, slowed {:.0}×", watch.clock().slowed())
         }
         Frame::CentreOfMass => "seen from the centre of mass".into(),
         Frame::Target => "seen riding with the target".into(),

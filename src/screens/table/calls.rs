@@ -3,7 +3,7 @@
 use super::preview::first_hit;
 use crate::game::{Call, Strike};
 use crate::physics::Shot;
-use crate::quiz::{Confidence, Grade, Ray, RayGrade, Rays};
+use crate::quiz::{Rays, RaysGrade};
 
 /// A call and what came of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,14 +32,7 @@ impl Called {
     /// Points for it, 0 to [`Called::MOST`], by how far off each ray was: graded as
     /// in the quiz, without a question of confidence.
     pub(super) fn points(&self) -> u32 {
-        let [striker, target] = Ray::BOTH.map(|ray| RayGrade {
-            error: self.said.apart(&self.truth, ray),
-        });
-        let grade = Grade {
-            striker,
-            target,
-            confidence: Confidence::ThinkSo,
-        };
+        let grade = RaysGrade::new(&self.said, &self.truth);
         (grade.credit() * f64::from(Self::MOST)).round() as u32
     }
 }

@@ -11,7 +11,7 @@ use super::{picture, view, words};
 use crate::game::{Game, Rules, SavedGame, Stage, Team};
 use crate::messages::{Answer, Done, Input, Kept, Key, Mouse, MouseKind, Wish};
 use crate::screens::{Context, Hint};
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, text};
 
 /// Rows below the list for what is to be said of the chosen game.
 const ABOUT: usize = 11;
@@ -235,7 +235,7 @@ impl SavedGames {
                     } else {
                         (" ", Role::Text)
                     };
-                    let age = kept.age.map(age).unwrap_or_default();
+                    let age = kept.age.map(text::ago).unwrap_or_default();
                     lines.pair(&format!("{mark} {}", title(kept)), &age, role, Role::Dim);
                 }
             }
@@ -351,16 +351,4 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         name => format!("{name}'s game. "),
     };
     format!("{whose}{rules}{board}, {strokes}.{stands}")
-}
-
-/// A time that has passed, in few letters.
-fn age(age: Duration) -> String {
-    let minutes = age.as_secs() / 60;
-    match minutes {
-        0 => "now".into(),
-        1..60 => format!("{minutes} min"),
-        60..1440 => format!("{} h", minutes / 60),
-        1440..2880 => "1 day".into(),
-        _ => format!("{} days", minutes / 1440),
-    }
 }

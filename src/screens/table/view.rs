@@ -36,6 +36,7 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
             let given = Given {
                 offset: true,
                 angle: true,
+                figures: true,
             };
             let collision = &calling.hit.impact.collision;
             draw_setup(

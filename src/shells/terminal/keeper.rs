@@ -10,8 +10,8 @@ use super::message::Message;
 use crate::messages::{Answer, Input, Request, Wish};
 use crate::store::Store;
 
-/// How long the screen waits for a stroke to be saved before it shows it. Nearly all
-/// disks need a small part of this, and then no stroke that was seen can be lost.
+/// How long the screen waits for a stroke or a vote to be saved before it shows it. Nearly all
+/// disks need a small part of this, and then none that was seen can be lost.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// A thread that does what is asked, one thing after the other.
@@ -60,7 +60,7 @@ impl Keeper {
         }
         // In time or not, what came of it comes as an input.
         match request.wish {
-            Wish::Save(_) => {
+            Wish::Save(_) | Wish::SaveClass(_) => {
                 let _ = wait.recv_timeout(PATIENCE);
             }
             // Nothing answered is ever lost: no explanation is drawn before this, and

@@ -1,4 +1,4 @@
-//! Every answer and every level won, in an SQLite database.
+//! Every answer, every level won and every bookmark, in an SQLite database.
 //!
 //! Several carroms may use it at once, any of them may be killed at any moment, and
 //! the file may be damaged or of another version. So:
@@ -12,10 +12,12 @@
 //!
 //! It is not touched before it is first needed: carrom starts no slower for it.
 
+mod bookmarks;
 mod schema;
 mod tables;
 mod trouble;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -25,6 +27,8 @@ use std::time::{Duration, Instant};
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 
 use super::turn::Turn;
+use crate::lessons::Bookmark;
+use crate::messages::Forget;
 use crate::progress::{Attempt, Starred};
 use trouble::Trouble;
 
@@ -108,10 +112,42 @@ impl Database {
         })
     }
 
+    /// Adds what a player has done in a chapter to its bookmark.
+    pub(super) fn mark(
+        &mut self,
+        player: &str,
+        chapter: &str,
+        later: &Bookmark,
+    ) -> Result<(), String> {
+        self.run(TransactionBehavior::Immediate, |transaction| {
+            bookmarks::merge(transaction, player, chapter, later)
+        })
+    }
+
+    /// Forgets what is to be forgotten of a player's bookmarks.
+    pub(super) fn forget(&mut self, player: &str, what: &Forget) -> Result<(), String> {
+        if self.is_nowhere() {
+            return Ok(());
+        }
+        self.run(TransactionBehavior::Immediate, |transaction| {
+            bookmarks::forget(transaction, player, what)
+        })
+    }
+
+    /// All bookmarks of a player, by the ids of the chapters.
+    pub(super) fn marks(&mut self, player: &str) -> Result<BTreeMap<String, Bookmark>, String> {
+        if self.is_nowhere() {
+            return Ok(BTreeMap::new());
+        }
+        self.run(TransactionBehavior::Deferred, |transaction| {
+            bookmarks::all(transaction, player)
+        })
+    }
+
     /// Whether there is no database yet, and so nothing to be found in it.
     fn is_nowhere(&self) -> bool {
         match &self.place {
-            Place::Memory(_) => false,
+            Place::Memory(connection) => connection.is_none(),
             Place::Folder(folder) => matches!(fs::exists(path(folder)), Ok(false)),
         }
     }

@@ -6,11 +6,11 @@
 use rusqlite::config::DbConfig;
 use rusqlite::{Connection, TransactionBehavior};
 
-use super::tables;
 use super::trouble::Trouble;
+use super::{bookmarks, tables};
 
 /// The steps, each to the version of its place, from 1.
-const STEPS: [&str; 1] = [include_str!("schema-1.sql")];
+const STEPS: [&str; 2] = [include_str!("schema-1.sql"), include_str!("schema-2.sql")];
 
 /// The present version.
 pub(super) const VERSION: i64 = STEPS.len() as i64;
@@ -66,5 +66,6 @@ pub(super) fn check(connection: &Connection) -> Result<(), Trouble> {
         return Err(Trouble::Damaged(found));
     }
     tables::check(connection)
+        .and_then(|()| bookmarks::check(connection))
         .map_err(|_| Trouble::Damaged("its tables are not those of carrom".into()))
 }

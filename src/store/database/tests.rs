@@ -2,6 +2,7 @@ use std::env;
 use std::process;
 
 use super::*;
+use crate::lessons::{Answer, Given};
 use crate::quiz::Confidence;
 
 /// An empty folder, removed when it is dropped.
@@ -119,12 +120,114 @@ fn the_most_stars_of_each_player_stay() {
     assert_eq!(database.stars("Cy").unwrap(), []);
 }
 
+/// A page seen, and the place there.
+fn seen(page: &str) -> Bookmark {
+    Bookmark {
+        place: Some(page.into()),
+        pages: BTreeMap::from([(page.into(), None)]),
+        ..Bookmark::default()
+    }
+}
+
+/// A page answered.
+fn answered(page: &str, answer: Answer, right: bool) -> Bookmark {
+    let given = Given {
+        asked: "choice\nWhich?".into(),
+        answer,
+        right,
+    };
+    Bookmark {
+        pages: BTreeMap::from([(page.into(), Some(given))]),
+        ..Bookmark::default()
+    }
+}
+
+#[test]
+fn bookmarks_add_up_as_they_do_in_memory() {
+    let scratch = Scratch::new("marks");
+    for mut database in [Database::in_memory(), scratch.database()] {
+        let dial = Bookmark {
+            alpha_deg: Some(0.1 + 0.2),
+            ..Bookmark::default()
+        };
+        let mut expected = Bookmark::default();
+        for later in [
+            seen("One"),
+            seen("Two"),
+            answered("Two", Answer::Choice(2), true),
+            dial,
+            seen("O'Brien\"; DROP TABLE page_seen; --"),
+            answered("Two", Answer::Number(0.1), false),
+            seen("Two"),
+        ] {
+            database.mark("Ada", "shots", &later).unwrap();
+            expected.merge(later);
+            let kept = database.marks("Ada").unwrap();
+            assert_eq!(kept, BTreeMap::from([("shots".into(), expected.clone())]));
+        }
+        assert_eq!(expected.place.as_deref(), Some("Two"));
+        assert_eq!(expected.alpha_deg, Some(0.1 + 0.2));
+        assert_eq!(expected.pages.len(), 3);
+    }
+}
+
+#[test]
+fn what_is_forgotten_is_gone_and_nothing_else() {
+    let mut database = Database::in_memory();
+    for (player, chapter) in [("Ada", "shots"), ("Ada", "atoms"), ("Bo", "shots")] {
+        let answer = answered("One", Answer::Choice(0), true);
+        database.mark(player, chapter, &seen("One")).unwrap();
+        database.mark(player, chapter, &answer).unwrap();
+    }
+    database.record(&attempt("Ada", 1)).unwrap();
+    let answer = Forget::Answer {
+        chapter: "shots".into(),
+        page: "One".into(),
+    };
+    database.forget("Ada", &answer).unwrap();
+    let ada = database.marks("Ada").unwrap();
+    assert_eq!(ada["shots"], seen("One"), "it is still seen");
+    assert!(ada["atoms"].pages["One"].is_some());
+    database
+        .forget("Ada", &Forget::Chapter("shots".into()))
+        .unwrap();
+    let ada = database.marks("Ada").unwrap();
+    assert_eq!(ada.keys().collect::<Vec<_>>(), ["atoms"]);
+    database.forget("Ada", &Forget::All).unwrap();
+    assert_eq!(database.marks("Ada").unwrap(), BTreeMap::new());
+    assert_eq!(database.marks("Bo").unwrap().len(), 1);
+    assert_eq!(database.attempts(Some("Ada")).unwrap().len(), 1);
+}
+
+#[test]
+fn an_answer_that_makes_no_sense_is_none() {
+    let scratch = Scratch::new("senseless");
+    let mut database = scratch.database();
+    let answer = answered("One", Answer::Choice(0), true);
+    database.mark("Ada", "shots", &answer).unwrap();
+    let strange = Connection::open(scratch.path()).unwrap();
+    for text in [
+        "",
+        "{}",
+        "{\"choice\":-1}",
+        "{\"theta1_deg\":1e9,\"theta2_deg\":1}",
+    ] {
+        strange
+            .execute("UPDATE page_seen SET answer = ?1", [text])
+            .unwrap();
+        let kept = database.marks("Ada").unwrap();
+        assert_eq!(kept["shots"].pages["One"], None, "{text}");
+    }
+}
+
 #[test]
 fn looking_makes_no_file() {
     let scratch = Scratch::new("looking");
     let mut database = scratch.database();
     assert_eq!(database.attempts(None).unwrap(), []);
     assert_eq!(database.stars("Ada").unwrap(), []);
+    assert_eq!(database.marks("Ada").unwrap(), BTreeMap::new());
+    database.forget("Ada", &Forget::All).unwrap();
     assert_eq!(scratch.names(), Vec::<String>::new());
 }
 
@@ -176,6 +279,7 @@ fn a_strange_database_is_set_aside() {
     for (i, sql) in [
         "CREATE TABLE recipe (name TEXT)",
         "CREATE TABLE attempt (name TEXT); PRAGMA user_version = 1",
+        "CREATE TABLE attempt (name TEXT); PRAGMA user_version = 2",
         "PRAGMA user_version = -3",
     ]
     .into_iter()
@@ -215,6 +319,9 @@ fn a_newer_database_is_refused_untouched() {
         let refusals = [
             database.record(&attempt("Ada", 1)),
             database.star("Ada", &starred("a", 1)),
+            database.mark("Ada", "shots", &seen("One")),
+            database.forget("Ada", &Forget::All),
+            database.marks("Ada").map(drop),
             database.attempts(None).map(drop),
             database.stars("Ada").map(drop),
         ];
@@ -245,18 +352,48 @@ const PINNED_1: &str = "
     INSERT INTO star VALUES ('Ada', 'first', 'a', 3);
     PRAGMA user_version = 1;";
 
+/// What the second format adds to the first; it must open for ever.
+const PINNED_2: &str = "
+    CREATE TABLE bookmark (
+        player TEXT NOT NULL, chapter TEXT NOT NULL, page TEXT, alpha_deg REAL,
+        PRIMARY KEY (player, chapter)
+    ) STRICT, WITHOUT ROWID;
+    CREATE TABLE page_seen (
+        player TEXT NOT NULL, chapter TEXT NOT NULL, page TEXT NOT NULL, asked TEXT,
+        answer TEXT, is_right INTEGER, PRIMARY KEY (player, chapter, page)
+    ) STRICT, WITHOUT ROWID;
+    INSERT INTO bookmark VALUES ('Ada', 'shots', 'Two', 12.5);
+    INSERT INTO page_seen VALUES ('Ada', 'shots', 'One', NULL, NULL, NULL),
+        ('Ada', 'shots', 'Two', 'choice\nWhich?', '{\"choice\":2}', 1);
+    PRAGMA user_version = 2;";
+
+/// What is there of bookmarks in [`PINNED_2`].
+fn pinned_marks() -> BTreeMap<String, Bookmark> {
+    let mut mark = seen("One");
+    mark.merge(seen("Two"));
+    mark.merge(answered("Two", Answer::Choice(1), true));
+    mark.alpha_deg = Some(12.5);
+    BTreeMap::from([("shots".into(), mark)])
+}
+
 #[test]
-fn a_database_of_the_first_format_opens() {
-    let scratch = Scratch::new("pinned");
-    let old = Connection::open(scratch.path()).unwrap();
-    old.execute_batch(PINNED_1).unwrap();
-    drop(old);
-    let mut database = scratch.database();
-    assert_eq!(database.attempts(None).unwrap(), [attempt("Ada", 5)]);
-    assert_eq!(database.stars("Ada").unwrap(), [starred("a", 3)]);
-    database.record(&attempt("Ada", 6)).unwrap();
-    assert_eq!(database.attempts(Some("Ada")).unwrap().len(), 2);
-    assert_eq!(database.take_notice(), None);
+fn a_database_of_each_older_format_opens() {
+    let second = format!("{PINNED_1}{PINNED_2}");
+    for (sql, marks) in [(PINNED_1, BTreeMap::new()), (&second, pinned_marks())] {
+        let scratch = Scratch::new("pinned");
+        let old = Connection::open(scratch.path()).unwrap();
+        old.execute_batch(sql).unwrap();
+        drop(old);
+        let mut database = scratch.database();
+        assert_eq!(database.attempts(None).unwrap(), [attempt("Ada", 5)]);
+        assert_eq!(database.stars("Ada").unwrap(), [starred("a", 3)]);
+        assert_eq!(database.marks("Ada").unwrap(), marks);
+        database.record(&attempt("Ada", 6)).unwrap();
+        database.mark("Ada", "atoms", &seen("One")).unwrap();
+        assert_eq!(database.attempts(Some("Ada")).unwrap().len(), 2);
+        assert_eq!(database.marks("Ada").unwrap().len(), marks.len() + 1);
+        assert_eq!(database.take_notice(), None);
+    }
 }
 
 #[test]

@@ -1,19 +1,23 @@
 //! The hit: two discs that meet off-centre, shown so that one sees why they part
 //! as they do. The lab, the quiz and every zoomed-in impact show this one picture.
 
+mod after;
 mod angles;
 mod arrows;
 mod inset;
 mod labels;
 mod layers;
+mod mark;
 mod picture;
 mod playback;
 mod setup;
 mod stage;
 mod watch;
 
+pub use after::draw_after;
 pub use layers::{Layer, Layers};
+pub use mark::Mark;
 pub use playback::{FRAME, Playback};
-pub use setup::{Given, drag_offset, draw_setup, draw_setup_of, point_at};
+pub use setup::{Given, drag_offset, draw_aim, draw_setup, draw_setup_of, point_at};
 pub use stage::{Stage, degrees, side};
 pub use watch::{Face, Watch};

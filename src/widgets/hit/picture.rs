@@ -6,6 +6,7 @@ use ratatui::buffer::Buffer;
 use super::arrows::{Arrows, split};
 use super::labels::Labels;
 use super::layers::{Layer, Layers};
+use super::mark::Mark;
 use super::playback::Playback;
 use super::stage::Stage;
 use super::watch::Face;
@@ -25,6 +26,7 @@ pub(super) struct Moment<'a> {
     pub(super) frame: Frame,
     pub(super) layers: Layers,
     pub(super) said: Option<&'a Rays>,
+    pub(super) mark: Option<Mark>,
     pub(super) faces: [Face; 2],
 }
 
@@ -98,6 +100,12 @@ impl Moment<'_> {
         if self.shows(Layer::Velocities) {
             let at = if met { self.stage.centres } else { now };
             self.incoming(&mut sheet, &mut labels, &arrows, before, at);
+        }
+        if let Some(mark) = self.mark
+            && self.shows(Layer::Prediction)
+            && self.frame == Frame::Laboratory
+        {
+            mark.draw(&mut sheet, &mut labels, &self.stage);
         }
         if met && beats >= 3 {
             if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {
@@ -195,8 +203,13 @@ impl Moment<'_> {
         if self.stage.collision.bond == Bond::Stick && self.outcome.hit() {
             return self.common_velocity(sheet, labels, arrows, after[0], now);
         }
-        let bodies = [("v₁", Role::StrikerOut), ("v₂", Role::CoinOut)];
-        for (body, (name, role)) in bodies.into_iter().enumerate() {
+        // As chapter 11 names them.
+        let names = match self.frame {
+            Frame::CentreOfMass => ["w₁", "w₂"],
+            _ => ["v₁", "v₂"],
+        };
+        let bodies = names.into_iter().zip([Role::StrikerOut, Role::CoinOut]);
+        for (body, (name, role)) in bodies.enumerate() {
             let radius = self.stage.radius(body);
             let tip = arrows.outwards(sheet, &self.stage, now[body], radius, after[body], role);
             labels.outgoing(name, tip, now[body], radius, after[body], role);

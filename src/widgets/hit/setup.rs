@@ -5,21 +5,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::labels::Labels;
+use super::mark::Mark;
 use super::stage::Stage;
 use super::watch::Face;
 use crate::physics::Collision;
-use crate::quiz::Ray;
+use crate::quiz::{Aim, Ray};
 use crate::widgets::ink::{Pen, Sheet, Side};
 use crate::widgets::{Look, RayInput, Role};
 
-/// What of the geometry is drawn in, besides the discs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Given {
-    /// The impact parameter, between the two centre lines.
-    pub offset: bool,
-    /// The striker's place at contact, the line of impact and α.
-    pub angle: bool,
-}
+pub use crate::quiz::Shown as Given;
 
 /// Draws a striker and a coin about to meet, and the rays being turned.
 pub fn draw_setup(
@@ -34,6 +28,24 @@ pub fn draw_setup(
     draw_setup_of(faces, area, buf, look, collision, given, rays);
 }
 
+/// Draws a striker and a coin about to meet at an offset in metres that is being set,
+/// and where one of them is to be sent.
+pub fn draw_aim(
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    (aim, offset): (&Aim, f64),
+    given: Given,
+) {
+    let given = Given {
+        offset: true,
+        ..given
+    };
+    let saying = Saying::Shot(Mark::from(aim));
+    let faces = Face::STRIKER_AND_COIN;
+    draw(faces, area, buf, look, &aim.with(offset), given, saying);
+}
+
 /// Draws two discs of any kind about to meet, and the rays being turned.
 pub fn draw_setup_of(
     faces: [Face; 2],
@@ -43,6 +55,29 @@ pub fn draw_setup_of(
     collision: &Collision,
     given: Given,
     rays: Option<&RayInput>,
+) {
+    let saying = rays.map_or(Saying::Nothing, Saying::Rays);
+    draw(faces, area, buf, look, collision, given, saying);
+}
+
+/// What is being said of a hit.
+enum Saying<'a> {
+    /// Nothing, or nothing that is seen.
+    Nothing,
+    /// Where both will go.
+    Rays(&'a RayInput),
+    /// The offset that sends one of them to a mark.
+    Shot(Mark),
+}
+
+fn draw(
+    faces: [Face; 2],
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    collision: &Collision,
+    given: Given,
+    saying: Saying,
 ) {
     let stage = Stage::new(area, collision);
     let mut sheet = Sheet::new(stage.view, look.charset);
@@ -58,7 +93,7 @@ pub fn draw_setup_of(
         let (from, to) = line(p1);
         sheet.line(from, to, Pen::new(Role::Aim).dotted());
         if given.offset {
-            offset(&mut sheet, &mut labels, &stage, along);
+            offset(&mut sheet, &mut labels, &stage, along, given.figures);
         }
     }
     for (body, (place, face)) in [p1, p2].into_iter().zip(faces).enumerate() {
@@ -70,12 +105,14 @@ pub fn draw_setup_of(
             sheet.circle(c2, stage.radius(1), Pen::new(Role::Trail).dotted());
         }
         if given.angle {
-            impact_angle(&mut sheet, &mut labels, &stage);
+            impact_angle(&mut sheet, &mut labels, &stage, given.figures);
         }
     }
-    moving(&mut sheet, &mut labels, &stage, [p1, p2]);
-    if let Some(rays) = rays {
-        turned(&mut sheet, &mut labels, &stage, faces, rays);
+    moving(&mut sheet, &mut labels, &stage, [p1, p2], given.figures);
+    match saying {
+        Saying::Nothing => {}
+        Saying::Rays(rays) => turned(&mut sheet, &mut labels, &stage, faces, rays),
+        Saying::Shot(mark) => mark.draw(&mut sheet, &mut labels, &stage),
     }
     labels.write(&mut sheet);
     sheet.draw(buf, &look.theme);
@@ -95,7 +132,7 @@ fn before(stage: &Stage) -> (DVec2, DVec2) {
 
 /// The impact parameter: the line through the coin's centre beside the striker's,
 /// and the distance between them.
-fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2) {
+fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2, figures: bool) {
     let [c1, c2] = stage.centres;
     let ahead = c2 + stage.room(c2, along) * along;
     sheet.line(c2, ahead, Pen::new(Role::Aim).dotted());
@@ -106,12 +143,15 @@ fn offset(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, along: DVec2) {
     // Measured ahead of the coin, where nothing else is.
     let foot = c2 + (1.35 * stage.radius(1)) * along;
     sheet.line(foot, foot - across, Role::Arc);
-    let text = format!("b = {:.1} mm", stage.collision.offset.abs() * 1000.0);
+    let text = match figures {
+        true => format!("b = {:.1} mm", stage.collision.offset.abs() * 1000.0),
+        false => "b".into(),
+    };
     labels.add(&text, foot - 0.5 * across, Side::towards(along), Role::Arc);
 }
 
 /// The line of impact where the two will meet, and the angle to it.
-fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage) {
+fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, figures: bool) {
     let [c1, c2] = stage.centres;
     let (Some(n), Some(alpha)) = (stage.collision.normal(), stage.collision.alpha()) else {
         return;
@@ -126,12 +166,21 @@ fn impact_angle(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage) {
         let start = along.to_angle();
         sheet.arc(c1, radius, start, start - alpha, Role::Arc);
     }
-    let text = format!("α = {:.1}°", alpha.to_degrees().abs());
+    let text = match figures {
+        true => format!("α = {:.1}°", alpha.to_degrees().abs()),
+        false => "α".into(),
+    };
     labels.add(&text, end, Side::towards(n), Role::LineOfImpact);
 }
 
 /// An arrow ahead of each disc that moves.
-fn moving(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, places: [DVec2; 2]) {
+fn moving(
+    sheet: &mut Sheet,
+    labels: &mut Labels,
+    stage: &Stage,
+    places: [DVec2; 2],
+    figures: bool,
+) {
     let collision = &stage.collision;
     let speeds = [collision.u1, collision.u2];
     let fastest = speeds[0].length().max(speeds[1].length());
@@ -147,7 +196,10 @@ fn moving(sheet: &mut Sheet, labels: &mut Labels, stage: &Stage, places: [DVec2;
             from + length * direction,
             Pen::new(Role::Incoming).bold(),
         );
-        let text = format!("{name} = {:.2} m/s", v.length());
+        let text = match figures {
+            true => format!("{name} = {:.2} m/s", v.length()),
+            false => name.into(),
+        };
         let away = direction.perp() * stage.side();
         let anchor = places[body] + stage.radius(body) * away;
         labels.add(&text, anchor, Side::towards(away), Role::Incoming);

@@ -7,6 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::layers::{Layer, Layers};
+use super::mark::Mark;
 use super::picture::Moment;
 use super::playback::{FRAME, Playback};
 use super::stage::Stage;
@@ -31,6 +32,7 @@ pub struct Watch {
     layers: Layers,
     frame: Frame,
     said: Option<Rays>,
+    mark: Option<Mark>,
     faces: [Face; 2],
 }
 
@@ -71,6 +73,7 @@ impl Watch {
             layers: Layers::default(),
             frame: Frame::Laboratory,
             said,
+            mark: None,
             faces: Face::STRIKER_AND_COIN,
         }
     }
@@ -79,6 +82,15 @@ impl Watch {
     #[must_use]
     pub fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
+    }
+
+    /// The same with a mark to which one of the two was to be sent.
+    #[must_use]
+    pub fn with_mark(self, mark: Mark) -> Self {
+        Self {
+            mark: Some(mark),
+            ..self
+        }
     }
 
     /// The same with these layers.
@@ -190,6 +202,7 @@ impl Watch {
             frame: self.frame,
             layers: self.layers,
             said: self.said.as_ref(),
+            mark: self.mark,
             faces: self.faces,
         };
         moment.draw(buf, look);

@@ -5,18 +5,41 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::messages::{Input, Key, MouseKind};
+use crate::messages::{Done, Forget, Input, Key};
+use crate::screens::list::{Chosen, chosen as chosen_by};
 use crate::screens::{Book, Context, Help, Hint, Next, Place, Screen};
 
 /// The contents. Which line is chosen belongs to the [`Book`].
 #[derive(Debug, Clone, Default)]
-pub struct Contents {}
+pub struct Contents {
+    /// What the student has been asked about.
+    forgetting: Option<Forget>,
+}
 
 impl Contents {
-    /// The contents, at the first chapter that is not done.
+    /// The contents, at the first chapter that is not done. How far they have been read
+    /// is asked for, if it is not known yet.
     pub fn new(cx: &mut Context) -> Self {
+        cx.ask_for_marks();
         cx.book.at = cx.book.next().unwrap_or(0);
         Self::default()
+    }
+
+    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
+        if let Some(forget) = self.forgetting.take() {
+            if let Key::Char('y' | 'Y') = key {
+                cx.forget(forget);
+            }
+            return Next::Stay;
+        }
+        let book = &mut cx.book;
+        match key {
+            Key::Char('n' | 'N') => book.at = book.next().unwrap_or(book.at),
+            Key::Char('R') => self.forgetting = chapter_begun(book).map(Forget::Chapter),
+            Key::Char('A') => self.forgetting = book.is_begun().then_some(Forget::All),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
     }
 }
 
@@ -44,9 +67,13 @@ fn chosen(book: &Book) -> Line {
     lines(book).get(book.at).copied().unwrap_or(Line::Summary)
 }
 
-fn choose(book: &mut Book, by: isize) {
-    let last = lines(book).len().saturating_sub(1);
-    book.at = book.at.saturating_add_signed(by).min(last);
+/// The id of the chosen chapter, if it was ever opened.
+fn chapter_begun(book: &Book) -> Option<String> {
+    let Line::Chapter(number) = chosen(book) else {
+        return None;
+    };
+    let id = &book.chapter(number)?.id;
+    book.mark(id).map(|_| id.clone())
 }
 
 fn open(book: &Book) -> Next {
@@ -66,70 +93,68 @@ impl Screen for Contents {
     }
 
     fn status(&self, cx: &Context) -> String {
+        if !cx.book.is_known() {
+            return String::new();
+        }
         let chapters = &cx.book.library().chapters;
         let done = chapters.iter().filter(|chapter| cx.book.is_done(chapter));
         format!("{} of {} chapters done", done.count(), chapters.len())
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let body = cx.body;
-        let book = &mut cx.book;
-        match input {
-            Input::Key(key) => match key {
-                Key::Up | Key::BackTab => choose(book, -1),
-                Key::Down | Key::Tab => choose(book, 1),
-                Key::PageUp => choose(book, -10),
-                Key::PageDown => choose(book, 10),
-                Key::Home => choose(book, isize::MIN),
-                Key::End => choose(book, isize::MAX),
-                Key::Char('n' | 'N') => book.at = book.next().unwrap_or(book.at),
-                Key::Char('R') => {
-                    if let Line::Chapter(number) = chosen(book)
-                        && let Some(id) = book.chapter(number).map(|chapter| chapter.id.clone())
-                    {
-                        book.reset(&id);
-                    }
-                }
-                Key::Enter | Key::Char(' ') => return open(book),
-                _ => return Next::Ignored,
-            },
-            Input::Mouse(mouse) => match mouse.kind {
-                MouseKind::ScrollUp => choose(book, -1),
-                MouseKind::ScrollDown => choose(book, 1),
-                MouseKind::Down => {
-                    let Some(at) = view::line_at(book, body, (mouse.column, mouse.row)) else {
-                        return Next::Ignored;
-                    };
-                    if std::mem::replace(&mut book.at, at) == at {
-                        return open(book);
-                    }
-                }
-                _ => return Next::Ignored,
-            },
-            _ => return Next::Ignored,
+        let (body, book) = (cx.body, &mut cx.book);
+        if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+            book.at = book.next().unwrap_or(0);
+            return Next::Stay;
         }
-        Next::Stay
+        if !book.is_known() {
+            return Next::Ignored;
+        }
+        if self.forgetting.is_none() {
+            let line_at = |cell| view::line_at(book, body, cell);
+            match chosen_by(input, book.at, lines(book).len(), line_at) {
+                Chosen::Line(line) => book.at = line,
+                Chosen::Open => return open(book),
+                Chosen::Nothing => {}
+            }
+        }
+        match input {
+            Input::Key(key) => self.key(*key, cx),
+            _ => Next::Ignored,
+        }
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(area, buf, cx);
+        view::draw(self, area, buf, cx);
     }
 
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        vec![
-            Hint::new("Up Down", "choose"),
-            Hint::new("Enter", "read"),
-            Hint::new("n", "next to read"),
-            Hint::new("R", "reset"),
-            Hint::new("Esc", "back"),
-        ]
+    fn keys(&self, cx: &Context) -> Vec<Hint> {
+        if self.forgetting.is_some() {
+            return vec![
+                Hint::new("y", "forget it"),
+                Hint::new("any other key", "leave it"),
+            ];
+        }
+        let mut keys = Vec::new();
+        if cx.book.is_known() {
+            keys.extend([
+                Hint::new("Up Down", "choose"),
+                Hint::new("Enter", "read"),
+                Hint::new("n", "next"),
+                Hint::new("R", "reset"),
+                Hint::new("A", "reset all"),
+            ]);
+        }
+        keys.push(Hint::new("Esc", "back"));
+        keys
     }
 
     fn help(&self, cx: &Context) -> Help {
         Help {
             text: vec![
                 "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
-                "The chapters build on each other, but all of them are open. A + stands before those that you have read and answered to the end.",
+                "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have seen, and a + before those that you have read and answered to the end. Your place is kept, until the next time too.",
+                "R forgets your place and your answers in the chosen chapter, A those in all of them, once you have said yes. What you have answered still counts in your progress.",
                 "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
             ],
             keys: self.keys(cx),

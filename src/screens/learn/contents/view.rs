@@ -3,40 +3,41 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Line, chosen, lines};
+use super::{Contents, Line, chosen, lines};
 use crate::lessons::Chapter;
-use crate::screens::book::checkpoints;
+use crate::messages::Forget;
+use crate::screens::list::first_shown;
 use crate::screens::{Book, Context};
 use crate::widgets::{Beside, Lines, Role};
-
-/// The first line shown: the chosen one stands in the middle where there are more
-/// lines than rows.
-fn first_shown(book: &Book, height: usize) -> usize {
-    let most = lines(book).len().saturating_sub(height);
-    book.at.saturating_sub(height / 2).min(most)
-}
 
 /// The line at a cell.
 pub(super) fn line_at(book: &Book, area: Rect, cell: (u16, u16)) -> Option<usize> {
     let list = Beside::new(area).picture;
-    let at = first_shown(book, list.height.into()) + usize::from(cell.1.checked_sub(list.y)?);
-    (list.contains(cell.into()) && at < lines(book).len()).then_some(at)
+    let rows = lines(book).len();
+    let first = first_shown(book.at, rows, list.height);
+    let at = first + usize::from(cell.1.checked_sub(list.y)?);
+    (list.contains(cell.into()) && at < rows).then_some(at)
 }
 
 /// Draws the contents, and what the chosen line is about.
-pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(contents: &Contents, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = Beside::new(area);
     let book = &cx.book;
+    if !book.is_known() {
+        layout.draw(buf, &look, "learn", "");
+        return Lines::new(layout.picture, buf, look).line("Looking …", Role::Dim);
+    }
     let title = match chosen(book) {
         Line::Chapter(_) => "the chapter",
         Line::Summary => "so far",
         Line::Problem(_) => "what is wrong",
     };
     layout.draw(buf, &look, "learn", title);
-    let first = first_shown(book, layout.picture.height.into());
+    let all = lines(book);
+    let first = first_shown(book.at, all.len(), layout.picture.height);
     let mut rows = Lines::new(layout.picture, buf, look);
-    for (i, line) in lines(book).into_iter().enumerate().skip(first) {
+    for (i, line) in all.into_iter().enumerate().skip(first) {
         let here = i == book.at;
         let mark = if here { ">" } else { " " };
         let (text, side, role) = match line {
@@ -59,6 +60,9 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
         rows.pair(&format!("{mark}{text}"), &side, role, role);
     }
     let mut about = Lines::new(layout.panel, buf, look);
+    if let Some(forget) = &contents.forgetting {
+        return ask(book, forget, &mut about);
+    }
     match chosen(book) {
         Line::Chapter(number) => {
             if let Some(chapter) = book.chapter(number) {
@@ -74,6 +78,28 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
     }
 }
 
+/// Whether it is really to be forgotten.
+fn ask(book: &Book, forget: &Forget, lines: &mut Lines) {
+    let (title, of) = match (forget, chosen(book)) {
+        (Forget::All, _) => ("Forget all chapters?".to_owned(), "all chapters"),
+        (_, Line::Chapter(number)) => {
+            let number = book.chapter(number).map_or(0, |chapter| chapter.number);
+            (format!("Forget chapter {number}?"), "this chapter")
+        }
+        _ => return,
+    };
+    lines.paragraph(&title, Role::Warn);
+    lines.gap();
+    let what =
+        format!("Your place and your answers in {of} are forgotten, so that you can begin anew.");
+    lines.paragraph(&what, Role::Text);
+    lines.gap();
+    let stays = "Your progress stays as it is: every answer that you have ever given.";
+    lines.paragraph(stays, Role::Text);
+    lines.gap();
+    lines.paragraph("y: yes. Any other key: no.", Role::Key);
+}
+
 fn chapter_line(book: &Book, number: usize) -> (String, String, Role) {
     let Some(chapter) = book.chapter(number) else {
         return (String::new(), String::new(), Role::Text);
@@ -81,8 +107,8 @@ fn chapter_line(book: &Book, number: usize) -> (String, String, Role) {
     let mark = book.mark(&chapter.id);
     let done = if book.is_done(chapter) { "✓" } else { " " };
     let side = match mark {
-        Some(mark) if mark.seen() > 0 => format!("{}/{}", mark.seen(), chapter.pages.len()),
-        _ => String::new(),
+        Some(mark) => format!("{}/{}", mark.seen(chapter), chapter.pages.len()),
+        None => String::new(),
     };
     (
         format!(" {done}{:>2} {}", chapter.number, chapter.title),
@@ -103,22 +129,27 @@ fn about_chapter(book: &Book, chapter: &Chapter, lines: &mut Lines) {
     let of = |some: usize, all: usize| format!("{some} of {all}");
     lines.pair(
         "pages seen",
-        &of(mark.seen(), chapter.pages.len()),
+        &of(mark.seen(chapter), chapter.pages.len()),
         Role::Dim,
         Role::Text,
     );
-    let asked = checkpoints(chapter);
+    let asked = chapter.checkpoints();
     if asked > 0 {
         lines.pair(
             "answered",
-            &of(mark.answered(), asked),
+            &of(mark.answered(chapter), asked),
             Role::Dim,
             Role::Text,
         );
-        lines.pair("right", &of(mark.right(), asked), Role::Dim, Role::Text);
+        lines.pair(
+            "right",
+            &of(mark.right(chapter), asked),
+            Role::Dim,
+            Role::Text,
+        );
     }
     lines.gap();
-    let next = match mark.page {
+    let next = match mark.page(chapter) {
         0 => "Enter: read it.".into(),
         page => format!("Enter: go on at page {}.", page + 1),
     };
@@ -132,10 +163,13 @@ fn summary(book: &Book, lines: &mut Lines) {
         .iter()
         .filter(|chapter| book.is_done(chapter))
         .count();
-    let marks = || chapters.iter().filter_map(|chapter| book.mark(&chapter.id));
-    let asked: usize = chapters.iter().map(checkpoints).sum();
-    let answered: usize = marks().map(|mark| mark.answered()).sum();
-    let right: usize = marks().map(|mark| mark.right()).sum();
+    let marks = || {
+        let chapters = chapters.iter();
+        chapters.filter_map(|chapter| Some((book.mark(&chapter.id)?, chapter)))
+    };
+    let asked: usize = chapters.iter().map(Chapter::checkpoints).sum();
+    let answered: usize = marks().map(|(mark, of)| mark.answered(of)).sum();
+    let right: usize = marks().map(|(mark, of)| mark.right(of)).sum();
     lines.pair(
         "chapters done",
         &format!("{done} of {}", chapters.len()),
@@ -150,11 +184,9 @@ fn summary(book: &Book, lines: &mut Lines) {
     );
     lines.pair("right", &right.to_string(), Role::Dim, Role::Text);
     lines.gap();
-    let weakest = chapters
-        .iter()
-        .filter_map(|chapter| {
-            let mark = book.mark(&chapter.id)?;
-            let missed = mark.answered() - mark.right();
+    let weakest = marks()
+        .filter_map(|(mark, chapter)| {
+            let missed = mark.answered(chapter) - mark.right(chapter);
             (missed > 0).then_some((missed, chapter))
         })
         .max_by_key(|(missed, chapter)| (*missed, std::cmp::Reverse(chapter.number)));

@@ -9,11 +9,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::figure::{Shown, svg_of};
-use super::question::{Given, Question};
+use super::question::{Question, Said};
 use super::record;
-use crate::lessons::{Chapter, Page};
-use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::screens::learn::Answer;
+use crate::lessons::{Answer, Bookmark, Chapter, Given, Page};
+use crate::messages::{Done, Forget, Input, Key, Mouse, MouseKind};
 use crate::screens::{Context, Help, Hint, Next, Place, Screen};
 use crate::widgets::{Beside, Scroll, overflow};
 
@@ -28,59 +27,78 @@ pub struct Reading {
     answer: Option<Answer>,
     /// Whether keys go to the figure first.
     on_figure: bool,
+    /// The impact angle that was set since the bookmark was moved last, in degrees.
+    alpha_deg: Option<f64>,
+    /// Whether the student has been asked about beginning anew.
+    forgetting: bool,
     scroll: Scroll,
     notice: Option<String>,
+    /// Whether a page is open; none is before it is known where the chapter was left.
+    is_open: bool,
 }
 
 impl Reading {
     /// A chapter, at the page where it was left; `None` beyond the last.
     pub fn new(number: usize, cx: &mut Context) -> Option<Self> {
-        let chapter = cx.book.chapter(number)?.clone();
+        let mut reading = Self::closed(number, cx.book.chapter(number)?);
         cx.book.at = number;
-        let at = cx.book.mark(&chapter.id).map_or(0, |mark| mark.page);
-        let mut reading = Self {
+        if cx.book.is_known() {
+            reading.open_where_left(cx);
+        }
+        Some(reading)
+    }
+
+    fn closed(number: usize, chapter: &Chapter) -> Self {
+        Self {
             number,
-            chapter,
+            chapter: chapter.clone(),
             at: 0,
             figure: None,
             question: None,
             answer: None,
             on_figure: false,
+            alpha_deg: None,
+            forgetting: false,
             scroll: Scroll::default(),
             notice: None,
-        };
-        reading.open(at, cx);
-        Some(reading)
+            is_open: false,
+        }
     }
 
     /// A page as it is before and, with an `answer`, after its checkpoint: to see
     /// whether it fits.
     pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<Answer>) -> Self {
-        let mut reading = Self {
-            number: 0,
-            chapter: chapter.clone(),
-            at,
-            figure: None,
-            question: None,
-            answer: None,
-            on_figure: false,
-            scroll: Scroll::default(),
-            notice: None,
-        };
+        let mut reading = Self::closed(0, chapter);
+        reading.at = at;
         reading.lay_out(None, answer);
         reading
+    }
+
+    fn open_where_left(&mut self, cx: &mut Context) {
+        let mark = cx.book.mark(&self.chapter.id);
+        let at = mark.map_or(0, |mark| mark.page(&self.chapter));
+        self.open(at, cx);
     }
 
     /// Opens a page.
     fn open(&mut self, at: usize, cx: &mut Context) {
         self.at = at.min(self.chapter.pages.len().saturating_sub(1));
-        let mark = cx.book.mark_mut(&self.chapter.id);
-        mark.open(self.at);
-        let (alpha, answer) = (mark.alpha_deg, mark.answer_on(self.at).copied());
-        self.lay_out(alpha, answer);
+        let Some(page) = self.chapter.pages.get(self.at) else {
+            return;
+        };
+        let here = Bookmark {
+            alpha_deg: self.alpha_deg.take(),
+            ..Bookmark::at(page)
+        };
+        cx.mark(&self.chapter.id, here);
+        let mark = cx.book.mark(&self.chapter.id);
+        let answer = mark.and_then(|mark| mark.given(page));
+        let answer = answer.map(|given| given.answer);
+        self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
     }
 
     fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<Answer>) {
+        self.is_open = true;
         self.scroll = Scroll::default();
         self.notice = None;
         let Some(page) = self.chapter.pages.get(self.at) else {
@@ -134,37 +152,51 @@ impl Reading {
 
     /// Takes an answer: marks it, keeps it, and tells what is so.
     fn answered(&mut self, answer: Answer, cx: &mut Context) {
-        let Some(checkpoint) = self.page().and_then(|page| page.checkpoint.as_ref()) else {
+        let Some(page) = self.page() else {
+            return;
+        };
+        let Some(checkpoint) = &page.checkpoint else {
             return;
         };
         let figure = self.figure.as_ref().map(Shown::collision);
         let right = answer.is_right(checkpoint, figure);
         let player = &cx.settings.player;
         let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
-        cx.book
-            .mark_mut(&self.chapter.id)
-            .answer(self.at, answer, right);
+        let given = Given {
+            asked: checkpoint.written.clone(),
+            answer,
+            right,
+        };
+        let mut mark = Bookmark::at(page);
+        mark.pages.insert(page.title.clone(), Some(given));
         cx.record(attempt);
+        cx.mark(&self.chapter.id, mark);
         self.tell(answer, cx.settings.reduced_motion);
     }
 
     fn key(&mut self, key: Key, cx: &mut Context) -> Next {
         self.notice = None;
+        if std::mem::take(&mut self.forgetting) {
+            if let Key::Char('y' | 'Y') = key {
+                self.begin_anew(cx);
+            }
+            return Next::Stay;
+        }
         if self.is_asking()
             && !self.on_figure
             && let Some(question) = &mut self.question
         {
             match question.update(key) {
-                Given::Making => return Next::Stay,
-                Given::Answer(answer) => {
+                Said::Part => return Next::Stay,
+                Said::Answer(answer) => {
                     self.answered(answer, cx);
                     return Next::Stay;
                 }
-                Given::Ignored => {}
+                Said::Nothing => {}
             }
         }
         let scrolls = matches!(key, Key::Up | Key::Down);
-        if (self.on_figure || !scrolls) && self.figure_key(key, cx) {
+        if (self.on_figure || !scrolls) && self.figure_key(key) {
             return Next::Stay;
         }
         match key {
@@ -190,37 +222,56 @@ impl Reading {
             Key::Char('b' | 'B') => return self.back(cx),
             Key::Char('r') => self.ask_again(cx),
             Key::Char('R') => {
-                cx.book.reset(&self.chapter.id);
-                self.open(0, cx);
-                self.notice = Some("The chapter begins anew.".into());
+                self.forgetting = true;
+                self.notice = Some("Forget your answers here? y/n".into());
             }
             Key::Char('o' | 'O') => return self.full_size(),
             Key::Char('e' | 'E') => self.export(cx),
+            Key::Escape => {
+                self.keep_alpha(cx);
+                return Next::Back;
+            }
             _ => return Next::Ignored,
         }
         Next::Stay
     }
 
+    fn begin_anew(&mut self, cx: &mut Context) {
+        cx.forget(Forget::Chapter(self.chapter.id.clone()));
+        self.alpha_deg = None;
+        self.open(0, cx);
+        self.notice = Some("The chapter begins anew.".into());
+    }
+
     /// Gives a key to the figure; says whether it was one of its own.
-    fn figure_key(&mut self, key: Key, cx: &mut Context) -> bool {
+    fn figure_key(&mut self, key: Key) -> bool {
         let used = self
             .figure
             .as_mut()
             .is_some_and(|figure| figure.update(key));
         if used {
-            self.keep_alpha(cx);
+            self.note_alpha();
         }
         used
     }
 
     /// Notes the impact angle that the student has set.
-    fn keep_alpha(&self, cx: &mut Context) {
-        if let Some(figure) = self
-            .figure
-            .as_ref()
-            .filter(|figure| figure.is_set_by_keys())
-        {
-            cx.book.mark_mut(&self.chapter.id).alpha_deg = Some(figure.alpha_deg());
+    fn note_alpha(&mut self) {
+        let figure = self.figure.as_ref();
+        if let Some(figure) = figure.filter(|figure| figure.is_own()) {
+            self.alpha_deg = Some(figure.alpha_deg());
+        }
+    }
+
+    /// Keeps the impact angle that the student has set: not at each step of a dial, but
+    /// when the page is left.
+    fn keep_alpha(&mut self, cx: &mut Context) {
+        if let Some(alpha_deg) = self.alpha_deg.take() {
+            let later = Bookmark {
+                alpha_deg: Some(alpha_deg),
+                ..Bookmark::default()
+            };
+            cx.mark(&self.chapter.id, later);
         }
     }
 
@@ -230,7 +281,12 @@ impl Reading {
             self.open(self.at + 1, cx);
             return Next::Stay;
         }
-        cx.book.mark_mut(&self.chapter.id).page = 0;
+        let first = Bookmark {
+            place: self.chapter.pages.first().map(|page| page.title.clone()),
+            alpha_deg: self.alpha_deg.take(),
+            ..Bookmark::default()
+        };
+        cx.mark(&self.chapter.id, first);
         // The next chapter, or after the last one how far one has come.
         cx.book.at = self.number + 1;
         Next::Back
@@ -244,18 +300,31 @@ impl Reading {
     }
 
     fn ask_again(&mut self, cx: &mut Context) {
-        cx.book.mark_mut(&self.chapter.id).forget(self.at);
+        if let Some(page) = self.page() {
+            cx.forget(Forget::Answer {
+                chapter: self.chapter.id.clone(),
+                page: page.title.clone(),
+            });
+        }
         self.open(self.at, cx);
     }
 
     /// The figure in the lab, or the foil.
     fn full_size(&mut self) -> Next {
-        match &self.figure {
-            Some(figure) if !figure.is_foil() => {
+        let Some(figure) = &self.figure else {
+            return Next::Stay;
+        };
+        match figure.foil_page() {
+            None => {
                 let setup = figure.setup();
                 Next::Open(Place::LabOf { setup })
             }
-            _ => Next::Stay,
+            // It would show the answer.
+            Some(_) if self.is_asking() => {
+                self.notice = Some("First say what you think.".into());
+                Next::Stay
+            }
+            Some(page) => Next::Open(Place::FoilAt { page }),
         }
     }
 
@@ -302,7 +371,7 @@ impl Reading {
                 .as_mut()
                 .is_some_and(|figure| figure.mouse(mouse, picture, rays, &look));
             if used {
-                self.keep_alpha(cx);
+                self.note_alpha();
                 return Next::Stay;
             }
         } else if panel.contains(cell.into()) {
@@ -337,12 +406,22 @@ impl Screen for Reading {
     }
 
     fn status(&self, _cx: &Context) -> String {
+        if !self.is_open {
+            return String::new();
+        }
         format!("page {} of {}", self.at + 1, self.chapter.pages.len())
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+        if !self.is_open {
+            if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+                self.open_where_left(cx);
+            }
+            return Next::Ignored;
+        }
         match input {
             Input::Key(key) => self.key(*key, cx),
+            Input::Mouse(_) if self.forgetting => Next::Stay,
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Exported(exported) => {
                 self.notice = Some(match exported {
@@ -371,6 +450,15 @@ impl Screen for Reading {
     }
 
     fn keys(&self, _cx: &Context) -> Vec<Hint> {
+        if !self.is_open {
+            return vec![Hint::new("Esc", "contents")];
+        }
+        if self.forgetting {
+            return vec![
+                Hint::new("y", "begin the chapter anew"),
+                Hint::new("any other key", "leave it"),
+            ];
+        }
         let mut keys = Vec::new();
         if self.is_asking() && !self.on_figure {
             keys.extend(match &self.question {
@@ -397,9 +485,10 @@ impl Screen for Reading {
                 "Tab",
                 if self.on_figure { "text" } else { "figure" },
             ));
-            if !figure.is_foil() {
-                keys.push(Hint::new("o", "in the lab"));
-            }
+            keys.push(match figure.foil_page() {
+                None => Hint::new("o", "in the lab"),
+                Some(_) => Hint::new("o", "the foil"),
+            });
             keys.push(Hint::new("e", "export"));
         }
         keys.push(Hint::new("Esc", "contents"));
@@ -423,7 +512,7 @@ impl Screen for Reading {
                 Hint::new("< >", "the same in bigger steps"),
                 Hint::new("Space", "in a hit: go on from the contact"),
                 Hint::new("a f 1-7", "in a hit: play again, other frame, layers"),
-                Hint::new("o", "open the figure full-size in the lab"),
+                Hint::new("o", "open the figure full-size: in the lab, or on the foil"),
                 Hint::new("e", "export the figure as an SVG picture"),
                 Hint::new("r", "ask this page's question again"),
                 Hint::new("R", "forget all answers of this chapter and begin anew"),

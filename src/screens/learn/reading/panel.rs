@@ -4,13 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Reading;
-use crate::lessons::{Asked, Checkpoint, Choice};
+use crate::lessons::{Answer, Asked, Checkpoint, Choice};
 use crate::physics::Collision;
-use crate::quiz::{self, Confidence, Rays};
+use crate::quiz::Rays;
 use crate::screens::lab::explain;
-use crate::screens::learn::answer::{Answer, sign_and_unit, truth};
 use crate::screens::learn::figure::Shown;
 use crate::screens::learn::prose;
+use crate::screens::why::of_hit;
 use crate::widgets::hit::{Watch, degrees};
 use crate::widgets::{Lines, Look, Role, brief};
 
@@ -48,7 +48,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
     else {
         return prose::write(&page.text, lines, collision);
     };
-    let Some(answer) = &reading.answer else {
+    let Some(answer) = reading.answer else {
         prose::write(&page.text, lines, collision);
         lines.gap();
         prose::write(&checkpoint.question, lines, collision);
@@ -63,12 +63,12 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
         return;
     };
     let watch = reading.figure.as_ref().and_then(Shown::watch);
-    if let (Answer::Rays(_), Some(watch)) = (answer, watch)
+    if let (Answer::Rays(_), Some(watch)) = (&answer, watch)
         && !watch.is_told()
     {
         return lines.paragraph(watch.telling(), Role::Text);
     }
-    match (answer, &checkpoint.asked) {
+    match (&answer, &checkpoint.asked) {
         (Answer::Rays(rays), _) => {
             if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
                 rays_told(rays, watch, figure, lines);
@@ -77,7 +77,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
         (Answer::Number(number), _) => {
             prose::write(&checkpoint.question, lines, collision);
             lines.gap();
-            number_told(*number, answer, checkpoint, collision, lines);
+            number_told(*number, &answer, checkpoint, collision, lines);
         }
         (Answer::Choice(chosen), Asked::Choice(choices)) => {
             prose::write(&checkpoint.question, lines, collision);
@@ -110,12 +110,8 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
     lines.gap();
     let (title, text) = match figure.question_by_angle() {
         Some(question) => {
-            let answer = quiz::Answer {
-                rays: *rays,
-                confidence: Confidence::ThinkSo,
-            };
-            let explanation = quiz::explain(&question, &answer);
-            (explanation.title.into(), explanation.text)
+            let (title, text) = of_hit(&question, *rays);
+            (title.into(), text)
         }
         None => explain(&figure.setup(), watch),
     };
@@ -140,7 +136,7 @@ fn number_told(
         return;
     };
     let right = answer.is_right(checkpoint, figure);
-    let (_, unit) = sign_and_unit(expected);
+    let (_, unit) = expected.sign_and_unit();
     // As many decimals as the tolerance asks for.
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
     let shown = |value: f64| {
@@ -149,7 +145,7 @@ fn number_told(
     };
     let role = if right { Role::Good } else { Role::Warn };
     lines.pair("you said", &shown(number), Role::Dim, role);
-    if let Some(truth) = truth(expected, figure) {
+    if let Some(truth) = expected.value(figure) {
         lines.pair("truth", &shown(truth), Role::Dim, Role::Text);
     }
     lines.gap();

@@ -24,6 +24,10 @@ pub(super) fn layout(reading: &Reading, area: Rect) -> Beside {
 pub(super) fn draw(reading: &Reading, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = layout(reading, area);
+    if !reading.is_open {
+        layout.draw(buf, &look, "", &reading.chapter.title);
+        return Lines::new(layout.panel, buf, look).line("Looking …", Role::Dim);
+    }
     let question = reading.question.as_ref();
     let question = question.filter(|_| reading.answer.is_none());
     let rays = question.and_then(super::Question::rays);

@@ -5,7 +5,8 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::messages::{Done, Input, Key, MouseKind, Wish};
+use crate::messages::{Done, Input, Key, Wish};
+use crate::screens::list::{Chosen, chosen};
 use crate::screens::{Context, Help, Hint, Next, Place, Screen, Shelf};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
@@ -31,11 +32,6 @@ fn choices(shelf: &Shelf) -> usize {
     shelf.count() + shelf.library().problems.len()
 }
 
-fn choose(shelf: &mut Shelf, by: isize) {
-    let last = choices(shelf).saturating_sub(1);
-    shelf.at = shelf.at.saturating_add_signed(by).min(last);
-}
-
 /// Opens the chosen level; a problem has nothing to open.
 fn open(shelf: &Shelf) -> Next {
     if shelf.at < shelf.count() {
@@ -57,39 +53,18 @@ impl Screen for Levels {
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let body = cx.body;
-        let shelf = &mut cx.shelf;
-        match input {
-            Input::Key(key) => match key {
-                Key::Up | Key::BackTab => choose(shelf, -1),
-                Key::Down | Key::Tab => choose(shelf, 1),
-                Key::PageUp => choose(shelf, -10),
-                Key::PageDown => choose(shelf, 10),
-                Key::Home => choose(shelf, isize::MIN),
-                Key::End => choose(shelf, isize::MAX),
-                Key::Char('n' | 'N') => shelf.at = shelf.next().unwrap_or(shelf.at),
-                Key::Enter | Key::Char(' ') => return open(shelf),
-                _ => return Next::Ignored,
-            },
-            Input::Mouse(mouse) => match mouse.kind {
-                MouseKind::ScrollUp => choose(shelf, -1),
-                MouseKind::ScrollDown => choose(shelf, 1),
-                MouseKind::Down => {
-                    let Some(at) = view::choice_at(shelf, body, (mouse.column, mouse.row)) else {
-                        return Next::Ignored;
-                    };
-                    let again = shelf.at == at;
-                    shelf.at = at;
-                    if again {
-                        return open(shelf);
-                    }
+        let (body, shelf) = (cx.body, &mut cx.shelf);
+        let line_at = |cell| view::choice_at(shelf, body, cell);
+        match chosen(input, shelf.at, choices(shelf), line_at) {
+            Chosen::Line(line) => shelf.at = line,
+            Chosen::Open => return open(shelf),
+            Chosen::Nothing => match input {
+                Input::Key(Key::Char('n' | 'N')) => shelf.at = shelf.next().unwrap_or(shelf.at),
+                Input::Kept(answer) if matches!(answer.done, Done::Stars(_)) && !self.moved => {
+                    shelf.at = shelf.next().unwrap_or(0);
                 }
                 _ => return Next::Ignored,
             },
-            Input::Kept(answer) if matches!(answer.done, Done::Stars(_)) && !self.moved => {
-                shelf.at = shelf.next().unwrap_or(0);
-            }
-            _ => return Next::Ignored,
         }
         self.moved |= matches!(input, Input::Key(_) | Input::Mouse(_));
         Next::Stay

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use crate::levels::Level;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
+use crate::screens::list::first_shown;
 use crate::screens::{Context, Shelf};
 use crate::widgets::{Beside, Lines, Role, text};
 
@@ -60,13 +61,11 @@ fn rows(shelf: &Shelf) -> Vec<Row> {
     rows
 }
 
-/// The first line shown: the chosen one stands in the middle where the list is
-/// longer than its place.
-fn first_shown(shelf: &Shelf, rows: &[Row], height: usize) -> usize {
+/// The first line shown.
+fn first_line(shelf: &Shelf, rows: &[Row], height: u16) -> usize {
     let chosen = |row: &Row| matches!(row, Row::Choice(at) if *at == shelf.at);
     let at = rows.iter().position(chosen).unwrap_or(0);
-    let most = rows.len().saturating_sub(height);
-    at.saturating_sub(height / 2).min(most)
+    first_shown(at, rows.len(), height)
 }
 
 /// The level or problem whose line is at this cell.
@@ -76,7 +75,7 @@ pub(super) fn choice_at(shelf: &Shelf, area: Rect, cell: (u16, u16)) -> Option<u
         return None;
     }
     let rows = rows(shelf);
-    let first = first_shown(shelf, &rows, list.height.into());
+    let first = first_line(shelf, &rows, list.height);
     match rows.get(first + usize::from(cell.1 - list.y))? {
         Row::Choice(at) => Some(*at),
         Row::Gap | Row::Head(_) => None,
@@ -99,7 +98,7 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
     };
     layout.draw(buf, &look, "levels", side_title);
     let rows = rows(shelf);
-    let first = first_shown(shelf, &rows, layout.picture.height.into());
+    let first = first_line(shelf, &rows, layout.picture.height);
     let mut lines = Lines::new(layout.picture, buf, look);
     for row in rows.iter().skip(first) {
         match row {

@@ -13,6 +13,7 @@ use crate::widgets::hit::{Given, draw_setup_of};
 const GIVEN: Given = Given {
     offset: true,
     angle: true,
+    figures: true,
 };
 
 /// Where the parts are: a square board, or one impact that takes all the room there is.

@@ -483,6 +483,7 @@ mod tests {
             sitting.update(&Input::Thought(Box::new(unwanted)), &mut cx);
             assert!(matches!(sitting.phase, Phase::Think { .. }));
         }
+        let mut failing = sitting.clone();
         sitting.update(&Input::Thought(Box::new(thought)), &mut cx);
         assert!(matches!(sitting.phase, Phase::Watch(_)));
         assert!(sitting.session.past(0).unwrap().told.is_some());
@@ -493,6 +494,26 @@ mod tests {
         assert_eq!(asked(&mut cx), vec![]);
         press(&mut sitting, "\n", &mut cx);
         assert_eq!(asked(&mut cx).len(), 1);
+        // Where the computer fails a person plays on, and is told so.
+        failing.update(&Input::Thought(Box::new(tasks[0].failed())), &mut cx);
+        assert!(matches!(failing.phase, Phase::Aim));
+        assert!(failing.notice.is_some() && !failing.is_computers_turn());
+        assert_eq!(asked(&mut cx), vec![]);
+        press(&mut failing, " ", &mut cx);
+        assert_eq!(failing.session.len(), 1);
+    }
+
+    #[test]
+    fn a_hint_that_fails_is_told_and_can_be_asked_for_again() {
+        let mut cx = context();
+        let mut sitting = Sitting::new(Options::two_people(), 4);
+        for _ in 0..2 {
+            sitting.ask_for_hint(&mut cx);
+            let tasks = asked(&mut cx);
+            assert_eq!(tasks.len(), 1);
+            sitting.update(&Input::Thought(Box::new(tasks[0].failed())), &mut cx);
+            assert!(sitting.hint.is_none() && sitting.notice.is_some());
+        }
     }
 
     #[test]

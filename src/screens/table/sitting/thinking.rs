@@ -54,6 +54,18 @@ impl Sitting {
             (_, Some(Hinted::Asked { ticket }), Found::Hint(hint)) if *ticket == thought.ticket => {
                 self.take_hint(hint);
             }
+            (Phase::Think { ticket }, _, Found::Failed) if *ticket == thought.ticket => {
+                self.phase = Phase::Aim;
+                self.hand_to_person();
+                let notice =
+                    "The computer has come upon a fault of its own. Please play on in its place.";
+                self.notice = Some(notice.into());
+            }
+            (_, Some(Hinted::Asked { ticket }), Found::Failed) if *ticket == thought.ticket => {
+                self.hint = None;
+                self.notice =
+                    Some("No hint: the computer has come upon a fault of its own.".into());
+            }
             _ => {}
         }
     }
@@ -69,7 +81,12 @@ impl Sitting {
                 return;
             }
         }
-        // Neither can be played: somebody has to, or the game would stand still.
+        // Neither can be played.
+        self.hand_to_person();
+    }
+
+    /// Lets a person play where the computer cannot: else the game would stand still.
+    fn hand_to_person(&mut self) {
         let seat = self.seat();
         self.options.set_player(seat, Player::Person);
     }

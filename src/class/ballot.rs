@@ -1,0 +1,157 @@
+//! The votes of the teams.
+
+use super::Place;
+use crate::quiz::{Answer, Code, Confidence, Diagnosis, Grade, Question, Round, Said};
+
+/// Which of the two votes on a question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Vote {
+    /// Predicted in silence.
+    First,
+    /// After talking.
+    Second,
+}
+
+/// What a team said to a question.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Ballot {
+    /// Its first vote, if it gave one.
+    pub first: Option<Said>,
+    /// Its second vote, if it gave one.
+    pub second: Option<Said>,
+}
+
+impl Ballot {
+    /// One of its votes.
+    pub fn vote(&self, vote: Vote) -> Option<Said> {
+        match vote {
+            Vote::First => self.first,
+            Vote::Second => self.second,
+        }
+    }
+
+    /// The vote that scores: the second, or where there is none the first.
+    pub fn counts(&self) -> Option<Said> {
+        self.second.or(self.first)
+    }
+}
+
+/// A round that teams play, with all their votes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClassRound {
+    round: Round,
+    teams: Vec<String>,
+    /// A row a question, a ballot a team.
+    ballots: Vec<Vec<Ballot>>,
+    place: Place,
+}
+
+impl ClassRound {
+    /// A round of these teams in which nobody has voted yet. The names are those that
+    /// [`team_names`](super::team_names) gave.
+    pub fn new(code: Code, teams: Vec<String>) -> Self {
+        let round = Round::of(code);
+        let ballots = vec![vec![Ballot::default(); teams.len()]; round.questions().len()];
+        Self {
+            round,
+            teams,
+            ballots,
+            place: Place::default(),
+        }
+    }
+
+    /// The code that fixes its questions.
+    pub fn code(&self) -> &Code {
+        self.round.code()
+    }
+
+    /// Its questions in order.
+    pub fn questions(&self) -> &[Question] {
+        self.round.questions()
+    }
+
+    /// The names of the teams.
+    pub fn teams(&self) -> &[String] {
+        &self.teams
+    }
+
+    /// Where in the round the class is.
+    pub fn place(&self) -> Place {
+        self.place
+    }
+
+    /// Goes to a place in the round; to one behind the last question it does not.
+    pub fn go(&mut self, place: Place) {
+        if place.question < self.questions().len() {
+            self.place = place;
+        }
+    }
+
+    /// What a team said to a question, both counted from 0; nothing where there is no
+    /// such team or question.
+    pub fn ballot(&self, question: usize, team: usize) -> Ballot {
+        let row = self.ballots.get(question);
+        row.and_then(|row| row.get(team))
+            .copied()
+            .unwrap_or_default()
+    }
+
+    /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
+    /// back. A vote of another kind than was asked for is not taken.
+    pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Said>) {
+        let fits = |said: &Said| {
+            self.questions()
+                .get(question)
+                .is_some_and(|question| question.form.distance(said, said) <= 0.0)
+        };
+        if said.as_ref().is_some_and(|said| !fits(said)) {
+            return;
+        }
+        let row = self.ballots.get_mut(question);
+        if let Some(ballot) = row.and_then(|row| row.get_mut(team)) {
+            match vote {
+                Vote::First => ballot.first = said,
+                Vote::Second => ballot.second = said,
+            }
+        }
+    }
+
+    /// How many teams gave this vote on a question.
+    pub fn voted(&self, question: usize, vote: Vote) -> usize {
+        let row = self.ballots.get(question);
+        row.map_or(0, |row| {
+            row.iter().filter(|it| it.vote(vote).is_some()).count()
+        })
+    }
+
+    /// Questions on which at least one team has voted, from the first on without a gap.
+    pub fn begun(&self) -> usize {
+        let empty = |row: &Vec<Ballot>| row.iter().all(|it| it.counts().is_none());
+        let place = self.ballots.iter().position(empty);
+        place.unwrap_or(self.ballots.len())
+    }
+
+    /// How good a vote was; `None` where none was given.
+    pub fn grade(&self, question: usize, said: Option<Said>) -> Option<Grade> {
+        let question = self.questions().get(question)?;
+        Some(Grade::new(question, &unsure(said?)))
+    }
+
+    /// The misconception that a vote fits.
+    pub fn diagnose(&self, question: usize, said: Option<Said>) -> Option<Diagnosis> {
+        self.questions().get(question)?.diagnose(&unsure(said?))
+    }
+
+    /// Points of a team for a question, 0 to [`Grade::MOST`], by how near its vote is;
+    /// how sure a team is, is not asked.
+    pub fn points(&self, question: usize, team: usize) -> f64 {
+        let said = self.ballot(question, team).counts();
+        let credit = self.grade(question, said).map_or(0.0, |grade| grade.credit);
+        Grade::MOST * credit
+    }
+}
+
+/// A vote as an answer, with the confidence that changes nothing about its credit.
+fn unsure(said: Said) -> Answer {
+    Answer::new(said, Confidence::ThinkSo)
+}

@@ -1,0 +1,147 @@
+//! What each question showed about the class.
+
+use super::{ClassRound, Vote};
+use crate::quiz::{Misconception, misconceptions};
+
+/// What a question showed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Item {
+    /// The question, counted from 0.
+    pub question: usize,
+    /// How many teams voted on it first, and after talking; a team that did not change
+    /// its vote counts in both.
+    pub votes: [usize; 2],
+    /// The share of these votes that were right, 0 to 1; `None` where there were none.
+    pub right: [Option<f64>; 2],
+    /// How the errors of these votes are spread, where the answer is an angle.
+    pub spread: [Option<Spread>; 2],
+    /// How well the question tells the better teams from the others: the correlation
+    /// between the points for it and the points for all other questions, −1 to 1;
+    /// `None` for fewer than three teams or where all did alike.
+    pub discrimination: Option<f64>,
+    /// The misconception that most first votes fitted, and how many did.
+    pub commonest: Option<(&'static Misconception, usize)>,
+}
+
+/// How errors of angles are spread, in radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Their mean.
+    pub mean: f64,
+    /// Their standard deviation about it, that of the votes given, not an estimate for
+    /// others.
+    pub deviation: f64,
+}
+
+/// What the first `asked` questions showed.
+pub fn items(round: &ClassRound, asked: usize) -> Vec<Item> {
+    let asked = asked.min(round.questions().len());
+    (0..asked).map(|i| item(round, i, asked)).collect()
+}
+
+fn item(round: &ClassRound, question: usize, asked: usize) -> Item {
+    let teams = 0..round.teams().len();
+    let said = |vote: Vote| {
+        teams.clone().filter_map(move |team| {
+            let ballot = round.ballot(question, team);
+            match vote {
+                Vote::First => ballot.first,
+                Vote::Second => ballot.counts(),
+            }
+        })
+    };
+    let grades = [Vote::First, Vote::Second].map(|vote| {
+        let graded = said(vote).filter_map(|said| round.grade(question, Some(said)));
+        graded.collect::<Vec<_>>()
+    });
+    let held: Vec<_> = said(Vote::First)
+        .filter_map(|said| round.diagnose(question, Some(said)))
+        .map(|diagnosis| diagnosis.misconception)
+        .collect();
+    let mut counted: Vec<_> = misconceptions::all()
+        .map(|it| (it, held.iter().filter(|other| **other == it).count()))
+        .filter(|(_, count)| *count > 0)
+        .collect();
+    // Of equals the first: the sort keeps their order.
+    counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    Item {
+        question,
+        votes: grades.each_ref().map(Vec::len),
+        right: grades.each_ref().map(|grades| {
+            let right = grades.iter().filter(|grade| grade.right).count();
+            (!grades.is_empty()).then(|| right as f64 / grades.len() as f64)
+        }),
+        spread: grades.each_ref().map(|grades| {
+            let errors: Vec<f64> = grades.iter().filter_map(|it| it.angle_error).collect();
+            spread(&errors)
+        }),
+        discrimination: discrimination(round, question, asked),
+        commonest: counted.first().copied(),
+    }
+}
+
+fn spread(errors: &[f64]) -> Option<Spread> {
+    let mean = mean(errors)?;
+    let squares: Vec<f64> = errors.iter().map(|error| (error - mean).powi(2)).collect();
+    Some(Spread {
+        mean,
+        deviation: self::mean(&squares)?.sqrt(),
+    })
+}
+
+fn discrimination(round: &ClassRound, question: usize, asked: usize) -> Option<f64> {
+    let teams = 0..round.teams().len();
+    let own: Vec<f64> = teams
+        .clone()
+        .map(|team| round.points(question, team))
+        .collect();
+    let rest: Vec<f64> = teams
+        .map(|team| {
+            let others = (0..asked).filter(|other| *other != question);
+            others.map(|other| round.points(other, team)).sum()
+        })
+        .collect();
+    correlation(&own, &rest)
+}
+
+/// Pearson's correlation; `None` for fewer than three pairs, or where one side does not
+/// vary by more than a thousandth of a point.
+fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
+    const VARIES: f64 = 1e-6;
+    if x.len() < 3 {
+        return None;
+    }
+    let (mx, my) = (mean(x)?, mean(y)?);
+    let sum = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
+        x.iter().zip(y).map(|(x, y)| f(x - mx, y - my)).sum()
+    };
+    let (xx, yy) = (sum(&|x, _| x * x), sum(&|_, y| y * y));
+    let xy = sum(&|x, y| x * y);
+    (xx > VARIES && yy > VARIES).then(|| (xy / (xx * yy).sqrt()).clamp(-1.0, 1.0))
+}
+
+fn mean(x: &[f64]) -> Option<f64> {
+    (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn correlation_by_hand() {
+        // (1,2), (2,4), (3,6) lie on a line; (1,1), (2,3), (3,2): r = 1/2.
+        assert_eq!(correlation(&[1.0, 2.0, 3.0], &[2.0, 4.0, 6.0]), Some(1.0));
+        let r = correlation(&[1.0, 2.0, 3.0], &[1.0, 3.0, 2.0]).unwrap();
+        assert!((r - 0.5).abs() < 1e-12);
+        assert_eq!(correlation(&[1.0, 2.0], &[1.0, 2.0]), None);
+        assert_eq!(correlation(&[1.0, 1.0, 1.0], &[1.0, 2.0, 3.0]), None);
+    }
+
+    #[test]
+    fn spread_by_hand() {
+        let spread = spread(&[1.0, 3.0]).unwrap();
+        assert!((spread.mean - 2.0).abs() < 1e-12 && (spread.deviation - 1.0).abs() < 1e-12);
+        assert_eq!(super::spread(&[]), None);
+    }
+}

@@ -1,0 +1,144 @@
+//! The tables a teacher takes home, as comma-separated values.
+
+use super::{ClassRound, Vote, items};
+use crate::physics::units::deg_from_rad;
+use crate::progress::table;
+use crate::quiz::Said;
+
+/// A row a team and question: both votes, the truth, how good they were.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
+    let heads = [
+        "code",
+        "number",
+        "family",
+        "difficulty",
+        "question",
+        "truth",
+        "team",
+        "first_vote",
+        "first_right",
+        "first_credit",
+        "first_error_deg",
+        "first_misconception",
+        "second_vote",
+        "second_right",
+        "second_credit",
+        "second_error_deg",
+        "second_misconception",
+        "points",
+    ];
+    let mut rows = Vec::new();
+    for (i, question) in round.questions().iter().enumerate() {
+        for (team, name) in round.teams().iter().enumerate() {
+            let ballot = round.ballot(i, team);
+            let mut row = vec![
+                round.code().to_string(),
+                (i + 1).to_string(),
+                question.family.id().into(),
+                question.difficulty.id().into(),
+                question.text.clone(),
+                question.form.words(&question.form.truth()),
+                name.clone(),
+            ];
+            for vote in [Vote::First, Vote::Second] {
+                row.extend(judged(round, i, ballot.vote(vote)));
+            }
+            row.push(match ballot.counts() {
+                Some(_) => format!("{:.1}", round.points(i, team)),
+                None => String::new(),
+            });
+            rows.push(row);
+        }
+    }
+    table(&heads, &rows)
+}
+
+/// A vote, whether it was right, its credit, how far off it was, the misconception; five
+/// empty cells where there is none.
+fn judged(round: &ClassRound, question: usize, said: Option<Said>) -> [String; 5] {
+    let words = said.and_then(|said| Some(round.questions().get(question)?.form.words(&said)));
+    let grade = round.grade(question, said);
+    let diagnosis = round.diagnose(question, said);
+    [
+        words.unwrap_or_default(),
+        grade.map(|it| yes_or_no(it.right)).unwrap_or_default(),
+        grade
+            .map(|it| format!("{:.3}", it.credit))
+            .unwrap_or_default(),
+        grade
+            .and_then(|it| it.angle_error)
+            .map(degrees)
+            .unwrap_or_default(),
+        diagnosis
+            .map(|it| it.misconception.id.to_owned())
+            .unwrap_or_default(),
+    ]
+}
+
+/// A row a question: what it showed about the class.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn items_csv(round: &ClassRound) -> Result<String, String> {
+    let heads = [
+        "code",
+        "number",
+        "family",
+        "difficulty",
+        "question",
+        "truth",
+        "first_votes",
+        "first_share_right",
+        "first_error_mean_deg",
+        "first_error_deviation_deg",
+        "second_votes",
+        "second_share_right",
+        "second_error_mean_deg",
+        "second_error_deviation_deg",
+        "discrimination",
+        "commonest_misconception",
+        "commonest_votes",
+    ];
+    let share = |share: Option<f64>| share.map(|it| format!("{it:.3}")).unwrap_or_default();
+    let rows: Vec<Vec<String>> = items(round, round.questions().len())
+        .iter()
+        .filter_map(|item| {
+            let question = round.questions().get(item.question)?;
+            let mut row = vec![
+                round.code().to_string(),
+                (item.question + 1).to_string(),
+                question.family.id().into(),
+                question.difficulty.id().into(),
+                question.text.clone(),
+                question.form.words(&question.form.truth()),
+            ];
+            for vote in 0..2 {
+                let spread = item.spread[vote];
+                row.extend([
+                    item.votes[vote].to_string(),
+                    share(item.right[vote]),
+                    spread.map(|it| degrees(it.mean)).unwrap_or_default(),
+                    spread.map(|it| degrees(it.deviation)).unwrap_or_default(),
+                ]);
+            }
+            row.push(share(item.discrimination));
+            row.extend(match item.commonest {
+                Some((misconception, count)) => [misconception.id.to_owned(), count.to_string()],
+                None => [String::new(), String::new()],
+            });
+            Some(row)
+        })
+        .collect();
+    table(&heads, &rows)
+}
+
+fn yes_or_no(yes: bool) -> String {
+    if yes { "yes" } else { "no" }.into()
+}
+
+fn degrees(angle: f64) -> String {
+    format!("{:.1}", deg_from_rad(angle) + 0.0)
+}

@@ -1,0 +1,35 @@
+//! Files and folders given on the command line in place of those in the program.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::anyhow;
+
+use super::Failure;
+use crate::files::Fault;
+
+/// What is in these files and folders, or without any what is in the program.
+pub(super) fn read<L: Default>(
+    paths: &[PathBuf],
+    embedded: fn() -> L,
+    add_file: fn(&mut L, &Path),
+    add_dir: fn(&mut L, &Path),
+) -> L {
+    if paths.is_empty() {
+        return embedded();
+    }
+    let mut library = L::default();
+    for path in paths {
+        let add = if path.is_dir() { add_dir } else { add_file };
+        add(&mut library, path);
+    }
+    library
+}
+
+/// Refuses files that have faults, and tells all of these.
+pub(super) fn refuse(faults: &[Fault]) -> Result<(), Failure> {
+    if faults.is_empty() {
+        return Ok(());
+    }
+    let messages: Vec<_> = faults.iter().map(ToString::to_string).collect();
+    Err(Failure::Input(anyhow!("{}", messages.join("\n"))))
+}

@@ -1,0 +1,58 @@
+//! Which files there are: in a folder, or in the program.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use include_dir::{Dir, File};
+
+use super::Fault;
+
+/// What is in a folder, in the order of the names.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct List {
+    /// The folders in it.
+    pub folders: Vec<PathBuf>,
+    /// The plain files whose names have the ending that was asked for: opening a pipe
+    /// would wait for whoever writes to it.
+    pub files: Vec<PathBuf>,
+}
+
+/// The folders in a folder, and at most so many files there with this ending (without
+/// its dot).
+///
+/// # Errors
+/// If the folder cannot be read, or there are more files.
+pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, Fault> {
+    let fault = |message| Fault::of_file(&folder.display().to_string(), message);
+    let paths = fs::read_dir(folder).and_then(|entries| {
+        let paths = entries.map(|entry| Ok(entry?.path()));
+        paths.collect::<io::Result<Vec<_>>>()
+    });
+    let mut paths = paths.map_err(|error| fault(format!("cannot be read: {error}")))?;
+    paths.sort();
+    let (folders, mut files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
+    files.retain(|path| has_ending(path, ending) && path.is_file());
+    if files.len() > most {
+        let found = files.len();
+        return Err(fault(format!(
+            "expected at most {most} files, found {found}"
+        )));
+    }
+    Ok(List { folders, files })
+}
+
+/// The files with this ending in a folder of the program, in the order of their names.
+pub fn embedded<'a>(folder: &'a Dir<'a>, ending: &str) -> Vec<&'a File<'a>> {
+    let files = folder.files();
+    let mut files: Vec<_> = files
+        .filter(|file| has_ending(file.path(), ending))
+        .collect();
+    files.sort_by_key(|file| file.path());
+    files
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension == ending)
+}

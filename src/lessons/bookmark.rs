@@ -1,0 +1,176 @@
+//! How far a chapter has been read.
+
+use std::collections::BTreeMap;
+
+use super::answer::Answer;
+use super::chapter::Chapter;
+use super::page::Page;
+
+/// How far a chapter has been read.
+///
+/// It knows pages by their titles and answers by what was asked. So it fits a chapter
+/// that was changed since: what is no longer there is never asked for, and nobody is
+/// told an answer that was given to another question.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Bookmark {
+    /// The title of the page it is open at; `None` at the first.
+    pub place: Option<String>,
+    /// The impact angle that the student set last in its figures, in degrees.
+    pub alpha_deg: Option<f64>,
+    /// The pages that have been seen, by title, each with the answer given there.
+    pub pages: BTreeMap<String, Option<Given>>,
+}
+
+/// An answer that was given at a checkpoint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Given {
+    /// What was asked: [`Checkpoint::written`](super::Checkpoint::written).
+    pub asked: String,
+    /// What was answered.
+    pub answer: Answer,
+    /// Whether it was right.
+    pub right: bool,
+}
+
+impl Bookmark {
+    /// A bookmark at a page, which is seen with that.
+    pub fn at(page: &Page) -> Self {
+        Self {
+            place: Some(page.title.clone()),
+            pages: BTreeMap::from([(page.title.clone(), None)]),
+            ..Self::default()
+        }
+    }
+
+    /// The page it is open at, from 0; the first where that page is gone.
+    pub fn page(&self, chapter: &Chapter) -> usize {
+        let here = |page: &Page| Some(&page.title) == self.place.as_ref();
+        chapter.pages.iter().position(here).unwrap_or(0)
+    }
+
+    /// How many pages of the chapter have been seen.
+    pub fn seen(&self, chapter: &Chapter) -> usize {
+        let seen = |page: &&Page| self.pages.contains_key(&page.title);
+        chapter.pages.iter().filter(seen).count()
+    }
+
+    /// The answer that was given to what a page asks.
+    pub fn given(&self, page: &Page) -> Option<&Given> {
+        let asked = &page.checkpoint.as_ref()?.written;
+        let given = self.pages.get(&page.title)?.as_ref();
+        given.filter(|given| given.asked == *asked)
+    }
+
+    /// All answers given to what the chapter asks.
+    pub fn answers(&self, chapter: &Chapter) -> impl Iterator<Item = &Given> {
+        chapter.pages.iter().filter_map(|page| self.given(page))
+    }
+
+    /// How many checkpoints of the chapter have been answered.
+    pub fn answered(&self, chapter: &Chapter) -> usize {
+        self.answers(chapter).count()
+    }
+
+    /// How many of them were answered right.
+    pub fn right(&self, chapter: &Chapter) -> usize {
+        self.answers(chapter).filter(|given| given.right).count()
+    }
+
+    /// Whether all of the chapter has been read and answered.
+    pub fn is_done(&self, chapter: &Chapter) -> bool {
+        self.seen(chapter) == chapter.pages.len() && self.answered(chapter) == chapter.checkpoints()
+    }
+
+    /// Adds what was done later: its place and angle, if it has any, take the place of
+    /// those before; a page stays seen, and answered until it is answered anew.
+    pub fn merge(&mut self, later: Self) {
+        self.place = later.place.or_else(|| self.place.take());
+        self.alpha_deg = later.alpha_deg.or(self.alpha_deg);
+        for (title, given) in later.pages {
+            let page = self.pages.entry(title).or_default();
+            *page = given.or_else(|| page.take());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CHAPTER: &str = "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n\
+        # One\nText.\n\n# Two\n:::choice\nWhich?\n- [ ] This.\n  No.\n- [x] That.\n  Yes.\n:::\n\n\
+        # Three\nText.\n";
+
+    fn chapter(text: &str) -> Chapter {
+        Chapter::read("01-test.md", text.as_bytes()).unwrap()
+    }
+
+    /// The first two pages seen, the second answered, left at the second.
+    fn read(chapter: &Chapter) -> Bookmark {
+        let mut mark = Bookmark::at(&chapter.pages[0]);
+        mark.merge(Bookmark::at(&chapter.pages[1]));
+        mark.merge(answer(&chapter.pages[1], 1, true));
+        mark
+    }
+
+    fn answer(page: &Page, line: usize, right: bool) -> Bookmark {
+        let given = Given {
+            asked: page.checkpoint.as_ref().unwrap().written.clone(),
+            answer: Answer::Choice(line),
+            right,
+        };
+        Bookmark {
+            pages: BTreeMap::from([(page.title.clone(), Some(given))]),
+            ..Bookmark::default()
+        }
+    }
+
+    /// Page, pages seen, answered, right.
+    fn standing(mark: &Bookmark, chapter: &Chapter) -> [usize; 4] {
+        [
+            mark.page(chapter),
+            mark.seen(chapter),
+            mark.answered(chapter),
+            mark.right(chapter),
+        ]
+    }
+
+    #[test]
+    fn what_is_read_adds_up() {
+        let chapter = chapter(CHAPTER);
+        let mut mark = read(&chapter);
+        assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
+        assert!(!mark.is_done(&chapter));
+        // Seen again, a page keeps its answer; answered again, it has the later one.
+        mark.merge(Bookmark::at(&chapter.pages[1]));
+        assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
+        mark.merge(answer(&chapter.pages[1], 0, false));
+        mark.merge(Bookmark::at(&chapter.pages[2]));
+        assert_eq!(standing(&mark, &chapter), [2, 3, 1, 0]);
+        assert!(mark.is_done(&chapter));
+    }
+
+    #[test]
+    fn it_fits_a_chapter_that_was_changed() {
+        let mark = read(&chapter(CHAPTER));
+        let standing = |text: &str| standing(&mark, &chapter(text));
+        let header = CHAPTER.split("# One").next().unwrap();
+        let inserted = CHAPTER.replace("# One", "# Zero\nText.\n\n# One");
+        assert_eq!(standing(&inserted), [2, 2, 1, 1], "a page more");
+        assert_eq!(standing(&format!("{header}# One\nText.\n")), [0, 1, 0, 0]);
+        assert_eq!(standing(&CHAPTER.replace("# Two", "# 2")), [0, 1, 0, 0]);
+        assert_eq!(
+            standing(&CHAPTER.replace("\"T\"", "\"Other\"")),
+            [1, 2, 1, 1]
+        );
+        let other = CHAPTER.replace("Which?", "Which not?");
+        assert_eq!(standing(&other), [1, 2, 0, 0], "another question");
+        let number = ":::number answer=1 tolerance=1\nHow many?\n---\nOne.\n:::";
+        let start = CHAPTER.find(":::choice").unwrap();
+        let end = start + CHAPTER[start..].find("\n:::").unwrap() + 4;
+        let asked = format!("{}{number}{}", &CHAPTER[..start], &CHAPTER[end..]);
+        assert_eq!(standing(&asked), [1, 2, 0, 0], "another kind of question");
+        let unasked = format!("{}Text.{}", &CHAPTER[..start], &CHAPTER[end..]);
+        assert_eq!(standing(&unasked), [1, 2, 0, 0], "no question any more");
+    }
+}

@@ -1,0 +1,95 @@
+//! The picture of a hit, for worksheets and explanations.
+
+mod after;
+mod before;
+mod measures;
+mod placing;
+mod sheet;
+mod stage;
+#[cfg(test)]
+mod tests;
+
+use super::Svg;
+use crate::physics::Collision;
+use sheet::Sheet;
+use stage::Stage;
+
+/// What the picture of a hit shows beside the two discs and their ways to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Shown {
+    /// The offset b, from the striker's line of motion to the target's centre.
+    pub offset: bool,
+    /// The impact angle α, from the striker's line of motion to the line of impact;
+    /// that line is then shown too. Nothing for a miss, which has none.
+    pub angle: bool,
+    /// The line of impact, through both centres at contact.
+    pub line_of_impact: bool,
+    /// The masses, upon the discs.
+    pub masses: bool,
+    /// Whether b, α, θ₁ and θ₂ have their values with them: "α = 30.0°" and not "α".
+    pub numbers: bool,
+    /// Whether the velocities have theirs: "u = 4.00 m/s" and not "u".
+    pub speeds: bool,
+    /// What is shown of the time after the hit.
+    pub after: After,
+}
+
+/// What the picture of a hit shows of the time after it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum After {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// A protractor round the striker's place at contact, empty, into which both rays
+    /// can be drawn with a pencil. Both departures begin in its middle: the target's,
+    /// too, runs along the line through both centres.
+    Space,
+    /// Both departures as arrows, with θ₁ and θ₂ measured from the striker's line of
+    /// motion, and a square corner where they part at a right angle.
+    Departures,
+}
+
+/// Draws a hit, seen from above: the discs before they meet, the striker's (or both)
+/// place at contact in dashes, and what is [`Shown`]. x is to the right and y up.
+///
+/// The letters are those of the lessons: u before, v after, b, α, θ₁ and θ₂. Letters are
+/// of one size whatever the hit, so the picture is as large as it needs to be: some 6 to
+/// 12 cm wide. A miss is drawn as one, with the discs where they are nearest.
+#[must_use]
+pub fn hit_picture(collision: &Collision, shown: &Shown) -> Svg {
+    draw(collision, shown).picture()
+}
+
+fn draw(collision: &Collision, shown: &Shown) -> Sheet {
+    let stage = Stage::new(collision, shown);
+    let mut sheet = Sheet::new(&words(collision, shown), stage.scale());
+    measures::protractor(&mut sheet, &stage);
+    before::lines(&mut sheet, &stage);
+    before::discs(&mut sheet, &stage);
+    measures::angle(&mut sheet, &stage);
+    measures::offset(&mut sheet, &stage);
+    after::departures(&mut sheet, &stage);
+    before::velocities(&mut sheet, &stage);
+    before::name_line(&mut sheet, &stage);
+    sheet.place_labels();
+    sheet
+}
+
+/// What is to be seen, without giving away what is not shown.
+fn words(collision: &Collision, shown: &Shown) -> String {
+    let meets = match collision.alpha() {
+        Some(_) => "A striker meets",
+        None => "A striker passes",
+    };
+    let target = if collision.u2.length() > 0.0 {
+        "another moving disc"
+    } else {
+        "a disc at rest"
+    };
+    let after = match shown.after {
+        After::Nothing => "",
+        After::Space => ", with an empty protractor for where both go",
+        After::Departures => ", and both go on",
+    };
+    format!("{meets} {target}{after}, seen from above")
+}

@@ -1,0 +1,271 @@
+//! A Markdown document.
+
+/// A Markdown document: CommonMark, and tables as GitHub has them.
+///
+/// Text that is given to it is plain text: whatever is in it is shown and nothing in it
+/// is obeyed. It should be one line, as [`clean`](super::clean) makes it; line breaks
+/// become blanks.
+///
+/// Pictures are files beside the document. A picture within it (as a data URI or as
+/// inline SVG) would be one file less, but GitHub, GitLab and most editors leave those
+/// out for safety's sake, while all of them show an SVG file.
+#[derive(Debug, Clone, Default)]
+pub struct Markdown {
+    text: String,
+}
+
+impl Markdown {
+    /// An empty document.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A heading of `level` 1 to 6.
+    pub fn heading(&mut self, level: usize, text: &str) -> &mut Self {
+        let marks = "#".repeat(level.clamp(1, 6));
+        // A closing run of hashes would be taken off, so it is escaped as all are.
+        self.block(&format!("{marks} {}", escape(text)))
+    }
+
+    /// A paragraph.
+    pub fn paragraph(&mut self, text: &str) -> &mut Self {
+        self.block(&escape(text))
+    }
+
+    /// A paragraph in bold.
+    pub fn strong(&mut self, text: &str) -> &mut Self {
+        match text.trim() {
+            "" => self,
+            text => self.block(&format!("**{}**", escape(text))),
+        }
+    }
+
+    /// A list with a point before each item.
+    pub fn list<T: AsRef<str>>(&mut self, items: impl IntoIterator<Item = T>) -> &mut Self {
+        let item = |item: T| format!("- {}", escape(item.as_ref()));
+        let items: Vec<_> = items.into_iter().map(item).collect();
+        self.block(&items.join("\n"))
+    }
+
+    /// A list numbered from 1.
+    pub fn numbered<T: AsRef<str>>(&mut self, items: impl IntoIterator<Item = T>) -> &mut Self {
+        let items = items.into_iter().enumerate();
+        let items: Vec<_> = items
+            .map(|(i, item)| format!("{}. {}", i + 1, escape(item.as_ref())))
+            .collect();
+        self.block(&items.join("\n"))
+    }
+
+    /// A table under a row of heads. Rows should have as many cells as there are heads.
+    pub fn table<T: AsRef<str>>(
+        &mut self,
+        heads: &[&str],
+        rows: impl IntoIterator<Item = Vec<T>>,
+    ) -> &mut Self {
+        let row = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+        let mut lines = vec![
+            row(heads.iter().map(|head| escape(head)).collect()),
+            row(vec!["---".to_owned(); heads.len()]),
+        ];
+        lines.extend(
+            rows.into_iter()
+                .map(|cells| row(cells.iter().map(|cell| escape(cell.as_ref())).collect())),
+        );
+        self.block(&lines.join("\n"))
+    }
+
+    /// A picture in the file `place`, a path from the document's own folder with `/`
+    /// between its parts; `words` say what is to be seen.
+    pub fn picture(&mut self, words: &str, place: &str) -> &mut Self {
+        self.block(&format!("![{}]({})", escape(words), address(place)))
+    }
+
+    /// A line across.
+    pub fn rule(&mut self) -> &mut Self {
+        self.block("---")
+    }
+
+    /// The whole document.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    fn block(&mut self, block: &str) -> &mut Self {
+        if !self.text.is_empty() {
+            self.text.push('\n');
+        }
+        self.text.push_str(block);
+        self.text.push('\n');
+        self
+    }
+}
+
+/// Plain text as Markdown takes it.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    let words = text.split(char::is_whitespace).filter(|it| !it.is_empty());
+    for (i, word) in words.enumerate() {
+        if i > 0 {
+            escaped.push(' ');
+        }
+        let mut before = None;
+        // What makes a list, a heading or a line only at the start of a line, and what
+        // makes an address of a word.
+        let numbered = i == 0
+            && word
+                .strip_suffix(['.', ')'])
+                .is_some_and(|number| number.bytes().all(|it| it.is_ascii_digit()));
+        let address = word.contains("://") || word.contains('@') || starts_with_www(word);
+        for letter in word.chars() {
+            let special = match letter {
+                '\\' | '`' | '*' | '_' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '|' | '~'
+                | '$' | '#' | '^' => true,
+                '-' | '+' | '=' => i == 0,
+                '.' | ')' if numbered => true,
+                '.' | ':' | '@' => address,
+                _ => false,
+            };
+            if special && !(letter == '-' && before.is_some_and(char::is_alphanumeric)) {
+                escaped.push('\\');
+            }
+            escaped.push(letter);
+            before = Some(letter);
+        }
+    }
+    escaped
+}
+
+fn starts_with_www(word: &str) -> bool {
+    word.to_lowercase().contains("www.")
+}
+
+/// A path as an address: what is not plain in it is written as bytes in percent.
+fn address(place: &str) -> String {
+    let mut written = String::new();
+    for byte in place.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._/".contains(&byte) {
+            written.push(byte.into());
+        } else {
+            written.push_str(&format!("%{byte:02X}"));
+        }
+    }
+    written
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pulldown_cmark::{Event, Options, Parser, Tag};
+
+    const NASTY: [&str; 22] = [
+        "<script>alert(1)</script>",
+        "</details> <!-- &amp; &#x202e;",
+        "[a](http://b.c) ![d](e) [^1]: [x]: y",
+        "*a* **b** _c_ __d__ ~~e~~ ~f~ `g` ``h``",
+        "# a #",
+        "- a",
+        "+ a",
+        "1. a",
+        "10) a",
+        "> a",
+        "= === ---",
+        "---",
+        "===",
+        "a | b | c",
+        "$x$ $$y$$",
+        "\\",
+        "a\\",
+        "\\| \\*",
+        "https://carrom.invalid/a_b www.carrom.invalid WWW.x a@b.c",
+        "- [ ] a",
+        "{#id .class}",
+        "=HYPERLINK(\"x\")",
+    ];
+
+    /// The text of a document, and every tag in it.
+    fn read(document: &str) -> (Vec<String>, Vec<String>) {
+        let (mut texts, mut tags) = (vec![String::new()], Vec::new());
+        // Typographic quotes and dashes are a matter of taste.
+        let options = Options::all() - Options::ENABLE_SMART_PUNCTUATION;
+        for event in Parser::new_ext(document, options) {
+            match event {
+                Event::Text(text) => texts.last_mut().unwrap().push_str(&text),
+                Event::Start(tag) => {
+                    if let Tag::Image { dest_url, .. } = &tag {
+                        tags.push(format!("picture {dest_url}"));
+                    } else {
+                        tags.push(format!("{:?}", tag.to_end()));
+                    }
+                }
+                Event::End(_) => texts.push(String::new()),
+                Event::SoftBreak => texts.last_mut().unwrap().push(' '),
+                other => tags.push(format!("{other:?}")),
+            }
+        }
+        texts.retain(|text| !text.is_empty());
+        (texts, tags)
+    }
+
+    #[test]
+    fn whatever_is_written_is_read_as_plain_text() {
+        for text in NASTY {
+            let mut document = Markdown::new();
+            document.paragraph(text);
+            let found = read(document.text());
+            assert_eq!(found.0, [text], "{document:?}");
+            assert_eq!(found.1, ["Paragraph"], "{document:?}");
+            let mut document = Markdown::new();
+            document.heading(2, text);
+            let found = read(document.text());
+            assert_eq!(found.0, [text], "{document:?}");
+            assert_eq!(found.1.len(), 1, "{document:?}");
+        }
+    }
+
+    #[test]
+    fn lists_and_tables_keep_their_shape() {
+        let mut document = Markdown::new();
+        document.list(NASTY);
+        let (texts, tags) = read(document.text());
+        assert_eq!(texts, NASTY);
+        assert_eq!(tags.len(), 1 + NASTY.len(), "{tags:?}");
+        let mut document = Markdown::new();
+        document.table(&["a", "b|c"], NASTY.map(|text| vec![text, text]));
+        let (texts, tags) = read(document.text());
+        assert_eq!(texts.len(), 2 + 2 * NASTY.len());
+        assert_eq!(texts[2..], NASTY.map(|text| [text, text]).concat());
+        let cells = tags.iter().filter(|tag| *tag == "TableCell").count();
+        assert_eq!(cells, texts.len());
+        // A table, its head, and a row each.
+        assert_eq!(tags.len(), cells + 2 + NASTY.len(), "{tags:?}");
+    }
+
+    #[test]
+    fn pictures_are_found_again() {
+        let mut document = Markdown::new();
+        document.picture("a ](x) b", "my report (1)-pictures/a%20b.svg");
+        let (texts, tags) = read(document.text());
+        assert_eq!(texts, ["a ](x) b"]);
+        assert_eq!(
+            tags,
+            [
+                "Paragraph",
+                "picture my%20report%20%281%29-pictures/a%2520b.svg"
+            ]
+        );
+    }
+
+    #[test]
+    fn plain_words_are_left_alone() {
+        for text in [
+            "well-aimed, at 30° (of 45°): 4.5 m/s!",
+            "Ada's 1. try",
+            "θ₁ = 60°",
+            "6.9°",
+        ] {
+            assert_eq!(escape(text), text);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! The frame of an HTML document.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::clean;
+
+/// What every document looks like.
+const STYLE: &str = include_str!("page.css");
+/// Columns of a title: window and file names are cut there anyway.
+const TITLE: usize = 120;
+/// Nothing is loaded from anywhere and nothing runs, whatever should ever get past the
+/// escaping.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+
+/// An HTML document of one or several sheets of A4.
+///
+/// It is self-contained: style and pictures are in it. On a screen the sheets lie below
+/// one another; printed, each begins on a new page. `h1` to `h3`, `p`, `table`, `figure`
+/// and `svg` are styled, `.dim` is text of second rank, and `--text`, `--dim`,
+/// `--faint`, `--wash` and `--accent` are the colours for a [`style`](Self::style) of
+/// one's own.
+#[derive(Debug, Clone)]
+pub struct Page {
+    title: String,
+    style: &'static str,
+    sheets: Vec<Markup>,
+}
+
+impl Page {
+    /// A document with nothing in it. The title is that of the window and becomes the
+    /// name of the file when it is printed to one.
+    #[must_use]
+    pub fn new(title: &str) -> Self {
+        Self {
+            title: clean(title, TITLE),
+            style: "",
+            sheets: Vec::new(),
+        }
+    }
+
+    /// The same document with rules of its own after the common ones. They are written
+    /// into the document as they are.
+    #[must_use]
+    pub fn style(self, style: &'static str) -> Self {
+        Self { style, ..self }
+    }
+
+    /// The same document with another sheet.
+    #[must_use]
+    pub fn sheet(mut self, content: Markup) -> Self {
+        self.sheets.push(content);
+        self
+    }
+
+    /// The whole document.
+    #[must_use]
+    pub fn html(&self) -> String {
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta http-equiv="Content-Security-Policy" content=(POLICY);
+                    meta name="generator" content=(concat!("carrom ", env!("CARGO_PKG_VERSION")));
+                    title { (self.title) }
+                    style { (PreEscaped(STYLE)) (PreEscaped(self.style)) }
+                }
+                body {
+                    @for sheet in &self.sheets {
+                        section.sheet { (sheet) }
+                    }
+                }
+            }
+        };
+        page.into_string() + "\n"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_is_text_and_nothing_else() {
+        let page = Page::new("</title><script>alert(1)</script>").html();
+        assert!(page.starts_with("<!DOCTYPE html><html lang=\"en\">"));
+        assert!(page.contains("<title>&lt;/title&gt;&lt;script&gt;"));
+        assert!(!page.contains("<script"));
+    }
+
+    #[test]
+    fn sheets_come_in_order() {
+        let page = Page::new("two")
+            .style(".x { color: red }")
+            .sheet(html! { "first" })
+            .sheet(html! { "second" })
+            .html();
+        assert_eq!(page.matches("class=\"sheet\"").count(), 2);
+        assert!(page.find("first") < page.find("second"));
+        assert!(page.contains(".x { color: red }</style>"));
+    }
+}

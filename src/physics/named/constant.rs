@@ -1,0 +1,163 @@
+//! Numbers that follow from no collision of two discs: beams and Rutherford's atom.
+
+use super::super::beam::Beam;
+use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEASURED_SHARE, MEV, Rutherford};
+use super::super::units::rad_from_deg;
+
+/// What a [`Constant`] is computed from, in the units of files.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Fields {
+    angle_deg: f64,
+    to_deg: f64,
+    z: f64,
+    energy_mev: f64,
+    thickness_um: f64,
+}
+
+impl Default for Fields {
+    /// α particles of radium C on Geiger and Marsden's gold foil of 1913.
+    fn default() -> Self {
+        Self {
+            angle_deg: 60.0,
+            to_deg: 120.0,
+            z: 79.0,
+            energy_mev: 7.69,
+            thickness_um: 0.21,
+        }
+    }
+}
+
+impl Fields {
+    fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+        let (slot, least, most) = match field {
+            "angle_deg" => (&mut self.angle_deg, 0.001, 180.0),
+            "to_deg" => (&mut self.to_deg, 0.001, 180.0),
+            "z" => (&mut self.z, 1.0, 118.0),
+            "energy_mev" => (&mut self.energy_mev, 0.01, 1000.0),
+            "thickness_um" => (&mut self.thickness_um, 0.001, 100.0),
+            _ => {
+                return Err(format!(
+                    "expected angle_deg, to_deg, z, energy_mev or thickness_um, found {field}"
+                ));
+            }
+        };
+        let wrong = || format!("{field}: expected {least} to {most}, found {written}");
+        let value: f64 = written.parse().map_err(|_| wrong())?;
+        if !(least..=most).contains(&value) {
+            return Err(wrong());
+        }
+        *slot = value;
+        Ok(())
+    }
+
+    fn angle(&self) -> f64 {
+        rad_from_deg(self.angle_deg)
+    }
+
+    fn centre(&self) -> Rutherford {
+        Rutherford::new(ALPHA_CHARGE, self.z, self.energy_mev * MEV)
+    }
+
+    /// Atoms per square metre of the foil; the density is that of gold.
+    fn atoms_per_area(&self) -> f64 {
+        GOLD_DENSITY * self.thickness_um * 1e-6
+    }
+}
+
+/// The solid angle of 1 mm² at 1 cm, in steradians.
+const SCREEN: f64 = 1e-6 / 1e-4;
+
+/// How a number follows from its fields.
+type Formula = fn(&Fields) -> Option<f64>;
+
+/// Names and how each is computed.
+const ALL: [(&str, Formula); 9] = [
+    ("board_share", |f| Some(Beam::Board.share_beyond(f.angle()))),
+    ("space_share", |f| Some(Beam::Space.share_beyond(f.angle()))),
+    ("rutherford_d_fm", |f| {
+        Some(f.centre().head_on_approach / FM)
+    }),
+    ("rutherford_b_fm", |f| {
+        Some(f.centre().impact_parameter(f.angle())? / FM)
+    }),
+    ("rutherford_r_fm", |f| {
+        Some(f.centre().closest_approach(f.angle())? / FM)
+    }),
+    ("rutherford_share", |f| {
+        f.centre().share_into(f.angle(), SCREEN, f.atoms_per_area())
+    }),
+    ("measured_share", |_| Some(MEASURED_SHARE)),
+    ("rutherford_beyond", |f| {
+        Some(f.centre().cross_section_beyond(f.angle())? * f.atoms_per_area())
+    }),
+    ("rutherford_ratio", |f| {
+        let count = |deg| f.centre().differential_cross_section(rad_from_deg(deg));
+        Some(count(f.angle_deg)? / count(f.to_deg)?)
+    }),
+];
+
+/// A number that follows from no collision.
+#[derive(Debug, Clone, Copy)]
+pub struct Constant {
+    of: Formula,
+    fields: Fields,
+}
+
+impl Constant {
+    /// The constant of this name, with the fields that are usual.
+    pub fn named(name: &str) -> Option<Self> {
+        let (_, of) = ALL.into_iter().find(|(known, _)| *known == name)?;
+        Some(Self {
+            of,
+            fields: Fields::default(),
+        })
+    }
+
+    /// Sets a field from what is written for it.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+        self.fields.set(field, written)
+    }
+
+    /// Its value in the unit of its name.
+    pub fn value(&self) -> Option<f64> {
+        (self.of)(&self.fields).filter(|value| value.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(name: &str, fields: &[(&str, &str)]) -> f64 {
+        let mut constant = Constant::named(name).unwrap();
+        for (field, written) in fields {
+            constant.set(field, written).unwrap();
+        }
+        constant.value().unwrap()
+    }
+
+    /// physics.md, "Beams" and "Rutherford".
+    #[test]
+    fn the_figures_everybody_knows() {
+        assert!((value("board_share", &[]) - 0.5).abs() < 1e-12);
+        assert!((value("space_share", &[]) - 0.25).abs() < 1e-12);
+        assert!((value("rutherford_d_fm", &[]) - 29.6).abs() < 0.05);
+        assert!((value("rutherford_share", &[("angle_deg", "45")]) - 3.2e-7).abs() < 0.05e-7);
+        // 1/sin⁴ from 60° to 120°: (sin 60° / sin 30°)⁴ = 9.
+        assert!((value("rutherford_ratio", &[]) - 9.0).abs() < 1e-9);
+        // Straight back the closest approach is d itself.
+        let back = value("rutherford_r_fm", &[("angle_deg", "180")]);
+        assert!((back - value("rutherford_d_fm", &[])).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_manual_knows_every_name() {
+        let manual = include_str!("../../../docs/lessons.md");
+        for (name, _) in ALL {
+            assert!(manual.contains(&format!("`{name}`")), "{name}");
+        }
+    }
+}

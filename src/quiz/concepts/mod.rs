@@ -1,0 +1,158 @@
+//! Concept questions: one idea of glancing collisions each, in words, with choices that
+//! somebody is known to believe.
+//!
+//! They are data: the files of `assets/concepts/`, one a subject. `docs/concepts.md`
+//! describes the format. No figure that physics gives is typed there: a text says
+//! `{theta1_deg}`, and the engine fills it in from the question's own hit while the
+//! file is read.
+
+mod figures;
+mod read;
+#[cfg(test)]
+mod tests;
+
+use std::sync::LazyLock;
+
+use include_dir::{Dir, include_dir};
+
+use super::{Difficulty, Misconception};
+use crate::files::Fault;
+use crate::physics::Collision;
+
+static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");
+
+/// The file that says in which order the questions stand.
+const ORDER: &str = "order.txt";
+
+/// A concept question, with every figure filled in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Concept {
+    /// Name that stays the same for good: lower-case letters, digits and hyphens.
+    pub id: String,
+    /// What it is about: the name of its file, as "right-angle".
+    pub subject: String,
+    /// How hard it is.
+    pub difficulty: Difficulty,
+    /// The question, one to three short sentences.
+    pub ask: String,
+    /// The right choice.
+    pub right: String,
+    /// The wrong choices, two or three; of an ordered question in their order.
+    pub wrongs: Vec<Wrong>,
+    /// Why it is so, said after any answer.
+    pub why: String,
+    /// Whether the choices stand in an order of their own, as less, the same, more do,
+    /// and are not to be shuffled.
+    pub ordered: bool,
+    /// A hit that is shown beside the question, and watched after it.
+    pub hit: Option<Collision>,
+    /// How many of the wrong choices stand before the right one when not shuffled.
+    before_right: usize,
+}
+
+/// A wrong choice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wrong {
+    /// The choice.
+    pub choice: String,
+    /// The misconception that it follows, where it follows one.
+    pub misconception: Option<&'static Misconception>,
+    /// What to say to whoever chose it; begins from what this choice says.
+    pub says: String,
+}
+
+/// One of the choices of a question.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Choice<'a> {
+    /// The right one.
+    Right(&'a str),
+    /// A wrong one.
+    Wrong(&'a Wrong),
+}
+
+impl<'a> Choice<'a> {
+    /// What it says.
+    pub fn text(self) -> &'a str {
+        match self {
+            Self::Right(text) => text,
+            Self::Wrong(wrong) => &wrong.choice,
+        }
+    }
+
+    /// Whether it is the right one.
+    pub fn is_right(self) -> bool {
+        matches!(self, Self::Right(_))
+    }
+}
+
+impl Concept {
+    /// All choices. Those of an [ordered](Self::ordered) question stand as they are to
+    /// be shown; of any other the right one is first, and they have to be shuffled.
+    pub fn choices(&self) -> Vec<Choice<'_>> {
+        let mut choices: Vec<_> = self.wrongs.iter().map(Choice::Wrong).collect();
+        let place = self.before_right.min(choices.len());
+        choices.insert(place, Choice::Right(&self.right));
+        choices
+    }
+}
+
+/// All concept questions, read once for the whole process.
+///
+/// Their order is fixed, for it is part of what the code of a round stands for: new
+/// questions go to the end.
+pub fn all() -> &'static [Concept] {
+    // A test holds that nothing is wrong with the files in the program.
+    static READ: LazyLock<Vec<Concept>> = LazyLock::new(|| embedded().unwrap_or_default());
+    &READ
+}
+
+/// The question of an `id`.
+pub fn with_id(id: &str) -> Option<&'static Concept> {
+    all().iter().find(|concept| concept.id == id)
+}
+
+/// Reads the files in the program.
+///
+/// # Errors
+/// The first thing that is wrong with them.
+fn embedded() -> Result<Vec<Concept>, Fault> {
+    let mut files: Vec<_> = FILES.files().collect();
+    files.sort_by_key(|file| file.path());
+    let mut concepts: Vec<Concept> = Vec::new();
+    let mut order = String::new();
+    for file in files {
+        let name = file.path().display().to_string();
+        match name.strip_suffix(".toml") {
+            Some(subject) => read::file(subject, &name, file.contents(), &mut concepts)?,
+            None if name == ORDER => order = String::from_utf8_lossy(file.contents()).into(),
+            None => return Err(Fault::of_file(&name, "expected a file NAME.toml")),
+        }
+    }
+    in_order(concepts, &order)
+}
+
+/// The questions as `order` lists their ids, one a line.
+///
+/// # Errors
+/// If it names one that is not there, or leaves one out.
+fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fault> {
+    let mut ordered = Vec::with_capacity(concepts.len());
+    for (line, id) in (1..).zip(order.lines()) {
+        let fault = || Fault {
+            line: Some(line),
+            ..Fault::of_file(
+                ORDER,
+                format!("expected the id of a question, once, found {id}"),
+            )
+        };
+        let at = concepts.iter().position(|concept| concept.id == id);
+        ordered.push(concepts.remove(at.ok_or_else(fault)?));
+    }
+    match concepts.first() {
+        None => Ok(ordered),
+        Some(left) => {
+            let message = format!("expected every id, {} is missing at the end", left.id);
+            Err(Fault::of_file(ORDER, message))
+        }
+    }
+}

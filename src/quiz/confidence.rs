@@ -1,0 +1,84 @@
+//! How sure a player is, and what that brings.
+
+/// How sure the player is. The points are in [`Confidence::points`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Confidence {
+    /// No idea, really.
+    Guess,
+    /// More likely right than wrong.
+    ThinkSo,
+    /// Would bet on it.
+    Sure,
+}
+
+impl Confidence {
+    /// All three, from the least.
+    pub const ALL: [Self; 3] = [Self::Guess, Self::ThinkSo, Self::Sure];
+
+    /// As shown.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Guess => "guess",
+            Self::ThinkSo => "think so",
+            Self::Sure => "sure",
+        }
+    }
+
+    /// Its name in files.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Guess => "guess",
+            Self::ThinkSo => "think-so",
+            Self::Sure => "sure",
+        }
+    }
+
+    /// The confidence of an `id`.
+    pub fn with_id(id: &str) -> Option<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|confidence| confidence.id() == id)
+    }
+
+    /// Points for an answer of this confidence that earned `credit`, 0 to 1.
+    ///
+    /// | | credit 0 | credit 1 |
+    /// |---|---|---|
+    /// | guess | 0 | 7 |
+    /// | think so | −2 | 9 |
+    /// | sure | −6 | 10 |
+    ///
+    /// and straight lines between. The lines cross at a credit of 0.5 (guess and
+    /// think so) and 0.8 (think so and sure), so whoever expects less than a half is
+    /// best served by saying "guess", and "sure" pays only from four fifths on:
+    /// being honest is the way to most points. This is the idea of certainty-based
+    /// marking (A. R. Gardner-Medwin, 1995) with other numbers.
+    pub fn points(self, credit: f64) -> f64 {
+        let (worst, best) = match self {
+            Self::Guess => (0.0, 7.0),
+            Self::ThinkSo => (-2.0, 9.0),
+            Self::Sure => (-6.0, 10.0),
+        };
+        worst + (best - worst) * credit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn honesty_pays() {
+        for percent in 0..=100 {
+            let expected = f64::from(percent) / 100.0;
+            let honest = match percent {
+                0..50 => Confidence::Guess,
+                50..80 => Confidence::ThinkSo,
+                _ => Confidence::Sure,
+            };
+            for other in Confidence::ALL {
+                assert!(honest.points(expected) >= other.points(expected) - 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! What a round is made of, and the code that fixes it.
+
+use std::fmt;
+
+use super::{Family, families};
+
+/// What a round is made of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Course {
+    /// Which questions.
+    pub kind: CourseKind,
+    /// How many of them.
+    pub count: usize,
+}
+
+/// Which questions a round asks.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CourseKind {
+    /// Ten hits to predict: the round a bare number is the code of.
+    Hits,
+    /// A few of all kinds.
+    Quick,
+    /// All kinds, mixed.
+    Mixed,
+    /// All kinds, with no word of what was right until the end.
+    Exam,
+    /// One family.
+    Topic(Family),
+    /// These families, because they are due.
+    Review(Vec<Family>),
+}
+
+impl CourseKind {
+    /// The kinds that are there for everyone, whatever has been answered before; then
+    /// come one topic, and what is due.
+    pub const ALWAYS: [Self; 4] = [Self::Quick, Self::Mixed, Self::Hits, Self::Exam];
+
+    /// Its name in codes.
+    pub const fn id(&self) -> &'static str {
+        match self {
+            Self::Hits => "hits",
+            Self::Quick => "quick",
+            Self::Mixed => "mixed",
+            Self::Exam => "exam",
+            Self::Topic(family) => family.id(),
+            Self::Review(_) => "review",
+        }
+    }
+
+    /// Its name as shown.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Hits => "ten hits",
+            Self::Quick => "quick five",
+            Self::Mixed => "mixed ten",
+            Self::Exam => "exam",
+            Self::Topic(family) => family.name(),
+            Self::Review(_) => "review",
+        }
+    }
+
+    /// How many questions it has unless told otherwise.
+    pub const fn length(&self) -> usize {
+        match self {
+            Self::Quick | Self::Review(_) => 5,
+            Self::Exam => 15,
+            Self::Topic(_) => 6,
+            Self::Hits | Self::Mixed => families::where_to::LENGTH,
+        }
+    }
+
+    /// The kind of an `id`; a review has none, for it is its player's alone.
+    pub fn with_id(id: &str) -> Option<Self> {
+        let topic = || Self::topics().find(|family| family.id() == id);
+        Self::ALWAYS
+            .into_iter()
+            .find(|kind| kind.id() == id)
+            .or_else(|| topic().map(Self::Topic))
+    }
+
+    /// The families that make a round of one topic: all but the hits of every kind,
+    /// which are a course of their own.
+    pub fn topics() -> impl Iterator<Item = Family> {
+        Family::ALL
+            .into_iter()
+            .filter(|family| *family != Family::WhereTo)
+    }
+}
+
+impl Course {
+    /// Most questions of a round.
+    pub const MOST: usize = 60;
+
+    /// A round of the usual length.
+    pub fn new(kind: CourseKind) -> Self {
+        let count = kind.length();
+        Self { kind, count }
+    }
+
+    /// A round of so many questions, held from 1 to [`Course::MOST`]; ten hits are
+    /// always ten.
+    pub fn of(kind: CourseKind, count: usize) -> Self {
+        let count = match kind {
+            CourseKind::Hits => kind.length(),
+            _ => count.clamp(1, Self::MOST),
+        };
+        Self { kind, count }
+    }
+
+    /// Whether the player hears only at the end what was right.
+    pub fn tells_at_end(&self) -> bool {
+        self.kind == CourseKind::Exam
+    }
+}
+
+/// The code of a round: the same code brings the same questions on every machine and in
+/// every version.
+///
+/// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, and `hits-7` or
+/// simply `7` for ten hits.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Code {
+    /// What the round is made of.
+    pub course: Course,
+    /// What is left to chance.
+    pub seed: u64,
+}
+
+impl Code {
+    /// The code of the ten hits of a seed.
+    pub fn hits(seed: u64) -> Self {
+        Self {
+            course: Course::new(CourseKind::Hits),
+            seed,
+        }
+    }
+
+    /// Reads a code; `None` if it is none. Case and blanks around it do not matter.
+    pub fn parse(text: &str) -> Option<Self> {
+        let text = text.trim().to_ascii_lowercase();
+        let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
+        if !seed.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let seed = seed.parse().ok()?;
+        let id = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let kind = CourseKind::with_id(id)?;
+        let course = match &name[id.len()..] {
+            "" => Course::new(kind),
+            count => {
+                let count = count.parse().ok()?;
+                let course = Course::of(kind, count);
+                // A count that would not be kept is no code of a round.
+                (course.count == count).then_some(course)?
+            }
+        };
+        Some(Self { course, seed })
+    }
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Course { kind, count } = &self.course;
+        match kind {
+            CourseKind::Hits => write!(f, "{}", self.seed),
+            _ if *count == kind.length() => write!(f, "{}-{}", kind.id(), self.seed),
+            _ => write!(f, "{}{count}-{}", kind.id(), self.seed),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_code_is_read_as_it_is_written() {
+        for text in [
+            "7",
+            "mixed-7",
+            "mixed12-18446744073709551615",
+            "quick-0",
+            "exam-3",
+            "speeds-12",
+            "from-angle4-12",
+        ] {
+            let code = Code::parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(code.to_string(), text);
+        }
+        assert_eq!(Code::parse(" Hits-7 "), Code::parse("7"));
+        assert_eq!(Code::parse("mixed10-7"), Code::parse("mixed-7"));
+    }
+
+    #[test]
+    fn what_is_no_code_is_refused() {
+        for text in [
+            "",
+            "-",
+            "mixed",
+            "mixed-",
+            "mixed--7",
+            "-7",
+            "mixed-+7",
+            "nothing-7",
+            "review-7",
+            "hits12-7",
+            "mixed0-7",
+            "mixed61-7",
+            "mixed99999999999999999999-7",
+            "mixed-18446744073709551616",
+            "7.5",
+            "sieben",
+        ] {
+            assert_eq!(Code::parse(text), None, "{text}");
+        }
+    }
+}

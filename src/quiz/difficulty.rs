@@ -1,0 +1,32 @@
+//! How hard a question is.
+
+/// How hard a question is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Difficulty {
+    /// One idea, in the plainest setting.
+    Easy,
+    /// One idea, in any setting.
+    Middle,
+    /// Two ideas at once, or one the other way round.
+    Hard,
+}
+
+impl Difficulty {
+    /// The three, rising.
+    pub const ALL: [Self; 3] = [Self::Easy, Self::Middle, Self::Hard];
+
+    /// Its name in files, and as shown.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Easy => "easy",
+            Self::Middle => "middle",
+            Self::Hard => "hard",
+        }
+    }
+
+    /// That of question `i` (from 0) of `count` in a round that rises.
+    pub fn rising(i: usize, count: usize) -> Self {
+        let third = (3 * i).checked_div(count).unwrap_or(0);
+        Self::ALL[third.min(2)]
+    }
+}

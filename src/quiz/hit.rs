@@ -1,0 +1,167 @@
+//! One hit at rest, as a player reads of it: where will the two go?
+
+use glam::DVec2;
+
+use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
+use crate::physics::{Collision, Outcome};
+
+use super::words::significant;
+use super::{Pieces, Rays, words};
+
+/// How it is said where the two meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// By the impact angle α in degrees, positive when the target lies to the right.
+    Angle {
+        /// α, −90 to 90.
+        alpha_deg: f64,
+    },
+    /// By the impact parameter b in millimetres, positive when the target lies to
+    /// the right.
+    Offset {
+        /// b, at most r₁ + r₂ either way.
+        offset_mm: f64,
+    },
+}
+
+/// A hit: the figures as the player reads them. All else follows from them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// What meets what.
+    pub pieces: Pieces,
+    /// Where they meet.
+    pub given: Given,
+    /// Coefficient of restitution e, 0 to 1.
+    pub restitution: f64,
+    /// Speed of the striker in m/s.
+    pub speed: f64,
+    /// Direction of the striker on the picture in degrees, anticlockwise from the
+    /// right. The answer's angles count from it.
+    pub direction_deg: f64,
+}
+
+impl Hit {
+    /// The collision it asks about.
+    pub fn collision(&self) -> Collision {
+        let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
+        let (striker, target) = (self.pieces.striker(), self.pieces.target());
+        let collision = match self.given {
+            Given::Angle { alpha_deg } => {
+                Collision::at_angle(striker, target, u1, rad_from_deg(alpha_deg))
+            }
+            Given::Offset { offset_mm } => {
+                Collision::at_offset(striker, target, u1, m_from_mm(offset_mm))
+            }
+        };
+        Collision {
+            restitution: self.restitution,
+            ..collision
+        }
+    }
+
+    /// What becomes of it.
+    pub fn outcome(&self) -> Outcome {
+        self.collision().outcome()
+    }
+
+    /// Where the two really go.
+    pub fn truth(&self) -> Rays {
+        Rays::from(&self.outcome())
+    }
+
+    /// The impact angle α in radians, positive when the target lies to the right; 0
+    /// for a miss, which no question asks about.
+    pub fn alpha(&self) -> f64 {
+        self.collision().alpha().unwrap_or(0.0)
+    }
+
+    /// Whether the two meet dead centre.
+    pub fn head_on(&self) -> bool {
+        self.collision().offset.abs() <= 0.0
+    }
+
+    /// The side on which the target lies, as the sign of α: 1 for the right and for
+    /// a head-on hit, −1 for the left.
+    pub fn side(&self) -> f64 {
+        if self.collision().offset < 0.0 {
+            -1.0
+        } else {
+            1.0
+        }
+    }
+
+    /// That side in words, "right" or "left".
+    pub fn side_name(&self) -> &'static str {
+        if self.side() < 0.0 { "left" } else { "right" }
+    }
+
+    /// Mass of the striker over mass of the target.
+    pub fn mass_ratio(&self) -> f64 {
+        self.pieces.striker().mass / self.pieces.target().mass
+    }
+
+    /// The distance of the centres at contact, r₁ + r₂, in millimetres.
+    pub fn reach_mm(&self) -> f64 {
+        mm_from_m(self.collision().reach())
+    }
+
+    /// What it is about, in a few words: "equal masses, by offset".
+    pub fn topic(&self) -> String {
+        let ratio = self.mass_ratio();
+        let pieces = if ratio > 1.0 {
+            "heavier striker"
+        } else if ratio < 1.0 {
+            "heavier target"
+        } else {
+            "equal masses"
+        };
+        let place = match self.given {
+            _ if self.head_on() => ", head-on",
+            Given::Angle { .. } => "",
+            Given::Offset { .. } => ", by offset",
+        };
+        let loss = if self.restitution < 1.0 {
+            ", lossy"
+        } else {
+            ""
+        };
+        format!("{pieces}{place}{loss}")
+    }
+
+    /// The question where both will go, in words.
+    pub fn text(&self) -> String {
+        format!("{} Where will they go?", self.setting())
+    }
+
+    /// The hit in words, without what the picture alone can tell.
+    pub fn setting(&self) -> String {
+        let name = self.pieces.target_name();
+        let m1 = significant(g_from_kg(self.pieces.striker().mass));
+        let m2 = significant(g_from_kg(self.pieces.target().mass));
+        let speed = significant(self.speed);
+        let side = self.side_name();
+        let place = match self.given {
+            _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
+            Given::Angle { .. } => format!(
+                "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
+                words::degrees(self.alpha().abs())
+            ),
+            Given::Offset { offset_mm } => format!(
+                "The {name}'s centre lies {} to the {side} of its path; the two radii \
+                 make {} together.",
+                words::millimetres(offset_mm.abs()),
+                words::millimetres(self.reach_mm())
+            ),
+        };
+        let restitution = significant(self.restitution);
+        let loss = if self.restitution < 1.0 {
+            format!("Some energy is lost: e = {restitution}.")
+        } else {
+            format!("No energy is lost: e = {restitution}.")
+        };
+        format!(
+            "A striker of {m1} g hits a resting {name} of {m2} g at {speed} m/s. \
+             {place} {loss}"
+        )
+    }
+}

@@ -1,0 +1,124 @@
+//! How a question looks while it is read out and while everyone thinks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::heading::Heading;
+use super::play::Play;
+use super::view::{Text, column};
+use crate::class::Step;
+use crate::quiz::{Form, Picture, Question, letter};
+use crate::widgets::big::{Align, Big};
+use crate::widgets::{Beside, Lines, Look, Role, draw_question};
+
+/// The place of the question's words, and of its picture if it is to be seen.
+struct Layout {
+    words: Rect,
+    beside: Option<Beside>,
+}
+
+fn heading_and(play: &Play, then: impl FnOnce(Heading)) {
+    let number = format!("Question {}", play.number() + 1);
+    match play.step() {
+        Step::Predict => then(Heading::new(
+            &["Predict in silence", "In silence"],
+            "Everyone writes down an answer. Nobody speaks.",
+        )),
+        _ => then(Heading::new(&[&number], "")),
+    }
+}
+
+fn layout(play: &Play, question: &Question, area: Rect, look: &Look) -> Layout {
+    let mut rest = area;
+    heading_and(play, |heading| rest = heading.rest(area, look));
+    if play.words_alone || question.picture == Picture::Nothing {
+        return Layout {
+            words: if play.words_alone { rest } else { column(rest) },
+            beside: None,
+        };
+    }
+    let beside = Beside::square(rest);
+    Layout {
+        words: beside.panel,
+        beside: Some(beside),
+    }
+}
+
+/// Draws the question: its picture, and its words where there is room for large type.
+pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
+    let Some(question) = play.question() else {
+        return;
+    };
+    heading_and(play, |heading| {
+        heading.draw(area, buf, look);
+    });
+    let layout = layout(play, question, area, look);
+    if let Some(beside) = &layout.beside {
+        let aside = match play.step() {
+            Step::Predict => "what will happen?",
+            _ => "the question",
+        };
+        beside.draw(buf, look, question.family.name(), aside);
+        draw_question(beside.picture, buf, look, question, None);
+    }
+    let place = inner(layout.words);
+    let Some(blocks) = large(question, place, look) else {
+        return;
+    };
+    let mut row = place.y;
+    for block in blocks {
+        let left = Rect {
+            y: row,
+            height: place.bottom().saturating_sub(row),
+            ..place
+        };
+        block.draw(left, buf, look, Role::Title, Align::Left);
+        row += block.rows() + GAP;
+    }
+}
+
+/// Empty rows between the question and its choices in large type.
+const GAP: u16 = 1;
+
+/// A column of margin on both sides.
+fn inner(area: Rect) -> Rect {
+    let margin = 1.min(area.width / 2);
+    Rect {
+        x: area.x + margin,
+        width: area.width - 2 * margin,
+        ..area
+    }
+}
+
+/// The words in large type, if they fit.
+fn large(question: &Question, place: Rect, look: &Look) -> Option<Vec<Big>> {
+    let mut texts = vec![question.text.clone()];
+    if let Form::Choice { options, .. } = &question.form {
+        let lettered = options.iter().enumerate();
+        texts.extend(lettered.map(|(i, option)| format!("{}: {option}", letter(i))));
+    }
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    Big::fit_all(&texts, GAP, place.width, place.height, look.charset)
+}
+
+/// The words as plain text, where there is no room for large type.
+pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'a>> {
+    let question = play.question()?;
+    let layout = layout(play, question, area, look);
+    if large(question, inner(layout.words), look).is_some() {
+        return None;
+    }
+    let write = move |lines: &mut Lines| write(question, lines);
+    Some((layout.words, Box::new(write)))
+}
+
+/// Writes a question with its choices.
+pub(super) fn write(question: &Question, lines: &mut Lines) {
+    lines.paragraph(&question.text, Role::Title);
+    if let Form::Choice { options, .. } = &question.form {
+        for (i, option) in options.iter().enumerate() {
+            lines.gap();
+            lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! The scoreboard: everyone's place, points and gain.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::view::column;
+use crate::class::{ClassRound, standings};
+use crate::quiz::Grade;
+use crate::widgets::bar::bar;
+use crate::widgets::big::{Align, Big};
+use crate::widgets::{Lines, Look, Role, text};
+
+/// Rows of a team in large type: four of letters, one of its bar, one empty.
+const LARGE: u16 = 6;
+/// Columns between a name and the points in large type.
+const APART: u16 = 3;
+
+/// What is said of a team.
+struct Row {
+    /// "1. Ants"
+    name: String,
+    /// "27.5"
+    points: String,
+    /// "+9.3"
+    gain: String,
+    /// Its share of all points there were.
+    share: f64,
+}
+
+/// Draws where the teams stand after the first `asked` questions.
+pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffer, look: &Look) {
+    let area = column(area);
+    let most = Grade::MOST * asked.max(1) as f64;
+    let rows: Vec<Row> = standings(round, asked)
+        .into_iter()
+        .map(|it| Row {
+            name: format!(
+                "{}. {}",
+                it.place,
+                round.teams().get(it.team).map_or("", String::as_str)
+            ),
+            points: format!("{:.1}", it.points),
+            gain: format!("+{:.1}", it.gain),
+            share: it.points / most,
+        })
+        .collect();
+    let high = area.height / (rows.len() as u16).max(1);
+    match large(&rows, high, area.width, look) {
+        Some(letters) => draw_large(&rows, &letters, area, buf, look),
+        None => draw_plain(&rows, high.clamp(1, 3), area, buf, look),
+    }
+}
+
+/// Names and points in large type, if there is room for all of them.
+fn large(rows: &[Row], high: u16, width: u16, look: &Look) -> Option<Vec<[Big; 2]>> {
+    if high < LARGE {
+        return None;
+    }
+    let each = rows.iter().map(|row| {
+        let points = Big::fit(&row.points, width / 3, 4, look.charset)?;
+        let room = width.saturating_sub(points.columns() + APART + 2);
+        let name = Big::fit(&row.name, room, 4, look.charset)?;
+        Some([name, points])
+    });
+    each.collect()
+}
+
+fn draw_large(rows: &[Row], letters: &[[Big; 2]], area: Rect, buf: &mut Buffer, look: &Look) {
+    for (i, (row, [name, points])) in rows.iter().zip(letters).enumerate() {
+        let place = Rect {
+            x: area.x + 1,
+            y: area.y + LARGE * i as u16,
+            width: area.width.saturating_sub(2),
+            height: LARGE,
+        };
+        name.draw(place, buf, look, Role::Title, Align::Left);
+        points.draw(place, buf, look, Role::Title, Align::Right);
+        let below = Rect {
+            x: area.x,
+            y: place.y + 4,
+            width: area.width,
+            height: 1,
+        };
+        let mut lines = Lines::new(below, buf, *look);
+        let width = lines.width().saturating_sub(9);
+        lines.pair(
+            &bar(row.share, width, look.charset),
+            &row.gain,
+            Role::Predicted,
+            Role::Title,
+        );
+    }
+}
+
+fn draw_plain(rows: &[Row], high: u16, area: Rect, buf: &mut Buffer, look: &Look) {
+    for (i, row) in rows.iter().enumerate() {
+        let place = Rect {
+            y: area.y + high * i as u16,
+            height: high,
+            ..area
+        }
+        .intersection(area);
+        let mut lines = Lines::new(place, buf, *look);
+        let room = usize::from(lines.width().saturating_sub(20));
+        let name = text::clipped(&row.name, room);
+        let numbers = format!("{:>6}  {:>6}", row.points, row.gain);
+        lines.pair(&name, &numbers, Role::Title, Role::Title);
+        if high > 1 {
+            let width = lines.width().saturating_sub(1);
+            lines.line(&bar(row.share, width, look.charset), Role::Predicted);
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! How the page looks on which a round is set up.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::heading::Heading;
+use super::set_up::{Kind, Row, SetUp, topics};
+use crate::class::MOST_TEAMS;
+use crate::quiz::{Course, CourseKind, Family};
+use crate::widgets::panel::draw_panel;
+use crate::widgets::{Charset, Lines, Look, Role, text};
+
+/// Rows of each panel with its frame.
+const PANEL: u16 = 12;
+/// Columns of both panels together at most.
+const WIDEST: u16 = 100;
+
+/// The frames of the teams and of the round, and the rows below them.
+fn layout(area: Rect) -> [Rect; 3] {
+    let width = area.width.min(WIDEST);
+    let x = area.x + (area.width - width) / 2;
+    // The heading is the same height in both charsets at any size that it is shown at.
+    let head = area.height.saturating_sub(PANEL + 5).min(6);
+    let top = Rect {
+        x,
+        y: area.y + head,
+        width,
+        height: PANEL.min(area.height.saturating_sub(head)),
+    };
+    let half = width / 2;
+    let teams = Rect { width: half, ..top };
+    let round = Rect {
+        x: x + half,
+        width: width - half,
+        ..top
+    };
+    let below = Rect {
+        x,
+        y: top.bottom(),
+        width,
+        height: area.bottom().saturating_sub(top.bottom()),
+    };
+    [teams, round, below]
+}
+
+fn inside(frame: Rect) -> Rect {
+    Rect {
+        x: frame.x + 1,
+        y: frame.y + 1,
+        width: frame.width.saturating_sub(2),
+        height: frame.height.saturating_sub(2),
+    }
+}
+
+/// The row at a cell.
+pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Row> {
+    let [teams, round, below] = layout(area);
+    let at = |frame: Rect| {
+        frame
+            .contains(cell.into())
+            .then(|| usize::from(cell.1 - frame.y))
+    };
+    let rows = set_up.rows();
+    if let Some(row) = at(inside(teams)) {
+        let rows = rows
+            .into_iter()
+            .filter(|row| matches!(row, Row::Team(_) | Row::Add));
+        return rows.collect::<Vec<_>>().get(row).copied();
+    }
+    if let Some(row) = at(inside(round)) {
+        return Kind::ALL.get(row / 2).copied().map(Row::Kind);
+    }
+    match at(below)? {
+        0 => Some(Row::Start),
+        1 => Some(Row::Earlier),
+        _ => None,
+    }
+}
+
+/// Draws the page.
+pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
+    let [teams, round, below] = layout(area);
+    let head = Rect {
+        height: teams.y.saturating_sub(area.y),
+        ..area
+    };
+    if head.height >= 4 {
+        let texts = ["A class round", "A class"];
+        // As high as a body that has a heading.
+        let room = Rect {
+            height: area.height.max(21),
+            ..head
+        };
+        Heading::new(&texts, "").draw(room, buf, look);
+    }
+    let title = format!("teams, 1 to {MOST_TEAMS}");
+    draw_panel(buf, teams, &title, look.charset, &look.theme);
+    draw_panel(buf, round, "the questions", look.charset, &look.theme);
+    let mut lines = Lines::new(inside(teams), buf, *look);
+    for row in set_up.rows() {
+        let chosen = row == set_up.at;
+        match row {
+            Row::Team(team) => {
+                let name = typed(&set_up.teams[team], lines.width(), chosen, look.charset);
+                line(&format!("{} {name}", team + 1), chosen, &mut lines);
+            }
+            Row::Add => line("+ add a team: type its name", chosen, &mut lines),
+            _ => {}
+        }
+    }
+    let mut lines = Lines::new(inside(round), buf, *look);
+    for kind in Kind::ALL {
+        let chosen = set_up.at == Row::Kind(kind);
+        let mark = if set_up.kind == kind { "(*)" } else { "( )" };
+        let (name, about) = words(set_up, kind, lines.width(), chosen, look.charset);
+        line(&format!("{mark} {name}"), chosen, &mut lines);
+        lines.line(&format!("      {about}"), Role::Dim);
+    }
+    let mut lines = Lines::new(below, buf, *look);
+    line("Start", set_up.at == Row::Start, &mut lines);
+    line(
+        "take up an earlier round",
+        set_up.at == Row::Earlier,
+        &mut lines,
+    );
+    if let Some(trouble) = &set_up.trouble {
+        lines.paragraph(trouble, Role::Warn);
+    }
+}
+
+fn line(words: &str, chosen: bool, lines: &mut Lines) {
+    let (mark, role) = if chosen {
+        (">", Role::Selected)
+    } else {
+        (" ", Role::Text)
+    };
+    lines.line(&format!("{mark} {words} "), role);
+}
+
+/// The end of what is typed, as far as there is room, with a mark where it goes on.
+fn typed(words: &str, width: u16, chosen: bool, charset: Charset) -> String {
+    let shown: String = words.chars().filter(|c| !c.is_control()).collect();
+    let shown = charset.text(&shown).into_owned();
+    let room = usize::from(width).saturating_sub(9);
+    let mut from = shown.as_str();
+    while text::width(from) > room {
+        let mut letters = from.chars();
+        letters.next();
+        from = letters.as_str();
+    }
+    if chosen {
+        format!("{from}_")
+    } else {
+        from.to_owned()
+    }
+}
+
+/// What a kind of round is called, and what it is.
+fn words(
+    set_up: &SetUp,
+    kind: Kind,
+    width: u16,
+    chosen: bool,
+    charset: Charset,
+) -> (String, String) {
+    let course = |kind: CourseKind, about: &str| {
+        let count = Course::new(kind.clone()).count;
+        (kind.name().to_owned(), format!("{count} questions, {about}"))
+    };
+    match kind {
+        Kind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),
+        Kind::Quick => course(CourseKind::Quick, "all kinds mixed"),
+        Kind::Hits => course(CourseKind::Hits, "where will both go?"),
+        Kind::Topic => {
+            let topics = topics();
+            let family = topics.get(set_up.topic).copied();
+            let name = family.map_or("", Family::name);
+            let name = match chosen {
+                true => format!("< {name} >"),
+                false => name.to_owned(),
+            };
+            let count = family.map_or(0, |family| CourseKind::Topic(family).length());
+            (format!("one topic, {count} questions"), name)
+        }
+        Kind::Code => {
+            let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);
+            (
+                format!("by its code: {code}"),
+                "such as mixed-7: the same for everyone".into(),
+            )
+        }
+    }
+}

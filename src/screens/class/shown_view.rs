@@ -1,0 +1,116 @@
+//! How the truth is told.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::heading::Heading;
+use super::play::Play;
+use super::shown::Shown;
+use super::view::{Text, teams};
+use crate::class::{ClassRound, Vote};
+use crate::physics::Frame;
+use crate::quiz::{Question, Said, letter};
+use crate::widgets::{Beside, Lines, Look, Role, draw_question};
+
+/// Rows of a body from which on there is a heading above the picture, too.
+const HEADED_FROM: u16 = 34;
+
+const HEADING: Heading<'static> = Heading::new(&["The shot"], "");
+
+/// Where picture and panel are.
+fn layout(question: &Question, shown: &Shown, area: Rect, look: &Look) -> Beside {
+    let rest = if area.height >= HEADED_FROM {
+        HEADING.rest(area, look)
+    } else {
+        area
+    };
+    let pictured = shown.watch.is_some() || question.picture != crate::quiz::Picture::Nothing;
+    if pictured {
+        Beside::square(rest)
+    } else {
+        Beside::text_alone(rest)
+    }
+}
+
+/// Draws the hit.
+pub(super) fn draw(play: &Play, shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
+    let Some(question) = play.question() else {
+        return;
+    };
+    if area.height >= HEADED_FROM {
+        HEADING.draw(area, buf, look);
+    }
+    let layout = layout(question, shown, area, look);
+    let title = match &shown.watch {
+        Some(watch) => match watch.frame() {
+            Frame::Laboratory => format!("the hit, slowed {:.0}×", watch.clock().slowed()),
+            Frame::CentreOfMass => "seen from the centre of mass".into(),
+            Frame::Target => "seen riding with the target".into(),
+        },
+        None => question.family.name().into(),
+    };
+    let aside = if shown.told { "and why" } else { "watch" };
+    layout.draw(buf, look, &title, aside);
+    match &shown.watch {
+        Some(watch) => watch.draw(layout.picture, buf, look),
+        None => draw_question(layout.picture, buf, look, question, None),
+    }
+}
+
+/// The truth and why it is true.
+pub(super) fn text<'a>(play: &'a Play, shown: &'a Shown, area: Rect, look: &Look) -> Text<'a> {
+    let place = play
+        .question()
+        .map(|question| layout(question, shown, area, look).panel)
+        .unwrap_or_default();
+    let write = move |lines: &mut Lines| {
+        if let Some(question) = play.question() {
+            write(play, question, shown, lines);
+        }
+    };
+    (place, Box::new(write))
+}
+
+fn write(play: &Play, question: &Question, shown: &Shown, lines: &mut Lines) {
+    if !shown.told {
+        lines.paragraph(&question.text, Role::Dim);
+        if let Some(watch) = &shown.watch {
+            lines.gap();
+            lines.paragraph(watch.telling(), Role::Text);
+        }
+        return;
+    }
+    let truth = question.form.truth();
+    let words = match truth {
+        Said::Choice(i) => format!("{}: {}", letter(i), question.form.words(&truth)),
+        _ => question.form.words(&truth),
+    };
+    lines.paragraph(&words, Role::Title);
+    lines.gap();
+    let number = play.number();
+    let right = |vote| right(&play.round, number, vote);
+    lines.pair("right at first", &right(Vote::First), Role::Text, Role::Title);
+    lines.pair("after talking", &right(Vote::Second), Role::Text, Role::Title);
+    if let Some((misconception, count)) = shown.held {
+        lines.gap();
+        let words = format!("{}: {}.", teams(count), misconception.name);
+        lines.paragraph(&words, Role::Title);
+    }
+    lines.gap();
+    lines.paragraph(&shown.why, Role::Text);
+}
+
+/// How many teams were right: "2 of 3".
+fn right(round: &ClassRound, question: usize, vote: Vote) -> String {
+    let count = (0..round.teams().len())
+        .filter(|team| {
+            let ballot = round.ballot(question, *team);
+            let said = match vote {
+                Vote::First => ballot.first,
+                Vote::Second => ballot.counts(),
+            };
+            round.grade(question, said).is_some_and(|grade| grade.right)
+        })
+        .count();
+    format!("{count} of {}", round.teams().len())
+}

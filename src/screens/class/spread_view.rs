@@ -1,0 +1,221 @@
+//! How the first votes are spread, without the truth and without names: something to
+//! talk about.
+
+use glam::dvec2;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::heading::Heading;
+use super::play::Play;
+use super::view::{Text, column, teams};
+use crate::class::Vote;
+use crate::physics::Collision;
+use crate::physics::units::mm_from_m;
+use crate::quiz::{Form, Question, Ray, Said, letter};
+use crate::widgets::bar::bar;
+use crate::widgets::hit::{Stage, degrees};
+use crate::widgets::ink::{Pen, Sheet, Side};
+use crate::widgets::panel::draw_panel;
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::{Beside, Lines, Look, Role, brief, draw_question};
+
+const HEADING: Heading<'static> = Heading::new(
+    &["Talk"],
+    "These are the votes. Find someone who thinks otherwise, and say why.",
+);
+
+/// The first votes that were given on the question at hand.
+fn votes(play: &Play) -> Vec<Said> {
+    let teams = 0..play.round.teams().len();
+    let ballots = teams.map(|team| play.round.ballot(play.number(), team));
+    ballots
+        .filter_map(|ballot| ballot.vote(Vote::First))
+        .collect()
+}
+
+/// Draws the spread.
+pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
+    let rest = HEADING.draw(area, buf, look);
+    let Some(question) = play.question() else {
+        return;
+    };
+    let votes = votes(play);
+    match &question.form {
+        Form::Choice { options, .. } => draw_bars(options, &votes, column(rest), buf, look),
+        Form::Rays { .. } => {
+            let beside = Beside::square(rest);
+            beside.draw(buf, look, "all who voted", "the votes");
+            draw_question(beside.picture, buf, look, question, None);
+            if let Some(collision) = question.picture.collision() {
+                draw_fan(collision, &votes, beside.picture, buf, look);
+            }
+        }
+        Form::Number { quantity, .. } => {
+            let numbers = votes.iter().filter_map(|said| match said {
+                Said::Number(x) => Some(*x),
+                _ => None,
+            });
+            draw_line(quantity.unit(), &numbers.collect::<Vec<_>>(), rest, buf, look);
+        }
+        Form::Shot(_) => {
+            let offsets = votes.iter().filter_map(|said| match said {
+                Said::Shot(x) => Some(mm_from_m(*x)),
+                _ => None,
+            });
+            let unit = "mm offset, a minus for the left";
+            draw_line(unit, &offsets.collect::<Vec<_>>(), rest, buf, look);
+        }
+    }
+}
+
+/// The list of rays beside their picture.
+pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'a>> {
+    let question = play.question()?;
+    let Form::Rays { target, .. } = &question.form else {
+        return None;
+    };
+    let panel = Beside::square(HEADING.rest(area, look)).panel;
+    let write = move |lines: &mut Lines| write_rays(play, question, target, lines);
+    Some((panel, Box::new(write)))
+}
+
+fn write_rays(play: &Play, question: &Question, target: &str, lines: &mut Lines) {
+    let votes = votes(play);
+    lines.paragraph(&question.text, Role::Text);
+    for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
+        lines.gap();
+        lines.line(&format!("{name}, degrees"), Role::Dim);
+        lines.paragraph(&listed(question, &votes, ray), Role::Title);
+    }
+    let missing = play.round.teams().len() - votes.len();
+    if missing > 0 {
+        lines.gap();
+        lines.paragraph(&format!("{} without a vote", teams(missing)), Role::Dim);
+    }
+}
+
+/// The angles said of a ray, in order, with how many said the same: "30.0, 45.0 (2)".
+fn listed(question: &Question, votes: &[Said], ray: Ray) -> String {
+    let index = usize::from(ray == Ray::Target);
+    let mut angles: Vec<Option<f64>> = votes
+        .iter()
+        .filter_map(|said| match (said, question.picture.collision()) {
+            (Said::Rays(rays), Some(collision)) => Some(degrees(collision, rays)[index]),
+            _ => None,
+        })
+        .collect();
+    angles.sort_by(|a, b| {
+        let value = |angle: &Option<f64>| angle.unwrap_or(f64::INFINITY);
+        value(a).total_cmp(&value(b))
+    });
+    let mut groups: Vec<(String, usize)> = Vec::new();
+    for shown in angles.into_iter().map(brief) {
+        match groups.last_mut() {
+            Some((last, count)) if *last == shown => *count += 1,
+            _ => groups.push((shown, 1)),
+        }
+    }
+    let words: Vec<String> = groups
+        .into_iter()
+        .map(|(shown, count)| match count {
+            1 => shown,
+            count => format!("{shown} ({count})"),
+        })
+        .collect();
+    words.join(", ")
+}
+
+/// All rays, from where the two will meet.
+fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer, look: &Look) {
+    let stage = Stage::new(area, collision);
+    let mut sheet = Sheet::new(stage.view, look.charset);
+    let bodies = [
+        (Ray::Striker, "S", Role::StrikerOut),
+        (Ray::Target, "C", Role::CoinOut),
+    ];
+    for said in votes {
+        let Said::Rays(rays) = said else { continue };
+        for (body, (ray, name, role)) in bodies.into_iter().enumerate() {
+            let centre = stage.centres[body];
+            let Some(angle) = rays.get(ray) else {
+                continue;
+            };
+            let direction = stage.direction(ray, angle);
+            let length = stage.room(centre, direction).min(2.9 * stage.unit());
+            let tip = centre + length * direction;
+            let start = centre + stage.radius(body) * direction;
+            let pen = match ray {
+                Ray::Striker => Pen::new(role).bold(),
+                Ray::Target => Pen::new(role).dashed(),
+            };
+            sheet.arrow(start, tip, pen);
+            sheet.label(name, tip, &Side::towards(direction), role);
+        }
+    }
+    sheet.draw(buf, &look.theme);
+}
+
+/// Bars for choices: how many teams are for each.
+fn draw_bars(options: &[String], votes: &[Said], area: Rect, buf: &mut Buffer, look: &Look) {
+    let rows = area.height / (options.len() as u16).max(1);
+    let most = votes.len().max(1);
+    for (i, option) in options.iter().enumerate() {
+        let place = Rect {
+            y: area.y + rows * i as u16,
+            height: rows,
+            ..area
+        };
+        let count = votes
+            .iter()
+            .filter(|said| matches!(said, Said::Choice(chosen) if *chosen == i))
+            .count();
+        let mut lines = Lines::new(place, buf, *look);
+        lines.hanging(&format!("{}: ", letter(i)), option, Role::Text);
+        let width = lines.width().saturating_sub(4);
+        let bar = bar(count as f64 / most as f64, width, look.charset);
+        let thick = if rows >= lines.written() + 3 { 2 } else { 1 };
+        for row in 0..thick {
+            let number = if row == 0 { count.to_string() } else { String::new() };
+            lines.pair(&bar, &number, Role::Predicted, Role::Title);
+        }
+    }
+}
+
+/// Marks on a number line, one upon the other where several said the same.
+fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &Look) {
+    let area = column(area);
+    let inside = draw_panel(buf, area, "the votes", look.charset, &look.theme);
+    let (least, largest) = numbers
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (a.min(*x), b.max(*x))
+        });
+    if numbers.is_empty() {
+        Lines::new(inside, buf, *look).paragraph("Nobody has voted.", Role::Text);
+        return;
+    }
+    // Some room on both sides, even where all said the same.
+    let margin = (0.15 * (largest - least)).max(0.1 * largest.abs()).max(0.5);
+    let x = Axis::linear(format!("your votes ({unit})"), least - margin, largest + margin);
+    let mut heaps: Vec<(f64, usize)> = Vec::new();
+    for number in numbers {
+        match heaps.iter_mut().find(|(x, _)| (x - number).abs() < 1e-9) {
+            Some((_, count)) => *count += 1,
+            None => heaps.push((*number, 1)),
+        }
+    }
+    let highest = heaps.iter().map(|(_, count)| *count).max().unwrap_or(1);
+    let y = Axis::linear("teams", 0.0, (highest + 1) as f64).every(1.0);
+    let mut plot = Plot::new(inside, *look, x, y);
+    for (number, count) in &heaps {
+        for height in 1..=*count {
+            plot.mark(dvec2(*number, height as f64), 'O', Role::Predicted);
+        }
+    }
+    for (number, count) in &heaps {
+        let label = format!("{}", (number * 1000.0).round() / 1000.0 + 0.0);
+        let at = dvec2(*number, *count as f64);
+        plot.label(&label, at, &[Side::Above, Side::AboveRight], Role::Title);
+    }
+    plot.draw(buf);
+}

@@ -1,0 +1,152 @@
+//! Giving a number: typed, or dialled with the arrows.
+
+use super::entry::{NumberEntry, Typed};
+use super::{Lines, Role, Turned};
+use crate::messages::Key;
+use crate::quiz::Quantity;
+
+/// A number in the making.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NumberInput {
+    quantity: Quantity,
+    /// The smallest and the largest that it can be.
+    range: (f64, f64),
+    value: Option<f64>,
+    entry: NumberEntry,
+}
+
+impl NumberInput {
+    /// Nothing given yet.
+    pub fn new(quantity: Quantity) -> Self {
+        Self::within(quantity, quantity.smallest(), quantity.largest())
+    }
+
+    /// The same, held within these bounds.
+    pub fn within(quantity: Quantity, least: f64, most: f64) -> Self {
+        Self {
+            quantity,
+            range: (least, most),
+            value: None,
+            entry: NumberEntry::default(),
+        }
+    }
+
+    /// The number, if one has been given.
+    pub fn value(&self) -> Option<f64> {
+        self.value
+    }
+
+    /// Sets it, held within its bounds.
+    pub fn set(&mut self, value: f64) {
+        // Adding 0 turns −0 into 0.
+        self.value = Some(value.clamp(self.range.0, self.range.1) + 0.0);
+    }
+
+    /// Takes a key; Enter is done once there is a number.
+    pub fn update(&mut self, key: Key) -> Turned {
+        match self.entry.update(key) {
+            Typed::Editing => {
+                if let Some(value) = self.entry.value() {
+                    self.set(value);
+                }
+                return Turned::Turning;
+            }
+            Typed::Entered(value) => {
+                self.set(value);
+                return Turned::Done;
+            }
+            Typed::Ignored => {}
+        }
+        let (fine, coarse) = steps(self.quantity);
+        match key {
+            Key::Right => self.step(fine),
+            Key::Left => self.step(-fine),
+            Key::Up => self.step(coarse),
+            Key::Down => self.step(-coarse),
+            Key::Enter if self.value.is_some() => return Turned::Done,
+            _ => return Turned::Ignored,
+        }
+        Turned::Turning
+    }
+
+    /// As it reads: as typed so far, or as it stands.
+    pub fn shown(&self) -> String {
+        let unit = self.quantity.unit();
+        let gap = if matches!(unit, "" | "°") { "" } else { " " };
+        match self.value {
+            _ if self.entry.is_open() => format!("{}_{gap}{unit}", self.entry.text()),
+            None => format!("_{gap}{unit}"),
+            Some(value) => format!("{}{gap}{unit}", dialled(value)),
+        }
+    }
+
+    /// Writes it, a row.
+    pub fn write(&self, name: &str, lines: &mut Lines) {
+        let role = Role::Selected;
+        lines.pair(&format!("> {name}"), &self.shown(), role, role);
+    }
+
+    /// How it is given.
+    pub fn about(&self) -> String {
+        match self.quantity.unit() {
+            "" => "Type a number, or dial it with the arrows.".into(),
+            unit => format!("Type a number in {unit}, or dial it with the arrows."),
+        }
+    }
+
+    fn step(&mut self, by: f64) {
+        self.entry.take();
+        // Steps of hundredths add up to hundredths.
+        let stepped = self.value.unwrap_or(0.0) + by;
+        self.set((stepped * 100.0).round() / 100.0);
+    }
+}
+
+/// A small and a large step.
+const fn steps(quantity: Quantity) -> (f64, f64) {
+    match quantity {
+        Quantity::Angle | Quantity::Share => (1.0, 5.0),
+        Quantity::Speed | Quantity::Restitution => (0.05, 0.5),
+        Quantity::Mass | Quantity::Length => (0.5, 5.0),
+        Quantity::Times => (0.5, 5.0),
+    }
+}
+
+/// A number as given, without zeros that nobody typed.
+fn dialled(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(number: &mut NumberInput, keys: &[Key]) -> Turned {
+        let each = keys.iter().map(|key| number.update(*key));
+        each.last().unwrap_or(Turned::Ignored)
+    }
+
+    #[test]
+    fn nothing_is_done_before_there_is_a_number() {
+        let mut number = NumberInput::new(Quantity::Speed);
+        assert_eq!(press(&mut number, &[Key::Enter]), Turned::Ignored);
+        assert_eq!(number.value(), None);
+        let typed = [Key::Char('2'), Key::Char('.'), Key::Char('1')];
+        press(&mut number, &typed);
+        assert_eq!(number.shown(), "2.1_ m/s");
+        assert_eq!(press(&mut number, &[Key::Enter]), Turned::Done);
+        assert_eq!(number.value(), Some(2.1));
+    }
+
+    #[test]
+    fn it_is_dialled_within_its_bounds() {
+        let mut number = NumberInput::new(Quantity::Share);
+        press(&mut number, &[Key::Up, Key::Up, Key::Right, Key::Left]);
+        assert_eq!(number.shown(), "10 %");
+        press(&mut number, &[Key::Down; 9]);
+        assert_eq!(number.value(), Some(0.0));
+        press(&mut number, &[Key::Char('9'); 4]);
+        assert_eq!(number.value(), Some(100.0));
+    }
+}

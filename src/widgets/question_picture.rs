@@ -1,0 +1,141 @@
+//! The picture of a question before it is answered.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::hit::{draw_after, draw_aim, draw_setup};
+use super::tracks::draw_tracks;
+use super::{AnswerInput, Look};
+use crate::quiz::{Form, Picture, Question, Said};
+
+/// Draws what a question shows, with no more in it than it gives, and what is being
+/// said to it; nothing for a question of words alone.
+pub fn draw_question(
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+    question: &Question,
+    input: Option<&AnswerInput>,
+) {
+    match (&question.picture, &question.form) {
+        (Picture::Before { shown, .. }, Form::Shot(aim)) => {
+            let offset = match input.and_then(AnswerInput::said) {
+                Some(Said::Shot(offset)) => offset,
+                _ => 0.0,
+            };
+            draw_aim(area, buf, look, (aim, offset), *shown);
+        }
+        (Picture::Before { collision, shown }, _) => {
+            let rays = input.and_then(AnswerInput::rays);
+            draw_setup(area, buf, look, collision, *shown, rays);
+        }
+        (Picture::After { collision }, _) => draw_after(area, buf, look, collision),
+        (Picture::Tracks { rutherford, angles }, _) => {
+            draw_tracks(area, buf, look, rutherford, *angles);
+        }
+        (Picture::Nothing, _) => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::physics::rutherford::Rutherford;
+    use crate::physics::{Collision, Disc};
+    use crate::quiz::{Aim, Code, Quantity, Ray, Round, Shown};
+    use crate::widgets::cells::text;
+    use crate::widgets::{Charset, Depth, Palette, Theme};
+
+    const AREA: Rect = Rect::new(0, 0, 48, 20);
+
+    fn drawn(picture: Picture, form: Form) -> String {
+        let round = Round::of(Code::hits(7));
+        let question = Question {
+            picture,
+            form,
+            ..round.questions()[0].clone()
+        };
+        let look = Look {
+            charset: Charset::Ascii,
+            theme: Theme::new(Palette::Dark, Depth::None),
+        };
+        let mut buf = Buffer::empty(AREA);
+        draw_question(AREA, &mut buf, &look, &question, None);
+        text(&buf)
+    }
+
+    fn number() -> Form {
+        Form::Number {
+            quantity: Quantity::Mass,
+            truth: 10.0,
+        }
+    }
+
+    fn hit(alpha_deg: f64) -> Collision {
+        let (striker, coin) = (Disc::from_g_mm(15.0, 20.0), Disc::from_g_mm(5.5, 15.0));
+        let u = DVec2::new(4.0, 0.0);
+        Collision::at_angle(striker, coin, u, f64::to_radians(alpha_deg))
+    }
+
+    /// The angles stand there as they are; nothing tells of masses and speeds.
+    #[test]
+    fn a_hit_that_was_seen_shows_its_angles_alone() {
+        let collision = hit(30.0);
+        let outcome = collision.outcome();
+        let picture = drawn(Picture::After { collision }, number());
+        for angle in [outcome.theta1, outcome.theta2] {
+            let shown = format!("{:.1}", angle.unwrap().to_degrees());
+            assert!(picture.contains(&shown), "{shown}\n{picture}");
+        }
+        assert!(
+            !picture.contains("m/s") && !picture.contains(" g"),
+            "{picture}"
+        );
+        // As fast again, it looks the same.
+        let faster = Collision {
+            u1: 2.0 * collision.u1,
+            ..collision
+        };
+        assert_eq!(
+            drawn(Picture::After { collision: faster }, number()),
+            picture
+        );
+    }
+
+    #[test]
+    fn two_ways_past_a_nucleus_have_their_angles() {
+        for angles in [[60.0, 120.0], [15.0, 90.0], [5.0, 10.0], [180.0, 0.0]] {
+            let picture = drawn(
+                Picture::Tracks {
+                    rutherford: Rutherford::radium_c_on_gold(),
+                    angles: angles.map(f64::to_radians),
+                },
+                number(),
+            );
+            for angle in angles.into_iter().filter(|angle| *angle > 1.0) {
+                assert!(picture.contains(&format!("{angle:.1}")), "{picture}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_shot_shows_its_mark() {
+        let aim = Aim {
+            collision: hit(0.0),
+            ray: Ray::Target,
+            wanted: 0.7,
+            offset: 0.01,
+        };
+        let picture = Picture::Before {
+            collision: aim.collision,
+            shown: Shown::default(),
+        };
+        let picture = drawn(picture, Form::Shot(aim));
+        assert!(
+            picture.contains("mark") && picture.contains('*'),
+            "{picture}"
+        );
+    }
+}
