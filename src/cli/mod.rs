@@ -25,6 +25,7 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
+use crate::class::team_names;
 use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
 use options::Look;
@@ -49,6 +50,8 @@ Examples:
   carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
   carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
+  carrom class --teams Ants,Bees --palette light
+                               a round for a class, on a projector
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom progress --csv        every answer you gave, for a spreadsheet
   carrom --charset ascii       for terminals and fonts that know nothing else
@@ -96,6 +99,15 @@ enum Screen {
         #[arg(long, value_name = "CODE", value_parser = code)]
         code: Option<Code>,
     },
+    /// Open a round for a class: teams, one keyboard, a projector
+    Class {
+        /// The round to play: its code, such as mixed-7
+        #[arg(long, value_name = "CODE", value_parser = code)]
+        code: Option<Code>,
+        /// The names of 1 to 8 teams, with commas between them
+        #[arg(long, value_name = "A,B,C", value_parser = teams)]
+        teams: Option<Teams>,
+    },
     /// Open the table: carrom itself, the whole board
     Table,
     Progress(progress::Args),
@@ -130,6 +142,10 @@ impl Screen {
             Self::Quiz { code } => Place::Quiz {
                 code: code.clone().or_else(|| options.seed.map(Code::hits)),
             },
+            Self::Class { code, teams } => Place::Class {
+                code: code.clone(),
+                teams: teams.clone().unwrap_or_default().0,
+            },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
@@ -155,6 +171,16 @@ fn code(text: &str) -> Result<Code, String> {
          speeds-7, or 7 for ten hits"
             .into()
     })
+}
+
+/// The names of the teams of a class.
+#[derive(Debug, Clone, Default)]
+struct Teams(Vec<String>);
+
+/// Names of teams that can play together.
+fn teams(text: &str) -> Result<Teams, String> {
+    let names = team_names(text.split(','));
+    names.map(Teams).map_err(|trouble| trouble.to_string())
 }
 
 /// The app as the options have it, at a screen (`None`: the first one).
