@@ -165,7 +165,10 @@ fn words(
 ) -> (String, String) {
     let course = |kind: CourseKind, about: &str| {
         let count = Course::new(kind.clone()).count;
-        (kind.name().to_owned(), format!("{count} questions, {about}"))
+        (
+            kind.name().to_owned(),
+            format!("{count} questions, {about}"),
+        )
     };
     match kind {
         Kind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),
@@ -184,10 +187,7 @@ fn words(
         }
         Kind::Code => {
             let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);
-            (
-                format!("by its code: {code}"),
-                "such as mixed-7".into(),
-            )
+            (format!("by its code: {code}"), "such as mixed-7".into())
         }
     }
 }

@@ -46,12 +46,8 @@ fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> Rows {
     let count = round.teams().len() as u16 + 1;
     let height = place.height / count;
     let width = place.width.saturating_sub(MARK + STATE);
-    let names = round.teams().iter().map(|name| {
-        let big = Big::fit(name, width, 4, look.charset)?;
-        (big.rows() <= 4).then_some(big)
-    });
-    let names: Option<Vec<Big>> = names.collect();
-    let names = names.filter(|_| height >= 5);
+    let names: Vec<&str> = round.teams().iter().map(String::as_str).collect();
+    let names = Big::fit_lines(&names, width, look.charset).filter(|_| height >= 5);
     let place = match &names {
         Some(_) => place,
         None => {
@@ -87,13 +83,7 @@ pub(super) fn row_at(
 }
 
 /// Draws who has voted, and not what.
-pub(super) fn draw_teams(
-    play: &Play,
-    booths: &Booths,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
+pub(super) fn draw_teams(play: &Play, booths: &Booths, area: Rect, buf: &mut Buffer, look: &Look) {
     let round = &play.round;
     heading(booths.vote).draw(area, buf, look);
     let rows = rows(round, booths.vote, area, look);
@@ -219,4 +209,3 @@ pub(super) fn text<'a>(play: &'a Play, booths: &'a Booths, area: Rect) -> Option
     };
     Some((layout.panel, Box::new(write)))
 }
-
