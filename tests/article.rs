@@ -28,10 +28,12 @@ const OFFSET: &str = "the-impact-parameter";
 const REAL: &str = "A real striker";
 const FAST: &str = "Which way, how fast?";
 
-/// The figures that the article quotes, by chapter and page: each as it stands in the
-/// chapter's file, where the engine computes it again when the file is read, and as it is
-/// said on the screen.
-const FIGURES: [(&str, &str, &[(&str, &str)]); 11] = [
+/// A figure as it stands in the chapter's file, where the engine computes it again when
+/// the file is read, and as it is said on the screen.
+type Figure = (&'static str, &'static str);
+
+/// The figures that the article quotes, by chapter and page.
+const FIGURES: [(&str, &str, &[Figure]); 11] = [
     // 15 g on 15 g at 4 m/s and 30°: 2 m/s at 60°, 2√3 m/s at 30°, 90° apart.
     (
         SHOT,
@@ -138,7 +140,7 @@ const FIGURES: [(&str, &str, &[(&str, &str)]); 11] = [
 
 /// The equations that the article refers to and does not show, by the chapters and pages
 /// where they are set.
-const EQUATIONS: [(&str, &str, &[&str]); 13] = [
+const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     (
         "momentum-is-a-vector",
         "One law, two lines",
@@ -192,6 +194,18 @@ const EQUATIONS: [(&str, &str, &[&str]); 13] = [
         "the-right-angle",
         "Step 3: conclude",
         &["v_1 v_2 cos phi = 0"],
+    ),
+    (SPEEDS, "From full to thin", &["v_1 = u sin alpha"]),
+    (SPEEDS, "The other coin", &["v_2 = u cos alpha"]),
+    (
+        SPEEDS,
+        "Which way?",
+        &["theta_2 = alpha", "theta_1 = 90 deg - alpha"],
+    ),
+    (
+        SPEEDS,
+        "From the offset",
+        &["theta_1 = 90 deg - arcsin(b/(2 r))"],
     ),
     (
         MARBLES,

@@ -113,7 +113,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
         assert!(fault.contains(complaint), "{complaint}: {fault}\n{text}");
         assert!(fault.starts_with("bad"), "{fault}");
     }
-    let noise: Vec<u8> = (0..10_000_000_u32)
+    let noise: Vec<u8> = (0..10_000_000_u64)
         .map(|i| (i * 7919 % 251) as u8)
         .collect();
     assert!(ClassRound::read("noise", &noise).is_err());

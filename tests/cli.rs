@@ -116,6 +116,14 @@ fn unusable_arguments_are_refused() {
             "invalid value 'NaN' for '--seed <N>'",
         ),
         (
+            &["quiz", "--code", "mixed"],
+            "invalid value 'mixed' for '--code <CODE>': expected the code of a round",
+        ),
+        (
+            &["quiz", "--code", "review-7"],
+            "invalid value 'review-7' for '--code <CODE>'",
+        ),
+        (
             &["--player", "a\u{1b}[2J"],
             "expected a name of 1 to 40 visible letters",
         ),

@@ -12,6 +12,7 @@ use std::process::{Command, Output, Stdio};
 use carrom::app::App;
 use carrom::messages::{Done, Request, Wish};
 use carrom::progress::{Attempt, Starred};
+use carrom::quiz::Code;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -48,7 +49,8 @@ fn app(place: Place, player: &str) -> App {
 }
 
 fn quiz(folder: &Path, player: &str) -> Headless {
-    let app = app(Place::Quiz { code: None }, player);
+    let code = Some(Code::hits(7));
+    let app = app(Place::Quiz { code }, player);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
@@ -56,7 +58,7 @@ fn quiz(folder: &Path, player: &str) -> Headless {
 /// is over gives way to the next.
 fn answer(game: &mut Headless) {
     if game.screen().contains("all answered") {
-        game.press("<Enter>");
+        game.press("n");
     }
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();

@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
-use carrom::quiz::misconceptions::ALL;
-use carrom::quiz::{Answer, Confidence, Question, Rays, Round, explain, reasoning};
+use carrom::quiz::misconceptions::OF_RAYS as ALL;
+use carrom::quiz::{Answer, Code, Confidence, Form, Question, Rays, Round, Said, explain};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::{Beside, Charset};
@@ -21,7 +21,9 @@ fn quiz(seed: u64, charset: Charset, (columns, rows): (u16, u16)) -> Headless {
         charset,
         ..Settings::default()
     };
-    let place = Place::Quiz { seed: Some(seed) };
+    let place = Place::Quiz {
+        code: Some(Code::hits(seed)),
+    };
     Headless::new(App::new(place, settings, seed), columns, rows)
 }
 
@@ -29,13 +31,33 @@ fn plain(seed: u64) -> Headless {
     quiz(seed, Charset::Ascii, (80, 24))
 }
 
+/// Where the two truly go.
+fn truth(question: &Question) -> Rays {
+    match question.form.truth() {
+        Said::Rays(rays) => rays,
+        other => panic!("not rays: {other:?}"),
+    }
+}
+
+/// What a misconception answers, where it has a word on the question.
+fn held(question: &Question, i: usize) -> Option<Rays> {
+    let belief = |it: &&carrom::quiz::Belief| it.misconception == ALL[i];
+    match question.beliefs.iter().find(belief)?.said {
+        Said::Rays(rays) => Some(rays),
+        _ => None,
+    }
+}
+
 /// The keys that say these rays, as a player would type them.
 fn keys(question: &Question, rays: &Rays) -> String {
+    let Form::Rays { side, .. } = question.form else {
+        panic!("not rays: {question:?}");
+    };
     [rays.striker, rays.target]
         .map(|angle| match angle {
             None => "x<Enter>".into(),
             Some(angle) => {
-                format!("{:.1}<Enter>", question.side() * angle.to_degrees())
+                format!("{:.1}<Enter>", side * angle.to_degrees())
             }
         })
         .concat()
@@ -77,12 +99,12 @@ const WILD: Rays = Rays::new(-1.3, -1.3);
 fn a_round_answered_by_the_truth_brings_all_points() {
     for seed in [0, 7, 42] {
         let mut game = plain(seed);
-        for (i, question) in Round::new(seed).questions().iter().enumerate() {
+        for (i, question) in Round::hits(seed).questions().iter().enumerate() {
             let screen = game.screen();
             let place = format!("question {} of 10  {i}0.0 points", i + 1);
             let place = place.replace(" 00.0", " 0.0");
             assert!(screen.contains(&place), "{place}\n{screen}");
-            answer(&mut game, question, &question.truth(), "3");
+            answer(&mut game, question, &truth(question), "3");
             let screen = game.screen();
             assert!(screen.contains("10.0 of 10 points"), "{screen}");
             assert!(screen.contains("100 %"), "{screen}");
@@ -111,23 +133,23 @@ fn every_misconception_is_named_and_explained_in_whole() {
     for seed in 0..60 {
         let charset = [Charset::Ascii, Charset::Unicode][seed as usize % 2];
         let mut game = quiz(seed, charset, (80, 24));
-        for question in Round::new(seed).questions() {
-            let (i, prediction) = ALL
+        for question in Round::hits(seed).questions() {
+            let (i, rays) = ALL
                 .into_iter()
                 .enumerate()
-                .filter_map(|(i, misconception)| Some((i, misconception.predict(question)?)))
+                .filter_map(|(i, _)| Some((i, held(question, i)?)))
                 .min_by_key(|(i, _)| met[*i])
                 .unwrap();
             met[i] += 1;
-            answer(&mut game, question, &prediction.rays, "2");
+            answer(&mut game, question, &rays, "2");
             // What is typed is the prediction to a tenth of a degree.
             let tenth = |angle: f64| (angle.to_degrees() * 10.0).round() / 10.0;
             let rays = Rays {
-                striker: prediction.rays.striker.map(|a| tenth(a).to_radians()),
-                target: prediction.rays.target.map(|a| tenth(a).to_radians()),
+                striker: rays.striker.map(|a| tenth(a).to_radians()),
+                target: rays.target.map(|a| tenth(a).to_radians()),
             };
             let confidence = Confidence::ThinkSo;
-            let explanation = explain(question, &Answer { rays, confidence });
+            let explanation = explain(question, &Answer::new(Said::Rays(rays), confidence));
             let expected = format!("{} {}", ALL[i].name, explanation.text);
             let expected = words(&charset.text(&expected));
             let shown = panel(&mut game, (80, 24));
@@ -143,14 +165,9 @@ fn every_misconception_is_named_and_explained_in_whole() {
 #[test]
 fn a_misconception_held_throughout_is_named_in_the_end() {
     let mut game = plain(7);
-    for question in Round::new(7).questions() {
-        let copied = ALL[0].predict(question).map(|prediction| prediction.rays);
-        answer(
-            &mut game,
-            question,
-            &copied.unwrap_or(question.truth()),
-            "3",
-        );
+    for question in Round::hits(7).questions() {
+        let copied = held(question, 0);
+        answer(&mut game, question, &copied.unwrap_or(truth(question)), "3");
         game.press("<Enter>");
     }
     let screen = game.screen();
@@ -166,8 +183,8 @@ fn a_misconception_held_throughout_is_named_in_the_end() {
 fn a_disc_that_stays_still_is_said_in_words() {
     let mut game = plain(7);
     let mut met = 0;
-    for question in Round::new(7).questions() {
-        let truth = question.truth();
+    for question in Round::hits(7).questions() {
+        let truth = truth(question);
         answer(&mut game, question, &truth, "3");
         if truth.striker.is_none() {
             met += 1;
@@ -178,7 +195,7 @@ fn a_disc_that_stays_still_is_said_in_words() {
     }
     assert_eq!(met, 1);
     assert!(
-        game.screen().contains("rest    0    rest    0"),
+        game.screen().contains("rest    0     rest    0"),
         "{}",
         game.screen()
     );
@@ -186,7 +203,7 @@ fn a_disc_that_stays_still_is_said_in_words() {
 
 #[test]
 fn confidence_is_given_by_digit_by_arrows_or_by_the_mouse() {
-    let question = Round::new(7).questions()[0];
+    let question = Round::hits(7).questions()[0].clone();
     let rows = [("guess", 5), ("think so", 6), ("sure", 7)];
     for (sure, points) in [7, 9, 10].into_iter().enumerate() {
         let (name, _) = rows[sure];
@@ -199,14 +216,14 @@ fn confidence_is_given_by_digit_by_arrows_or_by_the_mouse() {
         ][sure];
         for presses in [digit.as_str(), arrows] {
             let mut game = plain(7);
-            answer(&mut game, &question, &question.truth(), presses);
+            answer(&mut game, &question, &truth(&question), presses);
             assert!(
                 panel(&mut game, (80, 24)).starts_with(&expected),
                 "{presses}"
             );
         }
         let mut game = plain(7);
-        game.press(&keys(&question, &question.truth()));
+        game.press(&keys(&question, &truth(&question)));
         let line = game
             .screen()
             .lines()
@@ -241,9 +258,9 @@ fn the_mouse_turns_the_rays() {
 
 #[test]
 fn points_count_only_once_the_outcome_is_told() {
-    let question = Round::new(7).questions()[0];
+    let question = Round::hits(7).questions()[0].clone();
     let mut game = plain(7);
-    game.press(&keys(&question, &question.truth()));
+    game.press(&keys(&question, &truth(&question)));
     game.press("3");
     assert!(game.screen().contains("question 1 of 10  0.0 points"));
     assert!(!panel(&mut game, (80, 24)).contains("of 10 points"));
@@ -285,39 +302,43 @@ fn escape_goes_back_a_step_and_asks_twice_before_a_round_is_lost() {
     assert!(game.screen().contains("question 2"));
     assert!(game.screen().contains("Esc again leaves the round"));
     game.press("<Escape>");
-    assert!(game.screen().contains("carrom : home"));
+    assert!(game.screen().contains("choose a round"));
 }
 
 #[test]
 fn a_round_with_nothing_answered_is_left_at_once() {
     let mut game = plain(7);
     game.press("<Escape>");
-    assert!(game.screen().contains("carrom : home"));
+    assert!(game.screen().contains("choose a round"));
 }
 
 #[test]
 fn after_a_round_comes_another_or_home() {
     let mut game = plain(7);
-    for question in Round::new(7).questions() {
+    for question in Round::hits(7).questions() {
         answer(&mut game, question, &WILD, "1");
         game.press("<Enter>");
     }
     assert!(game.screen().contains("all answered"), "{}", game.screen());
-    game.press("<Enter>");
+    game.press("n");
     let screen = game.screen();
     assert!(screen.contains("question 1 of 10  0.0 points"), "{screen}");
+    assert!(!screen.contains("code 7 "), "{screen}");
     game.press("<Escape>");
-    assert!(game.screen().contains("carrom : home"));
+    assert!(game.screen().contains("choose a round"));
 }
 
 #[test]
-fn home_opens_the_round_of_the_seed_and_then_others() {
+fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
     let app = App::new(Place::Home, Settings::default(), 7);
     let mut game = Headless::new(app, 80, 24);
-    game.press("z");
+    game.press("zh");
     assert_eq!(game.screen(), plain(7).screen());
-    game.press("<Escape>z");
+    game.press("<Escape>h");
+    assert!(game.screen().contains("question 1 of 10"));
     assert!(!game.screen().contains("code 7 "), "{}", game.screen());
+    game.press("<Escape><Escape>");
+    assert!(game.screen().contains("carrom : home"));
 }
 
 #[test]
@@ -367,8 +388,8 @@ fn on_the_smallest_screen_every_text_can_be_reached() {
     for seed in 0..12 {
         let charset = [Charset::Ascii, Charset::Unicode][seed as usize % 2];
         let mut game = quiz(seed, charset, SMALL);
-        for question in Round::new(seed).questions() {
-            let asked = words(&charset.text(&question.text()));
+        for question in Round::hits(seed).questions() {
+            let asked = words(&charset.text(&question.text));
             assert!(
                 panel(&mut game, SMALL).contains(&asked),
                 "{}",
@@ -376,7 +397,7 @@ fn on_the_smallest_screen_every_text_can_be_reached() {
             );
             answer(&mut game, question, &WILD, "1");
             longer += usize::from(game.screen().contains("PageDown: more"));
-            let reason = words(&charset.text(&reasoning(question)));
+            let reason = words(&charset.text(&question.why));
             let last: Vec<_> = reason.rsplitn(4, ' ').take(3).collect();
             let last = format!("{} {} {}", last[2], last[1], last[0]);
             game.press("<PageDown><PageDown>");

@@ -12,7 +12,6 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
-use crate::quiz::Round;
 use crate::screens::class::Class;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
@@ -20,7 +19,7 @@ use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
 use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
-use crate::screens::quiz::Quiz;
+use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
 use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
 
@@ -294,10 +293,8 @@ impl App {
                 Some(reading) => Box::new(reading),
                 None => return,
             },
-            Place::Quiz { code } => Box::new(Quiz::of(match code {
-                Some(code) => Round::of(code),
-                None => Round::hits(self.context.next_seed()),
-            })),
+            Place::Quiz { code: Some(code) } => Box::new(Quiz::new(code)),
+            Place::Quiz { code: None } => Box::new(Choosing::ask(&mut self.context)),
             Place::Levels => Box::new(Levels::new(&mut self.context)),
             Place::Level { number } => match Play::new(number, &mut self.context) {
                 Some(play) => Box::new(play),
@@ -305,6 +302,7 @@ impl App {
             },
             Place::Class { code, teams } => Box::new(Class::new(code, teams)),
             Place::Foil => Box::new(Foil::default()),
+            Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),
             Place::Progress => Box::new(Progress::ask(&mut self.context)),
         };

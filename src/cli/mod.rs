@@ -8,6 +8,7 @@ mod lesson;
 mod level;
 mod man;
 mod options;
+mod plain;
 mod play;
 mod progress;
 mod replay;
@@ -26,6 +27,7 @@ pub use options::Options;
 
 use crate::app::App;
 use crate::class::team_names;
+use crate::lessons::Library;
 use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
 use options::Look;
@@ -54,6 +56,8 @@ Examples:
                                a round for a class, on a projector
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom progress --csv        every answer you gave, for a spreadsheet
+  carrom progress --report me.html
+                               a page of it, for a portfolio or a teacher
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
@@ -88,6 +92,10 @@ enum Screen {
     Learn {
         /// A chapter to read at once: its number or its name
         chapter: Option<String>,
+        /// Read and ask in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
     },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
     Lab,
@@ -98,6 +106,10 @@ enum Screen {
         /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
         #[arg(long, value_name = "CODE", value_parser = code)]
         code: Option<Code>,
+        /// Ask and answer in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
     },
     /// Open a round for a class: teams, one keyboard, a projector
     Class {
@@ -125,22 +137,16 @@ impl Screen {
     /// If there is no level or chapter of that name, in words.
     fn place(&self, shelf: &Shelf, book: &Book, options: &Options) -> Result<Place, String> {
         Ok(match self {
-            Self::Learn { chapter: None } => Place::Learn,
+            Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
                 chapter: Some(name),
-            } => {
-                let number = book.library().find(name);
-                let number = number.ok_or_else(|| {
-                    format!(
-                        "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
-                        name.escape_debug()
-                    )
-                })?;
-                Place::Chapter { number }
-            }
+                ..
+            } => Place::Chapter {
+                number: find_chapter(book.library(), name)?,
+            },
             Self::Lab => Place::Lab,
-            Self::Quiz { code } => Place::Quiz {
-                code: code.clone().or_else(|| options.seed.map(Code::hits)),
+            Self::Quiz { code, .. } => Place::Quiz {
+                code: round(code.as_ref(), options),
             },
             Self::Class { code, teams } => Place::Class {
                 code: code.clone(),
@@ -183,6 +189,24 @@ fn teams(text: &str) -> Result<Teams, String> {
     names.map(Teams).map_err(|trouble| trouble.to_string())
 }
 
+/// The round that is asked for: by its code, or ten hits by a seed alone.
+fn round(code: Option<&Code>, options: &Options) -> Option<Code> {
+    code.cloned().or_else(|| options.seed.map(Code::hits))
+}
+
+/// The place of a chapter by its number or its name, from 0.
+///
+/// # Errors
+/// If there is none, in words.
+fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
+    library.find(name).ok_or_else(|| {
+        format!(
+            "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
+            name.escape_debug()
+        )
+    })
+}
+
 /// The app as the options have it, at a screen (`None`: the first one).
 ///
 /// # Errors
@@ -223,6 +247,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
+        Some(Command::Open(Screen::Quiz { code, plain: true })) => {
+            plain::quiz(round(code.as_ref(), &cli.options), &cli.options)
+        }
+        Some(Command::Open(Screen::Learn {
+            chapter,
+            plain: true,
+        })) => plain::learn(chapter.as_deref(), &cli.options),
         Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
@@ -258,6 +289,9 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     })?;
     let screen = match &cli.command {
         None => None,
+        Some(Command::Open(
+            Screen::Quiz { plain: true, .. } | Screen::Learn { plain: true, .. },
+        )) => return Err("expected a command that opens a screen".into()),
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             return Err("expected a command that opens a screen".into());
         }

@@ -32,6 +32,6 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
 }
 
 /// A seed to play with when none is given, short enough to be told to a friend.
-fn any_seed() -> u64 {
+pub(super) fn any_seed() -> u64 {
     RandomState::new().hash_one(()) % 1_000_000
 }

@@ -1,11 +1,15 @@
 //! `carrom progress`: opens the screen, or prints what was done.
 
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::anyhow;
+use anyhow::{Context, anyhow};
 
 use super::{Failure, Options, print};
 use crate::messages::{Done, Request, Wish};
+use crate::paper::report::{Report, Sources};
 use crate::progress::{csv, json};
 use crate::store::Store;
 
@@ -13,7 +17,7 @@ use crate::store::Store;
 ///
 /// Every answer is kept, of each player by name (--player). With --csv or --json
 /// nothing is opened: the answers are printed, one a row, or with what follows from
-/// them as one JSON object.
+/// them as one JSON object. With --report a page for a portfolio or a teacher is written.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// Print one JSON object: a summary, and every answer
@@ -25,30 +29,63 @@ pub(super) struct Args {
     /// The answers of everyone who plays on this computer
     #[arg(long)]
     everyone: bool,
+    /// Write a one-page report with pictures, to be printed (.html) or read on (.md)
+    #[arg(long, value_name = "FILE", value_parser = report_file,
+          conflicts_with_all = ["json", "csv", "everyone"])]
+    report: Option<ReportFile>,
+}
+
+/// Where a report is written; its ending says what it is written as.
+#[derive(Debug, Clone)]
+enum ReportFile {
+    Html(PathBuf),
+    Markdown(PathBuf),
+}
+
+fn report_file(path: &str) -> Result<ReportFile, String> {
+    let path = PathBuf::from(path);
+    let ending = path.extension().and_then(OsStr::to_str);
+    match ending.map(str::to_lowercase).as_deref() {
+        Some("html") => Ok(ReportFile::Html(path)),
+        Some("md") => Ok(ReportFile::Markdown(path)),
+        _ => Err("expected a name that ends in .html or .md".into()),
+    }
 }
 
 impl Args {
-    /// Whether something is to be printed rather than opened.
+    /// Whether something is to be printed or written rather than opened.
     pub(super) fn prints(&self) -> bool {
-        self.json || self.csv
+        self.json || self.csv || self.report.is_some()
     }
 }
 
 pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let folder = options.data_dir();
     let mut store = folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder));
-    let player = (!args.everyone).then(|| options.player_name());
-    let answer = store.answer(&Request {
-        ticket: 0,
-        wish: Wish::Recall(player),
-    });
-    if let Some(notice) = answer.notice {
-        eprintln!("carrom: {notice}");
-    }
-    let Done::Recalled(recalled) = answer.done else {
-        return Err(anyhow!("the answers could not be looked up").into());
+    let player = options.player_name();
+    let history = match ask(
+        &mut store,
+        Wish::Recall((!args.everyone).then(|| player.clone())),
+    ) {
+        Done::Recalled(recalled) => recalled.map_err(|reason| anyhow!(reason))?,
+        _ => return Err(anyhow!("the answers could not be looked up").into()),
     };
-    let history = recalled.map_err(|reason| anyhow!(reason))?;
+    if let Some(file) = &args.report {
+        let stars = match ask(&mut store, Wish::Stars(player.clone())) {
+            Done::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
+            _ => return Err(anyhow!("the stars could not be looked up").into()),
+        };
+        let (shelf, book) = (options.shelf(), options.book());
+        let report = Report::new(&Sources {
+            player: &player,
+            history: &history,
+            stars: &stars,
+            levels: shelf.library(),
+            lessons: book.library(),
+        });
+        write(&report, file)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
@@ -56,4 +93,37 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     };
     print(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// What the store has to say, after what the player should know of it.
+fn ask(store: &mut Store, wish: Wish) -> Done {
+    let answer = store.answer(&Request { ticket: 0, wish });
+    if let Some(notice) = answer.notice {
+        eprintln!("carrom: {notice}");
+    }
+    answer.done
+}
+
+/// Writes the report; the pictures of one in Markdown go into a folder beside it, which
+/// has its name.
+fn write(report: &Report, file: &ReportFile) -> Result<(), anyhow::Error> {
+    let put = |path: &Path, text: &str| {
+        fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+    };
+    let path = match file {
+        ReportFile::Html(path) => return put(path, &report.html()),
+        ReportFile::Markdown(path) => path,
+    };
+    let stem = path.file_stem().and_then(OsStr::to_str);
+    let folder = format!("{}-pictures", stem.unwrap_or("report"));
+    let pictures = report.pictures();
+    if !pictures.is_empty() {
+        let folder = path.with_file_name(&folder);
+        fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        for picture in pictures {
+            let name = format!("{}.svg", picture.name);
+            put(&folder.join(name), &picture.svg.file())?;
+        }
+    }
+    put(path, &report.markdown(&folder))
 }

@@ -33,7 +33,11 @@ pub enum FigureKind {
     /// The worked solution of numbers that the student sets.
     Solve,
     /// Particles and a centre of repulsion.
-    Foil,
+    Foil {
+        /// The page of the foil to open from it: 1 a particle, 2 a beam, 3 what was
+        /// counted in 1913.
+        page: u8,
+    },
 }
 
 /// A figure of a page.
@@ -59,7 +63,7 @@ impl FigureKind {
         ("energy", Self::Energy),
         ("worked", Self::Worked { blank: None }),
         ("solve", Self::Solve),
-        ("foil", Self::Foil),
+        ("foil", Self::Foil { page: 1 }),
     ];
 
     /// The names of all figures.
@@ -96,6 +100,9 @@ impl Figure {
             }
             FigureKind::Worked { blank } => {
                 *blank = words.number("blank", 1.0, 9.0)?.map(|step| step as usize);
+            }
+            FigureKind::Foil { page } => {
+                *page = words.number("page", 1.0, 3.0)?.map_or(1, |page| page as u8);
             }
             _ => {}
         }

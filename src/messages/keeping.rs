@@ -60,7 +60,7 @@ pub enum Wish {
         /// The id of the chapter.
         chapter: String,
         /// What was done.
-        later: Bookmark,
+        later: Box<Bookmark>,
     },
     /// Forget what this player has done in chapters.
     Forget(String, Forget),

@@ -113,7 +113,10 @@ fn escape(text: &str) -> String {
         let mut before = None;
         // What makes a list, a heading or a line only at the start of a line, and what
         // makes an address of a word.
-        let numbered = i == 0 && word.starts_with(|c: char| c.is_ascii_digit());
+        let numbered = i == 0
+            && word
+                .strip_suffix(['.', ')'])
+                .is_some_and(|number| number.bytes().all(|it| it.is_ascii_digit()));
         let address = word.contains("://") || word.contains('@') || starts_with_www(word);
         for letter in word.chars() {
             let special = match letter {
@@ -260,6 +263,7 @@ mod tests {
             "well-aimed, at 30° (of 45°): 4.5 m/s!",
             "Ada's 1. try",
             "θ₁ = 60°",
+            "6.9°",
         ] {
             assert_eq!(escape(text), text);
         }

@@ -2,7 +2,8 @@
 //!
 //! A document is written as HTML on a [`Page`] (self-contained, A4, nothing is loaded
 //! and nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures
-//! are vectors with true lines and text, an [`Svg`] each; [`hit_picture`] draws a hit. All of them are meant for black
+//! are vectors with true lines and text, an [`Svg`] each; a [`Chart`] is a plot, [`hit_picture`]
+//! draws a hit. All of them are meant for black
 //! and white too: an [`Ink`] is a strength before it is a colour.
 //!
 //! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which
@@ -27,12 +28,15 @@
 //! assert!(text.text().starts_with("# Ada \\<3"));
 //! ```
 
+mod chart;
 mod clean;
 mod hit;
 mod markdown;
 mod page;
+pub mod report;
 mod svg;
 
+pub use chart::{Chart, Mark};
 pub use clean::clean;
 pub use hit::{After, Shown, hit_picture};
 pub use markdown::Markdown;

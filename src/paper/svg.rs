@@ -276,12 +276,18 @@ impl Svg {
         0.6 * LETTERS * text.width() as f64
     }
 
-    /// The picture as a file of its own.
+    /// The picture as a file of its own, on paper: it may be shown on anything.
     #[must_use]
     pub fn file(&self) -> String {
+        let mut paper = Self {
+            body: String::new(),
+            ..self.clone()
+        };
+        paper.rectangle(self.corner, self.corner + self.size, Ink::Paper);
+        paper.body.push_str(&self.body);
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n",
-            self.render().into_string()
+            paper.render().into_string()
         )
     }
 

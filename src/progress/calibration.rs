@@ -52,6 +52,27 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     })
 }
 
+/// Of each confidence, from the least, how it went as time went by: the numbers (from 1,
+/// among all attempts) of the answers of that confidence, and after each of them the
+/// share that was right among the last `reach` of them. Begins when there are enough of
+/// them to say something.
+pub fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
+    let reach = reach.max(ENOUGH);
+    Confidence::ALL.map(|confidence| {
+        let numbered = (1..).zip(attempts);
+        let of_it: Vec<_> = numbered
+            .filter(|(_, attempt)| attempt.confidence == Some(confidence))
+            .collect();
+        let point = |end: usize| {
+            let window = &of_it[end.saturating_sub(reach)..end];
+            let right = window.iter().filter(|(_, attempt)| attempt.right).count();
+            let (number, _) = window.last()?;
+            Some((*number, right as f64 / window.len() as f64))
+        };
+        (ENOUGH..=of_it.len()).filter_map(point).collect()
+    })
+}
+
 /// What to make of it, in a sentence or two.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let [guess, think_so, sure] = calibration;
@@ -97,6 +118,24 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn shares_as_time_goes_by_are_those_of_the_last_few() {
+        let answer = |right: bool, confidence| Attempt {
+            confidence,
+            ..attempt("a", if right { 0.0 } else { 20.0 })
+        };
+        let sure = Some(Confidence::Sure);
+        let mut all: Vec<_> = [false, false, true, true]
+            .map(|right| answer(right, sure))
+            .into();
+        // What has no confidence counts as an attempt, and no more.
+        all.insert(2, answer(true, None));
+        let [guess, think_so, sure] = calibration_over_time(&all, 3);
+        assert!(guess.is_empty() && think_so.is_empty());
+        assert_eq!(sure, [(4, 1.0 / 3.0), (5, 2.0 / 3.0)]);
+        assert_eq!(calibration_over_time(&all[..3], 3)[2], []);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::time::{Duration, UNIX_EPOCH};
 
 use serde_json::{Value, json};
+use unicode_width::UnicodeWidthChar;
 
 use super::{Attempt, Tally, advice, beliefs, calibration, topics};
 use crate::quiz::Confidence;
@@ -36,7 +37,7 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         .iter()
         .map(|attempt| {
             vec![
-                attempt.time_s.and_then(time).unwrap_or_default(),
+                attempt.time_s.and_then(utc).unwrap_or_default(),
                 attempt.player.clone(),
                 attempt.family.clone(),
                 attempt.topic.clone(),
@@ -75,19 +76,40 @@ pub fn table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
-/// A text that no spreadsheet takes for a formula.
+/// A text that no spreadsheet takes for a formula: what begins like one gets an
+/// apostrophe before it. So does what comes after a line break, a tab or a semicolon,
+/// for a spreadsheet that was told to expect those between its cells (many are, by the
+/// language of their country) begins a new cell there.
 fn plain(text: &str) -> Cow<'_, str> {
-    let is_number = text.parse::<f64>().is_ok();
-    if !is_number && text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
-        format!("'{text}").into()
-    } else {
-        text.into()
+    if text.parse::<f64>().is_ok() || !text.contains(is_formula_sign) {
+        return text.into();
     }
+    let mut plain = String::with_capacity(text.len() + 1);
+    let mut begins = true;
+    for letter in text.chars() {
+        if begins && is_formula_sign(letter) {
+            plain.push('\'');
+        }
+        // Blanks, and what has no width, are passed over as spreadsheets do.
+        begins = matches!(letter, '\n' | '\r' | '\t' | ';')
+            || (begins && (letter.is_whitespace() || letter.width().unwrap_or(0) == 0));
+        plain.push(letter);
+    }
+    plain.into()
+}
+
+/// Whether a cell that begins with this may be taken for a formula; the wide forms are
+/// by spreadsheets in East Asian languages.
+fn is_formula_sign(letter: char) -> bool {
+    matches!(
+        letter,
+        '=' | '+' | '-' | '@' | '\t' | '\r' | '＝' | '＋' | '－' | '＠'
+    )
 }
 
 /// A time in seconds since 1970 began, as 2026-11-21T10:00:00Z; `None` outside the
 /// years 1970 to 9999.
-fn time(time_s: i64) -> Option<String> {
+pub fn utc(time_s: i64) -> Option<String> {
     const YEAR_10000: u64 = 253_402_300_800;
     let seconds = u64::try_from(time_s).ok().filter(|it| *it < YEAR_10000)?;
     let time = UNIX_EPOCH + Duration::from_secs(seconds);
@@ -150,7 +172,7 @@ pub fn json(attempts: &[Attempt], now_s: Option<i64>) -> Value {
 fn attempt(attempt: &Attempt) -> Value {
     let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
     json!({
-        "time": attempt.time_s.and_then(time),
+        "time": attempt.time_s.and_then(utc),
         "player": attempt.player,
         "family": attempt.family,
         "topic": attempt.topic,
@@ -181,6 +203,11 @@ mod tests {
             "@SUM(A1)",
             "\tx",
             "\rx",
+            "  =1+1",
+            "\n=1+1",
+            "\u{feff}=1+1",
+            "\u{a0}\u{202e}@SUM(A1)",
+            "＝1+1",
             "a \"quote\", and\nanother line\r\n",
             "\u{202e}\u{0}\u{1b}[2J 球",
             &"ä".repeat(10_000),
@@ -199,8 +226,14 @@ mod tests {
         for (row, name) in rows.iter().zip(names) {
             for column in [1, 3, 13] {
                 let cell = &row[column];
-                assert!(!cell.starts_with(['=', '+', '-', '@', '\t', '\r']));
-                assert_eq!(cell.strip_prefix('\'').unwrap_or(cell), name);
+                let first = cell.trim_start_matches(|c: char| c.width().unwrap_or(0) == 0);
+                let first = first.trim_start();
+                assert!(
+                    !first.starts_with(['=', '+', '-', '@', '\t', '\r', '＝'])
+                        || first.parse::<f64>().is_ok(),
+                    "{cell:?}"
+                );
+                assert_eq!(cell.replacen('\'', "", 1), name);
             }
             assert_eq!(&row[9], "3");
         }
@@ -211,11 +244,24 @@ mod tests {
     }
 
     #[test]
+    fn nor_does_any_part_of_it_where_cells_are_parted_otherwise() {
+        for (text, written) in [
+            ("a;=1+1", "a;'=1+1"),
+            ("a\n=1+1;b; @c", "a\n'=1+1;b; '@c"),
+            ("a\t-1", "a\t'-1"),
+            ("a-b=c", "a-b=c"),
+            ("-6.1", "-6.1"),
+        ] {
+            assert_eq!(plain(text), written);
+        }
+    }
+
+    #[test]
     fn times_are_told_in_utc() {
-        assert_eq!(time(0).as_deref(), Some("1970-01-01T00:00:00Z"));
-        assert_eq!(time(951_782_400).as_deref(), Some("2000-02-29T00:00:00Z"));
+        assert_eq!(utc(0).as_deref(), Some("1970-01-01T00:00:00Z"));
+        assert_eq!(utc(951_782_400).as_deref(), Some("2000-02-29T00:00:00Z"));
         for never in [-1, i64::MIN, i64::MAX] {
-            assert_eq!(time(never), None);
+            assert_eq!(utc(never), None);
         }
     }
 

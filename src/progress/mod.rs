@@ -16,13 +16,14 @@ mod schedule;
 mod star;
 mod tally;
 mod topics;
+pub mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
 pub use beliefs::{Belief, Trend, beliefs};
-pub use calibration::{Calibrated, calibration, calibration_words};
-pub use export::{csv, json, table};
+pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
+pub use export::{csv, json, table, utc};
 pub use schedule::{DAY_S, Review, reviews};
 pub use star::Starred;
-pub use tally::{Tally, smoothed_errors_deg};
+pub use tally::{Tally, ends_deg, smoothed_errors_deg};
 pub use topics::{LATELY, Mastery, Topic, topics};

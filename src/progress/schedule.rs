@@ -41,6 +41,18 @@ impl Review {
         self.since_s.saturating_add(rest)
     }
 
+    /// When it is due as seen from `now_s`, in few letters: "now", "in hours", "in 2 days".
+    pub fn when(&self, now_s: i64) -> String {
+        match self.due_s().saturating_sub(now_s) {
+            ..=0 => "now".into(),
+            1..DAY_S => "in hours".into(),
+            left => match left / DAY_S {
+                1 => "in 1 day".into(),
+                days => format!("in {days} days"),
+            },
+        }
+    }
+
     /// Whether it is due at `now_s`.
     pub fn is_due(&self, now_s: i64) -> bool {
         self.due_s() <= now_s

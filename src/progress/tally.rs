@@ -54,6 +54,21 @@ pub fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f6
     (0..errors.len()).map(smoothed).collect()
 }
 
+/// How many answers at both ends [`ends_deg`] compares.
+const ENDS: usize = 10;
+
+/// The mean errors in degrees of the first ten attempts and of the last ten; `None` where
+/// they are not different ones or had no angle.
+pub fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
+    let (first, _) = attempts.split_at_checked(2 * ENDS)?;
+    let (first, _) = first.split_at(ENDS);
+    let last = &attempts[attempts.len() - ENDS..];
+    Some((
+        Tally::of(first).mean_error_deg()?,
+        Tally::of(last).mean_error_deg()?,
+    ))
+}
+
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;

@@ -39,6 +39,17 @@ impl Mastery {
 }
 
 impl Topic {
+    /// What was done with these attempts, under this name.
+    pub fn of<'a>(name: &str, attempts: impl IntoIterator<Item = &'a Attempt>) -> Self {
+        let all: Vec<_> = attempts.into_iter().collect();
+        let lately = &all[all.len().saturating_sub(LATELY)..];
+        Self {
+            name: name.to_owned(),
+            lately: Tally::of(lately.iter().copied()),
+            all: Tally::of(all),
+        }
+    }
+
     /// How well it is known.
     pub fn mastery(&self) -> Mastery {
         match self.all.attempts {
@@ -59,15 +70,7 @@ pub fn topics(attempts: &[Attempt]) -> Vec<Topic> {
             names.push(&attempt.topic);
         }
     }
-    let topic = |name: &str| {
-        let all: Vec<_> = attempts.iter().filter(|it| it.topic == name).collect();
-        let lately = &all[all.len().saturating_sub(LATELY)..];
-        Topic {
-            name: name.to_owned(),
-            lately: Tally::of(lately.iter().copied()),
-            all: Tally::of(all),
-        }
-    };
+    let topic = |name: &str| Topic::of(name, attempts.iter().filter(|it| it.topic == name));
     names.into_iter().map(topic).collect()
 }
 

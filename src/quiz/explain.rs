@@ -51,7 +51,10 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             };
             ("off the mark", way)
         }
-        (Form::Choice { .. }, _) => ("not that one", String::new()),
+        (Form::Choice { .. }, Said::Choice(choice)) => {
+            let reply = question.replies.get(choice).cloned();
+            ("not that one", reply.unwrap_or_default())
+        }
         _ => (
             "off",
             format!(

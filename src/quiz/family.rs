@@ -18,6 +18,28 @@ pub enum Family {
     UnequalMasses,
     /// How fast each one leaves.
     Speeds,
+    /// What corner the two ways out make.
+    Separation,
+    /// What share of the energy each one has after the hit.
+    EnergyShare,
+    /// What the coefficient of restitution does, and what it is.
+    Restitution,
+    /// How far a striker can be turned at most.
+    LargestDeflection,
+    /// A mass from what is seen after the hit.
+    Weigh,
+    /// Slipping with e = 0 against sticking: how the two go on.
+    SlipOrStick,
+    /// Two equal discs that both move: who sees 90°?
+    BothMoving,
+    /// Its speed, and the angle Θ by which it sees both turned.
+    CentreOfMass,
+    /// How many are counted at two angles.
+    Rutherford,
+    /// Choose the offset that sends a disc where it is to go.
+    MakeItSo,
+    /// The written questions, one idea each.
+    Concept,
 }
 
 /// How many draws a question may take before a family is given up: a guard against a
@@ -26,13 +48,24 @@ const DRAWS: usize = 20_000;
 
 impl Family {
     /// All families, in the order in which they are taught.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 17] = [
         Self::WhereTo,
         Self::FromAngle,
         Self::FromOffset,
         Self::FromPicture,
         Self::UnequalMasses,
         Self::Speeds,
+        Self::Separation,
+        Self::EnergyShare,
+        Self::Restitution,
+        Self::LargestDeflection,
+        Self::Weigh,
+        Self::SlipOrStick,
+        Self::BothMoving,
+        Self::CentreOfMass,
+        Self::Rutherford,
+        Self::MakeItSo,
+        Self::Concept,
     ];
 
     /// Its name in files and in the codes of rounds.
@@ -44,6 +77,17 @@ impl Family {
             Self::FromPicture => "from-picture",
             Self::UnequalMasses => "unequal-masses",
             Self::Speeds => "speeds",
+            Self::Separation => "separation",
+            Self::EnergyShare => "energy-share",
+            Self::Restitution => "restitution",
+            Self::LargestDeflection => "largest-deflection",
+            Self::Weigh => "weigh",
+            Self::SlipOrStick => "slip-or-stick",
+            Self::BothMoving => "both-moving",
+            Self::CentreOfMass => "centre-of-mass",
+            Self::Rutherford => "rutherford",
+            Self::MakeItSo => "make-it-so",
+            Self::Concept => "concept",
         }
     }
 
@@ -56,6 +100,17 @@ impl Family {
             Self::FromPicture => "from the picture alone",
             Self::UnequalMasses => "unequal masses",
             Self::Speeds => "speeds after the hit",
+            Self::Separation => "more or less than 90°?",
+            Self::EnergyShare => "shares of energy",
+            Self::Restitution => "what e does",
+            Self::LargestDeflection => "the most it can be turned",
+            Self::Weigh => "weighing by angles",
+            Self::SlipOrStick => "slip or stick",
+            Self::BothMoving => "both moving",
+            Self::CentreOfMass => "the centre of mass",
+            Self::Rutherford => "Rutherford's counts",
+            Self::MakeItSo => "make it so",
+            Self::Concept => "ideas in words",
         }
     }
 
@@ -83,6 +138,17 @@ impl Family {
             Self::FromPicture => families::from_picture::ask(difficulty, dice),
             Self::UnequalMasses => families::unequal_masses::ask(difficulty, dice),
             Self::Speeds => families::speeds::ask(difficulty, dice),
+            Self::Separation => families::separation::ask(difficulty, dice),
+            Self::EnergyShare => families::energy_share::ask(difficulty, dice),
+            Self::Restitution => families::restitution::ask(difficulty, dice),
+            Self::LargestDeflection => families::largest_deflection::ask(difficulty, dice),
+            Self::Weigh => families::weigh::ask(difficulty, dice),
+            Self::SlipOrStick => families::slip_or_stick::ask(difficulty, dice),
+            Self::BothMoving => families::both_moving::ask(difficulty, dice),
+            Self::CentreOfMass => families::centre_of_mass::ask(difficulty, dice),
+            Self::Rutherford => families::rutherford::ask(difficulty, dice),
+            Self::MakeItSo => families::make_it_so::ask(difficulty, dice),
+            Self::Concept => families::concept::ask(difficulty, dice),
         }
     }
 }

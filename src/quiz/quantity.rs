@@ -82,7 +82,9 @@ impl Quantity {
             Self::Restitution => (said - truth).abs() / 0.04,
             Self::Speed | Self::Mass | Self::Length | Self::Times => {
                 let ratio = said / truth;
-                if ratio > 0.0 && ratio.is_finite() {
+                if said == truth {
+                    0.0
+                } else if ratio > 0.0 && ratio.is_finite() {
                     ratio.ln().abs() / 1.05_f64.ln()
                 } else {
                     f64::INFINITY
@@ -142,5 +144,6 @@ mod tests {
         assert!((up - down).abs() < 1e-12);
         assert!(Quantity::Mass.distance(0.0, 15.0).is_infinite());
         assert!(Quantity::Mass.distance(-1.0, 15.0).is_infinite());
+        assert!(Quantity::Speed.distance(0.0, 0.0) <= 0.0);
     }
 }

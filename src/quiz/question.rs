@@ -1,6 +1,8 @@
 //! One question of any family: what is asked, what is seen, what is true, and what each
 //! misconception would answer.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value};
 
 use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said};
@@ -27,6 +29,9 @@ pub struct Question {
     /// What misconceptions would answer; one that happens to be right is not among
     /// them.
     pub beliefs: Vec<Belief>,
+    /// What to say to wrong choices that follow no known misconception, by the choice
+    /// counted from 0; a choice that is not here has nothing of its own to be told.
+    pub replies: BTreeMap<usize, String>,
     /// Why the true answer is true, on the question's own figures: one to four short
     /// sentences.
     pub why: String,
@@ -93,10 +98,14 @@ impl Question {
         pairs.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether an answer tells which of the misconceptions it follows, if any: only
-    /// such questions are asked.
+    /// Whether an answer tells which of the misconceptions it follows, if any, and whether
+    /// it has to be found rather than read in the text: only such questions are asked.
     pub fn is_clear(&self) -> bool {
-        self.clearance() > CLEAR
+        let told = match &self.form {
+            Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
+            Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
+        };
+        !told && self.clearance() > CLEAR
     }
 
     /// Finds the misconception that an answer fits best, if it fits one.

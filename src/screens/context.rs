@@ -139,7 +139,7 @@ impl Context {
         self.ask(Wish::Mark {
             player: self.settings.player.clone(),
             chapter: chapter.to_owned(),
-            later,
+            later: Box::new(later),
         });
     }
 

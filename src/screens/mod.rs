@@ -4,8 +4,9 @@ mod book;
 mod context;
 mod list;
 mod place;
+mod recall;
 mod shelf;
-mod why;
+pub(crate) mod why;
 
 pub mod class;
 pub mod foil;

@@ -1,5 +1,6 @@
 //! Where one can go.
 
+use super::foil;
 use super::lab::Setup;
 use crate::quiz::Code;
 
@@ -22,9 +23,9 @@ pub enum Place {
         /// Its place among all chapters, from 0.
         number: usize,
     },
-    /// A round of the quiz; the code fixes its questions.
+    /// The quiz.
     Quiz {
-        /// The code of the round; `None` takes the app's next.
+        /// The code of the round to play; with `None` one is chosen there.
         code: Option<Code>,
     },
     /// A round for a class round one screen.
@@ -36,6 +37,11 @@ pub enum Place {
     },
     /// The foil: beams of many particles.
     Foil,
+    /// One of its pages.
+    FoilAt {
+        /// The page.
+        page: foil::Page,
+    },
     /// The table: carrom itself.
     Table,
     /// What the player has done so far.

@@ -22,7 +22,7 @@ pub(super) fn both_moving(collision: &Collision) -> String {
 
 /// Why any two smooth discs go where they go, starting from what the player said of
 /// both, if they did: a title, which may be empty, and a text.
-pub(super) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, String) {
+pub(crate) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, String) {
     let plain = |text: String| (String::new(), text);
     if collision.outcome().meeting != Meeting::Hit {
         return plain("They just brush: nothing is pushed, and both go on as before.".into());

@@ -1,4 +1,5 @@
-//! What drives the app: a terminal, a tape, a test.
+//! What drives the app: a terminal, a tape, a test. And what does without it: the quiz and
+//! the lessons in plain lines.
 //!
 //! Each shell supplies time, translates its own inputs into
 //! [`Input`](crate::messages::Input)s and carries effects out. All of them drive
@@ -8,6 +9,7 @@
 use std::time::Duration;
 
 pub mod headless;
+pub mod plain;
 pub mod tape;
 pub mod terminal;
 

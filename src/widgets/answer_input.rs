@@ -143,17 +143,56 @@ impl AnswerInput {
             (Self::Number(number), _) => number.write("your answer", lines),
             (Self::Shot(offset), _) => offset.write("offset", lines),
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
+                let apart = Self::choice_gap(options, lines, lines.left());
                 for (i, option) in options.iter().enumerate() {
                     let (mark, role) = if i == *chosen {
                         (">", Role::Selected)
                     } else {
                         (" ", Role::Text)
                     };
+                    if i > 0 && apart > 0 {
+                        lines.gap();
+                    }
                     lines.hanging(&format!("{mark} {} ", letter(i)), option, role);
                 }
             }
             _ => {}
         }
+    }
+
+    /// Empty rows between two choices: one, where `left` rows leave room for it.
+    fn choice_gap(options: &[String], lines: &Lines, left: u16) -> u16 {
+        let rows: u16 = options.iter().map(|it| choice_rows(it, lines)).sum();
+        u16::from(rows + options.len() as u16 + ROOM <= left)
+    }
+
+    /// Rows that [`AnswerInput::write`] takes where `left` rows are left.
+    pub fn rows(form: &Form, lines: &Lines, left: u16) -> u16 {
+        match form {
+            Form::Rays { .. } => 2,
+            Form::Number { .. } | Form::Shot(_) => 1,
+            Form::Choice { options, .. } => {
+                let gaps = options.len().saturating_sub(1) as u16;
+                let rows: u16 = options.iter().map(|it| choice_rows(it, lines)).sum();
+                rows + gaps * Self::choice_gap(options, lines, left)
+            }
+        }
+    }
+
+    /// The choice in this row of what [`AnswerInput::write`] writes, where `left` rows
+    /// are left.
+    pub fn choice_at(form: &Form, lines: &Lines, left: u16, row: u16) -> Option<usize> {
+        let Form::Choice { options, .. } = form else {
+            return None;
+        };
+        let apart = Self::choice_gap(options, lines, left);
+        let mut first = 0;
+        options.iter().position(|option| {
+            let rows = choice_rows(option, lines);
+            let here = (first..first + rows).contains(&row);
+            first += rows + apart;
+            here
+        })
     }
 
     /// How it is answered, in a sentence or two.
@@ -167,6 +206,17 @@ impl AnswerInput {
             _ => "Choose with the arrows, or with the letter.".into(),
         }
     }
+}
+
+/// What stands before a choice, as far as its room goes.
+const MARK: &str = "> A ";
+
+/// Rows that are worth more below choices than gaps between them.
+const ROOM: u16 = 5;
+
+/// Rows of a choice.
+fn choice_rows(option: &str, lines: &Lines) -> u16 {
+    lines.rows_of_hanging(MARK, option)
 }
 
 /// The choice of a letter or a digit from 1, counted from 0.

@@ -14,6 +14,8 @@ const LEAST: u16 = 24;
 const MORE: u16 = 8;
 /// Most columns of a panel of text alone, with its frame.
 const TEXT: u16 = 76;
+/// Columns and rows of a card at most, with its frame.
+const CARD: (u16, u16) = (68, 22);
 /// From this width on a screen is wide.
 const WIDE: u16 = 110;
 
@@ -59,6 +61,30 @@ impl Beside {
             picture: nothing,
             panel: inside(panel),
             frames: [nothing, panel],
+        }
+    }
+
+    /// Lays out a card of text alone, in the middle, with a margin where there is room.
+    pub fn card(area: Rect) -> Self {
+        let (width, height) = (area.width.min(CARD.0), area.height.min(CARD.1));
+        let card = Rect {
+            x: area.x + (area.width - width) / 2,
+            y: area.y + (area.height - height) / 2,
+            width,
+            height,
+        };
+        let text = inside(card);
+        let (across, down) = (2 * u16::from(width == CARD.0), u16::from(height == CARD.1));
+        let nothing = Rect { width: 0, ..card };
+        Self {
+            picture: nothing,
+            panel: Rect {
+                x: text.x + across,
+                y: text.y + down,
+                width: text.width - 2 * across,
+                height: text.height - 2 * down,
+            },
+            frames: [nothing, card],
         }
     }
 

@@ -15,13 +15,22 @@ const UNITS: [&str; 21] = [
     "keV", "MeV", "deg", "%", "turns",
 ];
 
+/// Letters of the longest sign that stays with its sign of equality.
+const SIGN: usize = 6;
+
 /// Whether a blank between two words is no place to break a row: it parts a number
-/// from its unit (`2 m/s`), or a unit from the rest of it (`g m/s`).
+/// from its unit (`2 m/s`), a unit from the rest of it (`g m/s`), the two numbers of
+/// a vector (`(60, 0)`), a sign of equality from what it equals or from a short sign
+/// (`b = 2`).
 pub fn belong_together(before: &str, after: &str) -> bool {
-    let before = before.trim_end_matches([')', ']']);
-    let after = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
-    let number = before.ends_with(char::is_numeric);
-    (number && UNITS.contains(&after)) || (before.ends_with('g') && after == "m/s")
+    let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
+    let closed = before.trim_end_matches([')', ']']);
+    let measured = closed.ends_with(char::is_numeric) && UNITS.contains(&unit)
+        || before.ends_with('g') && unit == "m/s";
+    let vector = before.starts_with('(') && before.ends_with(',') && after.contains(')');
+    let sign = before.starts_with(char::is_alphabetic) && before.chars().count() <= SIGN;
+    let power = before.contains(['²', '^']);
+    measured || vector || before == "=" || after == "=" && sign && !power
 }
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
@@ -115,6 +124,12 @@ mod tests {
         assert_eq!(wrap("it has 2 m/s, so", 8), ["it has", "2 m/s,", "so"]);
         assert_eq!(wrap("has 60 g m/s.", 9), ["has", "60 g m/s."]);
         assert_eq!(wrap("at (30 deg)", 9), ["at", "(30 deg)"]);
+        assert_eq!(
+            wrap("at last (60, 0) g m/s", 14),
+            ["at last", "(60, 0) g m/s"]
+        );
+        assert_eq!(wrap("here alpha = 0.", 12), ["here", "alpha = 0."]);
+        assert_eq!(wrap("½ m₁u₁² = 0.12 J", 10), ["½ m₁u₁²", "= 0.12 J"]);
         // Words that are no unit, and lines too short for both.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
         assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);

@@ -2,6 +2,7 @@
 
 pub mod bad_files;
 pub mod child;
+pub mod families;
 pub mod folder;
 pub mod lessons;
 pub mod play;

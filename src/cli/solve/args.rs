@@ -44,7 +44,7 @@ pub(in crate::cli) struct Args {
         long,
         value_name = "DEG",
         allow_negative_numbers = true,
-        required_unless_present_any = ["offset_mm", "batch"]
+        required_unless_present_any = ["offset_mm", "batch", "plain"]
     )]
     alpha_deg: Option<f64>,
 
@@ -94,6 +94,11 @@ pub(in crate::cli) struct Args {
     #[arg(long)]
     pub(super) json: bool,
 
+    /// Say the solution in plain lines to be read aloud; without an impact angle or an
+    /// offset, ask for the hit first
+    #[arg(long, conflicts_with_all = ["json", "batch"])]
+    pub(super) plain: bool,
+
     /// Read problems from standard input as JSON Lines and answer one line each
     #[arg(
         long,
@@ -110,6 +115,11 @@ pub(in crate::cli) struct Args {
 }
 
 impl Args {
+    /// Whether it is said where the two meet.
+    pub(super) fn is_complete(&self) -> bool {
+        self.alpha_deg.is_some() || self.offset_mm.is_some()
+    }
+
     /// The collision that is asked for, and which way it was given.
     pub(super) fn collision(&self) -> Result<(Collision, Given), Fault> {
         let problem = Problem {

@@ -15,7 +15,7 @@ use std::process::ExitCode;
 
 use anyhow::Context;
 
-use super::{Failure, Options};
+use super::{Failure, Options, plain};
 use crate::physics::worked;
 use crate::shells::terminal;
 use crate::widgets::Charset;
@@ -28,6 +28,9 @@ const BUFFER: usize = 1 << 16;
 /// Solves what the arguments say. A reader that hangs up, as `head` does, ends the
 /// work quietly; a bad line of a batch is answered as such and counts as failed work.
 pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+    if args.plain {
+        return plainly(args);
+    }
     let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
     let written = if args.batch {
         batch::run(io::stdin().lock(), &mut out)
@@ -43,6 +46,17 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
         }
         written => Ok(written.context("cannot read the problems or write the answers")?),
     }
+}
+
+/// The one problem of the arguments, or one that is asked for, said in lines.
+fn plainly(args: &Args) -> Result<ExitCode, Failure> {
+    if !args.is_complete() {
+        return plain::solve(None);
+    }
+    let (collision, given) = args
+        .collision()
+        .map_err(|fault| Failure::Input(fault.into()))?;
+    plain::solve(Some(&worked::steps(&collision, given)))
 }
 
 /// The one problem of the arguments, answered.

@@ -108,9 +108,9 @@ pub(super) fn velocities(sheet: &mut Sheet, stage: &Stage) {
     }
 }
 
-/// A velocity's letter, with its size where numbers are shown.
+/// A velocity's letter, with its size where those are shown.
 pub(super) fn speed(stage: &Stage, name: &str, v: DVec2) -> String {
-    if stage.shown.numbers {
+    if stage.shown.speeds {
         format!("{name} = {} m/s", significant(v.length()))
     } else {
         name.to_owned()

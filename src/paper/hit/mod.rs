@@ -26,8 +26,10 @@ pub struct Shown {
     pub line_of_impact: bool,
     /// The masses, upon the discs.
     pub masses: bool,
-    /// Whether the letters have their values with them: "α = 30.0°" and not "α".
+    /// Whether b, α, θ₁ and θ₂ have their values with them: "α = 30.0°" and not "α".
     pub numbers: bool,
+    /// Whether the velocities have theirs: "u = 4.00 m/s" and not "u".
+    pub speeds: bool,
     /// What is shown of the time after the hit.
     pub after: After,
 }

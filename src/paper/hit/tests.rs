@@ -64,6 +64,7 @@ fn each_choice() -> impl Iterator<Item = Shown> {
             line_of_impact: bits & 4 > 0,
             masses: true,
             numbers: true,
+            speeds: true,
             after,
         })
     })
@@ -135,6 +136,7 @@ fn letters_and_numbers_are_those_of_the_hit() {
         line_of_impact: true,
         masses: true,
         numbers: true,
+        speeds: true,
         after: After::Departures,
     };
     // 30 mm sin 30° = 15 mm; 4 m/s sin 30° and cos 30°.
@@ -154,7 +156,15 @@ fn letters_and_numbers_are_those_of_the_hit() {
     ];
     expected.sort_unstable();
     assert_eq!(found, expected);
-    // What is asked is not given away.
+    // What is asked is not given away: a mass, say, by speeds beside the angles.
+    let angles = Shown {
+        numbers: true,
+        after: After::Departures,
+        ..Shown::default()
+    };
+    let mut found = labels(&hit, &angles);
+    found.sort();
+    assert_eq!(found, ["u", "v₁", "v₂", "θ₁ = 60.0°", "θ₂ = 30.0°"]);
     assert_eq!(labels(&hit, &Shown::default()), ["u"]);
     let given = Shown {
         angle: true,
@@ -171,6 +181,7 @@ fn what_stands_still_and_what_misses_is_said() {
     let shown = Shown {
         angle: true,
         numbers: true,
+        speeds: true,
         after: After::Departures,
         ..Shown::default()
     };

@@ -181,10 +181,10 @@ impl Quantity {
         quantity("u2_cm", "u₂*", "m/s", 2, |c, _| {
             Some((c.u2 - drift(c)).length())
         }),
-        quantity("v1_cm", "v₁*", "m/s", 2, |c, o| {
+        quantity("v1_cm", "w₁", "m/s", 2, |c, o| {
             Some((o.v1 - drift(c)).length())
         }),
-        quantity("v2_cm", "v₂*", "m/s", 2, |c, o| {
+        quantity("v2_cm", "w₂", "m/s", 2, |c, o| {
             Some((o.v2 - drift(c)).length())
         }),
         quantity("cm_separation_deg", "separation", "°", 1, |c, _| {

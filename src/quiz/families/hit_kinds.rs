@@ -1,5 +1,7 @@
 //! The kinds of hit that "where will they go?" asks about, from easy to hard.
 
+use std::sync::OnceLock;
+
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use crate::quiz::dice::Dice;
@@ -63,9 +65,18 @@ impl Difficulty {
 }
 
 impl Kind {
+    /// How many kinds there are.
+    const COUNT: usize = 1 + Self::LossyMarbles as usize;
+
     /// All hits of this kind that are good to ask, in a fixed order, with the
-    /// target on the right and the striker moving to the right at 1 m/s.
-    pub fn candidates(self) -> Vec<Hit> {
+    /// target on the right and the striker moving to the right at 1 m/s. They are looked
+    /// for once, for it takes thousands of hits to find them.
+    pub fn candidates(self) -> &'static [Hit] {
+        static FOUND: [OnceLock<Vec<Hit>>; Kind::COUNT] = [const { OnceLock::new() }; Kind::COUNT];
+        FOUND[self as usize].get_or_init(|| self.find())
+    }
+
+    fn find(self) -> Vec<Hit> {
         let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
             let given = steps
                 .map(|i| Given::Angle {
@@ -111,8 +122,9 @@ impl Kind {
     pub fn draw(self, difficulty: Difficulty, asked: &[Hit], dice: &mut Dice) -> Option<Hit> {
         let fresh: Vec<Hit> = self
             .candidates()
-            .into_iter()
+            .iter()
             .filter(|candidate| !asked.iter().any(|old| same_hit(old, candidate)))
+            .copied()
             .collect();
         let hit = *dice.pick(&fresh)?;
         let left = dice.coin();
@@ -207,7 +219,7 @@ fn adds_up(hit: &Hit) -> bool {
 mod tests {
     use super::*;
 
-    const KINDS: [Kind; 9] = [
+    const KINDS: [Kind; Kind::COUNT] = [
         Kind::EqualAngle,
         Kind::EqualOffset,
         Kind::TournamentAngle,
@@ -240,7 +252,7 @@ mod tests {
                 let outcome = hit.outcome();
                 let printed = [outcome.theta1, outcome.theta2, outcome.separation];
                 assert!(!printed.into_iter().flatten().any(near_tie), "{hit:?}");
-                let margin = clearance(&hit).to_degrees() - CLEAR * RIGHT_DEG;
+                let margin = clearance(hit).to_degrees() - CLEAR * RIGHT_DEG;
                 assert!(margin > 1e-7, "{hit:?}");
             }
         }

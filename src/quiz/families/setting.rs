@@ -2,11 +2,17 @@
 
 use std::ops::RangeInclusive;
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value};
 
 use super::where_to::figures;
+use crate::physics::Disc;
 use crate::quiz::dice::Dice;
-use crate::quiz::{Belief, Difficulty, Family, Form, Given, Hit, Picture, Pieces, Question, Shown};
+use crate::quiz::{
+    Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question, Said,
+    Shown,
+};
 
 /// What a hit on a resting target is drawn from.
 pub(super) struct Setting<'a> {
@@ -56,6 +62,15 @@ pub(super) struct Asked {
     pub(super) more: Map<String, Value>,
 }
 
+/// The question about a hit that is told in other words, beside another picture.
+pub(super) fn told(hit: &Hit, text: String, picture: Picture, asked: Asked) -> Question {
+    Question {
+        text: format!("{text} {}", asked.ask),
+        picture,
+        ..about(hit, asked)
+    }
+}
+
 /// A question about a hit that is given in full.
 pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
     let by_angle = matches!(hit.given, Given::Angle { .. });
@@ -76,6 +91,7 @@ pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
         },
         form: asked.form,
         beliefs: asked.beliefs,
+        replies: BTreeMap::new(),
         why: asked.why,
         figures,
     }
@@ -92,21 +108,64 @@ pub(super) fn more<const N: usize>(figures: [(&str, Value); N]) -> Map<String, V
 /// The belief that gives a number, if it gives one worth typing: finite and not
 /// negative.
 pub(super) fn number(
-    misconception: &'static crate::quiz::Misconception,
+    misconception: &'static Misconception,
     said: f64,
     says: String,
 ) -> Option<Belief> {
     let sane = said.is_finite() && said >= 0.0;
-    sane.then(|| Belief::new(misconception, crate::quiz::Said::Number(said), says))
+    sane.then(|| Belief::new(misconception, Said::Number(said), says))
 }
 
-/// The beliefs whose answer is not the true one by accident, which then are none.
+/// The beliefs whose answer can be given and is not the true one by accident; the others
+/// are none.
 pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief>>) -> Vec<Belief> {
     /// What rounding alone may do.
     const SAME: f64 = 1e-6;
+    let can_be_said = |said: &Said| match (form, said) {
+        (Form::Number { quantity, .. }, Said::Number(x)) => {
+            (quantity.smallest()..=quantity.largest()).contains(x)
+        }
+        _ => true,
+    };
     beliefs
         .into_iter()
         .flatten()
+        .filter(|belief| can_be_said(&belief.said))
         .filter(|belief| form.distance(&belief.said, &form.truth()) > SAME)
         .collect()
+}
+
+/// What misconceptions would choose: which one, which choice, and what is wrong with it.
+pub(super) type Chosen = (&'static Misconception, usize, String);
+
+/// The beliefs among these that choose wrongly; of those that choose alike the first.
+pub(super) fn wrong_choices(right: usize, chosen: impl IntoIterator<Item = Chosen>) -> Vec<Belief> {
+    let mut beliefs: Vec<Belief> = Vec::new();
+    for (misconception, choice, says) in chosen {
+        let said = Said::Choice(choice);
+        if choice != right && !beliefs.iter().any(|belief| belief.said == said) {
+            beliefs.push(Belief::new(misconception, said, says));
+        }
+    }
+    beliefs
+}
+
+/// Two discs of one size with these masses in grams.
+pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
+    let disc = |mass_g| Disc::from_g_mm(f64::from(mass_g), 15.0);
+    Pieces::Own {
+        striker: disc(m1_g),
+        target: disc(m2_g),
+    }
+}
+
+/// A picture of a hit about to happen that shows nothing of where the two will meet.
+pub(super) fn unmarked(hit: &Hit) -> Picture {
+    Picture::Before {
+        collision: hit.collision(),
+        shown: Shown {
+            figures: true,
+            ..Shown::default()
+        },
+    }
 }

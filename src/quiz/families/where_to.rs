@@ -1,5 +1,7 @@
 //! "Where will they go?": both rays of a hit on a resting target.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value, json};
 
 use super::hit_kinds::Kind;
@@ -77,6 +79,7 @@ pub fn question(hit: &Hit) -> Question {
             target: hit.pieces.target_name(),
         },
         beliefs: beliefs(hit),
+        replies: BTreeMap::new(),
         why: reasoning(hit),
         figures: figures(hit),
     }

@@ -2,6 +2,7 @@
 //! 1913.
 
 mod beam_page;
+mod export;
 mod field;
 mod guess;
 mod measured_page;
@@ -40,7 +41,7 @@ pub enum Page {
 
 impl Page {
     /// All pages, in their order.
-    const ALL: [Self; 3] = [Self::Tracks, Self::Counts, Self::Measured];
+    pub const ALL: [Self; 3] = [Self::Tracks, Self::Counts, Self::Measured];
 
     /// Its name on the tab.
     const fn name(self) -> &'static str {
@@ -72,9 +73,19 @@ pub struct Foil {
     other_scale: bool,
     /// Whether the counts of 1913 are shown as shares of the law.
     levelled: bool,
+    /// What became of an export.
+    notice: Option<String>,
 }
 
 impl Foil {
+    /// The foil at one of its pages.
+    pub fn at(page: Page) -> Self {
+        Self {
+            page,
+            ..Self::default()
+        }
+    }
+
     fn fields(&self) -> &'static [Field] {
         Field::on(self.page, &self.setup)
     }
@@ -174,6 +185,7 @@ impl Foil {
     }
 
     fn key(&mut self, key: Key, cx: &mut Context) -> Next {
+        self.notice = None;
         if self.is_running() {
             return self.running_key(key);
         }
@@ -197,6 +209,12 @@ impl Foil {
             Key::BackTab => self.turn_by(Page::ALL.len() - 1),
             Key::PageUp => self.scroll_by(-8, cx),
             Key::PageDown => self.scroll_by(8, cx),
+            Key::Char('e' | 'E') => {
+                self.commit_entry();
+                let name = format!("carrom-foil-{}.svg", self.page.name().replace(' ', "-"));
+                let look = cx.settings.look();
+                cx.export(name, export::svg_of(self, look));
+            }
             Key::Char('p' | 'P') => cx.settings.predict = !cx.settings.predict,
             _ if self.page == Page::Measured => return self.measured_key(key, cx),
             Key::Up => self.choose(self.field + self.fields().len() - 1),
@@ -351,6 +369,13 @@ impl Screen for Foil {
         match input {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
+            Input::Exported(exported) => {
+                self.notice = Some(match exported {
+                    Ok(place) => format!("The plot is in {place}"),
+                    Err(reason) => format!("The plot could not be written: {reason}"),
+                });
+                Next::Stay
+            }
             _ => Next::Ignored,
         }
     }
@@ -414,6 +439,7 @@ impl Screen for Foil {
             }
         }
         keys.push(Hint::new("Tab", "next page"));
+        keys.push(Hint::new("e", "export"));
         keys.push(Hint::new("Esc", "back"));
         keys
     }
@@ -439,6 +465,7 @@ impl Screen for Foil {
                 Hint::new("Esc", "stop a beam at once"),
                 Hint::new("l", "counts on a logarithmic scale, or on an even one"),
                 Hint::new("p", "say first what will happen, or just watch"),
+                Hint::new("e", "export the plot as an SVG picture"),
                 Hint::new("r", "back to the first setting"),
                 Hint::new(
                     "PageUp PageDown",

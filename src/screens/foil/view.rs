@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{Foil, Page, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
-use crate::widgets::{Beside, Lines, Role, text};
+use crate::widgets::{Beside, Lines, Look, Role, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
@@ -89,20 +89,45 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
         );
     }
     let beside = layout.beside;
-    let (title, side) = match foil.page {
-        Page::Tracks => (tracks_page::title(&foil.setup), "the particle"),
-        Page::Counts => (beam_page::title(&foil.setup), "the beam"),
-        Page::Measured => (measured_page::title(foil.levelled), "the experiment"),
+    let side = match foil.page {
+        Page::Tracks => "the particle",
+        Page::Counts => "the beam",
+        Page::Measured => "the experiment",
     };
-    beside.draw(buf, &look, title, side);
-    match foil.page {
-        Page::Tracks => tracks_page::draw(&foil.setup, beside.picture, buf, &look),
-        Page::Counts => beam_page::draw(foil, beside.picture, buf, look),
-        Page::Measured => measured_page::draw(foil.levelled, beside.picture, buf, look),
+    beside.draw(buf, &look, title(foil), side);
+    draw_picture(foil, beside.picture, buf, look);
+    let mut panel = beside.panel;
+    if let Some(notice) = &foil.notice {
+        // It has the last row of the text to itself.
+        panel.height = panel.height.saturating_sub(1);
+        let row = Rect {
+            y: panel.bottom(),
+            height: 1.min(beside.panel.height),
+            ..panel
+        };
+        Lines::new(row, buf, look).line(notice, Role::Key);
     }
-    foil.scroll.draw(beside.panel, buf, look, |lines| {
+    foil.scroll.draw(panel, buf, look, |lines| {
         write_panel(foil, lines, cx);
     });
+}
+
+/// The title of the picture.
+pub(super) fn title(foil: &Foil) -> &'static str {
+    match foil.page {
+        Page::Tracks => tracks_page::title(&foil.setup),
+        Page::Counts => beam_page::title(&foil.setup),
+        Page::Measured => measured_page::title(foil.levelled),
+    }
+}
+
+/// Draws the plot of the page.
+pub(super) fn draw_picture(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
+    match foil.page {
+        Page::Tracks => tracks_page::draw(&foil.setup, area, buf, &look),
+        Page::Counts => beam_page::draw(foil, area, buf, look),
+        Page::Measured => measured_page::draw(foil.levelled, area, buf, look),
+    }
 }
 
 /// Writes what stands beside the picture.

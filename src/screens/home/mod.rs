@@ -60,7 +60,7 @@ const CHOICES: [Choice; 8] = [
     Choice {
         key: 'z',
         name: "Quiz",
-        about: "ten hits to predict",
+        about: "find out what you know",
         place: Place::Quiz { code: None },
     },
     Choice {

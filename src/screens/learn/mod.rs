@@ -12,3 +12,4 @@ pub use check::check;
 pub use contents::Contents;
 pub use figure::{FigureError, draw_figure};
 pub use reading::Reading;
+pub use record::attempt;

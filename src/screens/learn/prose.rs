@@ -3,7 +3,7 @@
 use crate::lessons::{Block, Piece, Tone};
 use crate::physics::Collision;
 use crate::widgets::flow::Run;
-use crate::widgets::{Lines, Role, formula};
+use crate::widgets::{Charset, Lines, Role, formula};
 
 /// Columns by which formulas and the rows of a list are set in.
 const INDENT: u16 = 2;
@@ -13,7 +13,7 @@ pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collisi
     let mut before: Option<&Block> = None;
     for block in blocks {
         if let Some(before) = before
-            && !belong_together(before, block)
+            && !belong_together(before, block, lines.charset())
         {
             lines.gap();
         }
@@ -35,9 +35,12 @@ pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collisi
 }
 
 /// Whether two blocks stand without an empty row between them.
-fn belong_together(before: &Block, after: &Block) -> bool {
+fn belong_together(before: &Block, after: &Block, charset: Charset) -> bool {
+    let low = |formula| formula::set(formula, charset).len() == 1;
     match (before, after) {
-        (Block::Item(..), Block::Item(..)) | (Block::Formula(_), Block::Formula(_)) => true,
+        (Block::Item(..), Block::Item(..)) => true,
+        // One fraction right below another reads as one of three storeys.
+        (Block::Formula(before), Block::Formula(after)) => low(before) || low(after),
         (Block::Paragraph(pieces), Block::Item(..) | Block::Formula(_)) => {
             matches!(pieces.last(), Some(Piece::Text(text, _)) if text.ends_with([':', ',']))
         }

@@ -10,7 +10,7 @@ use crate::quiz::{Ray, Rays};
 
 /// An answer to the checkpoint of page `at` (from 0), marked; `figure` is the collision
 /// as the page's figure has it.
-pub(super) fn attempt(
+pub fn attempt(
     player: &str,
     chapter: &Chapter,
     at: usize,

@@ -6,14 +6,16 @@ mod beliefs;
 mod over_time;
 mod page;
 mod sure;
+mod sure_over_time;
 mod topics;
 mod words;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::recall::Recall;
 use super::{Context, Help, Hint, Next, Place, Screen};
-use crate::messages::{Done, History, Input, Key, Mouse, MouseKind, Wish};
+use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::widgets::{Beside, Lines, Look, Role, Scroll};
 use page::Page;
 
@@ -27,20 +29,9 @@ const NARROW_PANEL: u16 = 26;
 /// The screen.
 #[derive(Debug, Clone)]
 pub struct Progress {
-    history: Loaded,
+    history: Recall,
     page: Page,
     scroll: Scrolls,
-}
-
-/// What the player has done, as far as it is known here.
-#[derive(Debug, Clone)]
-enum Loaded {
-    /// It has been asked for with this ticket.
-    Asked(u64),
-    /// Nobody can say, and why.
-    Unknown(String),
-    /// This.
-    Known(Box<History>),
 }
 
 /// How far both sides are scrolled.
@@ -53,10 +44,8 @@ struct Scrolls {
 impl Progress {
     /// The screen, with what the player has done asked for.
     pub fn ask(cx: &mut Context) -> Self {
-        let player = cx.settings.player.clone();
-        let ticket = cx.ask(Wish::Recall(Some(player)));
         Self {
-            history: Loaded::Asked(ticket),
+            history: Recall::ask(cx),
             page: Page::OverTime,
             scroll: Scrolls::default(),
         }
@@ -64,10 +53,7 @@ impl Progress {
 
     /// What was done, where there is something.
     fn history(&self) -> Option<&History> {
-        match &self.history {
-            Loaded::Known(history) if !history.attempts.is_empty() => Some(history),
-            _ => None,
-        }
+        self.history.history()
     }
 
     fn turn_to(&mut self, page: Page) {
@@ -90,7 +76,7 @@ impl Progress {
         match key {
             Key::Tab | Key::Right => self.turn_to(self.page.beside(1)),
             Key::BackTab | Key::Left => self.turn_to(self.page.beside(-1)),
-            Key::Char(digit @ '1'..='4') => {
+            Key::Char(digit @ '1'..='5') => {
                 self.turn_to(Page::ALL[usize::from(digit as u8 - b'1')]);
             }
             Key::Up => self.scroll_by(-1, cx),
@@ -119,7 +105,7 @@ impl Progress {
             return self.nothing(lines);
         };
         match self.page {
-            Page::OverTime => {}
+            Page::OverTime | Page::SureOverTime => {}
             Page::Topics => topics::table(history, lines),
             Page::Sure => sure::table(history, lines),
             Page::Beliefs => beliefs::table(history, lines),
@@ -129,12 +115,12 @@ impl Progress {
     /// What to say where there is nothing to be shown.
     fn nothing(&self, lines: &mut Lines) {
         match &self.history {
-            Loaded::Asked(_) => lines.line("Looking …", Role::Dim),
-            Loaded::Unknown(reason) => {
+            Recall::Asked(_) => lines.line("Looking …", Role::Dim),
+            Recall::Unknown(reason) => {
                 let message = format!("What you have done cannot be looked at: {reason}.");
                 lines.paragraph(&message, Role::Warn);
             }
-            Loaded::Known(_) => {
+            Recall::Known(_) => {
                 lines.paragraph(
                     "Nothing here yet: every beginning is a clean board.",
                     Role::Text,
@@ -156,6 +142,7 @@ impl Progress {
                 Page::OverTime => over_time::panel(history, lines),
                 Page::Topics => topics::panel(history, lines),
                 Page::Sure => sure::panel(history, lines),
+                Page::SureOverTime => sure_over_time::panel(history, lines),
                 Page::Beliefs => beliefs::panel(history, lines),
             }
             lines.gap();
@@ -167,6 +154,9 @@ impl Progress {
         match self.history() {
             Some(history) if self.page == Page::OverTime => {
                 over_time::plot(history, area, buf, look);
+            }
+            Some(history) if self.page == Page::SureOverTime => {
+                sure_over_time::plot(history, area, buf, look);
             }
             _ => self
                 .scroll
@@ -202,15 +192,7 @@ impl Screen for Progress {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Kept(answer) => {
-                if let (Loaded::Asked(ticket), Done::Recalled(recalled)) =
-                    (&self.history, &answer.done)
-                    && *ticket == answer.ticket
-                {
-                    self.history = match recalled {
-                        Ok(history) => Loaded::Known(history.clone()),
-                        Err(reason) => Loaded::Unknown(reason.clone()),
-                    };
-                }
+                self.history.take(answer);
                 Next::Stay
             }
             _ => Next::Ignored,
@@ -235,7 +217,7 @@ impl Screen for Progress {
         if self.history().is_some() {
             keys.extend([
                 Hint::new("Tab", "next page"),
-                Hint::new("1-4", "page"),
+                Hint::new("1-5", "page"),
                 Hint::new("Up Down", "scroll"),
             ]);
         }
@@ -247,14 +229,17 @@ impl Screen for Progress {
         Help {
             text: vec![
                 "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
-                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately. How sure: the honest range is the one in which that confidence brings most points. Beliefs: what your wrong answers had in common, in the first half of all answers and in the second.",
+                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, in the first half of all answers and in the second.",
                 "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
-                "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json.",
+                "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print or hand in: --report FILE.html.",
             ],
             keys: vec![
                 Hint::new("Tab Right", "next page"),
                 Hint::new("Left", "page before"),
-                Hint::new("1-4", "over time, topics, how sure, beliefs"),
+                Hint::new(
+                    "1-5",
+                    "over time, topics, how sure, that over time, beliefs",
+                ),
                 Hint::new("Up Down", "scroll what is longer than its place"),
                 Hint::new("PageUp PageDown", "the same by eight rows"),
                 Hint::new("Enter", "a round of the quiz"),

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::words::{degrees, percent};
 use crate::messages::History;
-use crate::progress::{Attempt, Tally, advice, smoothed_errors_deg};
+use crate::progress::{Tally, advice, ends_deg, smoothed_errors_deg};
 use crate::quiz::RIGHT_DEG;
 use crate::widgets::ink::{Pen, Side};
 use crate::widgets::plot::{Axis, Plot};
@@ -16,8 +16,6 @@ use crate::widgets::{Lines, Look, Role};
 const REACH: usize = 5;
 /// How many of the last answers are shown.
 const SHOWN: usize = 100;
-/// How many answers at both ends are compared.
-const ENDS: usize = 10;
 
 /// Draws the error of each answer, and the mean of the last few.
 pub(super) fn plot(history: &History, area: Rect, buf: &mut Buffer, look: Look) {
@@ -64,7 +62,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     row(lines, "answers", &all.attempts.to_string());
     row(lines, "right", &percent(all.share_right()));
     row(lines, "mean error", &degrees(all.mean_error_deg()));
-    if let Some((first, last)) = ends(attempts) {
+    if let Some((first, last)) = ends_deg(attempts) {
         row(lines, "  first ten", &degrees(Some(first)));
         row(lines, "  last ten", &degrees(Some(last)));
         lines.gap();
@@ -78,18 +76,6 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         "o is right, x not yet; the line is the mean of five.",
         Role::Dim,
     );
-}
-
-/// The mean errors of the first and of the last answers in degrees, where these are
-/// not the same ones.
-fn ends(attempts: &[Attempt]) -> Option<(f64, f64)> {
-    let (first, _) = attempts.split_at_checked(2 * ENDS)?;
-    let (first, _) = first.split_at(ENDS);
-    let last = &attempts[attempts.len() - ENDS..];
-    Some((
-        Tally::of(first).mean_error_deg()?,
-        Tally::of(last).mean_error_deg()?,
-    ))
 }
 
 /// What to make of the mean errors of the first and the last answers.

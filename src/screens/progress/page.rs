@@ -9,12 +9,20 @@ pub(super) enum Page {
     Topics,
     /// Whether confidence and answers go together.
     Sure,
+    /// The same as time went by.
+    SureOverTime,
     /// Which misconceptions were held.
     Beliefs,
 }
 
 impl Page {
-    pub(super) const ALL: [Self; 4] = [Self::OverTime, Self::Topics, Self::Sure, Self::Beliefs];
+    pub(super) const ALL: [Self; 5] = [
+        Self::OverTime,
+        Self::Topics,
+        Self::Sure,
+        Self::SureOverTime,
+        Self::Beliefs,
+    ];
 
     /// The page so many after this one, round and round.
     pub(super) fn beside(self, steps: isize) -> Self {
@@ -29,7 +37,8 @@ impl Page {
             Self::OverTime => ("1 how far off, over time", "all in all"),
             Self::Topics => ("2 topics", "what is due"),
             Self::Sure => ("3 how sure, and how right", "what it says"),
-            Self::Beliefs => ("4 what you believed", "what helps"),
+            Self::SureOverTime => ("4 how sure, over time", "how to read it"),
+            Self::Beliefs => ("5 what you believed", "what helps"),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::words::{brief, degrees, padded, percent};
 use crate::messages::History;
-use crate::progress::{DAY_S, LATELY, Mastery, Review, reviews, topics};
+use crate::progress::{LATELY, Mastery, reviews, topics};
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role};
 
@@ -78,7 +78,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     };
     let mut head = String::new();
     for review in reviews(&history.attempts).iter().take(LISTED) {
-        let when = when(review, now_s);
+        let when = review.when(now_s);
         if when != head {
             lines.line(&when, Role::Title);
             head = when;
@@ -92,17 +92,4 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         "Coming back after a rest feels harder, and is what makes it stay.",
         Role::Dim,
     );
-}
-
-/// When something is due, in few letters.
-fn when(review: &Review, now_s: i64) -> String {
-    let left = review.due_s().saturating_sub(now_s);
-    match left {
-        ..=0 => "now".into(),
-        1..DAY_S => "in hours".into(),
-        _ => match left / DAY_S {
-            1 => "in 1 day".into(),
-            days => format!("in {days} days"),
-        },
-    }
 }

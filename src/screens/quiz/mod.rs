@@ -1,23 +1,33 @@
-//! The quiz: a round of questions, each answered, watched and explained, then a look
-//! back.
+//! The quiz: a round is chosen; its questions are answered, watched and explained; then
+//! comes a look back.
 
+mod choose;
 mod panel;
 mod summary;
+#[cfg(test)]
+mod tests;
 mod view;
+
+pub use choose::Choosing;
 
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Screen};
+use super::{Context, Help, Hint, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::progress::Attempt;
-use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Round, Said, Summary};
+use crate::quiz::{
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary,
+};
 use crate::widgets::hit::{Layers, Watch, drag_offset, point_at};
 use crate::widgets::{AnswerInput, Scroll, Turned};
+
+/// Back to choosing a round.
+const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
 
 /// A round of the quiz.
 #[derive(Debug, Clone)]
@@ -42,8 +52,8 @@ enum Phase {
     Confidence(Box<Asked>, Confidence),
     /// Watching what happens, if there is anything to be watched, and reading why.
     Watch(Box<Watched>),
-    /// Looking back.
-    Summary,
+    /// Looking back, with the mark at one question, counted from 0.
+    Summary(usize),
 }
 
 /// A question, and what has been said to it so far.
@@ -64,6 +74,8 @@ struct Watched {
     told: bool,
     /// The right shot, still to be seen, where the player's own was not it.
     remedy: Option<Watch>,
+    /// Its number, from 0, where it was opened from the look back.
+    opened: Option<usize>,
 }
 
 impl Quiz {
@@ -77,7 +89,7 @@ impl Quiz {
         let mut quiz = Self {
             round,
             answers: Vec::new(),
-            phase: Phase::Summary,
+            phase: Phase::Summary(0),
             layers: Layers::default(),
             scroll: Scroll::default(),
             leaving: false,
@@ -93,7 +105,7 @@ impl Quiz {
                 question: question.clone(),
                 input: AnswerInput::new(&question.form),
             })),
-            None => Phase::Summary,
+            None => Phase::Summary(0),
         };
         self.enter(phase);
     }
@@ -103,7 +115,17 @@ impl Quiz {
         self.scroll = Scroll::default();
     }
 
-    /// Takes the answer, if there is one, and shows the hit.
+    /// Whether every question has been answered.
+    fn is_over(&self) -> bool {
+        self.answers.len() >= self.round.questions().len()
+    }
+
+    /// Whether one hears only at the end what was right.
+    fn tells_at_end(&self) -> bool {
+        self.round.course().tells_at_end()
+    }
+
+    /// Takes the answer, if there is one, and shows what happens, or asks on.
     fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &mut Context) {
         let Some(said) = asked.input.said() else {
             return;
@@ -119,22 +141,81 @@ impl Quiz {
         );
         // It is safe before the explanation is seen.
         cx.record(attempt);
+        if self.tells_at_end() {
+            return self.ask();
+        }
         let watched = Watched::new(asked.question.clone(), answer, self.layers, cx);
         self.enter(Phase::Watch(Box::new(watched)));
     }
 
+    /// Opens an answered question from the look back, with all that is to be told of it.
+    fn open(&mut self, at: usize, cx: &Context) {
+        let (Some(question), Some(answer)) = (self.round.questions().get(at), self.answers.get(at))
+        else {
+            return;
+        };
+        let mut watched = Watched::new(question.clone(), *answer, self.layers, cx);
+        watched.opened = Some(at);
+        watched.tell();
+        self.enter(Phase::Watch(Box::new(watched)));
+    }
+
+    /// Goes back to the look back, to the question that was opened.
+    fn close(&mut self, at: usize, cx: &Context) {
+        self.enter(Phase::Summary(at));
+        self.show_line(at, cx);
+    }
+
+    /// Moves the mark of the look back; at its ends the text goes on.
+    fn move_mark(&mut self, at: usize, by: isize, cx: &Context) -> Next {
+        let last = self.answers.len().saturating_sub(1);
+        let to = at.saturating_add_signed(by).min(last);
+        if to == at {
+            return self.scroll_by(by.signum() as i16, cx);
+        }
+        self.phase = Phase::Summary(to);
+        self.show_line(to, cx);
+        Next::Stay
+    }
+
+    /// Scrolls a line of the look back into sight.
+    fn show_line(&mut self, at: usize, cx: &Context) {
+        let look = cx.settings.look();
+        let text = view::text_area(self, cx.body);
+        let row = view::first_line(self, at, text, look).saturating_add(at as u16);
+        let mut scroll = self.scroll;
+        scroll.show(row, text, look, |lines| view::write(self, lines, look));
+        self.scroll = scroll;
+    }
+
+    /// Plays another round of the same kind. What is due is another matter after every
+    /// review.
+    fn again(&mut self, cx: &mut Context) -> Next {
+        let code = self.round.code();
+        if let CourseKind::Review(_) = code.course.kind {
+            return CHOOSE;
+        }
+        let mut seed = cx.next_seed();
+        if seed == code.seed {
+            seed = cx.next_seed();
+        }
+        *self = Self::of(Round::new(code.course.clone(), seed));
+        Next::Stay
+    }
+
     /// Number of the question at hand, from 1.
     fn number(&self) -> usize {
-        match self.phase {
+        match &self.phase {
             Phase::Asked(_) | Phase::Confidence(..) => self.answers.len() + 1,
-            Phase::Watch(_) | Phase::Summary => self.answers.len(),
+            Phase::Watch(watched) => watched.opened.map_or(self.answers.len(), |at| at + 1),
+            Phase::Summary(_) => self.answers.len(),
         }
     }
 
     /// A look back over the answers whose outcome has been told.
     fn summary(&self) -> Summary {
         let untold = match &self.phase {
-            Phase::Watch(watched) => usize::from(!watched.told),
+            Phase::Watch(watched) => usize::from(!watched.told && watched.opened.is_none()),
             _ => 0,
         };
         let told = self.answers.len().saturating_sub(untold);
@@ -159,16 +240,17 @@ impl Quiz {
             },
             Phase::Confidence(..) => return self.confidence_key(key, cx),
             Phase::Watch(_) => return self.watch_key(key, leaving, cx),
-            Phase::Summary => match key {
-                Key::Up => return self.scroll_by(-1, cx),
-                Key::Down => return self.scroll_by(1, cx),
-                Key::Enter | Key::Char('n' | 'N') => {
-                    let course = self.round.course().clone();
-                    *self = Self::of(Round::new(course, cx.next_seed()));
+            Phase::Summary(at) => {
+                let at = *at;
+                match key {
+                    Key::Up | Key::BackTab => return self.move_mark(at, -1, cx),
+                    Key::Down | Key::Tab => return self.move_mark(at, 1, cx),
+                    Key::Enter | Key::Char(' ') => self.open(at, cx),
+                    Key::Char('n' | 'N') => return self.again(cx),
+                    Key::Escape => return CHOOSE,
+                    _ => return Next::Ignored,
                 }
-                Key::Escape => return Next::Back,
-                _ => return Next::Ignored,
-            },
+            }
         }
         Next::Stay
     }
@@ -204,14 +286,17 @@ impl Quiz {
         if watched.update(key) {
             return Next::Stay;
         }
+        let opened = watched.opened;
         match key {
             // Nobody skips what happened by a key too many.
             Key::Enter if !watched.told => watched.tell(),
             Key::Enter if watched.remedy.is_some() => watched.watch = watched.remedy.take(),
+            Key::Enter | Key::Escape if opened.is_some() => {
+                self.layers = watched.layers().unwrap_or(self.layers);
+                self.close(opened.unwrap_or(0), cx);
+            }
             Key::Enter => {
-                if let Some(watch) = &watched.watch {
-                    self.layers = watch.layers();
-                }
+                self.layers = watched.layers().unwrap_or(self.layers);
                 self.ask();
             }
             Key::Up => return self.scroll_by(-1, cx),
@@ -226,7 +311,7 @@ impl Quiz {
     /// twice.
     fn leave(&mut self, asked_before: bool) -> Next {
         if asked_before || self.answers.is_empty() {
-            return Next::Back;
+            return CHOOSE;
         }
         self.leaving = true;
         Next::Stay
@@ -273,6 +358,13 @@ impl Quiz {
                 };
                 let asked = asked.clone();
                 self.answer(&asked, chosen, cx);
+            }
+            (MouseKind::Down, Phase::Summary(at)) => {
+                let at = *at;
+                let Some(line) = view::line_at(self, at, cx.body, look, cell) else {
+                    return Next::Ignored;
+                };
+                self.open(line, cx);
             }
             (MouseKind::Down, Phase::Watch(_)) if on_picture => {
                 return self.watch_key(Key::Char(' '), false, cx);
@@ -334,6 +426,7 @@ impl Watched {
             watch,
             told,
             remedy,
+            opened: None,
         }
     }
 
@@ -349,6 +442,11 @@ impl Watched {
         let taken = watch.update(key);
         self.told |= watch.is_told();
         taken
+    }
+
+    /// What is drawn on top of the hit, where there is one.
+    fn layers(&self) -> Option<Layers> {
+        self.watch.as_ref().map(Watch::layers)
     }
 
     /// Lets time pass.
@@ -382,15 +480,21 @@ impl Screen for Quiz {
 
     fn status(&self, _cx: &Context) -> String {
         let place = match self.phase {
-            Phase::Summary => "all answered".into(),
+            Phase::Summary(_) => "all answered".into(),
             _ => format!(
                 "question {} of {}",
                 self.number(),
                 self.round.questions().len()
             ),
         };
-        let points = self.summary().points();
-        format!("{place}  {points:.1} points  code {}", self.round.code())
+        let mut status = place;
+        if !self.tells_at_end() || self.is_over() {
+            status += &format!("  {:.1} points", self.summary().points());
+        }
+        match self.round.course().kind {
+            CourseKind::Review(_) => status + "  review",
+            _ => format!("{status}  code {}", self.round.code()),
+        }
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
@@ -457,10 +561,17 @@ impl Screen for Quiz {
                     Hint::new("Esc", "leave"),
                 ],
             },
-            Phase::Confidence(..) => vec![
+            Phase::Confidence(asked, _) => vec![
                 Hint::new("1 2 3", "how sure"),
                 Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "watch"),
+                Hint::new(
+                    "Enter",
+                    match asked.question.picture.collision() {
+                        _ if self.tells_at_end() => "next",
+                        Some(_) => "watch",
+                        None => "see",
+                    },
+                ),
                 Hint::new("Esc", "change it"),
             ],
             Phase::Watch(watched) if !watched.told => vec![
@@ -471,16 +582,25 @@ impl Screen for Quiz {
                 Hint::new("1-7", "layers"),
             ],
             Phase::Watch(watched) => {
-                let next = if self.number() < self.round.questions().len() {
+                let next = if watched.remedy.is_some() {
+                    "the right shot"
+                } else if watched.opened.is_some() {
+                    "back to the list"
+                } else if !self.is_over() {
                     "next question"
                 } else {
                     "look back"
                 };
                 let Some(watch) = &watched.watch else {
+                    let away = if watched.opened.is_some() {
+                        "back"
+                    } else {
+                        "leave"
+                    };
                     return vec![
                         Hint::new("Enter", next),
                         Hint::new("Up Down", "scroll"),
-                        Hint::new("Esc", "leave"),
+                        Hint::new("Esc", away),
                     ];
                 };
                 let space = if watch.clock().is_over() {
@@ -497,10 +617,11 @@ impl Screen for Quiz {
                     Hint::new("f", "frame"),
                 ]
             }
-            Phase::Summary => vec![
-                Hint::new("Enter", "new round"),
-                Hint::new("Up Down", "scroll"),
-                Hint::new("Esc", "back"),
+            Phase::Summary(_) => vec![
+                Hint::new("Up Down", "choose"),
+                Hint::new("Enter", "look at it"),
+                Hint::new("n", "another round"),
+                Hint::new("Esc", "other rounds"),
             ],
         }
     }
@@ -508,15 +629,19 @@ impl Screen for Quiz {
     fn help(&self, _cx: &Context) -> Help {
         Help {
             text: vec![
-                "Ten hits. For each, say where the striker and the coin will go, and how sure you are; then watch what happens and read why.",
-                "Angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side.",
+                "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end.",
+                "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A number is right within a twentieth of the truth. A shot: set the offset that sends the disc along the dashed way to the mark.",
                 "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays.",
-                "The code at the top fixes the ten questions: with the same code a friend gets the same round.",
+                "After the last question each one can be opened again. The code at the top fixes the questions: with the same code a friend gets the same round.",
             ],
             keys: vec![
-                Hint::new("Left Right", "turn a ray by 1°"),
-                Hint::new("Up Down", "turn a ray by 5°, choose, or scroll"),
-                Hint::new("0-9 . -", "type an angle"),
+                Hint::new("Left Right", "turn a ray by 1°, or dial a number"),
+                Hint::new(
+                    "Up Down",
+                    "turn a ray by 5°, dial in big steps, choose, or scroll",
+                ),
+                Hint::new("0-9 . -", "type an angle, a number or an offset"),
+                Hint::new("a b c", "choose an answer"),
                 Hint::new("x", "this disc will stay still"),
                 Hint::new("Tab", "the other ray"),
                 Hint::new("Enter", "go on"),
@@ -534,7 +659,10 @@ impl Screen for Quiz {
                     "PageUp PageDown",
                     "scroll a text that is longer than its place",
                 ),
-                Hint::new("mouse", "drag the rays, click how sure you are"),
+                Hint::new(
+                    "mouse",
+                    "drag the rays, or the coin before a shot; click an answer, how sure you are, a line of the look back",
+                ),
             ],
         }
     }

@@ -21,7 +21,9 @@ pub(super) fn asked(asked: &Asked, lines: &mut Lines) {
         }
         _ => "Enter: then how sure.".into(),
     };
-    let needed = head_rows(asked, lines) + input_rows(asked, lines);
+    let head = head_rows(asked, lines);
+    let left = lines.left().saturating_sub(head);
+    let needed = head + AnswerInput::rows(form, lines, left);
     let mut spare = lines.spare(needed);
     let about = spare.take(lines.rows_of(&about) + 1).then_some(about);
     let next = spare.take(lines.rows_of(&next) + 1).then_some(next);
@@ -41,21 +43,6 @@ fn head_rows(asked: &Asked, lines: &Lines) -> u16 {
     lines.rows_of(&asked.question.text) + 1
 }
 
-/// Rows of the answer.
-fn input_rows(asked: &Asked, lines: &Lines) -> u16 {
-    match &asked.question.form {
-        Form::Rays { .. } => 2,
-        Form::Number { .. } | Form::Shot(_) => 1,
-        Form::Choice { options, .. } => options
-            .iter()
-            .map(|option| lines.rows_of_hanging(MARK, option))
-            .sum(),
-    }
-}
-
-/// What stands before a choice, as far as its room goes.
-const MARK: &str = "> A ";
-
 /// The choice whose rows are at a cell of the panel, which is scrolled by so many rows.
 pub(super) fn choice_at(
     asked: &Asked,
@@ -64,30 +51,22 @@ pub(super) fn choice_at(
     (column, row): (u16, u16),
     look: Look,
 ) -> Option<usize> {
-    let Form::Choice { options, .. } = &asked.question.form else {
-        return None;
-    };
     if !panel.contains((column, row).into()) {
         return None;
     }
     let mut scratch = Buffer::empty(panel);
     let lines = Lines::new(panel, &mut scratch, look);
-    let mut row = (row - panel.y + scrolled).checked_sub(head_rows(asked, &lines))?;
-    for (i, option) in options.iter().enumerate() {
-        let rows = lines.rows_of_hanging(MARK, option);
-        if row < rows {
-            return Some(i);
-        }
-        row -= rows;
-    }
-    None
+    let head = head_rows(asked, &lines);
+    let row = (row - panel.y + scrolled).checked_sub(head)?;
+    let left = panel.height.saturating_sub(head);
+    AnswerInput::choice_at(&asked.question.form, &lines, left, row)
 }
 
 /// Row of the first confidence, from the top of the text.
 const FIRST_CONFIDENCE: u16 = 2;
 
 /// How sure one is, what that may bring, and what one is to be sure of.
-pub(super) fn confidence(asked: &Asked, chosen: Confidence, lines: &mut Lines) {
+pub(super) fn confidence(asked: &Asked, chosen: Confidence, told_at_end: bool, lines: &mut Lines) {
     lines.line("How sure are you?", Role::Title);
     let head = |text| (text, Role::Dim);
     lines.columns(head("points if"), ["wrong", "right"].map(head));
@@ -116,6 +95,7 @@ pub(super) fn confidence(asked: &Asked, chosen: Confidence, lines: &mut Lines) {
     if spare.take(2) {
         lines.gap();
         let next = match asked.question.picture.collision() {
+            _ if told_at_end => "Enter: on to the next.",
             Some(_) => "Enter: watch what happens.",
             None => "Enter: see how it is.",
         };
@@ -200,7 +180,12 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
     lines.paragraph(&explanation.text, Role::Text);
     if next {
         lines.gap();
-        lines.line("Enter: go on.", Role::Key);
+        let next = match watched.opened {
+            _ if watched.remedy.is_some() => "Enter: the shot that does it.",
+            Some(_) => "Enter: back to the list.",
+            None => "Enter: go on.",
+        };
+        lines.line(next, Role::Key);
     }
 }
 
@@ -232,11 +217,13 @@ fn answer_rows(watched: &Watched, lines: &Lines) -> u16 {
 const YOU: &str = "you    ";
 const TRUTH: &str = "truth  ";
 
-/// The answer and the true one in words; `None` for rays, which make a table.
+/// The answer and the true one in words; `None` for rays of a hit, which make a table.
 fn said_and_truth(watched: &Watched) -> Option<[String; 2]> {
     let form = &watched.question.form;
     let both = [watched.answer.said, form.truth()];
-    (!matches!(form, Form::Rays { .. })).then(|| both.map(|said| lettered(form, &said)))
+    // Without a hit to be seen, rays have no sides to count from.
+    let table = matches!(form, Form::Rays { .. }) && watched.watch.is_some();
+    (!table).then(|| both.map(|said| lettered(form, &said)))
 }
 
 fn write_answers(watched: &Watched, grade: &Grade, lines: &mut Lines) {

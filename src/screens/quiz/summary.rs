@@ -2,15 +2,19 @@
 
 use super::Quiz;
 use crate::quiz::{
-    Answer, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain, words,
+    Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain, words,
 };
 use crate::widgets::{Lines, Role};
 
-/// Writes the look back: the score, a row a question, how well confidence and answers
-/// went together, and what to try next.
-pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
+/// Writes the look back: the score, a row a question with a mark at the one `at`, how
+/// well confidence and answers went together, and what to try next. Gives the row of
+/// the first question.
+pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
     let summary = quiz.summary();
-    let table = Table::new(lines.width());
+    let answered = quiz.round.questions().iter().zip(&quiz.answers);
+    let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
+    let all_rays = answered.clone().all(|(question, _)| rays(question));
+    let table = Table::new(lines, all_rays);
     let closing = closing(&summary);
     let closing_rows: u16 = closing.iter().map(|text| lines.rows_of(text)).sum();
     let rows = summary.lines.len() as u16;
@@ -18,18 +22,17 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
     let mut spare = lines.spare(lines.rows_of(&score) + HEAD + rows + closing_rows);
     let gap_after = spare.take(1);
     let gap_before = spare.take(1);
-    let friend = spare.take(2);
+    let command = for_a_friend(quiz.round.code());
+    let friend = command.filter(|_| spare.take(2));
     let apart = spare.take(closing.len() as u16 - 1);
     lines.paragraph(&score, Role::Title);
     if gap_before {
         lines.gap();
     }
-    let answered = quiz.round.questions().iter().zip(&quiz.answers);
-    let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
-    let all_rays = answered.clone().all(|(question, _)| rays(question));
-    table.head(summary.lines.iter().any(missed_surely), all_rays, lines);
+    table.head(summary.lines.iter().any(missed_surely), lines);
+    let first = lines.written();
     for (i, (line, answered)) in summary.lines.iter().zip(answered).enumerate() {
-        table.row(i + 1, line, answered, lines);
+        table.row((i, i == at), line, answered, lines);
     }
     if gap_after {
         lines.gap();
@@ -40,14 +43,23 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines) {
         }
         lines.paragraph(text, Role::Text);
     }
-    if friend {
-        let code = quiz.round.code();
-        let command = match code.course.kind {
-            CourseKind::Hits => format!("The same ten for a friend: carrom quiz --seed {code}"),
-            _ => format!("The same round for a friend: carrom quiz --code {code}"),
-        };
+    if let Some(command) = friend {
         lines.gap();
         lines.line(&command, Role::Dim);
+    }
+    first
+}
+
+/// How a friend gets the same round; a review is its player's alone.
+fn for_a_friend(code: &Code) -> Option<String> {
+    match code.course.kind {
+        CourseKind::Review(_) => None,
+        CourseKind::Hits => Some(format!(
+            "The same ten for a friend: carrom quiz --seed {code}"
+        )),
+        _ => Some(format!(
+            "The same round for a friend: carrom quiz --code {code}"
+        )),
     }
 }
 
@@ -85,55 +97,71 @@ fn missed_surely(line: &SummaryLine) -> bool {
 /// Rows of [`Table::head`].
 const HEAD: u16 = 2;
 
+/// Columns of a topic, where there is room for what it was too.
+const TOPIC: usize = 28;
+
 /// The columns of the look back; the more room, the more of them.
 struct Table {
     gap: &'static str,
+    /// Whether every answer is two rays, with a column for each of them.
+    rays: bool,
     confidence: bool,
+    /// What the question was about.
     topic: bool,
+    /// What became of the answer, in words.
+    outcome: bool,
 }
 
 impl Table {
-    fn new(width: u16) -> Self {
+    fn new(lines: &Lines, rays: bool) -> Self {
+        let width = lines.width();
         Self {
             gap: if width >= 72 { "   " } else { "" },
+            rays,
             confidence: width >= 72,
-            topic: width >= 104,
+            // Where answers are of many forms, one wants to know to what.
+            topic: width >= 104 || !rays,
+            outcome: width >= 104 || rays,
         }
     }
 
-    fn head(&self, marked: bool, rays: bool, lines: &mut Lines) {
+    fn head(&self, marked: bool, lines: &mut Lines) {
         let gap = self.gap;
         let legend = if marked { "! sure, but off" } else { "" };
         let over = format!(
-            "   {gap}{:>9}{gap}{:>10}{gap}       {legend}",
+            "    {gap}{:>10}{gap}{:>11}{gap}       {legend}",
             "you said", "truth"
         );
         lines.line(&over, Role::Dim);
-        let each = if rays { "   S    C" } else { "" };
-        let head = self.cells(["", " ", each, each, "pts"], "sure?", "about", "it was");
+        let each = if self.rays { "   S    C" } else { "" };
+        let cells = [" ", "", " ", each, each, "pts"];
+        let head = self.cells(cells, "sure?", "about", "it was");
         lines.line(&head, Role::Dim);
     }
 
     fn row(
         &self,
-        number: usize,
+        (number, chosen): (usize, bool),
         line: &SummaryLine,
         (question, answer): (&Question, &Answer),
         lines: &mut Lines,
     ) {
-        let said = question.form.brief(&answer.said);
-        let truth = question.form.brief(&question.form.truth());
-        let number = number.to_string();
+        let charset = lines.charset();
+        let brief = |said| charset.text(&question.form.brief(said)).into_owned();
+        let (said, truth) = (brief(&answer.said), brief(&question.form.truth()));
+        let number = (number + 1).to_string();
         let points = format!("{:.1}", line.grade.points() + 0.0);
         let missed = missed_surely(line);
+        let chosen_mark = if chosen { ">" } else { " " };
         let mark = if missed { "!" } else { " " };
         let role = match missed {
+            _ if chosen => Role::Selected,
             true => Role::Warn,
             false if line.grade.right => Role::Good,
             false => Role::Text,
         };
         let row = self.cells(
-            [&number, mark, &said, &truth, &points],
+            [chosen_mark, &number, mark, &said, &truth, &points],
             line.grade.confidence.name(),
             &line.topic,
             explain(question, answer).title,
@@ -141,17 +169,21 @@ impl Table {
         lines.line(&row, role);
     }
 
-    /// Number, mark, what was said, the truth and points; then words.
-    fn cells(&self, cells: [&str; 5], confidence: &str, topic: &str, what: &str) -> String {
+    /// The mark of the chosen line, number, mark, what was said, the truth and points;
+    /// then words.
+    fn cells(&self, cells: [&str; 6], confidence: &str, topic: &str, outcome: &str) -> String {
         let gap = self.gap;
-        let [number, mark, said, truth, points] = cells;
-        let mut row = format!("{number:>2}{mark}{gap}{said:>9}{gap}{truth:>10}{gap}{points:>5}  ");
+        let [chosen, number, mark, said, truth, points] = cells;
+        let mut row =
+            format!("{chosen}{number:>2}{mark}{gap}{said:>10}{gap}{truth:>11}{gap}{points:>5}  ");
         if self.confidence {
             row += &format!("{confidence:10}");
         }
-        if self.topic {
-            row += &format!("{topic:28}");
+        match (self.topic, self.outcome) {
+            (true, true) => row += &format!("{topic:TOPIC$}{outcome}"),
+            (true, false) => row += topic,
+            _ => row += outcome,
         }
-        row + what
+        row
     }
 }

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{Phase, Quiz, Watched, panel, summary};
 use crate::physics::Frame;
-use crate::quiz::{Picture, Question};
+use crate::quiz::{Form, Picture, Question};
 use crate::screens::Context;
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Beside, Lines, Look, Role, draw_question};
@@ -26,7 +26,7 @@ fn summary_frame(area: Rect) -> Rect {
 /// Where picture and panel are: the panel alone for what is asked in words.
 pub(super) fn layout(quiz: &Quiz, area: Rect) -> Beside {
     match question(quiz).map(|question| &question.picture) {
-        Some(Picture::Nothing) => Beside::text_alone(area),
+        Some(Picture::Nothing) => Beside::card(area),
         _ => Beside::new(area),
     }
 }
@@ -36,14 +36,14 @@ fn question(quiz: &Quiz) -> Option<&Question> {
     match &quiz.phase {
         Phase::Asked(asked) | Phase::Confidence(asked, _) => Some(&asked.question),
         Phase::Watch(watched) => Some(&watched.question),
-        Phase::Summary => None,
+        Phase::Summary(_) => None,
     }
 }
 
 /// Where the text of the phase at hand is.
 pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
     let panel = match quiz.phase {
-        Phase::Summary => {
+        Phase::Summary(_) => {
             let frame = summary_frame(area);
             Rect::new(
                 frame.x + 1,
@@ -67,10 +67,14 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
 pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
     match &quiz.phase {
         Phase::Asked(asked) => panel::asked(asked, lines),
-        Phase::Confidence(asked, chosen) => panel::confidence(asked, *chosen, lines),
+        Phase::Confidence(asked, chosen) => {
+            panel::confidence(asked, *chosen, quiz.tells_at_end(), lines);
+        }
         Phase::Watch(watched) if watched.told => panel::told(watched, lines, look.charset),
         Phase::Watch(watched) => panel::untold(watched, lines),
-        Phase::Summary => summary::write(quiz, lines),
+        Phase::Summary(at) => {
+            summary::write(quiz, *at, lines);
+        }
     }
 }
 
@@ -81,7 +85,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     match &quiz.phase {
         Phase::Asked(asked) | Phase::Confidence(asked, _) => {
             let title = asked.question.family.name();
-            layout.draw(buf, &look, title, "say it first");
+            draw_frames(&layout, buf, &look, title, "say it first");
             draw_question(
                 layout.picture,
                 buf,
@@ -92,12 +96,13 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
         }
         Phase::Watch(watched) => {
             let side = if watched.told { "and why" } else { "watch" };
-            layout.draw(buf, &look, &title(watched), side);
-            if let Some(watch) = &watched.watch {
-                watch.draw(layout.picture, buf, &look);
+            draw_frames(&layout, buf, &look, &title(watched), side);
+            match &watched.watch {
+                Some(watch) => watch.draw(layout.picture, buf, &look),
+                None => draw_question(layout.picture, buf, &look, &watched.question, None),
             }
         }
-        Phase::Summary => {
+        Phase::Summary(_) => {
             let frame = summary_frame(area);
             draw_panel(buf, frame, "your round", look.charset, &look.theme);
         }
@@ -110,10 +115,59 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
         .draw(text, buf, look, |lines| write(quiz, lines, look));
 }
 
+/// The frames with their titles; where there is no picture its title goes to the text.
+fn draw_frames(layout: &Beside, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
+    let panel = if layout.picture.is_empty() {
+        picture
+    } else {
+        panel
+    };
+    layout.draw(buf, look, picture, panel);
+}
+
+/// The line of the look back at a cell.
+pub(super) fn line_at(
+    quiz: &Quiz,
+    at: usize,
+    area: Rect,
+    look: Look,
+    cell: (u16, u16),
+) -> Option<usize> {
+    let text = text_area(quiz, area);
+    if !text.contains(cell.into()) {
+        return None;
+    }
+    let scrolled = quiz
+        .scroll
+        .rows(text, look, |lines| write(quiz, lines, look));
+    let row = cell.1 - text.y + scrolled;
+    let line = usize::from(row.checked_sub(first_line(quiz, at, text, look))?);
+    (line < quiz.answers.len()).then_some(line)
+}
+
+/// Row of the first line of the look back.
+pub(super) fn first_line(quiz: &Quiz, at: usize, text: Rect, look: Look) -> u16 {
+    let mut scratch = Buffer::empty(text);
+    summary::write(quiz, at, &mut Lines::new(text, &mut scratch, look))
+}
+
 fn title(watched: &Watched) -> String {
     let Some(watch) = &watched.watch else {
         return watched.question.family.name().into();
     };
+    if let Form::Shot(aim) = &watched.question.form
+        && watched.told
+        && watched.remedy.is_none()
+        && watch.frame() == Frame::Laboratory
+    {
+        let does_it = watch.collision().offset == aim.offset;
+        return if does_it {
+            "the shot that does it"
+        } else {
+            "your shot"
+        }
+        .into();
+    }
     match watch.frame() {
         Frame::Laboratory => {
             format!("the hit, slowed {:.0}×", watch.clock().slowed())

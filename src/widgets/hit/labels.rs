@@ -91,6 +91,15 @@ impl Labels {
         }
     }
 
+    /// The speed that is split, where no arrow outside the disc tells it.
+    pub(super) fn whole(&mut self, stage: &Stage, arrows: &Arrows, u: DVec2) {
+        let reach = (arrows.per_speed * u.length()).max(stage.radius(0));
+        let end = stage.centres[0] + reach * u.normalize_or_zero();
+        let text = format!("u = {:.2} m/s", u.length());
+        let away = u.perp() * stage.side();
+        self.add(&text, end, Side::towards(u + 0.5 * away), Role::Incoming);
+    }
+
     /// Writes all of them.
     pub(super) fn write(self, sheet: &mut Sheet) {
         for label in self.waiting {

@@ -92,6 +92,9 @@ impl Moment<'_> {
             if beats >= 2 && (telling || self.shows(Layer::Split)) {
                 split(&mut sheet, &self.stage, &arrows, before[0], n, t);
                 labels.split(&self.stage, &arrows, before[0], n, t);
+                if !self.shows(Layer::Velocities) {
+                    labels.whole(&self.stage, &arrows, before[0]);
+                }
             }
         }
         if self.shows(Layer::Velocities) {
@@ -200,8 +203,13 @@ impl Moment<'_> {
         if self.stage.collision.bond == Bond::Stick && self.outcome.hit() {
             return self.common_velocity(sheet, labels, arrows, after[0], now);
         }
-        let bodies = [("v₁", Role::StrikerOut), ("v₂", Role::CoinOut)];
-        for (body, (name, role)) in bodies.into_iter().enumerate() {
+        // As chapter 11 names them.
+        let names = match self.frame {
+            Frame::CentreOfMass => ["w₁", "w₂"],
+            _ => ["v₁", "v₂"],
+        };
+        let bodies = names.into_iter().zip([Role::StrikerOut, Role::CoinOut]);
+        for (body, (name, role)) in bodies.enumerate() {
             let radius = self.stage.radius(body);
             let tip = arrows.outwards(sheet, now[body], radius, after[body], role);
             labels.outgoing(name, tip, now[body], radius, after[body], role);

@@ -10,6 +10,9 @@ use crate::widgets::ink::View;
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
 
+/// Rows below which a picture is low.
+const LOW: u16 = 12;
+
 /// The geometry of a hit as drawn: the contact point is in the middle.
 #[derive(Debug, Clone, Copy)]
 pub struct Stage {
@@ -66,10 +69,13 @@ impl Stage {
         self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()
     }
 
-    /// Half the width and height of the picture, less a margin for arrow tips.
+    /// Half the width and height of the picture, less a margin for arrow tips and
+    /// labels; in a low picture hardly any, or no arrow would be left.
     pub fn half_extent(&self) -> DVec2 {
         let area = self.view.area();
-        let half = |cells: u16, per_cell: f64| (f64::from(cells) / 2.0 - 1.5).max(0.5) * per_cell;
+        let margin = if area.height < LOW { 0.5 } else { 1.5 };
+        let half =
+            |cells: u16, per_cell: f64| (f64::from(cells) / 2.0 - margin).max(0.5) * per_cell;
         DVec2::new(
             half(area.width, self.view.per_column()),
             half(area.height, self.view.per_row()),

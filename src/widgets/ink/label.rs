@@ -110,6 +110,8 @@ impl Label {
 
 /// How far from its anchor a label may stand, in rows.
 const FARTHEST: i32 = 4;
+/// Within how many rows a place with blanks around it is worth having.
+const NEAR: i32 = 2;
 
 impl Sheet {
     /// Writes `text` (in the sheet's charset) beside a point of the world: on the
@@ -132,16 +134,31 @@ impl Sheet {
             cell.y.floor() as i32 - i32::from(area.y),
         );
         let width = i32::try_from(text.width()).unwrap_or(i32::MAX / 2);
+        let last = i32::from(area.width) - width;
         let others = Side::ALL.iter().filter(|side| !sides.contains(side));
         let sides: Vec<Side> = sides.iter().chain(others).copied().collect();
-        // Free paper first, then over boards and trails, then over geometry.
-        let place = [None, Some(Layer::Trail), Some(Layer::Construction)]
-            .into_iter()
-            .flat_map(|over| (1..=FARTHEST).map(move |away| (over, away)))
-            .flat_map(|(over, away)| sides.iter().map(move |side| (over, away, *side)))
-            .map(|(over, away, side)| (over, side.start(at, width, away)))
-            .find(|&(over, start)| self.has_room(start, width, over))
-            .map(|(_, start)| start);
+        // Free paper first, near by and with a blank at both ends; then without the
+        // blanks, then over boards and trails, then over geometry.
+        let place = [
+            (NEAR, true, None),
+            (FARTHEST, false, None),
+            (FARTHEST, false, Some(Layer::Trail)),
+            (FARTHEST, false, Some(Layer::Construction)),
+        ]
+        .into_iter()
+        .flat_map(|(farthest, blank, over)| (1..=farthest).map(move |away| (away, blank, over)))
+        .flat_map(|(away, blank, over)| sides.iter().map(move |side| (*side, away, blank, over)))
+        .find_map(|(side, away, blank, over)| {
+            let (x, y) = side.start(at, width, away);
+            // Centred above or below it may move along to stay within the area.
+            let x = match side {
+                S::Above | S::Below => x.clamp(0, last.max(0)),
+                _ => x,
+            };
+            let free = self.has_room((x, y), width, over)
+                && (!blank || self.is_blank((x - 1, y)) && self.is_blank((x + width, y)));
+            free.then_some((x, y))
+        });
         let Some((x, y)) = place else {
             return false;
         };
@@ -153,6 +170,15 @@ impl Sheet {
         );
         self.labels.push(Label { text, role, place });
         true
+    }
+
+    /// Whether nothing is drawn in a cell, or it lies outside.
+    fn is_blank(&self, (x, y): (i32, i32)) -> bool {
+        let (columns, _) = self.size();
+        let index = usize::try_from(y * columns + x).ok();
+        let cell = index.and_then(|index| self.cells.get(index));
+        !(0..columns).contains(&x)
+            || cell.is_none_or(|cell| cell.cover == 0 && cell.layer().is_none())
     }
 
     /// Whether a label fits here, on paper or `over` strokes up to a layer.

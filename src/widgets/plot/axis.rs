@@ -62,7 +62,7 @@ impl Axis {
 
     /// Where a value lies, in units in which the axis is even; `None` for what has no
     /// place on any such axis, however long.
-    pub(super) fn place(&self, value: f64) -> Option<f64> {
+    pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.scale {
             Scale::Linear => value,
             Scale::Log => value.log10(),
@@ -79,7 +79,7 @@ impl Axis {
     }
 
     /// The ends as places: two different numbers in order, whatever was given.
-    pub(super) fn ends(&self) -> (f64, f64) {
+    pub fn ends(&self) -> (f64, f64) {
         match (self.place(self.from), self.place(self.to)) {
             (Some(from), Some(to)) if from < to => (from, to),
             (Some(from), _) => (from, from + 1.0),
@@ -88,7 +88,7 @@ impl Axis {
     }
 
     /// Ticks for an axis that has room for `most` of them.
-    pub(super) fn ticks(&self, most: usize) -> Vec<Tick> {
+    pub fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {
             Scale::Linear => even(ends, self.step, most),

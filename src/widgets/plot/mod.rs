@@ -29,3 +29,4 @@ mod ticks;
 
 pub use axis::Axis;
 pub use canvas::Plot;
+pub use ticks::Tick;

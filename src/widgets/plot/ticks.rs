@@ -2,11 +2,11 @@
 
 /// A tick.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tick {
+pub struct Tick {
     /// Where it is, in units in which the axis is even.
-    pub(super) place: f64,
+    pub place: f64,
     /// What is written beside it.
-    pub(super) text: String,
+    pub text: String,
 }
 
 /// More ticks than any screen has room for.

@@ -140,7 +140,7 @@ impl Screen for Contents {
             keys.extend([
                 Hint::new("Up Down", "choose"),
                 Hint::new("Enter", "read"),
-                Hint::new("n", "next to read"),
+                Hint::new("n", "next"),
                 Hint::new("R", "reset"),
                 Hint::new("A", "reset all"),
             ]);

@@ -97,7 +97,7 @@ fn ask(book: &Book, forget: &Forget, lines: &mut Lines) {
     let stays = "Your progress stays as it is: every answer that you have ever given.";
     lines.paragraph(stays, Role::Text);
     lines.gap();
-    lines.paragraph("y: forget. Any other key: no.", Role::Key);
+    lines.paragraph("y: yes. Any other key: no.", Role::Key);
 }
 
 fn chapter_line(book: &Book, number: usize) -> (String, String, Role) {

@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::messages::Key;
+use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Collision, Frame};
 use crate::widgets::hit::{Layer, Layers, Watch};
 use crate::widgets::{Lines, Look, Role};
@@ -46,13 +47,31 @@ pub(super) fn draw(watches: &[Watch; 2], area: Rect, buf: &mut Buffer, look: &Lo
         ]
     };
     let names = ["the board", "centre of mass"];
-    for ((watch, half), name) in watches.iter().zip(halves).zip(names) {
+    let [board, _] = watches;
+    let told = told(board.collision());
+    for (((watch, half), name), told) in watches.iter().zip(halves).zip(names).zip(told) {
+        let head = 2.min(half.height);
         let picture = Rect {
-            y: half.y + 1.min(half.height),
-            height: half.height.saturating_sub(1),
+            y: half.y + head,
+            height: half.height - head,
             ..half
         };
         watch.draw(picture, buf, look);
-        Lines::new(half, buf, *look).line(name, Role::Dim);
+        let mut lines = Lines::new(half, buf, *look);
+        lines.line(name, Role::Dim);
+        lines.line(&told, Role::Text);
     }
+}
+
+/// What takes the one picture to the other, V, and what happens in the other, the turn
+/// by Θ.
+fn told(collision: &Collision) -> [String; 2] {
+    let speed = collision.centre_of_mass_velocity().length();
+    let angle = collision
+        .alpha()
+        .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
+    let turn = angle.map_or("Θ: none".into(), |angle| {
+        format!("Θ = {:.1}°", angle.to_degrees().abs())
+    });
+    [format!("V = {speed:.2} m/s"), turn]
 }

@@ -17,6 +17,7 @@ use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{self, Hit, Rays};
+use crate::screens::foil as foil_screen;
 use crate::screens::lab::{Field, Setup};
 use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, draw_setup_of, point_at};
 use crate::widgets::{Look, RayInput};
@@ -26,6 +27,9 @@ pub use export::{FigureError, draw_figure};
 
 /// Steps of α in degrees: by an arrow, by a page.
 const STEPS: [f64; 2] = [1.0, 10.0];
+
+/// Steps of a setting that `<` and `>` go at once.
+const LEAP: f64 = 10.0;
 
 /// A figure as it stands.
 #[derive(Debug, Clone)]
@@ -112,9 +116,14 @@ impl Shown {
         })
     }
 
-    /// Whether it is the foil, which has a screen of its own.
-    pub(super) fn is_foil(&self) -> bool {
-        self.figure.kind == FigureKind::Foil
+    /// The page of the foil that shows more of it, if it is the foil, which has a
+    /// screen of its own.
+    pub(super) fn foil_page(&self) -> Option<foil_screen::Page> {
+        let FigureKind::Foil { page } = self.figure.kind else {
+            return None;
+        };
+        let pages = foil_screen::Page::ALL;
+        pages.get(usize::from(page).checked_sub(1)?).copied()
     }
 
     /// The hit that is watched, for its explanation.
@@ -154,6 +163,7 @@ impl Shown {
                 | FigureKind::Angles
                 | FigureKind::Energy
                 | FigureKind::Triangle { .. }
+                | FigureKind::Frames
         );
         drawn_against_it && !self.hidden
     }
@@ -174,7 +184,7 @@ impl Shown {
                 let (step, count) = (self.step(), self.step_count());
                 format!("worked out: step {} of {count}", step + 1)
             }
-            FigureKind::Foil => "α particles at an atom".into(),
+            FigureKind::Foil { .. } => "α particles at an atom".into(),
         }
     }
 
@@ -201,13 +211,22 @@ impl Shown {
     pub(super) fn keys(&self) -> Vec<(&'static str, &'static str)> {
         match &self.state {
             _ if self.hidden && self.covers_outcome() => vec![],
-            State::Hit(_) | State::Frames(_) => {
+            State::Hit(_) => {
                 vec![("Space", "go on"), (", .", "step"), ("a", "play again")]
+            }
+            State::Frames(_) => {
+                vec![
+                    ("Left Right", "α"),
+                    ("Space", "go on"),
+                    (", .", "step"),
+                    ("a", "play again"),
+                ]
             }
             State::Step(_) => vec![("Left Right", "step")],
             State::Solve { .. } => vec![
                 ("Up Down", "choose"),
                 ("Left Right", "change"),
+                ("< >", "by ten"),
                 (", .", "step"),
             ],
             State::Plain if self.has_alpha() => vec![("Left Right", "α")],
@@ -221,6 +240,9 @@ impl Shown {
             return false;
         }
         let last = self.step_count() - 1;
+        if matches!(self.state, State::Frames(_)) && self.alpha_key(key) {
+            return true;
+        }
         match &mut self.state {
             State::Hit(watch) => watch.update(key),
             State::Frames(watches) => {
@@ -243,6 +265,12 @@ impl Shown {
                 Key::Left | Key::Right => {
                     let field = worked::FIELDS[*field % worked::FIELDS.len()];
                     let by = if key == Key::Left { -1.0 } else { 1.0 };
+                    self.change(field, by);
+                    true
+                }
+                Key::Char('<' | '>') => {
+                    let field = worked::FIELDS[*field % worked::FIELDS.len()];
+                    let by = if key == Key::Char('<') { -LEAP } else { LEAP };
                     self.change(field, by);
                     true
                 }
@@ -284,6 +312,9 @@ impl Shown {
     fn set_alpha(&mut self, alpha_deg: f64) {
         let alpha = rad_from_deg(alpha_deg.clamp(0.0, 90.0));
         self.collision = self.collision.with_alpha(alpha);
+        if matches!(self.state, State::Frames(_)) {
+            self.set_up(None, true);
+        }
     }
 
     /// Takes the mouse over its picture, where `rays` may be turned; says whether it
@@ -362,7 +393,7 @@ impl Shown {
             (State::Hit(watch), _) => watch.draw(area, buf, look),
             (State::Frames(watches), _) => frames::draw(watches, area, buf, look),
             (_, FigureKind::Triangle { step }) => triangle::draw(self, step, area, buf, look),
-            (_, FigureKind::Foil) => foil::draw(area, buf, look),
+            (_, FigureKind::Foil { .. }) => foil::draw(area, buf, look),
             (State::Step(_), FigureKind::Worked { blank }) => {
                 let blank = blank.filter(|_| self.hidden);
                 worked::draw(self, None, blank, area, buf, look);

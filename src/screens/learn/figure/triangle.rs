@@ -101,7 +101,7 @@ pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: 
     let [a, b] = [joint - tail, tip - joint];
     let square_corner = a.normalize_or_zero().dot(b.normalize_or_zero()).abs() < 1e-9;
     if step == 3 && square_corner {
-        let size = 0.18 * a.length().min(b.length());
+        let size = (0.12 * collision.u1.length()).min(0.4 * a.length().min(b.length()));
         sheet.square_corner(joint, -a, b, size, Role::SquareCorner);
     }
     for (from, to, name, role) in sides {
@@ -120,7 +120,12 @@ pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: 
         } else {
             centre
         };
-        sheet.label(&text, at, &Side::towards(outwards), role);
+        // In the middle of a square that has room for it.
+        let sides = match step {
+            2 => [Side::Above, Side::Below].to_vec(),
+            _ => Side::towards(outwards).to_vec(),
+        };
+        sheet.label(&text, at, &sides, role);
     }
     sheet.draw(buf, &look.theme);
     let mut lines = Lines::new(below, buf, *look);

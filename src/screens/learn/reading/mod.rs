@@ -311,12 +311,20 @@ impl Reading {
 
     /// The figure in the lab, or the foil.
     fn full_size(&mut self) -> Next {
-        match &self.figure {
-            Some(figure) if !figure.is_foil() => {
+        let Some(figure) = &self.figure else {
+            return Next::Stay;
+        };
+        match figure.foil_page() {
+            None => {
                 let setup = figure.setup();
                 Next::Open(Place::LabOf { setup })
             }
-            _ => Next::Stay,
+            // It would show the answer.
+            Some(_) if self.is_asking() => {
+                self.notice = Some("First say what you think.".into());
+                Next::Stay
+            }
+            Some(page) => Next::Open(Place::FoilAt { page }),
         }
     }
 
@@ -477,9 +485,10 @@ impl Screen for Reading {
                 "Tab",
                 if self.on_figure { "text" } else { "figure" },
             ));
-            if !figure.is_foil() {
-                keys.push(Hint::new("o", "in the lab"));
-            }
+            keys.push(match figure.foil_page() {
+                None => Hint::new("o", "in the lab"),
+                Some(_) => Hint::new("o", "the foil"),
+            });
             keys.push(Hint::new("e", "export"));
         }
         keys.push(Hint::new("Esc", "contents"));
@@ -503,7 +512,7 @@ impl Screen for Reading {
                 Hint::new("< >", "the same in bigger steps"),
                 Hint::new("Space", "in a hit: go on from the contact"),
                 Hint::new("a f 1-7", "in a hit: play again, other frame, layers"),
-                Hint::new("o", "open the figure full-size in the lab"),
+                Hint::new("o", "open the figure full-size: in the lab, or on the foil"),
                 Hint::new("e", "export the figure as an SVG picture"),
                 Hint::new("r", "ask this page's question again"),
                 Hint::new("R", "forget all answers of this chapter and begin anew"),

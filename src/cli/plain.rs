@@ -1,0 +1,58 @@
+//! `--plain`: a command as a talk in lines, with no screen control.
+
+use std::io;
+use std::process::ExitCode;
+
+use anyhow::anyhow;
+
+use super::play::any_seed;
+use super::{Failure, Options};
+use crate::physics::worked::Step;
+use crate::quiz::Code;
+use crate::shells::plain::{self, Keeper, Leave, Talk};
+use crate::store::Store;
+
+/// A round of the quiz.
+pub(super) fn quiz(code: Option<Code>, options: &Options) -> Result<ExitCode, Failure> {
+    let seed = options.seed.unwrap_or_else(any_seed);
+    with_keeper(options, |talk, keeper| {
+        plain::quiz(talk, keeper, code, seed)
+    })
+}
+
+/// The chapters, from one of them on.
+pub(super) fn learn(chapter: Option<&str>, options: &Options) -> Result<ExitCode, Failure> {
+    let book = options.book();
+    let library = book.library();
+    let chapter = chapter
+        .map(|name| super::find_chapter(library, name))
+        .transpose()
+        .map_err(|error| Failure::Input(anyhow!(error)))?;
+    with_keeper(options, |talk, keeper| {
+        plain::learn(talk, keeper, library, chapter)
+    })
+}
+
+/// A worked solution; without steps the hit is asked for.
+pub(super) fn solve(steps: Option<&[Step]>) -> Result<ExitCode, Failure> {
+    talk(|talk| plain::solve(talk, steps))
+}
+
+fn with_keeper(
+    options: &Options,
+    run: impl FnOnce(&mut Talk, &mut Keeper) -> Result<(), Leave>,
+) -> Result<ExitCode, Failure> {
+    let folder = options.data_dir();
+    let mut store = folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder));
+    let player = options.player_name();
+    talk(|talk| run(talk, &mut Keeper::new(&player, &mut store)))
+}
+
+/// A talk over standard input and output. To leave it early is no failure.
+fn talk(run: impl FnOnce(&mut Talk) -> Result<(), Leave>) -> Result<ExitCode, Failure> {
+    let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
+    match run(&mut Talk::new(&mut input, &mut output)) {
+        Ok(()) | Err(Leave::Quit | Leave::Ended) => Ok(ExitCode::SUCCESS),
+        Err(Leave::Failed(error)) => Err(anyhow!(error).into()),
+    }
+}

@@ -1,0 +1,207 @@
+//! The report as HTML.
+
+use maud::{Markup, Render, html};
+
+use super::rows::Cut;
+use super::{Picture, Report};
+use crate::paper::{Page, clean};
+use crate::progress::words::{degrees, percent};
+use crate::progress::{LATELY, Mastery, Trend};
+
+/// Columns of a topic's name.
+const TOPIC: usize = 40;
+
+pub(super) fn document(report: &Report) -> String {
+    let title = format!("{}: glancing collisions", report.name);
+    let body = html! {
+        (head(report))
+        @if report.attempts.is_empty() {
+            p.nothing {
+                "Nothing here yet: every beginning is a clean board. After a round of the quiz "
+                "this page shows how the answers come closer to the truth."
+            }
+        } @else {
+            (figures(report))
+            (columns(report))
+        }
+        (next(report))
+        footer { (report.origin()) }
+    };
+    let body = html! { div.report { (body) } };
+    Page::new(&title)
+        .style(include_str!("report.css"))
+        .sheet(body)
+        .html()
+}
+
+fn head(report: &Report) -> Markup {
+    html! {
+        header {
+            p.dim { "carrom · glancing collisions" }
+            h1 { bdi { (report.name) } }
+            @if !report.attempts.is_empty() { p { (report.span()) } }
+        }
+    }
+}
+
+/// The few figures that say most.
+fn figures(report: &Report) -> Markup {
+    let (won, most) = report.stars;
+    let figure = |value: String, name: &str| {
+        html! { div { strong { (value) } span.dim { (name) } } }
+    };
+    html! {
+        div.figures {
+            (figure(report.all.attempts.to_string(), "answered"))
+            (figure(percent(report.all.share_right()), "right"))
+            @match report.ends() {
+                Some((first, last)) => {
+                    (figure(format!("{first:.1}° → {last:.1}°"), "mean error, first and last ten"))
+                }
+                None => (figure(degrees(report.all.mean_error_deg()), "mean error")),
+            }
+            (figure(report.solid.to_string(), "topics solid"))
+            (figure(report.complete.to_string(), "chapters complete"))
+            (figure(format!("{won} of {most}"), "stars"))
+        }
+    }
+}
+
+/// Two columns: what was answered, and how sure the player was and what was read.
+fn columns(report: &Report) -> Markup {
+    let pictures = report.pictures();
+    let picture = |name: &str| {
+        let picture = pictures.iter().find(|it| it.name == name);
+        html! { @if let Some(picture) = picture { (figure(picture)) } }
+    };
+    html! {
+        div.columns {
+            div {
+                (picture("errors"))
+                section { (topics(report)) }
+                section { (beliefs(report)) }
+                section { (packs(report)) }
+            }
+            div {
+                (picture("calibration"))
+                (picture("calibration-over-time"))
+                section.chapters { (chapters(report)) }
+            }
+        }
+    }
+}
+
+fn figure(picture: &Picture) -> Markup {
+    html! {
+        figure {
+            h2 { (picture.title) }
+            (picture.svg.render())
+            figcaption.dim { (picture.legend) }
+        }
+    }
+}
+
+fn more<T>(cut: &Cut<T>) -> Markup {
+    html! { @if let Some(more) = cut.and_more() { p.dim { (more) } } }
+}
+
+/// A share as a bar that is told apart in black and white too.
+fn bar(share: f64) -> Markup {
+    let width = format!("width: {:.0}%", 100.0 * share.clamp(0.0, 1.0));
+    html! { span.bar { span style=(width) {} } }
+}
+
+fn topics(report: &Report) -> Markup {
+    html! {
+        h2 { "Topics" }
+        @if report.topics.rows.is_empty() { p.dim { "No question of the quiz yet." } }
+        @else {
+            table {
+                thead { tr {
+                    th { "topic" } th { "stands" } th.n { "right" } th { "of the last five" }
+                    th.n { "off by" }
+                } }
+                tbody {
+                    @for topic in &report.topics.rows { tr {
+                        td.name { (clean(&topic.name, TOPIC)) }
+                        td {
+                            @if topic.mastery() == Mastery::Solid { b { "solid" } }
+                            @else { (topic.mastery().name()) }
+                        }
+                        td.n { (topic.all.right) " of " (topic.all.attempts) }
+                        td {
+                            (bar(topic.lately.right as f64 / LATELY as f64))
+                            (topic.lately.right) " of " (topic.lately.attempts)
+                        }
+                        td.n { (degrees(topic.all.mean_error_deg())) }
+                    } }
+                }
+            }
+            (more(&report.topics))
+        }
+    }
+}
+
+fn beliefs(report: &Report) -> Markup {
+    html! {
+        h2 { "Misconceptions" }
+        @if report.beliefs.rows.is_empty() {
+            p.dim { "No answer fitted a known misconception." }
+        } @else {
+            table {
+                thead { tr { th { "what wrong answers had in common" } th.n { "before" } th.n { "since" } th { "" } } }
+                tbody {
+                    @for belief in &report.beliefs.rows { tr {
+                        td { (belief.misconception.name) }
+                        td.n { (belief.before) }
+                        td.n { (belief.since) }
+                        td { @match belief.trend() {
+                            Trend::Held => b { "still there" },
+                            faded => (faded.name()),
+                        } }
+                    } }
+                }
+            }
+            p.dim {
+                @if let Some(more) = report.beliefs.and_more() { (more) ". " }
+                "Counted in the first half of all answers and in the second."
+            }
+        }
+    }
+}
+
+fn chapters(report: &Report) -> Markup {
+    html! {
+        h2 { "Chapters" }
+        @if report.chapters.rows.is_empty() { p.dim { "None begun yet." } }
+        @else {
+            table { tbody {
+                @for chapter in &report.chapters.rows { tr {
+                    td.name { (chapter.title) }
+                    td.n { (chapter.right) " of " (chapter.questions) }
+                } }
+            } }
+            (more(&report.chapters))
+        }
+    }
+}
+
+fn packs(report: &Report) -> Markup {
+    html! {
+        h2 { "Levels" }
+        @if report.packs.rows.is_empty() { p.dim { "No stars yet." } }
+        @else {
+            div.packs {
+                @for pack in &report.packs.rows { p.pack {
+                    span { (pack.title) }
+                    span.n { "★ " (pack.stars) " of " (pack.most) }
+                } }
+            }
+            (more(&report.packs))
+        }
+    }
+}
+
+fn next(report: &Report) -> Markup {
+    html! { section.next { h2 { "What next" } p { (report.next()) } } }
+}

@@ -1,0 +1,204 @@
+//! The one-page report of what a player has done, for a portfolio or a teacher.
+
+mod html;
+mod markdown;
+mod pictures;
+mod rows;
+
+pub use pictures::Picture;
+
+use super::clean;
+use crate::lessons;
+use crate::levels;
+use crate::messages::History;
+use crate::progress::words::answers;
+use crate::progress::{
+    Attempt, Belief, Calibrated, LESSON, Mastery, Starred, Tally, Topic, advice, beliefs,
+    calibration, ends_deg, topics, utc,
+};
+use rows::{ChapterRow, Cut, PackRow};
+
+/// Columns of the player's name.
+const NAME: usize = 44;
+/// Most rows of each table, so that all of it fits one page.
+const MOST_TOPICS: usize = 10;
+const MOST_BELIEFS: usize = 6;
+const MOST_CHAPTERS: usize = 12;
+const MOST_PACKS: usize = 10;
+
+/// What a report is made from.
+#[derive(Debug, Clone, Copy)]
+pub struct Sources<'a> {
+    /// The player's name.
+    pub player: &'a str,
+    /// All answers of that player.
+    pub history: &'a History,
+    /// The levels that player has won.
+    pub stars: &'a [Starred],
+    /// The levels there are.
+    pub levels: &'a levels::Library,
+    /// The chapters there are.
+    pub lessons: &'a lessons::Library,
+}
+
+/// The one-page report of what a player has done.
+///
+/// It fits one sheet of A4, whatever was done: what is too long is cut, and says how much
+/// more there is.
+#[derive(Debug, Clone)]
+pub struct Report<'a> {
+    name: String,
+    attempts: &'a [Attempt],
+    now_s: Option<i64>,
+    all: Tally,
+    topics: Cut<Topic>,
+    calibration: [Calibrated; 3],
+    beliefs: Cut<Belief>,
+    chapters: Cut<ChapterRow>,
+    packs: Cut<PackRow>,
+    /// How many topics are solid.
+    solid: usize,
+    /// How many chapters have all their questions answered right.
+    complete: usize,
+    /// Stars won, and all there are.
+    stars: (usize, usize),
+}
+
+impl<'a> Report<'a> {
+    /// Works out what the report says.
+    #[must_use]
+    pub fn new(sources: &Sources<'a>) -> Self {
+        let attempts = &sources.history.attempts;
+        // The chapters have a table of their own.
+        let asked: Vec<_> = attempts
+            .iter()
+            .filter(|it| it.family != LESSON)
+            .cloned()
+            .collect();
+        let mut met = topics(&asked);
+        met.sort_by_key(|topic| std::cmp::Reverse(topic.all.attempts));
+        let solid = met.iter().filter(|it| it.mastery() == Mastery::Solid);
+        let solid = solid.count();
+        let chapters = rows::chapters(sources.lessons, attempts);
+        let complete = chapters.iter().filter(|it| it.right >= it.questions);
+        let complete = complete.count();
+        let packs = rows::packs(sources.levels, sources.stars);
+        let won = packs.iter().map(|pack| pack.stars).sum();
+        let most = packs.iter().map(|pack| pack.most).sum();
+        let begun: Vec<_> = packs.into_iter().filter(|pack| pack.stars > 0).collect();
+        let name = clean(sources.player, NAME);
+        Self {
+            name: if name.is_empty() {
+                "a player without a name".into()
+            } else {
+                name
+            },
+            attempts,
+            now_s: sources.history.now_s,
+            all: Tally::of(attempts),
+            topics: Cut::new(met, MOST_TOPICS),
+            calibration: calibration(attempts),
+            beliefs: Cut::new(beliefs(attempts), MOST_BELIEFS),
+            chapters: Cut::new(chapters, MOST_CHAPTERS),
+            packs: Cut::new(begun, MOST_PACKS),
+            solid,
+            complete,
+            stars: (won, most),
+        }
+    }
+
+    /// The report as an HTML document, with its pictures in it.
+    #[must_use]
+    pub fn html(&self) -> String {
+        html::document(self)
+    }
+
+    /// The report as a Markdown document, whose pictures are in `folder`: a path from the
+    /// document's own place.
+    #[must_use]
+    pub fn markdown(&self, folder: &str) -> String {
+        markdown::document(self, folder)
+    }
+
+    /// The pictures there are: none where there is nothing to be seen.
+    #[must_use]
+    pub fn pictures(&self) -> Vec<Picture> {
+        pictures::all(self)
+    }
+
+    /// The first and the last day on which something was answered, as they are read.
+    fn dates(&self) -> Option<(String, String)> {
+        let mut times = self.attempts.iter().filter_map(|it| it.time_s);
+        let first = times.next()?;
+        let (least, most) = times.fold((first, first), |(least, most), time| {
+            (least.min(time), most.max(time))
+        });
+        Some((day(least)?, day(most)?))
+    }
+
+    /// On how many days something was answered.
+    fn days(&self) -> usize {
+        let days = self.attempts.iter().filter_map(|it| utc(it.time_s?));
+        let days: std::collections::BTreeSet<_> = days
+            .filter_map(|time| time.get(..10).map(str::to_owned))
+            .collect();
+        days.len()
+    }
+
+    /// From when to when, and how much.
+    fn span(&self) -> String {
+        let count = answers(self.all.attempts);
+        match (self.dates(), self.days()) {
+            (Some((first, _)), 1) => format!("{count} on {first}"),
+            (Some((first, last)), days) => {
+                format!("{count} on {days} days, from {first} to {last}")
+            }
+            (None, _) => count,
+        }
+    }
+
+    /// The mean errors of the first ten answers and of the last ten.
+    fn ends(&self) -> Option<(f64, f64)> {
+        ends_deg(self.attempts)
+    }
+
+    /// What to do next.
+    fn next(&self) -> String {
+        clean(&advice(self.attempts, self.now_s), 300)
+    }
+
+    /// Where the figures come from.
+    fn origin(&self) -> String {
+        let when = self.now_s.and_then(day);
+        let when = when.map_or(String::new(), |day| format!(" on {day}"));
+        format!(
+            "Written by carrom{when} from the answers kept on this computer. Days are those of \
+             UTC. Right: the angle within {}° of the truth, or the right one chosen.",
+            crate::quiz::RIGHT_DEG
+        )
+    }
+}
+
+/// A day as it is read: "21 November 2026".
+fn day(time_s: i64) -> Option<String> {
+    const MONTHS: [&str; 12] = [
+        "January",
+        "February",
+        "March",
+        "April",
+        "May",
+        "June",
+        "July",
+        "August",
+        "September",
+        "October",
+        "November",
+        "December",
+    ];
+    let time = utc(time_s)?;
+    let mut parts = time.get(..10)?.split('-').map(str::parse::<usize>);
+    let (year, month, day) = (parts.next()?, parts.next()?, parts.next()?);
+    let (year, month, day) = (year.ok()?, month.ok()?, day.ok()?);
+    let month = MONTHS.get(month.checked_sub(1)?)?;
+    Some(format!("{day} {month} {year}"))
+}

@@ -1,0 +1,22 @@
+//! Figures in words.
+
+/// "1 answer", "7 answers".
+pub fn answers(count: usize) -> String {
+    match count {
+        1 => "1 answer".into(),
+        _ => format!("{count} answers"),
+    }
+}
+
+/// A share as a percentage; "-" where there is none.
+pub fn percent(share: Option<f64>) -> String {
+    share.map_or("-".into(), |share| format!("{:.0} %", 100.0 * share))
+}
+
+/// An angle in degrees to a tenth; "-" where there is none.
+pub fn degrees(angle_deg: Option<f64>) -> String {
+    match angle_deg {
+        Some(angle) if angle.is_finite() => format!("{angle:.1}°"),
+        _ => "-".into(),
+    }
+}

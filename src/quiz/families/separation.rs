@@ -1,0 +1,303 @@
+//! The corner that the two ways out make: more, exactly or less than 90°, and how many
+//! degrees.
+
+use std::cmp::Ordering;
+
+use super::setting::{
+    Asked, Setting, about, more, number, pair, told, unmarked, wrong, wrong_choices,
+};
+use crate::physics::units::deg_from_rad;
+use crate::quiz::dice::Dice;
+use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
+use crate::quiz::misconceptions::{
+    ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
+};
+use crate::quiz::words::{degrees, significant};
+use crate::quiz::{Difficulty, Family, Form, Given, Hit, Pieces, Quantity, Question, reasoning};
+
+/// The choices, in their natural order.
+const CORNERS: [&str; 3] = ["more than 90°", "exactly 90°", "less than 90°"];
+const MORE: usize = 0;
+const EXACTLY: usize = 1;
+const LESS: usize = 2;
+
+/// Masses in grams and e in tenths: m₁, m₂, e.
+type Figures = (u32, u32, u32);
+
+const LOSSLESS_PAIRS: [Figures; 9] = [
+    (15, 15, 10),
+    (18, 18, 10),
+    (20, 20, 10),
+    (15, 6, 10),
+    (20, 10, 10),
+    (24, 16, 10),
+    (10, 20, 10),
+    (12, 18, 10),
+    (20, 40, 10),
+];
+
+/// Far from m₁ = e m₂.
+const LOSSY_PAIRS: [Figures; 8] = [
+    (15, 15, 5),
+    (15, 15, 8),
+    (20, 20, 6),
+    (20, 10, 8),
+    (10, 20, 9),
+    (10, 30, 6),
+    (15, 30, 8),
+    (20, 40, 9),
+];
+
+/// A lighter striker, at m₁ = e m₂ and to both sides of it.
+const NEAR_SQUARE: [Figures; 12] = [
+    (10, 20, 5),
+    (10, 20, 8),
+    (10, 20, 3),
+    (12, 20, 6),
+    (12, 20, 9),
+    (12, 20, 3),
+    (12, 15, 8),
+    (12, 15, 5),
+    (9, 15, 6),
+    (9, 15, 9),
+    (6, 15, 4),
+    (6, 15, 2),
+];
+
+/// Draws a question.
+pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    match difficulty {
+        Difficulty::Easy => corner(&LOSSLESS_PAIRS, difficulty, dice),
+        Difficulty::Middle if dice.coin() => corner(&LOSSY_PAIRS, difficulty, dice),
+        Difficulty::Middle => how_wide(&[1.0], difficulty, dice),
+        Difficulty::Hard if dice.coin() => corner(&NEAR_SQUARE, difficulty, dice),
+        Difficulty::Hard => how_wide(&[0.4, 0.5, 0.6, 0.8], difficulty, dice),
+    }
+}
+
+/// The corner of a hit: the lighter the striker against e times the target, the wider.
+fn compared(striker: u32, target: u32) -> usize {
+    match striker.cmp(&target) {
+        Ordering::Less => MORE,
+        Ordering::Equal => EXACTLY,
+        Ordering::Greater => LESS,
+    }
+}
+
+/// More, exactly or less than 90°.
+fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let &(m1_g, m2_g, e_tenths) = dice.pick(pairs)?;
+    let pieces = pair(m1_g, m2_g);
+    let setting = Setting {
+        pieces: &[pieces],
+        fives_deg: 20..=70,
+        restitutions: &[f64::from(e_tenths) / 10.0],
+    };
+    let hit = setting.draw(difficulty, dice)?;
+    let right = compared(10 * m1_g, e_tenths * m2_g);
+    let lossy = e_tenths < 10;
+    let (m1, m2) = (f64::from(m1_g), f64::from(m2_g));
+    let [m1_words, m2_words] = [m1, m2].map(significant);
+    let e = significant(hit.restitution);
+    let loss = if lossy {
+        format!("Some energy is lost: e = {e}.")
+    } else {
+        format!("No energy is lost: e = {e}.")
+    };
+    let text = format!(
+        "A smooth striker of {m1_words} g hits a resting coin of {m2_words} g off-centre at {} \
+         m/s. {loss}",
+        significant(hit.speed)
+    );
+    let mut chosen = Vec::new();
+    if lossy && right == EXACTLY {
+        chosen.push((
+            &LOSS_FORBIDS_SQUARE,
+            LESS,
+            "You took it that loss always closes the right angle. It moves it to another pair of \
+             masses."
+                .into(),
+        ));
+    }
+    let not_here = if m1_g == m2_g {
+        "energy is lost"
+    } else {
+        "the masses differ"
+    };
+    chosen.push((
+        &ALWAYS_SQUARE,
+        EXACTLY,
+        format!("The right angle is that of equal masses without loss. Here {not_here}."),
+    ));
+    if lossy {
+        chosen.push((
+            &LOSSLESS,
+            compared(m1_g, m2_g),
+            "That is so without loss. Loss closes the corner, the more the more is lost.".into(),
+        ));
+    }
+    if right == EXACTLY {
+        chosen.extend([
+            (
+                &SPEED_OPENS_ANGLE,
+                MORE,
+                "Does a hard hit drive them wider apart? Speed alone changes no angle.".into(),
+            ),
+            (
+                &PUSHED_AHEAD,
+                LESS,
+                "Does the striker push the coin along with it? A smooth rim pushes along the line \
+                 of impact alone."
+                    .into(),
+            ),
+        ]);
+    } else {
+        chosen.push((
+            &UPSIDE_DOWN,
+            LESS - right,
+            "You had it the other way round: a heavier striker follows the coin, a lighter one \
+             bounces off."
+                .into(),
+        ));
+    }
+    let form = Form::Choice {
+        options: CORNERS.map(str::to_owned).into(),
+        right,
+    };
+    let asked = Asked {
+        family: Family::Separation,
+        difficulty,
+        topic: if lossy {
+            "the corner, with loss".into()
+        } else {
+            "the corner, without loss".into()
+        },
+        ask: "How large is the angle between their ways out?".into(),
+        form,
+        beliefs: wrong_choices(right, chosen),
+        why: if lossy {
+            lossy_corner(right, hit.restitution * m2, m1)
+        } else {
+            lossless_corner(right).into()
+        },
+        more: more([]),
+    };
+    Some(told(&hit, text, unmarked(&hit), asked))
+}
+
+const fn lossless_corner(right: usize) -> &'static str {
+    match right {
+        MORE => {
+            "A lighter striker bounces back along the line of impact, and the coin leaves along \
+             it. That opens the corner: more than 90°, at any offset."
+        }
+        EXACTLY => {
+            "With equal masses the striker gives up all it has along the line of impact. What it \
+             keeps lies across, square to the coin's way, at any offset and speed."
+        }
+        _ => {
+            "A heavier striker is not stopped along the line of impact: it follows the coin. That \
+             closes the corner: less than 90°, at any offset."
+        }
+    }
+}
+
+fn lossy_corner(right: usize, lossy_target_g: f64, striker_g: f64) -> String {
+    let (sign, follows) = match right {
+        MORE => ("less", "bounces back: more than 90°"),
+        EXACTLY => ("just as much", "stops: exactly 90°"),
+        _ => ("more", "goes on: less than 90°"),
+    };
+    format!(
+        "Compare m₁ with e m₂, for along the line m₁ - e m₂ decides. {} g is {sign}{} {} g, so \
+         there the striker {follows}, at any offset.",
+        significant(striker_g),
+        if right == EXACTLY { " as" } else { " than" },
+        significant(lossy_target_g)
+    )
+}
+
+/// How many degrees, with unequal masses.
+fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let setting = Setting {
+        pieces: &[Pieces::Tournament, Pieces::Marbles],
+        fives_deg: 15..=75,
+        restitutions,
+    };
+    let hit = setting.draw(difficulty, dice)?;
+    let name = hit.pieces.target_name();
+    let alpha = hit.alpha().abs();
+    let wide = |hit: &Hit| hit.outcome().separation.map(deg_from_rad);
+    let form = Form::Number {
+        quantity: Quantity::Angle,
+        truth: wide(&hit)?,
+    };
+    let exchanged = Hit {
+        pieces: Pieces::Own {
+            striker: hit.pieces.target(),
+            target: hit.pieces.striker(),
+        },
+        given: Given::Angle {
+            alpha_deg: deg_from_rad(hit.alpha()),
+        },
+        ..hit
+    };
+    let lossless = Hit {
+        restitution: 1.0,
+        ..hit
+    };
+    let heavy = hit.mass_ratio() > 1.0;
+    let beliefs = wrong(
+        &form,
+        [
+            number(
+                &ALWAYS_SQUARE,
+                90.0,
+                "You opened a right angle. It is that of equal masses without loss.".into(),
+            ),
+            number(
+                &COPIED_ANGLE,
+                2.0 * deg_from_rad(alpha),
+                format!(
+                    "You took twice {}. But only the {name} leaves at the impact angle.",
+                    degrees(alpha)
+                ),
+            ),
+            heavy.then_some(()).and_then(|()| {
+                number(
+                    &HEAVY_UNMOVED,
+                    deg_from_rad(alpha),
+                    "You sent the striker straight on. It is heavier, yet it is turned.".into(),
+                )
+            }),
+            number(
+                &UPSIDE_DOWN,
+                wide(&exchanged)?,
+                "That is so with the two masses exchanged.".into(),
+            ),
+            number(
+                &LOSSLESS,
+                wide(&lossless)?,
+                format!(
+                    "That is the angle without loss. Here e = {}.",
+                    significant(hit.restitution)
+                ),
+            ),
+        ],
+    );
+    let asked = Asked {
+        family: Family::Separation,
+        difficulty,
+        topic: if heavy {
+            "the corner, heavier striker".into()
+        } else {
+            "the corner, lighter striker".into()
+        },
+        ask: "How many degrees apart do they leave?".into(),
+        form,
+        beliefs,
+        why: reasoning(&hit),
+        more: more([]),
+    };
+    Some(about(&hit, asked))
+}

@@ -1,0 +1,320 @@
+//! How choosing a round looks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Choice, Choosing, Page, Typed};
+use crate::progress::{LATELY, Mastery, Topic};
+use crate::quiz::{Code, Course, CourseKind, Family};
+use crate::screens::Context;
+use crate::screens::recall::Recall;
+use crate::widgets::{Beside, Lines, Look, Role, text};
+
+/// Why rounds are mixed.
+const WHY_MIXED: &str = "Mixed questions feel harder, and you will miss more of them, than many \
+    of one kind in a row. But first you must see what kind it is, and that is what stays with \
+    you: weeks later you know more.";
+
+/// The line of the page at a cell.
+pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Option<usize> {
+    let list = Beside::new(cx.body).picture;
+    if !list.contains(cell.into()) {
+        return None;
+    }
+    let row = usize::from(cell.1 - list.y);
+    match choosing.page {
+        Page::Rounds => {
+            let each = usize::from(rows_of_a_round(list, cx.settings.look()));
+            let at = row / each;
+            (row % each == 0 && at < Choice::ALL.len()).then_some(at)
+        }
+        Page::Topics => {
+            let at = first_topic(choosing, list) + row;
+            (at < CourseKind::topics().count()).then_some(at)
+        }
+        Page::Code(_) => None,
+    }
+}
+
+/// Rows of a round in the list: one, and an empty one below it where there is room.
+fn rows_of_a_round(list: Rect, look: Look) -> u16 {
+    let mut scratch = Buffer::empty(list);
+    let why = Lines::new(list, &mut scratch, look).rows_of(WHY_MIXED);
+    let rounds = Choice::ALL.len() as u16;
+    if list.height > 2 * rounds + why { 2 } else { 1 }
+}
+
+/// The first topic shown: the chosen one stands in the middle where the list is longer
+/// than its place.
+fn first_topic(choosing: &Choosing, list: Rect) -> usize {
+    let height = usize::from(list.height);
+    let most = CourseKind::topics().count().saturating_sub(height);
+    choosing.topic.saturating_sub(height / 2).min(most)
+}
+
+/// Draws the page.
+pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Context) {
+    let look = cx.settings.look();
+    let layout = Beside::new(area);
+    let (list, about) = match choosing.page {
+        Page::Rounds => ("choose a round", "this round"),
+        Page::Topics => ("choose a topic", "this topic"),
+        Page::Code(_) => ("a round by its code", "codes"),
+    };
+    layout.draw(buf, &look, list, about);
+    let each = rows_of_a_round(layout.picture, look);
+    let first = first_topic(choosing, layout.picture);
+    let mut lines = Lines::new(layout.picture, buf, look);
+    match &choosing.page {
+        Page::Rounds => rounds(choosing, each, &mut lines),
+        Page::Topics => topics(choosing, first, &mut lines),
+        Page::Code(typed) => code(typed, &mut lines),
+    }
+    let mut lines = Lines::new(layout.panel, buf, look);
+    match choosing.page {
+        Page::Rounds => about_round(choosing, &mut lines),
+        Page::Topics => about_topic(choosing, &mut lines),
+        Page::Code(_) => about_codes(&mut lines),
+    }
+}
+
+/// A line that can be chosen, with what is said of it on the right.
+fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
+    let (mark, role) = if chosen {
+        (">", Role::Selected)
+    } else {
+        (" ", role)
+    };
+    let value_role = if chosen { role } else { Role::Dim };
+    let name = format!("{mark} {name}");
+    let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
+    let value = if text::width(value) <= room {
+        value
+    } else {
+        ""
+    };
+    lines.pair(&name, value, role, value_role);
+}
+
+fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
+    for (i, choice) in Choice::ALL.into_iter().enumerate() {
+        let due = choosing.due();
+        let (name, value) = match choice {
+            Choice::Quick => (CourseKind::Quick.name(), questions(&CourseKind::Quick)),
+            Choice::Mixed => (CourseKind::Mixed.name(), questions(&CourseKind::Mixed)),
+            Choice::Hits => (CourseKind::Hits.name(), "where will they go?".into()),
+            Choice::Exam => (CourseKind::Exam.name(), questions(&CourseKind::Exam)),
+            Choice::Topic => (
+                "one topic",
+                format!("{} to choose from", CourseKind::topics().count()),
+            ),
+            Choice::Code => ("a round by its code", String::new()),
+            Choice::Review => {
+                let value = match due.now.len() {
+                    0 => "nothing due".into(),
+                    due => format!("{due} due"),
+                };
+                ("review what is due", value)
+            }
+        };
+        let idle = choice == Choice::Review && due.now.is_empty();
+        let role = if idle { Role::Dim } else { Role::Text };
+        line(
+            lines,
+            &format!("{} {name}", i + 1),
+            &value,
+            i == choosing.round,
+            role,
+        );
+        for _ in 1..each {
+            lines.line("", Role::Text);
+        }
+    }
+    if each == 1 {
+        lines.gap();
+    }
+    lines.paragraph(WHY_MIXED, Role::Dim);
+}
+
+/// "10 questions".
+fn questions(kind: &CourseKind) -> String {
+    format!("{} questions", kind.length())
+}
+
+fn about_round(choosing: &Choosing, lines: &mut Lines) {
+    let text = match choosing.choice() {
+        Choice::Quick => {
+            "Five questions of all kinds, the easy ones first: for a break between two lessons."
+        }
+        Choice::Mixed => {
+            "Ten questions of all kinds, in any order. Nobody tells you what kind comes next."
+        }
+        Choice::Review => return about_review(choosing, lines),
+        Choice::Hits => {
+            "Ten hits on the board: say where the striker and the coin will go. Masses and losses change on the way."
+        }
+        Choice::Topic => {
+            "Six questions of one kind, which get harder: when you have just read about it. Then come back to mixed rounds."
+        }
+        Choice::Exam => {
+            "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why."
+        }
+        Choice::Code => {
+            "A friend or a teacher gave you a code? With it you get the very same questions."
+        }
+    };
+    lines.paragraph(text, Role::Text);
+    lines.gap();
+    let next = match choosing.choice() {
+        Choice::Topic => "Enter: choose a topic.",
+        Choice::Code => "Enter: type it.",
+        _ => "Enter: begin.",
+    };
+    lines.line(next, Role::Key);
+}
+
+fn about_review(choosing: &Choosing, lines: &mut Lines) {
+    let due = choosing.due();
+    match &choosing.history {
+        Recall::Asked(_) => return lines.line("Looking …", Role::Dim),
+        Recall::Unknown(reason) => {
+            let message = format!("What you have done cannot be looked at: {reason}.");
+            return lines.paragraph(&message, Role::Warn);
+        }
+        Recall::Known(_) => {}
+    }
+    if due.now.is_empty() {
+        let text = match choosing.history.history() {
+            None => "Nothing to come back to yet. Play any round; what you miss will wait here.",
+            Some(history) if history.now_s.is_none() => {
+                "Nobody knows what day it is here, so nothing can be due. Any other round is as good."
+            }
+            Some(_) => {
+                "Nothing is due: well done. Let what you know rest; it comes back here by itself."
+            }
+        };
+        lines.paragraph(text, Role::Text);
+        if let Some((family, when)) = &due.next {
+            lines.gap();
+            lines.paragraph(&format!("Next, {when}:"), Role::Dim);
+            lines.line(&format!(" {}", family.name()), Role::Text);
+        }
+        return;
+    }
+    lines.paragraph(
+        "Come back to what you missed and to what has rested long enough. Due now:",
+        Role::Text,
+    );
+    lines.gap();
+    for (family, topics) in &due.now {
+        let count = match topics {
+            1 => String::new(),
+            _ => format!("{topics}×"),
+        };
+        lines.pair(
+            &format!(" {}", family.name()),
+            &count,
+            Role::Text,
+            Role::Dim,
+        );
+    }
+    lines.gap();
+    lines.line("Enter: begin.", Role::Key);
+}
+
+/// What was done with a family, if anything.
+fn known(choosing: &Choosing, family: Family) -> Option<Topic> {
+    let attempts = &choosing.history.history()?.attempts;
+    let of_family = attempts.iter().filter(|it| it.family == family.id());
+    let topic = Topic::of(family.name(), of_family);
+    (topic.all.attempts > 0).then_some(topic)
+}
+
+fn topics(choosing: &Choosing, first: usize, lines: &mut Lines) {
+    for (i, family) in CourseKind::topics().enumerate().skip(first) {
+        let (mark, role, value) = match known(choosing, family) {
+            None => (' ', Role::Text, String::new()),
+            Some(topic) => {
+                let (mark, role) = match topic.mastery() {
+                    Mastery::New => (' ', Role::Text),
+                    Mastery::Growing => ('~', Role::Text),
+                    Mastery::Solid => ('*', Role::Good),
+                };
+                (mark, role, topic.mastery().name().to_owned())
+            }
+        };
+        let name = format!("{mark} {}", family.name());
+        line(lines, &name, &value, i == choosing.topic, role);
+    }
+}
+
+fn about_topic(choosing: &Choosing, lines: &mut Lines) {
+    let Some(family) = choosing.family() else {
+        return;
+    };
+    lines.paragraph(family.name(), Role::Title);
+    lines.gap();
+    match known(choosing, family) {
+        None => lines.paragraph("You have not met it yet.", Role::Text),
+        Some(topic) => {
+            let text = format!(
+                "You answered {} of it, {} right; of the last {}, {}.",
+                topic.all.attempts, topic.all.right, topic.lately.attempts, topic.lately.right
+            );
+            lines.paragraph(&text, Role::Text);
+        }
+    }
+    lines.gap();
+    lines.line("Enter: begin.", Role::Key);
+    lines.gap();
+    let legend = format!("* is solid: four of the last {LATELY} right; ~ is growing.");
+    lines.paragraph(&legend, Role::Dim);
+}
+
+fn code(typed: &Typed, lines: &mut Lines) {
+    lines.line("The code of the round:", Role::Text);
+    lines.gap();
+    lines.line(&format!("> {}_", typed.text), Role::Selected);
+    lines.gap();
+    match Code::parse(&typed.text) {
+        Some(Code { course, seed }) => {
+            let Course { kind, count } = &course;
+            let name = match &kind {
+                CourseKind::Topic(family) => family.name(),
+                kind => kind.id(),
+            };
+            let text = format!("{name}: {count} questions, number {seed}.");
+            lines.paragraph(&text, Role::Good);
+            lines.gap();
+            lines.line("Enter: begin.", Role::Key);
+        }
+        None if typed.refused => {
+            let text = "That is not the code of a round yet. Look at it once more: a name, a hyphen and a number.";
+            lines.paragraph(text, Role::Warn);
+        }
+        None => lines.paragraph("It reads like mixed-7.", Role::Dim),
+    }
+}
+
+fn about_codes(lines: &mut Lines) {
+    lines.paragraph(
+        "A code has the kind of round, how many questions if it is not the usual number, and a number that fixes them:",
+        Role::Text,
+    );
+    lines.gap();
+    for (code, means) in [
+        ("mixed-7", "ten, mixed"),
+        ("mixed12-7", "twelve"),
+        ("quick-7", "five"),
+        ("exam-7", "an exam"),
+        ("speeds-7", "one topic"),
+        ("7", "ten hits"),
+    ] {
+        lines.pair(&format!(" {code}"), means, Role::Text, Role::Dim);
+    }
+    lines.gap();
+    lines.paragraph(
+        "Every round shows its own at the top and at the end.",
+        Role::Dim,
+    );
+}

@@ -1,0 +1,43 @@
+//! What the player has done, asked of whoever keeps it.
+
+use super::Context;
+use crate::messages::{Answer, Done, History, Wish};
+
+/// What the player has done, as far as it is known here.
+#[derive(Debug, Clone)]
+pub(super) enum Recall {
+    /// It has been asked for with this ticket.
+    Asked(u64),
+    /// Nobody can say, and why.
+    Unknown(String),
+    /// This.
+    Known(Box<History>),
+}
+
+impl Recall {
+    /// Asks for it.
+    pub(super) fn ask(cx: &mut Context) -> Self {
+        let player = cx.settings.player.clone();
+        Self::Asked(cx.ask(Wish::Recall(Some(player))))
+    }
+
+    /// Takes what came of it, if `answer` is that.
+    pub(super) fn take(&mut self, answer: &Answer) {
+        if let (Self::Asked(ticket), Done::Recalled(recalled)) = (&*self, &answer.done)
+            && *ticket == answer.ticket
+        {
+            *self = match recalled {
+                Ok(history) => Self::Known(history.clone()),
+                Err(reason) => Self::Unknown(reason.clone()),
+            };
+        }
+    }
+
+    /// What was done, where there is something.
+    pub(super) fn history(&self) -> Option<&History> {
+        match self {
+            Self::Known(history) if !history.attempts.is_empty() => Some(history),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,339 @@
+//! The chapters in lines.
+
+use super::answering::{self, choice, number};
+use super::quiz::Keeper;
+use super::spoken::unit_name;
+use super::talk::{Asked as Question, Leave, Talk};
+use super::{figure, formula};
+use crate::lessons::{
+    Answer, Asked, Block, Bookmark, Chapter, Checkpoint, Given, Library, Page, Piece,
+};
+use crate::messages::{Done, Wish};
+use crate::physics::Collision;
+use crate::quiz::{Rays, Said};
+use crate::screens::{learn::attempt, why};
+
+/// What may be said between two pages.
+const MOVES: &str = "Enter or next for the next page, back for the one before, contents for the \
+                     chapters, quit to leave.";
+
+/// Reads the chapters to the player, from `chapter` (from 0) on, or from the contents.
+///
+/// # Errors
+/// If the player quits, or nothing more is to be heard: the place is kept.
+pub fn learn(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    library: &Library,
+    chapter: Option<usize>,
+) -> Result<(), Leave> {
+    talk.say("carrom, the lessons. Type help at any time, and quit to leave.")?;
+    for fault in &library.problems {
+        talk.say(&format!("Left out: {fault}"))?;
+    }
+    let mut chosen = chapter;
+    loop {
+        let at = match chosen.take() {
+            Some(at) => at,
+            None => contents(talk, keeper, library)?,
+        };
+        if let Some(chapter) = library.chapters.get(at)
+            && read(talk, keeper, chapter)? == Next::Chapter
+        {
+            chosen = Some(at + 1).filter(|next| *next < library.chapters.len());
+        }
+    }
+}
+
+/// Where one goes from a chapter.
+#[derive(PartialEq)]
+enum Next {
+    Chapter,
+    Contents,
+}
+
+/// Asks which chapter it shall be.
+fn contents(talk: &mut Talk, keeper: &mut Keeper, library: &Library) -> Result<usize, Leave> {
+    let player = keeper.player.to_owned();
+    let marks = match keeper.wish(talk, Wish::Marks(player))? {
+        Done::Marks(Ok(marks)) => marks,
+        _ => std::collections::BTreeMap::new(),
+    };
+    let mut lines = vec!["The chapters.".to_owned()];
+    for (number, chapter) in (1..).zip(&library.chapters) {
+        let read = match marks.get(&chapter.id) {
+            Some(mark) if mark.is_done(chapter) => " Done.".to_owned(),
+            Some(mark) => format!(
+                " {} of {} pages read.",
+                mark.seen(chapter),
+                chapter.pages.len()
+            ),
+            None => String::new(),
+        };
+        lines.push(format!(
+            "{number}: {}. {}{read}",
+            chapter.title, chapter.about
+        ));
+    }
+    lines.push("Which one? Type its number.".into());
+    let asked = Question {
+        lines: &lines,
+        help: "Type the number of a chapter. It opens at the page where you left it.",
+    };
+    talk.ask_for(&asked, |heard| {
+        let number: Option<usize> = heard.parse().ok();
+        let at = number.and_then(|number| number.checked_sub(1));
+        at.filter(|at| *at < library.chapters.len())
+            .ok_or_else(|| format!("Please type a number from 1 to {}.", library.chapters.len()))
+    })
+}
+
+/// Reads a chapter from where it was left.
+fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next, Leave> {
+    let player = keeper.player.to_owned();
+    let mut at = match keeper.wish(talk, Wish::Marks(player))? {
+        Done::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
+        _ => 0,
+    };
+    talk.say(&format!("Chapter {}: {}.", chapter.number, chapter.title))?;
+    while let Some(page) = chapter.pages.get(at) {
+        mark(talk, keeper, chapter, Bookmark::at(page))?;
+        talk.say(&format!(
+            "Page {} of {}: {}.",
+            at + 1,
+            chapter.pages.len(),
+            page.title
+        ))?;
+        let collision = page.figure.map(|figure| figure.shot.collision());
+        let figure = collision.as_ref();
+        for line in texts(&page.text, figure) {
+            talk.say(&line)?;
+        }
+        if let Some(shown) = &page.figure {
+            for line in figure::describe(shown, page.checkpoint.is_none()) {
+                talk.say(&line)?;
+            }
+        }
+        if let Some(checkpoint) = &page.checkpoint {
+            ask(talk, keeper, chapter, (at, page), checkpoint, figure)?;
+        }
+        let asked = Question {
+            lines: &["Next?".to_owned()],
+            help: MOVES,
+        };
+        match talk.ask_for(&asked, |heard| match heard.to_lowercase().as_str() {
+            "" | "next" | "n" => Ok(Move::On),
+            "back" | "b" => Ok(Move::Back),
+            "contents" | "c" => Ok(Move::Contents),
+            _ => Err(MOVES.to_owned()),
+        })? {
+            Move::On => at += 1,
+            Move::Back => at = at.saturating_sub(1),
+            Move::Contents => return Ok(Next::Contents),
+        }
+    }
+    talk.say("That is the end of the chapter.")?;
+    // It is opened at its beginning the next time.
+    if let Some(first) = chapter.pages.first() {
+        mark(talk, keeper, chapter, Bookmark::at(first))?;
+    }
+    Ok(Next::Chapter)
+}
+
+/// Where one goes from a page.
+enum Move {
+    On,
+    Back,
+    Contents,
+}
+
+fn mark(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    chapter: &Chapter,
+    later: Bookmark,
+) -> Result<(), Leave> {
+    let wish = Wish::Mark {
+        player: keeper.player.to_owned(),
+        chapter: chapter.id.clone(),
+        later: Box::new(later),
+    };
+    keeper.wish(talk, wish)?;
+    Ok(())
+}
+
+/// Asks what a page asks, keeps the answer, and says how it is.
+fn ask(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    chapter: &Chapter,
+    (at, page): (usize, &Page),
+    checkpoint: &Checkpoint,
+    figure: Option<&Collision>,
+) -> Result<(), Leave> {
+    let question = texts(&checkpoint.question, figure);
+    let Some(answer) = hear(talk, &question, checkpoint, figure)? else {
+        return talk.say("Left open.");
+    };
+    let right = answer.is_right(checkpoint, figure);
+    let attempt = attempt(keeper.player, chapter, at, &answer, checkpoint, figure);
+    keeper.record(talk, attempt)?;
+    let given = Given {
+        asked: checkpoint.written.clone(),
+        answer,
+        right,
+    };
+    let mut later = Bookmark::at(page);
+    later.pages.insert(page.title.clone(), Some(given));
+    mark(talk, keeper, chapter, later)?;
+    tell(talk, &answer, right, checkpoint, figure)?;
+    for line in texts(&checkpoint.after, figure) {
+        talk.say(&line)?;
+    }
+    if let Some(shown) = &page.figure {
+        let said = figure::describe(shown, false);
+        for line in figure::describe(shown, true) {
+            if !said.contains(&line) {
+                talk.say(&line)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Hears the answer to a checkpoint; `None` if it is skipped.
+fn hear(
+    talk: &mut Talk,
+    question: &[String],
+    checkpoint: &Checkpoint,
+    figure: Option<&Collision>,
+) -> Result<Option<Answer>, Leave> {
+    let skip = |heard: &str| matches!(heard.to_lowercase().as_str(), "skip" | "s");
+    match &checkpoint.asked {
+        Asked::Rays => {
+            let side = match figure.map(|collision| collision.offset) {
+                Some(offset) if offset < 0.0 => -1.0,
+                _ => 1.0,
+            };
+            let said = answering::rays(talk, question, side, "coin")?;
+            Ok(said.and_then(|said| match said {
+                Said::Rays(rays) => Some(Answer::Rays(rays)),
+                _ => None,
+            }))
+        }
+        Asked::Number { expected, .. } => {
+            let (_, unit) = expected.sign_and_unit();
+            let line = match unit {
+                "" => "Your answer?".to_owned(),
+                unit => format!("Your answer in {}?", unit_name(unit)),
+            };
+            let lines = [question, &[line]].concat();
+            let asked = Question {
+                lines: &lines,
+                help: "Type a number. Type skip to leave it open.",
+            };
+            talk.ask_for(&asked, |heard| match heard {
+                heard if skip(heard) => Ok(None),
+                heard => number(heard, -1e9, 1e9)
+                    .map(|number| Some(Answer::Number(number)))
+                    .map_err(|_| "Please type a number.".into()),
+            })
+        }
+        Asked::Choice(choices) => {
+            let mut lines = question.to_vec();
+            let each = choices.iter().enumerate();
+            lines.extend(each.map(|(i, it)| {
+                format!("{}: {}", crate::quiz::letter(i), pieces(&it.text, figure))
+            }));
+            lines.push("Which one?".into());
+            let asked = Question {
+                lines: &lines,
+                help: "Type the letter of your choice. Type skip to leave it open.",
+            };
+            talk.ask_for(&asked, |heard| match heard {
+                heard if skip(heard) => Ok(None),
+                heard => choice(heard, choices.len()).map(|chosen| Some(Answer::Choice(chosen))),
+            })
+        }
+    }
+}
+
+/// Says how an answer was.
+fn tell(
+    talk: &mut Talk,
+    answer: &Answer,
+    right: bool,
+    checkpoint: &Checkpoint,
+    figure: Option<&Collision>,
+) -> Result<(), Leave> {
+    talk.say(if right { "Right." } else { "Not quite." })?;
+    match (answer, &checkpoint.asked) {
+        (Answer::Rays(rays), Asked::Rays) => {
+            let Some(collision) = figure else {
+                return Ok(());
+            };
+            let truth = Rays::from(&collision.outcome());
+            for (name, rays) in [("You said", rays), ("It is", &truth)] {
+                let [striker, coin] = [
+                    crate::quiz::Ray::Striker.words(rays.striker),
+                    crate::quiz::Ray::Target.words(rays.target),
+                ];
+                talk.say(&format!("{name}: striker {striker}, coin {coin}."))?;
+            }
+            let (title, text) = why::of_impact(collision, Some(*rays));
+            if !right && !title.is_empty() {
+                talk.say(&format!("It looks like this: {title}."))?;
+            }
+            talk.say(&text)
+        }
+        (Answer::Number(_), Asked::Number { expected, .. }) => match expected.value(figure) {
+            Some(truth) => {
+                let (_, unit) = expected.sign_and_unit();
+                let truth = crate::physics::worked::number(truth);
+                let gap = if unit == "°" { "" } else { " " };
+                talk.say(&format!(
+                    "It is {}.",
+                    format!("{truth}{gap}{unit}").trim_end()
+                ))
+            }
+            None => Ok(()),
+        },
+        (Answer::Choice(chosen), Asked::Choice(choices)) => {
+            if let Some(chosen) = choices.get(*chosen) {
+                talk.say(&pieces(&chosen.why, figure))?;
+            }
+            match choices.iter().find(|choice| choice.right) {
+                Some(true_one) if !right => {
+                    talk.say(&format!("It is: {}", pieces(&true_one.text, figure)))?;
+                    talk.say(&pieces(&true_one.why, figure))
+                }
+                _ => Ok(()),
+            }
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Blocks of text, a line each.
+fn texts(blocks: &[Block], figure: Option<&Collision>) -> Vec<String> {
+    blocks
+        .iter()
+        .map(|block| match block {
+            Block::Paragraph(text) => pieces(text, figure),
+            Block::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
+            Block::Item(None, text) => format!("Item: {}", pieces(text, figure)),
+            Block::Formula(written) => format!("Formula: {}", formula::linear(written)),
+        })
+        .collect()
+}
+
+fn pieces(pieces: &[Piece], figure: Option<&Collision>) -> String {
+    pieces
+        .iter()
+        .map(|piece| match piece {
+            Piece::Text(text, _) => text.clone(),
+            Piece::Formula(written) => formula::linear(written),
+            Piece::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
+        })
+        .collect()
+}

@@ -1,0 +1,255 @@
+//! A round of the quiz in lines.
+
+use super::answering::{answer, confidence};
+use super::picture::describe;
+use super::talk::{Asked, Leave, Talk};
+use crate::messages::{Done, Request, Wish};
+use crate::progress::{Attempt, reviews};
+use crate::quiz::{
+    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain,
+};
+use crate::store::Store;
+
+/// Who plays, and where what is answered is kept.
+pub struct Keeper<'a> {
+    /// The name of the player.
+    pub player: &'a str,
+    /// Where it is kept.
+    pub store: &'a mut Store,
+    /// Whether it has been said that nothing can be kept.
+    pub(super) complained: bool,
+}
+
+impl<'a> Keeper<'a> {
+    /// A keeper of what this player does.
+    pub fn new(player: &'a str, store: &'a mut Store) -> Self {
+        Self {
+            player,
+            store,
+            complained: false,
+        }
+    }
+
+    /// Asks the store, and says once what is wrong with it.
+    pub(super) fn wish(&mut self, talk: &mut Talk, wish: Wish) -> Result<Done, Leave> {
+        let answer = self.store.answer(&Request { ticket: 0, wish });
+        if let Some(notice) = answer.notice {
+            talk.say(&notice)?;
+        }
+        if let Done::Noted(Err(reason)) = &answer.done
+            && !std::mem::replace(&mut self.complained, true)
+        {
+            talk.say(&format!("Answers cannot be kept: {reason}."))?;
+        }
+        Ok(answer.done)
+    }
+
+    /// Keeps an answer, before anything is said about it.
+    pub(super) fn record(&mut self, talk: &mut Talk, attempt: Attempt) -> Result<(), Leave> {
+        self.wish(talk, Wish::Record(Box::new(attempt)))?;
+        Ok(())
+    }
+}
+
+/// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
+/// to chance then.
+///
+/// # Errors
+/// If the player quits, or nothing more is to be heard: what was answered is kept.
+pub fn quiz(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    code: Option<Code>,
+    seed: u64,
+) -> Result<(), Leave> {
+    talk.say("carrom, the quiz. Type help at any question, and quit to leave.")?;
+    let round = match code {
+        Some(code) => Round::of(code),
+        None => choose(talk, keeper, seed)?,
+    };
+    play(talk, keeper, &round)
+}
+
+/// Asks which round it shall be.
+fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leave> {
+    let due = due(talk, keeper)?;
+    let mut kinds: Vec<(String, CourseKind)> = CourseKind::ALWAYS
+        .into_iter()
+        .map(|kind| {
+            let about = format!("{}, {} questions", kind.name(), kind.length());
+            (about, kind)
+        })
+        .collect();
+    if !due.is_empty() {
+        let names: Vec<&str> = due.iter().map(|family| family.name()).collect();
+        let about = format!("review what is due: {}", names.join("; "));
+        kinds.push((about, CourseKind::Review(due)));
+    }
+    for family in Family::ALL {
+        if let Some(kind) = CourseKind::with_id(family.id()) {
+            kinds.push((format!("topic: {}", family.name()), kind));
+        }
+    }
+    let mut lines = vec!["Which round?".to_owned()];
+    let each = (1..).zip(&kinds);
+    lines.extend(each.map(|(number, (about, _))| format!("{number}: {about}.")));
+    lines.push("Type its number, or the code of a round, such as mixed-7.".into());
+    let asked = Asked {
+        lines: &lines,
+        help: "Mixing the kinds of question feels harder than one kind at a time, and it is what \
+               makes them stay.",
+    };
+    talk.ask_for(&asked, |heard| {
+        let number: Option<usize> = heard.parse().ok();
+        let chosen = number.and_then(|number| kinds.get(number.checked_sub(1)?));
+        if let Some((_, kind)) = chosen {
+            return Ok(Round::new(Course::new(kind.clone()), seed));
+        }
+        match Code::parse(heard) {
+            Some(code) if number.is_none() => Ok(Round::of(code)),
+            _ => Err(format!(
+                "Please type a number from 1 to {}, or a code such as mixed-7.",
+                kinds.len()
+            )),
+        }
+    })
+}
+
+/// The families that are due for this player.
+fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Vec<Family>, Leave> {
+    let player = keeper.player.to_owned();
+    let Done::Recalled(Ok(history)) = keeper.wish(talk, Wish::Recall(Some(player)))? else {
+        return Ok(Vec::new());
+    };
+    let Some(now_s) = history.now_s else {
+        return Ok(Vec::new());
+    };
+    let mut due: Vec<Family> = Vec::new();
+    for review in reviews(&history.attempts) {
+        if let Some(family) = Family::with_id(&review.family).filter(|_| review.is_due(now_s))
+            && !due.contains(&family)
+        {
+            due.push(family);
+        }
+    }
+    Ok(due)
+}
+
+/// Plays a round to its end.
+fn play(talk: &mut Talk, keeper: &mut Keeper, round: &Round) -> Result<(), Leave> {
+    let at_end = round.course().tells_at_end();
+    let mut answered: Vec<(&Question, Answer)> = Vec::new();
+    let outcome = (1..)
+        .zip(round.questions())
+        .try_for_each(|(number, question)| {
+            let lines = asking(round, number, question);
+            let Some(said) = answer(talk, &lines, &question.form)? else {
+                return talk.say("Left open.");
+            };
+            let answer = Answer::new(said, confidence(talk)?);
+            let attempt = Attempt::of_quiz(keeper.player, round.code(), number, question, &answer);
+            keeper.record(talk, attempt)?;
+            answered.push((question, answer));
+            match at_end {
+                true => talk.say("Noted."),
+                false => tell(talk, question, &answer),
+            }
+        });
+    if at_end && outcome.is_ok() {
+        for (number, (question, answer)) in (1..).zip(&answered) {
+            talk.say(&format!("Answer {number}. {}", question.text))?;
+            tell(talk, question, answer)?;
+        }
+    }
+    match outcome {
+        Err(Leave::Quit) if answered.is_empty() => talk.say("Goodbye.")?,
+        Err(Leave::Failed(error)) => return Err(Leave::Failed(error)),
+        Err(Leave::Ended) if answered.is_empty() => {}
+        _ => sum_up(talk, round, &answered)?,
+    }
+    outcome
+}
+
+/// What is said to ask a question, a line each.
+fn asking(round: &Round, number: u32, question: &Question) -> Vec<String> {
+    let count = round.questions().len();
+    let mut lines = vec![
+        format!(
+            "Question {number} of {count}: {}",
+            stopped(question.family.name())
+        ),
+        question.text.clone(),
+    ];
+    lines.extend(Some(describe(question)).filter(|seen| !seen.is_empty()));
+    lines
+}
+
+/// A name as a sentence of its own.
+fn stopped(name: &str) -> String {
+    match name.ends_with(['?', '.', '!']) {
+        true => name.into(),
+        false => format!("{name}."),
+    }
+}
+
+/// Says how an answer was, and why.
+fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Leave> {
+    let grade = Grade::new(question, answer);
+    let explanation = explain(question, answer);
+    let form = &question.form;
+    let verdict = match explanation.diagnosis {
+        None if grade.right => "Right.".to_owned(),
+        Some(_) => format!("Not quite. It looks like this: {}.", explanation.title),
+        None => format!("Not quite: {}.", explanation.title),
+    };
+    talk.say(&verdict)?;
+    talk.say(&format!(
+        "You said: {}.",
+        unstopped(&form.words(&answer.said))
+    ))?;
+    talk.say(&format!(
+        "It is: {}.",
+        unstopped(&form.words(&form.truth()))
+    ))?;
+    talk.say(&explanation.text)?;
+    talk.say(&format!(
+        "{:.1} of {:.0} points.",
+        grade.points() + 0.0,
+        Grade::MOST
+    ))
+}
+
+fn unstopped(text: &str) -> &str {
+    text.trim_end_matches('.')
+}
+
+/// Looks back over what was answered.
+fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> Result<(), Leave> {
+    let summary = Summary::new(
+        answered
+            .iter()
+            .map(|(question, answer)| (*question, answer)),
+    );
+    talk.say(&format!(
+        "Your round: {:.1} of {:.0} points, {} of {} right.",
+        summary.points(),
+        summary.most(),
+        summary.right(),
+        summary.lines.len()
+    ))?;
+    talk.say(&summary.calibration_words())?;
+    if let Some((misconception, count)) = summary.most_held() {
+        talk.say(&match count {
+            1 => format!("Once it looked like this: {}.", misconception.name),
+            _ => format!("Most often, {count} times: {}.", misconception.name),
+        })?;
+    }
+    talk.say(&summary.advice())?;
+    match round.course().kind {
+        CourseKind::Review(_) => Ok(()),
+        _ => talk.say(&format!(
+            "The same round for a friend: the code {}.",
+            round.code()
+        )),
+    }
+}

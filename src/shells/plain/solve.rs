@@ -1,0 +1,64 @@
+//! A worked solution in lines.
+
+use super::answering::number;
+use super::talk::{Asked, Leave, Talk};
+use crate::physics::units::rad_from_deg;
+use crate::physics::worked::{self, Given, Step};
+use crate::physics::{Bond, Collision, Disc};
+
+/// Says a worked solution, or asks for the hit first.
+///
+/// # Errors
+/// If the player quits, or nothing more is to be heard.
+pub fn solve(talk: &mut Talk, given: Option<&[Step]>) -> Result<(), Leave> {
+    let asked;
+    let steps = match given {
+        Some(steps) => steps,
+        None => {
+            asked = ask(talk)?;
+            &asked
+        }
+    };
+    for (count, step) in (1..).zip(steps) {
+        talk.say(&format!("Step {count}: {}.", step.title))?;
+        talk.say(&step.why)?;
+        for line in &step.lines {
+            talk.say(line)?;
+        }
+    }
+    Ok(())
+}
+
+/// Asks for each quantity in turn.
+fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
+    talk.say("carrom, a hit worked out. Enter alone takes what is proposed.")?;
+    let mut one = |what: &str, proposed: f64, least: f64, most: f64| {
+        let lines = [format!("{what}? Proposed: {proposed}.")];
+        let asked = Asked {
+            lines: &lines,
+            help: "Type a number, or Enter alone for what is proposed.",
+        };
+        talk.ask_for(&asked, |heard| match heard {
+            "" => Ok(proposed),
+            heard => number(heard, least, most),
+        })
+    };
+    let m1_g = one("Mass of the striker in grams", 15.0, 1e-3, 1e6)?;
+    let m2_g = one("Mass of the target in grams", 15.0, 1e-3, 1e6)?;
+    let speed = one("Speed of the striker in metres per second", 4.0, 1e-3, 1e3)?;
+    let alpha_deg = one(
+        "Impact angle in degrees, positive with the target to the right",
+        30.0,
+        -89.9,
+        89.9,
+    )?;
+    let restitution = one("Coefficient of restitution, from 0 to 1", 1.0, 0.0, 1.0)?;
+    let disc = |mass_g| Disc::from_g_mm(mass_g, 15.0);
+    let u1 = glam::DVec2::new(speed, 0.0);
+    let collision = Collision {
+        restitution,
+        bond: Bond::Slip,
+        ..Collision::at_angle(disc(m1_g), disc(m2_g), u1, rad_from_deg(alpha_deg))
+    };
+    Ok(worked::steps(&collision, Given::Angle))
+}

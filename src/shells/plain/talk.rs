@@ -1,0 +1,180 @@
+//! Saying a line and hearing one.
+
+use std::io::{self, BufRead, Read, Write};
+
+use super::spoken;
+
+/// Longest line that is listened to, in bytes; the rest of it is passed over.
+const LONGEST: u64 = 1000;
+
+/// Words that may be said at any time.
+const ALWAYS: &str = "At any time: repeat says the question again, help says how to answer, \
+                      quit leaves and keeps what was answered.";
+
+/// A talk in lines.
+pub struct Talk<'a> {
+    input: &'a mut dyn BufRead,
+    output: &'a mut dyn Write,
+}
+
+/// Why a talk is over before its end.
+#[derive(Debug)]
+pub enum Leave {
+    /// The player said so.
+    Quit,
+    /// There is nothing more to be heard.
+    Ended,
+    /// A line could not be said or heard.
+    Failed(io::Error),
+}
+
+impl From<io::Error> for Leave {
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            // Nobody listens any more.
+            io::ErrorKind::BrokenPipe => Self::Ended,
+            _ => Self::Failed(error),
+        }
+    }
+}
+
+/// Something that is asked.
+pub(super) struct Asked<'a> {
+    /// What is said again on `repeat`, a line each; the last is the question itself.
+    pub(super) lines: &'a [String],
+    /// How it is answered, for `help`.
+    pub(super) help: &'a str,
+}
+
+impl<'a> Talk<'a> {
+    /// A talk with whoever is at the other end of these two.
+    pub fn new(input: &'a mut dyn BufRead, output: &'a mut dyn Write) -> Self {
+        Self { input, output }
+    }
+
+    /// Says a text, each of its lines as one.
+    ///
+    /// # Errors
+    /// If nobody listens.
+    pub fn say(&mut self, text: &str) -> Result<(), Leave> {
+        for line in text.lines() {
+            let line = spoken(line);
+            if !line.is_empty() {
+                writeln!(self.output, "{line}")?;
+            }
+        }
+        self.output.flush()?;
+        Ok(())
+    }
+
+    /// Asks by these lines, and hears one without the blanks at its ends; it may be empty.
+    ///
+    /// # Errors
+    /// If the player quits, or nothing more is to be heard.
+    fn ask(&mut self, asked: &Asked, lines: &[String]) -> Result<String, Leave> {
+        for line in lines {
+            self.say(line)?;
+        }
+        loop {
+            let heard = self.hear()?;
+            match heard.to_lowercase().as_str() {
+                "quit" | "q" | "exit" => return Err(Leave::Quit),
+                "help" | "h" | "?" => {
+                    self.say(asked.help)?;
+                    self.say(ALWAYS)?;
+                }
+                "repeat" | "r" => {
+                    for line in asked.lines {
+                        self.say(line)?;
+                    }
+                }
+                _ => return Ok(heard),
+            }
+        }
+    }
+
+    /// Asks until an answer is understood. `read` gives what was meant, or a kind line on
+    /// what was expected.
+    ///
+    /// # Errors
+    /// If the player quits, or nothing more is to be heard.
+    pub(super) fn ask_for<T>(
+        &mut self,
+        asked: &Asked,
+        read: impl Fn(&str) -> Result<T, String>,
+    ) -> Result<T, Leave> {
+        let question = asked.lines.len().saturating_sub(1);
+        let mut lines = asked.lines;
+        loop {
+            let heard = self.ask(asked, lines)?;
+            match read(&heard) {
+                Ok(meant) => return Ok(meant),
+                Err(expected) => self.say(&expected)?,
+            }
+            // The question stands; what led to it is said again only if it is asked for.
+            lines = asked.lines.get(question..).unwrap_or_default();
+        }
+    }
+
+    fn hear(&mut self) -> Result<String, Leave> {
+        let mut bytes = Vec::new();
+        let heard = (&mut *self.input)
+            .take(LONGEST)
+            .read_until(b'\n', &mut bytes)?;
+        if heard == 0 {
+            return Err(Leave::Ended);
+        }
+        if bytes.last() != Some(&b'\n') {
+            self.pass_over()?;
+        }
+        let text = String::from_utf8_lossy(&bytes);
+        let visible: String = text.chars().filter(|c| !c.is_control()).collect();
+        Ok(visible.trim().to_owned())
+    }
+
+    /// Passes over the rest of a line that is too long to be an answer.
+    fn pass_over(&mut self) -> Result<(), Leave> {
+        loop {
+            let buffer = self.input.fill_buf()?;
+            if buffer.is_empty() {
+                return Ok(());
+            }
+            let end = buffer.iter().position(|byte| *byte == b'\n');
+            let taken = end.map_or(buffer.len(), |end| end + 1);
+            self.input.consume(taken);
+            if end.is_some() {
+                return Ok(());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hear_all(input: &[u8]) -> Vec<String> {
+        let (mut input, mut output) = (input, Vec::new());
+        let mut talk = Talk::new(&mut input, &mut output);
+        let mut heard = Vec::new();
+        while let Ok(line) = talk.hear() {
+            heard.push(line);
+        }
+        heard
+    }
+
+    #[test]
+    fn lines_are_heard_whatever_their_ends_and_bytes() {
+        assert_eq!(
+            hear_all(b" 60 \r\nstill\n\nlast"),
+            ["60", "still", "", "last"]
+        );
+        assert_eq!(hear_all(b"\xff\xfe\x1b[31m7\n"), ["\u{fffd}\u{fffd}[31m7"]);
+        let long = [vec![b'x'; 5000], b"\nnext\n".to_vec()].concat();
+        let heard = hear_all(&long);
+        assert_eq!(
+            (heard.len(), heard[0].len(), heard[1].as_str()),
+            (2, 1000, "next")
+        );
+    }
+}
