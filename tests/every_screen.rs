@@ -21,6 +21,10 @@ fn places() -> Vec<Place> {
         Place::Chapter { number: 2 },
         Place::Chapter { number: 3 },
         Place::Quiz { code: None },
+        Place::Class {
+            code: None,
+            teams: Vec::new(),
+        },
         Place::Foil,
         Place::Table,
         Place::Levels,
@@ -137,6 +141,75 @@ fn every_screen_and_its_help_are_printable_ascii() {
                     );
                 }
             }
+        }
+    }
+}
+
+/// The keys to each step of a class round of three teams, from one to the next.
+const CLASS: [&str; 12] = [
+    "<Enter>",
+    "z",
+    "z<Enter>",
+    "<Enter>",
+    "1",
+    "<Enter><Enter>a2<Enter>1<Enter>",
+    "<End><Enter>",
+    "<Enter>",
+    "<Enter>",
+    "<Enter>",
+    "<Enter>",
+    "p",
+];
+
+fn class(code: &str, charset: Charset) -> Headless {
+    let place = Place::Class {
+        code: Code::parse(code),
+        teams: ["Ants", "Bees", "Cats"].map(Into::into).into(),
+    };
+    opened(place, charset, 1)
+}
+
+#[test]
+fn every_step_of_a_class_round_is_whole_in_ascii() {
+    for code in ["7", "speeds1-7", "from-picture1-7", "quick-3"] {
+        for (columns, rows) in [(60, 20), (80, 24), (97, 31), (120, 40), (300, 100)] {
+            let mut game = class(code, Charset::Ascii);
+            game.resize(columns, rows);
+            for keys in CLASS {
+                game.press(keys);
+                game.settle(Duration::from_secs(9));
+                let screen = game.screen();
+                let plain = screen
+                    .bytes()
+                    .all(|b| b == b'\n' || (b' '..=b'~').contains(&b));
+                assert!(plain && !screen.contains("NaN"), "{code} {keys}\n{screen}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_step_of_a_class_round_takes_any_key_at_any_size(
+        code in prop::sample::select(vec!["quick-3", "mixed-7", "speeds1-7", "7"]),
+        unicode: bool,
+        steps in 0..CLASS.len(),
+        acts in prop::collection::vec(act(), 1..40),
+    ) {
+        let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
+        let mut game = class(code, charset);
+        for keys in &CLASS[..steps] {
+            game.press(keys);
+        }
+        for act in &acts {
+            match act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(time) => game.pass(*time),
+            }
+            prop_assert!(!game.screen().contains("NaN"));
         }
     }
 }
