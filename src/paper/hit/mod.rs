@@ -95,6 +95,7 @@ fn draw_seen(collision: &Collision) -> Sheet {
 fn draw_aim(aim: &Aim) -> Sheet {
     let shown = Shown {
         numbers: true,
+        speeds: true,
         ..Shown::default()
     };
     let stage = Stage::new(&aim.with(0.0), &shown);

@@ -48,6 +48,7 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
                 line_of_impact: false,
                 masses: false,
                 numbers: shown.figures,
+                speeds: shown.figures,
                 after,
             };
             Some(hit_picture(collision, &shown))
@@ -78,6 +79,7 @@ pub(super) fn of_answer(question: &Question) -> Option<Svg> {
         line_of_impact: false,
         masses: true,
         numbers: true,
+        speeds: true,
         after: After::Departures,
     };
     Some(hit_picture(&collision, &shown))
