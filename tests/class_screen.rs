@@ -324,7 +324,7 @@ fn hostile_names_break_neither_screen_nor_table() {
         let app = app("from-angle2-7", &names, charset);
         let mut game = Headless::keeping(app, 80, 24, Store::in_folder(folder.path()));
         let sizes = [(60, 20), (80, 24), (120, 40), (300, 100)];
-        let mut look = |game: &mut Headless| {
+        let look = |game: &mut Headless| {
             for (columns, rows) in sizes {
                 game.resize(columns, rows);
                 for line in game.screen().lines() {
