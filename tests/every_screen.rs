@@ -6,29 +6,47 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
-use carrom::quiz::Code;
+use carrom::quiz::{Code, Course, CourseKind};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 12] = [
-    Place::Home,
-    Place::Lab,
-    Place::Learn,
-    Place::Chapter { number: 2 },
-    Place::Chapter { number: 3 },
-    Place::Quiz { code: None },
-    Place::Class {
-        code: None,
-        teams: Vec::new(),
-    },
-    Place::Foil,
-    Place::Table,
-    Place::Levels,
-    Place::Progress,
-    Place::Level { number: 4 },
-];
+/// Every place, and a round of the quiz of every kind and about every topic.
+fn places() -> Vec<Place> {
+    let mut places = vec![
+        Place::Home,
+        Place::Lab,
+        Place::Learn,
+        Place::Chapter { number: 2 },
+        Place::Chapter { number: 3 },
+        Place::Quiz { code: None },
+        Place::Class {
+            code: None,
+            teams: Vec::new(),
+        },
+        Place::Foil,
+        Place::Table,
+        Place::Levels,
+        Place::Progress,
+        Place::Level { number: 4 },
+    ];
+    let topics = CourseKind::topics().map(CourseKind::Topic);
+    let review = CourseKind::Review(CourseKind::topics().collect());
+    places.extend(
+        CourseKind::ALWAYS
+            .into_iter()
+            .chain([review])
+            .chain(topics)
+            .map(|kind| Place::Quiz {
+                code: Some(Code {
+                    course: Course::new(kind),
+                    seed: 7,
+                }),
+            }),
+    );
+    places
+}
 
 fn opened(place: Place, charset: Charset, seed: u64) -> Headless {
     let settings = Settings {
@@ -86,7 +104,7 @@ proptest! {
 
     #[test]
     fn nothing_typed_and_no_size_makes_it_panic(
-        place in prop::sample::select(PLACES.to_vec()),
+        place in prop::sample::select(places()),
         unicode: bool,
         seed: u64,
         acts in prop::collection::vec(act(), 1..60),
@@ -109,7 +127,7 @@ proptest! {
 
 #[test]
 fn every_screen_and_its_help_are_printable_ascii() {
-    for place in PLACES {
+    for place in places() {
         for (columns, rows) in [(60, 20), (80, 24), (120, 40), (300, 100)] {
             let mut game = opened(place.clone(), Charset::Ascii, 1);
             game.resize(columns, rows);
@@ -198,7 +216,7 @@ proptest! {
 
 #[test]
 fn escape_leads_home_and_q_out() {
-    for place in PLACES {
+    for place in places() {
         let mut game = opened(place.clone(), Charset::Ascii, 1);
         for _ in 0..5 {
             game.press("<Escape>");

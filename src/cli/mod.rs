@@ -15,6 +15,7 @@ mod replay;
 mod simulate;
 mod solve;
 mod tape;
+mod worksheet;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -55,6 +56,8 @@ Examples:
   carrom class --teams Ants,Bees --palette light
                                a round for a class, on a projector
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
+  carrom worksheet --seed 7 --count 12 --out sheets
+                               a round on paper, with a key for the teacher
   carrom progress --csv        every answer you gave, for a spreadsheet
   carrom progress --report me.html
                                a page of it, for a portfolio or a teacher
@@ -79,6 +82,7 @@ enum Command {
     Level(level::Args),
     Lesson(lesson::Args),
     Figure(figure::Args),
+    Worksheet(worksheet::Args),
     Tape(tape::Args),
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
@@ -261,6 +265,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Level(args)) => level::run(args),
         Some(Command::Lesson(args)) => lesson::run(args),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
+        Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),

@@ -2,9 +2,10 @@
 //!
 //! A document is written as HTML on a [`Page`] (self-contained, A4, nothing is loaded
 //! and nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures
-//! are vectors with true lines and text, an [`Svg`] each; a [`Chart`] is a plot, [`hit_picture`]
-//! draws a hit. All of them are meant for black
-//! and white too: an [`Ink`] is a strength before it is a colour.
+//! are vectors with true lines and text, an [`Svg`] each; a [`Chart`] is a plot,
+//! [`hit_picture`], [`seen_picture`] and [`aim_picture`] draw a hit, [`tracks_picture`]
+//! two particles past a nucleus. All of them are meant for black and white too: an
+//! [`Ink`] is a strength before it is a colour.
 //!
 //! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which
 //! escapes what it is given, Markdown and pictures escape by themselves. What no
@@ -35,10 +36,13 @@ mod markdown;
 mod page;
 pub mod report;
 mod svg;
+mod tracks;
+pub mod worksheet;
 
 pub use chart::{Chart, Mark};
 pub use clean::clean;
-pub use hit::{After, Shown, hit_picture};
+pub use hit::{After, Shown, aim_picture, hit_picture, seen_picture};
 pub use markdown::Markdown;
 pub use page::Page;
 pub use svg::{Anchor, Ink, Stroke, Svg};
+pub use tracks::tracks_picture;

@@ -74,7 +74,7 @@ fn arrow(sheet: &mut Sheet, stage: &Stage, from: DVec2, name: &str, v: DVec2) {
 }
 
 /// The arc from the striker's line of motion to where a disc goes.
-fn angle(sheet: &mut Sheet, stage: &Stage, arc: (DVec2, f64), name: &str, v: DVec2) {
+pub(super) fn angle(sheet: &mut Sheet, stage: &Stage, arc: (DVec2, f64), name: &str, v: DVec2) {
     let (Some(heading), Some(direction)) = (stage.heading(), stage.direction(v)) else {
         return;
     };

@@ -1,9 +1,11 @@
 //! The picture of a hit, for worksheets and explanations.
 
 mod after;
+mod aim;
 mod before;
 mod measures;
 mod placing;
+mod seen;
 mod sheet;
 mod stage;
 #[cfg(test)]
@@ -11,6 +13,7 @@ mod tests;
 
 use super::Svg;
 use crate::physics::Collision;
+use crate::quiz::Aim;
 use sheet::Sheet;
 use stage::Stage;
 
@@ -58,6 +61,50 @@ pub enum After {
 #[must_use]
 pub fn hit_picture(collision: &Collision, shown: &Shown) -> Svg {
     draw(collision, shown).picture()
+}
+
+/// Draws a hit as somebody has seen it: both discs at contact, the ways they came and
+/// went with θ₁ and θ₂. All arrows are of one length, so that nothing tells of masses
+/// and speeds.
+#[must_use]
+pub fn seen_picture(collision: &Collision) -> Svg {
+    draw_seen(collision).picture()
+}
+
+/// Draws a shot whose offset is to be chosen: the striker on its way, a scale of offsets
+/// in millimetres across it, true to the size of the discs, and the way that one of the
+/// two is to go.
+#[must_use]
+pub fn aim_picture(aim: &Aim) -> Svg {
+    draw_aim(aim).picture()
+}
+
+fn draw_seen(collision: &Collision) -> Sheet {
+    let shown = Shown {
+        numbers: true,
+        after: After::Departures,
+        ..Shown::default()
+    };
+    let stage = Stage::new(collision, &shown);
+    let mut sheet = Sheet::new(&words(collision, &shown), stage.scale());
+    seen::ways(&mut sheet, &stage);
+    sheet.place_labels();
+    sheet
+}
+
+fn draw_aim(aim: &Aim) -> Sheet {
+    let shown = Shown {
+        numbers: true,
+        speeds: true,
+        ..Shown::default()
+    };
+    let stage = Stage::new(&aim.with(0.0), &shown);
+    let words = "A striker on its way to a disc at rest, a scale of offsets across the way, \
+                 and where one of the two is to go, seen from above";
+    let mut sheet = Sheet::new(words, stage.scale());
+    aim::shot(&mut sheet, &stage, aim);
+    sheet.place_labels();
+    sheet
 }
 
 fn draw(collision: &Collision, shown: &Shown) -> Sheet {

@@ -59,6 +59,11 @@ impl Sheet {
         self.scale * dvec2(at.x, -at.y)
     }
 
+    /// A length on paper, in units of the picture.
+    pub(super) fn length(&self, length: f64) -> f64 {
+        self.scale * length
+    }
+
     pub(super) fn line(&mut self, from: DVec2, to: DVec2, stroke: Stroke) {
         let (from, to) = (self.place(from), self.place(to));
         self.see(from, to);

@@ -76,13 +76,9 @@ fn no_label_covers_what_matters() {
         for shown in each_choice() {
             let sheet = draw(&collision, &shown);
             assert!(sheet.labels.len() >= 3);
-            for (i, label) in sheet.labels.iter().enumerate() {
+            labels_are_free(&sheet, &format!("{collision:?} {shown:?}"));
+            for label in &sheet.labels {
                 let told = || format!("{label:?} {collision:?} {shown:?}");
-                let others = &sheet.labels[i + 1..];
-                assert!(!others.iter().any(|it| it.overlaps(label)), "{}", told());
-                let tips = &sheet.obstacles.points;
-                let is_covered = |tip: &DVec2| label.distance(*tip) < 3.0;
-                assert!(!tips.iter().any(is_covered), "{}", told());
                 // Upon a disc, or clear of all of them.
                 let discs = &sheet.obstacles.discs;
                 let upon = |(centre, radius): &(DVec2, f64)| {
@@ -94,6 +90,75 @@ fn no_label_covers_what_matters() {
                 assert!(well, "{}", told());
             }
             is_whole(sheet, &collision);
+        }
+    }
+}
+
+/// No label covers another one, nor an arrow's tip.
+fn labels_are_free(sheet: &Sheet, told: &str) {
+    for (i, label) in sheet.labels.iter().enumerate() {
+        let others = &sheet.labels[i + 1..];
+        assert!(
+            !others.iter().any(|it| it.overlaps(label)),
+            "{label:?} {told}"
+        );
+        let tips = &sheet.obstacles.points;
+        let is_covered = |tip: &DVec2| label.distance(*tip) < 3.0;
+        assert!(!tips.iter().any(is_covered), "{label:?} {told}");
+    }
+}
+
+#[test]
+fn a_hit_that_was_seen_tells_its_angles_alone() {
+    for collision in collisions() {
+        let sheet = draw_seen(&collision);
+        labels_are_free(&sheet, &format!("{collision:?}"));
+        is_whole(sheet, &collision);
+        // As fast again, with masses twice as large, it looks the same.
+        let heavier = |disc: Disc| Disc {
+            mass: 2.0 * disc.mass,
+            ..disc
+        };
+        let other = Collision {
+            striker: heavier(collision.striker),
+            target: heavier(collision.target),
+            u1: 2.0 * collision.u1,
+            u2: 2.0 * collision.u2,
+            ..collision
+        };
+        let pictures = [collision, other].map(|it| seen_picture(&it).file());
+        assert_eq!(pictures[0], pictures[1]);
+        assert!(!pictures[0].contains("m/s"));
+    }
+}
+
+#[test]
+fn a_shot_to_be_set_has_its_mark_and_a_scale_true_to_size() {
+    for (m1, r1, m2, r2) in PIECES {
+        let (striker, target) = (Disc::from_g_mm(m1, r1), Disc::from_g_mm(m2, r2));
+        for turn in 0..12 {
+            let u1 = 4.0 * DVec2::from_angle(f64::from(30 * turn).to_radians());
+            for wanted_deg in [-120.0_f64, -80.0, -35.0, 15.0, 45.0, 75.0, 130.0] {
+                for ray in crate::quiz::Ray::BOTH {
+                    let aim = Aim {
+                        collision: Collision::at_offset(striker, target, u1, 0.0),
+                        ray,
+                        wanted: wanted_deg.to_radians(),
+                        offset: 0.01,
+                    };
+                    let sheet = draw_aim(&aim);
+                    labels_are_free(&sheet, &format!("{aim:?}"));
+                    is_whole(sheet, &aim.collision);
+                    let file = aim_picture(&aim).file();
+                    assert!(file.contains(&format!(">{:.1}°<", wanted_deg.abs())));
+                    // What does it is not given away.
+                    let other = Aim {
+                        offset: -0.02,
+                        ..aim
+                    };
+                    assert_eq!(aim_picture(&other).file(), file);
+                }
+            }
         }
     }
 }

@@ -1,0 +1,119 @@
+//! The sheet of questions as HTML.
+
+use maud::{Markup, html};
+
+use super::{Worksheet, pictures, words};
+use crate::paper::{Page, Svg};
+use crate::quiz::{Confidence, Form, Quantity, Question, letter};
+
+/// A document of these sheets.
+pub(super) fn document<const N: usize>(title: &str, sheets: [Markup; N]) -> String {
+    let page = Page::new(title).style(include_str!("worksheet.css"));
+    sheets.into_iter().fold(page, Page::sheet).html()
+}
+
+/// The head of a sheet: what it is, and how to open it on a screen.
+pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
+    let code = worksheet.round.code();
+    html! {
+        header {
+            div {
+                p.dim { "carrom · " (kind) " · " (words::count(worksheet.round)) }
+                h1 { bdi { (title) } }
+            }
+            div.code {
+                span.dim { "code" }
+                strong { (code) }
+                span.dim { "on screen: " code { (words::command(code)) } }
+            }
+        }
+    }
+}
+
+/// All questions, with room to answer.
+pub(super) fn questions(worksheet: &Worksheet) -> Markup {
+    let questions = worksheet.round.questions();
+    html! {
+        div.worksheet {
+            (head(worksheet, "worksheet", &worksheet.title))
+            div.fields {
+                @for (field, class) in [("Name", "wide"), ("Class", "short"), ("Date", "short")] {
+                    div class=(class) { span { (field) } }
+                }
+            }
+            p.advice { (words::ADVICE) }
+            @for (number, question) in (1..).zip(questions) {
+                (one(number, question))
+            }
+        }
+    }
+}
+
+fn one(number: usize, question: &Question) -> Markup {
+    let picture = pictures::of_question(question);
+    html! {
+        article.question {
+            h2 { (number) }
+            div.said {
+                p { (question.text) }
+                @if let Some(task) = words::task(question) { p.task { (task) } }
+                (room(&question.form))
+                p.sure {
+                    span.dim { "How sure?" }
+                    @for sure in Confidence::ALL { span.tick { (ticked(sure.name())) } }
+                }
+            }
+            @if let Some(picture) = picture { (figure(&picture)) }
+        }
+    }
+}
+
+pub(super) fn figure(picture: &Svg) -> Markup {
+    html! { figure { (picture) } }
+}
+
+/// A box to be ticked, with what it stands for.
+fn ticked(text: &str) -> Markup {
+    html! { span.box {} " " (text) }
+}
+
+/// Room to answer in the form that is asked for.
+fn room(form: &Form) -> Markup {
+    match form {
+        Form::Rays { target, .. } => html! {
+            table.rays {
+                @for name in ["striker", target] {
+                    tr {
+                        td { (words::capital(name)) }
+                        td { (blank("°")) }
+                        @for way in ["left", "right", "stays still"] { td { (ticked(way)) } }
+                    }
+                }
+            }
+        },
+        Form::Number { quantity, .. } => html! {
+            div.work {}
+            p.answer {
+                "Answer: "
+                @if *quantity == Quantity::Restitution { "e = " }
+                (blank(quantity.unit()))
+            }
+        },
+        Form::Choice { options, .. } => html! {
+            ol.choices {
+                @for (i, option) in options.iter().enumerate() {
+                    li { span.box {} strong { (letter(i)) } span { (option) } }
+                }
+            }
+        },
+        Form::Shot(_) => html! {
+            div.work {}
+            p.answer { "Offset: " (blank("mm")) span.tick { (ticked("left")) } span.tick { (ticked("right")) } }
+        },
+    }
+}
+
+/// A line to write on, with the unit behind it.
+fn blank(unit: &str) -> Markup {
+    html! { span.blank {} @if unit == "°" { (unit) } @else { " " (unit) } }
+}

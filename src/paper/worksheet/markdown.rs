@@ -1,0 +1,104 @@
+//! Sheet and key in Markdown.
+
+use super::{Worksheet, pictures, words};
+use crate::paper::Markdown;
+use crate::quiz::{Confidence, Form, Quantity, letter};
+
+/// A line to write on, a short one, and a box to be ticked.
+const BLANK: &str = "____________";
+const LINE: &str = "________________________________";
+const BOX: char = '☐';
+
+fn head(document: &mut Markdown, worksheet: &Worksheet, kind: &str, title: &str) {
+    let code = worksheet.round.code();
+    document.heading(1, title).paragraph(&format!(
+        "carrom · {kind} · {} · code {code} · on screen: {}",
+        words::count(worksheet.round),
+        words::command(code)
+    ));
+}
+
+pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
+    let mut document = Markdown::new();
+    head(&mut document, worksheet, "worksheet", &worksheet.title);
+    document
+        .paragraph(&format!("Name {LINE} Class {BLANK} Date {BLANK}"))
+        .paragraph(words::ADVICE);
+    for (number, question) in (1..).zip(worksheet.round.questions()) {
+        document
+            .heading(2, &number.to_string())
+            .paragraph(&question.text);
+        if let Some(picture) = pictures::of_question(question) {
+            let name = pictures::question_name(number);
+            document.picture(picture.words(), &format!("{folder}/{name}.svg"));
+        }
+        if let Some(task) = words::task(question) {
+            document.paragraph(task);
+        }
+        room(&mut document, &question.form);
+        let sure = Confidence::ALL.map(|sure| format!("{BOX} {}", sure.name()));
+        document.paragraph(&format!("How sure? {}", sure.join(" ")));
+    }
+    document.text().to_owned()
+}
+
+/// Room to answer in the form that is asked for.
+fn room(document: &mut Markdown, form: &Form) {
+    match form {
+        Form::Rays { target, .. } => document.list(["striker", target].map(|name| {
+            let name = words::capital(name);
+            format!("{name}: {BLANK}° {BOX} left {BOX} right {BOX} stays still")
+        })),
+        Form::Number { quantity, .. } => {
+            let name = match quantity {
+                Quantity::Restitution => "Answer: e =",
+                _ => "Answer:",
+            };
+            let gap = if *quantity == Quantity::Angle {
+                ""
+            } else {
+                " "
+            };
+            document.paragraph(&format!("{name} {BLANK}{gap}{}", quantity.unit()))
+        }
+        Form::Choice { options, .. } => document.list(
+            (0..)
+                .zip(options)
+                .map(|(i, option)| format!("{BOX} {}: {option}", letter(i))),
+        ),
+        Form::Shot(_) => document.paragraph(&format!("Offset: {BLANK} mm {BOX} left {BOX} right")),
+    };
+}
+
+pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
+    let mut document = Markdown::new();
+    let questions = worksheet.round.questions();
+    head(&mut document, worksheet, "key", &worksheet.key_title());
+    document
+        .paragraph(words::KEY_ADVICE)
+        .heading(2, "At a glance")
+        .numbered(questions.iter().map(words::truth))
+        .paragraph(&words::tolerance())
+        .paragraph(&words::points());
+    for (number, question) in (1..).zip(questions) {
+        document
+            .heading(2, &format!("{number} {}", question.topic))
+            .paragraph(&question.text)
+            .strong(&words::truth(question))
+            .paragraph(&question.why);
+        if let Some(picture) = pictures::of_answer(question) {
+            let name = pictures::answer_name(number);
+            document.picture(picture.words(), &format!("{folder}/{name}.svg"));
+        }
+        if !question.beliefs.is_empty() {
+            let rows = question.beliefs.iter().map(|belief| {
+                vec![
+                    words::said(question, &belief.said),
+                    format!("{}: {}", belief.misconception.name, belief.says),
+                ]
+            });
+            document.table(&["Who says", "may think"], rows);
+        }
+    }
+    document.text().to_owned()
+}

@@ -1,0 +1,80 @@
+//! What stands on sheet and key, whatever they are written in.
+
+use crate::quiz::{Code, Confidence, Form, Picture, Question, RIGHT_DEG, Round, letter};
+
+/// What a student is to know before the first question.
+pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
+     anything up, and tick how sure you are. A good guess is worth something, and an honest \
+     \"guess\" costs nothing. Pictures are seen from above and true to scale; left and right \
+     are as the striker sees them on its way.";
+
+/// What a key is for.
+pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \
+     is true, and the wrong answers to listen for: who gives one of these very likely thinks so.";
+
+/// How many questions there are.
+pub(super) fn count(round: &Round) -> String {
+    match round.questions().len() {
+        1 => "1 question".into(),
+        n => format!("{n} questions"),
+    }
+}
+
+/// What opens the same round on a screen.
+pub(super) fn command(code: &Code) -> String {
+    format!("carrom quiz --code {code}")
+}
+
+/// What counts as right.
+pub(super) fn tolerance() -> String {
+    format!(
+        "Counts as right: an angle within {RIGHT_DEG}° (both of them, where both ways are \
+         asked), a share within 4 percentage points, e within 0.04, any other number within \
+         5 %, an offset that sends the disc within {RIGHT_DEG}° of its way."
+    )
+}
+
+/// What the boxes for being sure bring.
+pub(super) fn points() -> String {
+    let each = Confidence::ALL.map(|sure| {
+        let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit));
+        format!("{} {right} or {wrong}", sure.name())
+    });
+    let each = each.join(", ").replace('-', "\u{2212}");
+    format!("Points, if you want to give any (right or wrong): {each}.")
+}
+
+/// What is to be done where an answer cannot just be written down.
+pub(super) fn task(question: &Question) -> Option<&'static str> {
+    match (&question.form, &question.picture) {
+        (Form::Rays { .. }, Picture::Before { .. }) => {
+            Some("Draw both ways from the middle of the protractor, then read off:")
+        }
+        (Form::Shot(_), _) => Some("Mark the target's centre on the scale, and write its offset:"),
+        (Form::Choice { .. }, _) => Some("Tick one:"),
+        _ => None,
+    }
+}
+
+/// The name of what is struck, with a capital.
+pub(super) fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => String::new(),
+    }
+}
+
+/// The true answer in words, a choice with its letter.
+pub(super) fn truth(question: &Question) -> String {
+    said(question, &question.form.truth())
+}
+
+/// An answer in words, a choice with its letter.
+pub(super) fn said(question: &Question, said: &crate::quiz::Said) -> String {
+    let words = question.form.words(said);
+    match said {
+        crate::quiz::Said::Choice(choice) => format!("{}: {words}", letter(*choice)),
+        _ => words,
+    }
+}
