@@ -6,24 +6,47 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::quiz::{Code, Course, CourseKind};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
-const PLACES: [Place; 11] = [
-    Place::Home,
-    Place::Lab,
-    Place::Learn,
-    Place::Chapter { number: 2 },
-    Place::Chapter { number: 3 },
-    Place::Quiz { code: None },
-    Place::Foil,
-    Place::Table,
-    Place::Levels,
-    Place::Progress,
-    Place::Level { number: 4 },
-];
+/// Every place, and a round of the quiz of every kind and about every topic.
+fn places() -> Vec<Place> {
+    let mut places = vec![
+        Place::Home,
+        Place::Lab,
+        Place::Learn,
+        Place::Chapter { number: 2 },
+        Place::Chapter { number: 3 },
+        Place::Quiz { code: None },
+        Place::Class {
+            code: None,
+            teams: Vec::new(),
+        },
+        Place::Foil,
+        Place::Table,
+        Place::Levels,
+        Place::Progress,
+        Place::Level { number: 4 },
+    ];
+    let topics = CourseKind::topics().map(CourseKind::Topic);
+    let review = CourseKind::Review(CourseKind::topics().collect());
+    places.extend(
+        CourseKind::ALWAYS
+            .into_iter()
+            .chain([review])
+            .chain(topics)
+            .map(|kind| Place::Quiz {
+                code: Some(Code {
+                    course: Course::new(kind),
+                    seed: 7,
+                }),
+            }),
+    );
+    places
+}
 
 fn opened(place: Place, charset: Charset, seed: u64) -> Headless {
     let settings = Settings {
@@ -81,7 +104,7 @@ proptest! {
 
     #[test]
     fn nothing_typed_and_no_size_makes_it_panic(
-        place in prop::sample::select(PLACES.to_vec()),
+        place in prop::sample::select(places()),
         unicode: bool,
         seed: u64,
         acts in prop::collection::vec(act(), 1..60),
@@ -104,7 +127,7 @@ proptest! {
 
 #[test]
 fn every_screen_and_its_help_are_printable_ascii() {
-    for place in PLACES {
+    for place in places() {
         for (columns, rows) in [(60, 20), (80, 24), (120, 40), (300, 100)] {
             let mut game = opened(place.clone(), Charset::Ascii, 1);
             game.resize(columns, rows);
@@ -122,9 +145,78 @@ fn every_screen_and_its_help_are_printable_ascii() {
     }
 }
 
+/// The keys to each step of a class round of three teams, from one to the next.
+const CLASS: [&str; 12] = [
+    "<Enter>",
+    "z",
+    "z<Enter>",
+    "<Enter>",
+    "1",
+    "<Enter><Enter>a2<Enter>1<Enter>",
+    "<End><Enter>",
+    "<Enter>",
+    "<Enter>",
+    "<Enter>",
+    "<Enter>",
+    "p",
+];
+
+fn class(code: &str, charset: Charset) -> Headless {
+    let place = Place::Class {
+        code: Code::parse(code),
+        teams: ["Ants", "Bees", "Cats"].map(Into::into).into(),
+    };
+    opened(place, charset, 1)
+}
+
+#[test]
+fn every_step_of_a_class_round_is_whole_in_ascii() {
+    for code in ["7", "speeds1-7", "from-picture1-7", "quick-3"] {
+        for (columns, rows) in [(60, 20), (80, 24), (97, 31), (120, 40), (300, 100)] {
+            let mut game = class(code, Charset::Ascii);
+            game.resize(columns, rows);
+            for keys in CLASS {
+                game.press(keys);
+                game.settle(Duration::from_secs(9));
+                let screen = game.screen();
+                let plain = screen
+                    .bytes()
+                    .all(|b| b == b'\n' || (b' '..=b'~').contains(&b));
+                assert!(plain && !screen.contains("NaN"), "{code} {keys}\n{screen}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_step_of_a_class_round_takes_any_key_at_any_size(
+        code in prop::sample::select(vec!["quick-3", "mixed-7", "speeds1-7", "7"]),
+        unicode: bool,
+        steps in 0..CLASS.len(),
+        acts in prop::collection::vec(act(), 1..40),
+    ) {
+        let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
+        let mut game = class(code, charset);
+        for keys in &CLASS[..steps] {
+            game.press(keys);
+        }
+        for act in &acts {
+            match act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(time) => game.pass(*time),
+            }
+            prop_assert!(!game.screen().contains("NaN"));
+        }
+    }
+}
+
 #[test]
 fn escape_leads_home_and_q_out() {
-    for place in PLACES {
+    for place in places() {
         let mut game = opened(place.clone(), Charset::Ascii, 1);
         for _ in 0..5 {
             game.press("<Escape>");

@@ -110,10 +110,10 @@ fn key_line(hints: &[Hint], area: Rect, buf: &mut Buffer, theme: &Theme, charset
     buf.set_line(area.x, area.bottom() - 1, &line, area.width);
 }
 
-fn help_lines(help: &Help, width: usize) -> Vec<(String, Role)> {
+fn help_lines(help: &Help, width: usize, charset: Charset) -> Vec<(String, Role)> {
     let mut lines = Vec::new();
     for paragraph in &help.text {
-        for line in text::wrap(paragraph, width) {
+        for line in text::wrap(&charset.text(paragraph), width) {
             lines.push((line, Role::Text));
         }
         lines.push((String::new(), Role::Text));
@@ -121,7 +121,8 @@ fn help_lines(help: &Help, width: usize) -> Vec<(String, Role)> {
     let all = || help.keys.iter().chain(&SHARED);
     let column = all().map(|hint| text::width(hint.key)).max().unwrap_or(0) + 2;
     for hint in all() {
-        let wrapped = text::wrap(hint.does, width.saturating_sub(column).max(8));
+        let does = charset.text(hint.does);
+        let wrapped = text::wrap(&does, width.saturating_sub(column).max(8));
         for (i, does) in wrapped.iter().enumerate() {
             let key = if i == 0 { hint.key } else { "" };
             lines.push((format!("{key:column$}{does}"), Role::Dim));
@@ -143,7 +144,11 @@ pub(super) fn help_overflow(app: &App) -> usize {
         return 0;
     };
     let inner = help_area(app.context.body).inner(Margin::new(2, 1));
-    let lines = help_lines(&screen.help(&app.context), inner.width.into());
+    let lines = help_lines(
+        &screen.help(&app.context),
+        inner.width.into(),
+        app.settings().charset,
+    );
     lines.len().saturating_sub(inner.height.into())
 }
 
@@ -151,12 +156,17 @@ fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &
     let settings = app.settings();
     let theme = settings.theme();
     let area = help_area(body);
-    Clear.render(area, buf);
-    buf.set_style(area, theme.base());
+    // All of the body: what looks out beside the page would only be cut words.
+    Clear.render(body, buf);
+    buf.set_style(body, theme.base());
     let title = format!("help: {}", screen.title());
     draw_panel(buf, area, &title, settings.charset, &theme);
     let inner = area.inner(Margin::new(2, 1));
-    let lines = help_lines(&screen.help(&app.context), inner.width.into());
+    let lines = help_lines(
+        &screen.help(&app.context),
+        inner.width.into(),
+        settings.charset,
+    );
     for (row, (line, role)) in inner.rows().zip(lines.iter().skip(scrolled)) {
         buf.set_stringn(
             row.x,

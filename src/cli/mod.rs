@@ -27,6 +27,7 @@ pub use failure::Failure;
 pub use options::Options;
 
 use crate::app::App;
+use crate::class::team_names;
 use crate::lessons::Library;
 use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
@@ -52,6 +53,8 @@ Examples:
   carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
   carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
+  carrom class --teams Ants,Bees --palette light
+                               a round for a class, on a projector
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom worksheet --seed 7 --count 12 --out sheets
                                a round on paper, with a key for the teacher
@@ -112,6 +115,15 @@ enum Screen {
         #[arg(long)]
         plain: bool,
     },
+    /// Open a round for a class: teams, one keyboard, a projector
+    Class {
+        /// The round to play: its code, such as mixed-7
+        #[arg(long, value_name = "CODE", value_parser = code)]
+        code: Option<Code>,
+        /// The names of 1 to 8 teams, with commas between them
+        #[arg(long, value_name = "A,B,C", value_parser = teams)]
+        teams: Option<Teams>,
+    },
     /// Open the table: carrom itself, the whole board
     Table,
     Progress(progress::Args),
@@ -140,6 +152,10 @@ impl Screen {
             Self::Quiz { code, .. } => Place::Quiz {
                 code: round(code.as_ref(), options),
             },
+            Self::Class { code, teams } => Place::Class {
+                code: code.clone(),
+                teams: teams.clone().unwrap_or_default().0,
+            },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
@@ -165,6 +181,16 @@ fn code(text: &str) -> Result<Code, String> {
          speeds-7, or 7 for ten hits"
             .into()
     })
+}
+
+/// The names of the teams of a class.
+#[derive(Debug, Clone, Default)]
+struct Teams(Vec<String>);
+
+/// Names of teams that can play together.
+fn teams(text: &str) -> Result<Teams, String> {
+    let names = team_names(text.split(','));
+    names.map(Teams).map_err(|trouble| trouble.to_string())
 }
 
 /// The round that is asked for: by its code, or ten hits by a seed alone.

@@ -17,6 +17,9 @@ const BLANK: usize = 4;
 /// Pixels from the top of a letter to its foot.
 const HEIGHT: usize = 8;
 
+/// Rows of a line of letters of the usual sizes.
+const LINE: u16 = 4;
+
 /// How large the letters are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Size {
@@ -93,30 +96,45 @@ impl Big {
         rows: u16,
         charset: Charset,
     ) -> Option<Vec<Self>> {
-        let texts: Option<Vec<_>> = texts
-            .iter()
-            .map(|text| words(&charset.text(text)))
-            .collect();
-        let texts = texts?;
-        let set = |size: Size| -> Option<Vec<Self>> {
-            let each = texts.iter().map(|words| {
-                Some(Self {
-                    size,
-                    charset,
-                    lines: broken(words, size, columns.into())?,
-                })
-            });
-            each.collect()
-        };
-        let fits = |all: &Vec<Self>| {
+        let fits = |all: &[Self]| {
             let gaps = gap.saturating_mul(all.len().saturating_sub(1) as u16);
             let high = all
                 .iter()
                 .fold(gaps, |sum, it| sum.saturating_add(it.rows()));
-            high <= rows && all.iter().all(|it| it.columns() <= columns)
+            high <= rows
+        };
+        Self::of_one_size(texts, columns, charset, fits)
+    }
+
+    /// Several texts in letters of one size, each in one line of at most four rows;
+    /// `None` as for one.
+    #[must_use]
+    pub fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
+        let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
+        Self::of_one_size(texts, columns, charset, fits)
+    }
+
+    /// The texts in the largest letters with which they are narrow enough and `fit`.
+    fn of_one_size(
+        texts: &[&str],
+        columns: u16,
+        charset: Charset,
+        fit: impl Fn(&[Self]) -> bool,
+    ) -> Option<Vec<Self>> {
+        let texts = texts.iter().map(|text| words(&charset.text(text)));
+        let texts = texts.collect::<Option<Vec<_>>>()?;
+        let set = |size: &Size| -> Option<Vec<Self>> {
+            let each = texts.iter().map(|words| {
+                Some(Self {
+                    size: *size,
+                    charset,
+                    lines: broken(words, *size, columns.into())?,
+                })
+            });
+            each.collect()
         };
         let sizes = Size::all(charset).iter();
-        sizes.filter_map(|size| set(*size)).find(fits)
+        sizes.filter_map(set).find(|all| fit(all))
     }
 
     /// The columns it takes.
@@ -284,12 +302,23 @@ mod tests {
 
     #[test]
     fn letters_in_both_charsets() {
-        for (words, charset) in [
-            ("Question 3", Charset::Ascii),
-            ("Question 3 40°", Charset::Unicode),
-        ] {
-            println!("{}", drawn(words, 79, 4, charset).unwrap());
-        }
+        assert_eq!(
+            drawn("Question 3", 79, 4, Charset::Ascii).unwrap(),
+            r###".#""#.                        .#    ""                   .#""#.
+##  ## ##  ##  .#""#. .#"""" "##"" "##  .#""#. ##""#.      ..#"
+"#.##" ##  ##  ##""""  """#.  ## .  ##  ##  ## ##  ##    ..  ##
+   """  """ ""  """"  """""    ""  """"  """"  ""  ""     """"
+"###
+        );
+        assert_eq!(
+            drawn("Question 3 40°", 79, 4, Charset::Unicode).unwrap(),
+            "\
+▟▀▙            ▟  ▀         ▗▛▜▖  ▗█▌▗▛▀▙▗▛▙
+█ █▐▌▐▌▗▛▜▖▟▀▀▝█▀▝█ ▟▀▙▐▛▜▖  ▗▟▘ ▗▛▐▌▐▌▟█▝▙▛
+▜▟▛▐▌▐▌▐▛▀▘▝▀▙ █▗ █ █ █▐▌▐▌ ▗▖▐▌ ▝▀▜▛▐█▘█
+ ▝▀ ▀▘▀ ▀▀ ▀▀▘ ▝▘▝▀▘▝▀▘▝▘▝▘  ▀▀    ▀▀ ▀▀▘
+"
+        );
     }
 
     #[test]

@@ -59,6 +59,14 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     rows
 }
 
+/// Whether a word is a sign of physics, as `α`, that stays with what it equals.
+fn is_sign(word: &str) -> bool {
+    const LONGEST: usize = 6;
+    word.starts_with(char::is_alphabetic)
+        && word.ends_with(char::is_alphanumeric)
+        && word.chars().count() <= LONGEST
+}
+
 fn width(word: &Word) -> usize {
     word.iter().map(|run| text::width(&run.text)).sum()
 }
@@ -72,7 +80,7 @@ fn held(words: impl Iterator<Item = Word>, columns: usize) -> Vec<Word> {
         let after = letters(&word);
         match held.last_mut() {
             Some(last)
-                if text::belong_together(&before, &after)
+                if (text::belong_together(&before, &after) || after == "=" && is_sign(&before))
                     && width(last) + 1 + width(&word) <= columns =>
             {
                 let role = word.first().map_or(Role::Text, |run| run.role);
@@ -175,6 +183,8 @@ mod tests {
             assert_eq!(broken, ["with", "40 g m/s."], "{columns}");
         }
         assert_eq!(rows(&runs, 6, Charset::Unicode), ["with", "40 g", "m/s."]);
+        let runs = [("here α = ", Role::Text), ("0", Role::Title)];
+        assert_eq!(rows(&runs, 9, Charset::Ascii), ["here", "alpha = 0"]);
     }
 
     proptest! {

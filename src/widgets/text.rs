@@ -15,22 +15,22 @@ const UNITS: [&str; 21] = [
     "keV", "MeV", "deg", "%", "turns",
 ];
 
-/// Letters of the longest sign that stays with its sign of equality.
-const SIGN: usize = 6;
-
 /// Whether a blank between two words is no place to break a row: it parts a number
 /// from its unit (`2 m/s`), a unit from the rest of it (`g m/s`), the two numbers of
-/// a vector (`(60, 0)`), a sign of equality from what it equals or from a short sign
-/// (`b = 2`).
+/// a vector (`(60, 0)`) or of a difference (`90 - 30`), a sign of equality from what
+/// it equals, a sine from its angle.
 pub fn belong_together(before: &str, after: &str) -> bool {
+    let minus = ["-", "−"];
     let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
-    let closed = before.trim_end_matches([')', ']']);
-    let measured = closed.ends_with(char::is_numeric) && UNITS.contains(&unit)
-        || before.ends_with('g') && unit == "m/s";
+    let number = before
+        .trim_end_matches([')', ']'])
+        .ends_with(char::is_numeric);
+    let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
     let vector = before.starts_with('(') && before.ends_with(',') && after.contains(')');
-    let sign = before.starts_with(char::is_alphabetic) && before.chars().count() <= SIGN;
-    let power = before.contains(['²', '^']);
-    measured || vector || before == "=" || after == "=" && sign && !power
+    let difference = number && minus.contains(&after) || minus.contains(&before);
+    let function = before.trim_start_matches(['(', '-', '−']);
+    let function = ["sin", "cos", "tan"].contains(&function);
+    measured || vector || difference || function || before == "="
 }
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
@@ -128,7 +128,8 @@ mod tests {
             wrap("at last (60, 0) g m/s", 14),
             ["at last", "(60, 0) g m/s"]
         );
-        assert_eq!(wrap("here alpha = 0.", 12), ["here", "alpha = 0."]);
+        assert_eq!(wrap("at 90 - 30 = 60", 10), ["at 90 - 30", "= 60"]);
+        assert_eq!(wrap("n = (-sin α, 1)", 9), ["n =", "(-sin α,", "1)"]);
         assert_eq!(wrap("½ m₁u₁² = 0.12 J", 10), ["½ m₁u₁²", "= 0.12 J"]);
         // Words that are no unit, and lines too short for both.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);

@@ -260,6 +260,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     };
     let asked = Asked {
         id: "centre-speed",
+        text,
         quantity: Quantity::Speed,
         truth: velocity.length(),
         beliefs: vec![

@@ -37,6 +37,10 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         }
         Difficulty::Hard => (*dice.pick(&LIGHT)?, f64::from(5 * (6 + dice.below(21)))),
     };
+    // Square across, some of what is believed would be head-on or a graze.
+    if (wanted_deg - 90.0).abs() < 1.0 {
+        return None;
+    }
     let turn = difficulty.turn_deg();
     let hit = Hit {
         pieces,
@@ -117,30 +121,30 @@ fn striker(hit: &Hit, side: f64, wanted_deg: f64, difficulty: Difficulty) -> Que
     );
     let sides = (&SIDES_EXCHANGED, -offset_mm, wrong_side("striker", false));
     let equal = ratio.total_cmp(&1.0).is_eq();
+    let [square, mixed] = [
+        (
+            &ALWAYS_SQUARE,
+            reach_mm * wanted.cos(),
+            "You aimed as if the two would part at 90°. They do so for equal masses; here they \
+             part wider."
+                .to_owned(),
+        ),
+        (
+            &FRAMES_MIXED,
+            reach_mm * (wanted / 2.0).cos(),
+            format!(
+                "You turned it by {} as seen from the centre of mass. On the board it turns less.",
+                degrees(wanted)
+            ),
+        ),
+    ];
     let beliefs = if equal {
         vec![copied, linear, sides]
+    } else if wanted_deg < 90.0 {
+        vec![square, copied, linear, sides, mixed]
     } else {
-        vec![
-            (
-                &ALWAYS_SQUARE,
-                reach_mm * wanted.cos(),
-                "You aimed as if the two would part at 90°. They do so for equal masses; here \
-                 they part wider."
-                    .into(),
-            ),
-            copied,
-            linear,
-            sides,
-            (
-                &FRAMES_MIXED,
-                reach_mm * (wanted / 2.0).cos(),
-                format!(
-                    "You turned it by {} as seen from the centre of mass. On the board it turns \
-                     less.",
-                    degrees(wanted)
-                ),
-            ),
-        ]
+        // Nothing lies that way to be hit, nor can the target leave square to it.
+        vec![linear, sides, mixed]
     };
     let why = if equal {
         format!(

@@ -173,7 +173,11 @@ fn ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
         [
             half_forgotten(here_deg, there_deg, 1.0),
             too_gentle(here_deg, there_deg, 1.0),
-            upside_down(times_as_many(there_deg, here_deg)),
+            number(
+                &UPSIDE_DOWN,
+                times_as_many(there_deg, here_deg),
+                "You had the ratio upside down. The smaller angle has the larger count.".into(),
+            ),
         ],
     );
     Some(Question {
@@ -220,7 +224,12 @@ fn ratio_of_energies(beam: &Beam, dice: &mut Dice) -> Option<Question> {
         [
             half_forgotten(here_deg, there_deg, by_energy),
             too_gentle(here_deg, there_deg, by_energy),
-            upside_down((by_energy * by_angle).recip()),
+            number(
+                &UPSIDE_DOWN,
+                (by_energy * by_angle).recip(),
+                "You had the ratio upside down. Counts fall with the angle, and with the energy."
+                    .into(),
+            ),
             number(
                 &EVERY_ANGLE_ALIKE,
                 by_energy,
@@ -356,13 +365,5 @@ fn too_gentle(from_deg: f64, to_deg: f64, by_energy: f64) -> Option<Belief> {
         &TOO_GENTLE,
         by_energy * times_as_many(from_deg, to_deg).sqrt(),
         "You took the square of the sines. Counts fall with the fourth power.".into(),
-    )
-}
-
-fn upside_down(said: f64) -> Option<Belief> {
-    number(
-        &UPSIDE_DOWN,
-        said,
-        "You had the ratio upside down. The smaller angle has the larger count.".into(),
     )
 }

@@ -111,11 +111,6 @@ impl Play {
         }
     }
 
-    /// Whether letters are being typed.
-    pub(super) fn is_typing(&self) -> bool {
-        matches!(&self.phase, Phase::Vote(booths) if booths.input.is_some())
-    }
-
     /// Begins what there is to do at the place at hand.
     fn arrive(&mut self, cx: &Context) {
         let Place { question, step } = self.round.place();

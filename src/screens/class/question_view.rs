@@ -29,11 +29,17 @@ fn heading_and(play: &Play, then: impl FnOnce(Heading)) {
 }
 
 fn layout(play: &Play, question: &Question, area: Rect, look: &Look) -> Layout {
+    if play.words_alone {
+        return Layout {
+            words: area,
+            beside: None,
+        };
+    }
     let mut rest = area;
     heading_and(play, |heading| rest = heading.rest(area, look));
-    if play.words_alone || question.picture == Picture::Nothing {
+    if question.picture == Picture::Nothing {
         return Layout {
-            words: if play.words_alone { rest } else { column(rest) },
+            words: column(rest),
             beside: None,
         };
     }
@@ -49,9 +55,11 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
     let Some(question) = play.question() else {
         return;
     };
-    heading_and(play, |heading| {
-        heading.draw(area, buf, look);
-    });
+    if !play.words_alone {
+        heading_and(play, |heading| {
+            heading.draw(area, buf, look);
+        });
+    }
     let layout = layout(play, question, area, look);
     if let Some(beside) = &layout.beside {
         let aside = match play.step() {

@@ -10,8 +10,9 @@ use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, text};
 
-/// Rows of a team in large type: four of letters, one of its bar, one empty.
-const LARGE: u16 = 6;
+/// Rows of a team in large type: four of letters, one of its bar, and if possible one
+/// empty.
+const LARGE: [u16; 2] = [5, 6];
 /// Columns between a name and the points in large type.
 const APART: u16 = 3;
 
@@ -46,32 +47,46 @@ pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffe
         .collect();
     let high = area.height / (rows.len() as u16).max(1);
     match large(&rows, high, area.width, look) {
-        Some(letters) => draw_large(&rows, &letters, area, buf, look),
+        Some(letters) => draw_large(&rows, &letters, high.min(LARGE[1]), area, buf, look),
         None => draw_plain(&rows, high.clamp(1, 3), area, buf, look),
     }
 }
 
 /// Names and points in large type, if there is room for all of them.
 fn large(rows: &[Row], high: u16, width: u16, look: &Look) -> Option<Vec<[Big; 2]>> {
-    if high < LARGE {
+    if high < LARGE[0] {
         return None;
     }
-    let each = rows.iter().map(|row| {
-        let points = Big::fit(&row.points, width / 3, 4, look.charset)?;
-        let room = width.saturating_sub(points.columns() + APART + 2);
-        let name = Big::fit(&row.name, room, 4, look.charset)?;
-        Some([name, points])
-    });
-    each.collect()
+    let texts = |of: fn(&Row) -> &String| rows.iter().map(|row| of(row).as_str()).collect();
+    let points: Vec<&str> = texts(|row| &row.points);
+    let points = Big::fit_lines(&points, width / 3, look.charset)?;
+    let widest = points.iter().map(Big::columns).max()?;
+    let names: Vec<&str> = texts(|row| &row.name);
+    let room = width.saturating_sub(widest + APART + 2);
+    let names = Big::fit_lines(&names, room, look.charset)?;
+    Some(
+        names
+            .into_iter()
+            .zip(points)
+            .map(<[Big; 2]>::from)
+            .collect(),
+    )
 }
 
-fn draw_large(rows: &[Row], letters: &[[Big; 2]], area: Rect, buf: &mut Buffer, look: &Look) {
+fn draw_large(
+    rows: &[Row],
+    letters: &[[Big; 2]],
+    high: u16,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
     for (i, (row, [name, points])) in rows.iter().zip(letters).enumerate() {
         let place = Rect {
             x: area.x + 1,
-            y: area.y + LARGE * i as u16,
+            y: area.y + high * i as u16,
             width: area.width.saturating_sub(2),
-            height: LARGE,
+            height: high,
         };
         name.draw(place, buf, look, Role::Title, Align::Left);
         points.draw(place, buf, look, Role::Title, Align::Right);

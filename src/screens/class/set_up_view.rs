@@ -85,7 +85,7 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
         ..area
     };
     if head.height >= 4 {
-        let texts = ["A class round", "A class"];
+        let texts = ["A class round", "Class"];
         // As high as a body that has a heading.
         let room = Rect {
             height: area.height.max(21),
@@ -173,7 +173,7 @@ fn words(
     match kind {
         Kind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),
         Kind::Quick => course(CourseKind::Quick, "all kinds mixed"),
-        Kind::Hits => course(CourseKind::Hits, "where will both go?"),
+        Kind::Hits => course(CourseKind::Hits, "where to?"),
         Kind::Topic => {
             let topics = topics();
             let family = topics.get(set_up.topic).copied();
@@ -187,10 +187,7 @@ fn words(
         }
         Kind::Code => {
             let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);
-            (
-                format!("by its code: {code}"),
-                "such as mixed-7: the same for everyone".into(),
-            )
+            (format!("by its code: {code}"), "such as mixed-7".into())
         }
     }
 }

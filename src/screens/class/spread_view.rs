@@ -151,10 +151,10 @@ fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer,
             let tip = centre + length * direction;
             let start = centre + stage.radius(body) * direction;
             let pen = match ray {
-                Ray::Striker => Pen::new(role).bold(),
+                Ray::Striker => Pen::new(role),
                 Ray::Target => Pen::new(role).dashed(),
             };
-            sheet.arrow(start, tip, pen);
+            sheet.line(start, tip, pen);
             sheet.label(name, tip, &Side::towards(direction), role);
         }
     }

@@ -14,6 +14,8 @@ use crate::widgets::{AnswerInput, Beside, Lines, Look, Role, draw_question, text
 
 /// Columns before a name: a mark and a number.
 const MARK: u16 = 5;
+/// Columns of a list in plain type at most.
+const NARROW: u16 = 64;
 /// Columns behind a name: what the team has done.
 const STATE: u16 = 18;
 
@@ -39,16 +41,21 @@ struct Rows {
 }
 
 fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> Rows {
-    let place = column(heading(vote).rest(area, look));
+    let rest = heading(vote).rest(area, look);
+    let place = column(rest);
     let count = round.teams().len() as u16 + 1;
     let height = place.height / count;
     let width = place.width.saturating_sub(MARK + STATE);
-    let names = round.teams().iter().map(|name| {
-        let big = Big::fit(name, width, 4, look.charset)?;
-        (big.rows() <= 4).then_some(big)
-    });
-    let names: Option<Vec<Big>> = names.collect();
-    let names = names.filter(|_| height >= 5);
+    let names: Vec<&str> = round.teams().iter().map(String::as_str).collect();
+    let names = Big::fit_lines(&names, width, look.charset).filter(|_| height >= 5);
+    let place = match &names {
+        Some(_) => place,
+        None => {
+            let width = place.width.min(NARROW);
+            let x = rest.x + (rest.width - width) / 2;
+            Rect { x, width, ..place }
+        }
+    };
     Rows {
         place,
         height: match &names {
@@ -172,11 +179,7 @@ pub(super) fn draw_booth(
         return;
     };
     let layout = booth_layout(question, area);
-    let name = play.round.teams().get(booths.at);
-    let name = name.map_or("", String::as_str);
-    let room = usize::from(layout.panel.width.saturating_sub(6));
-    let name = text::clipped(&look.charset.text(name), room);
-    layout.draw(buf, look, vote_name(booths.vote), &name);
+    layout.draw(buf, look, vote_name(booths.vote), "what they say");
     draw_question(layout.picture, buf, look, question, Some(input));
 }
 

@@ -44,7 +44,7 @@ struct Choice {
     place: Place,
 }
 
-const CHOICES: [Choice; 7] = [
+const CHOICES: [Choice; 8] = [
     Choice {
         key: 'c',
         name: "Learn",
@@ -62,6 +62,15 @@ const CHOICES: [Choice; 7] = [
         name: "Quiz",
         about: "find out what you know",
         place: Place::Quiz { code: None },
+    },
+    Choice {
+        key: 'g',
+        name: "Class",
+        about: "teams, one screen, two votes",
+        place: Place::Class {
+            code: None,
+            teams: Vec::new(),
+        },
     },
     Choice {
         key: 't',

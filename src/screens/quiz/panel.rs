@@ -181,7 +181,7 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
     if next {
         lines.gap();
         let next = match watched.opened {
-            _ if watched.remedy.is_some() => "Enter: the shot that does it.",
+            _ if watched.remedy.is_some() => "Enter: the right shot.",
             Some(_) => "Enter: back to the list.",
             None => "Enter: go on.",
         };

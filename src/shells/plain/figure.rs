@@ -13,7 +13,7 @@ pub(super) fn describe(figure: &Figure, told: bool) -> Vec<String> {
     let outcome = collision.outcome();
     let set_up = set_up(&collision);
     match figure.kind {
-        FigureKind::Foil => {
+        FigureKind::Foil { .. } => {
             return vec![
                 "The figure throws many particles at a centre that repels them, and counts where \
                  they go. carrom foil does so on a screen."

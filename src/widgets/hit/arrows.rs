@@ -9,6 +9,9 @@ use crate::widgets::ink::{Pen, Sheet};
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
 
+/// Room for the head of an arrow, in the same radii.
+const HEAD: f64 = 0.3;
+
 /// A share of the greatest speed below which a disc counts as standing still.
 const STILL: f64 = 1e-9;
 
@@ -60,17 +63,27 @@ impl Arrows {
         v.try_normalize()
     }
 
-    /// An arrow away from the rim of a disc, and where its tip is.
+    /// An arrow away from the rim of a disc, and where its tip is. Once the disc has
+    /// moved on it ends at the edge of the picture; where not even its head has room
+    /// the tip is on the rim.
     pub(super) fn outwards(
         &self,
         sheet: &mut Sheet,
+        stage: &Stage,
         centre: DVec2,
         radius: f64,
         v: DVec2,
         role: Role,
     ) -> Option<DVec2> {
-        let rim = centre + radius * self.direction(v)?;
-        let tip = rim + self.per_speed * v;
+        let direction = self.direction(v)?;
+        let rim = centre + radius * direction;
+        let whole = self.per_speed * v.length();
+        let room = stage.room(centre, direction) - radius;
+        let length = whole.min(room);
+        if length < whole && length < HEAD * stage.unit() {
+            return Some(rim);
+        }
+        let tip = rim + length * direction;
         sheet.arrow(rim, tip, Pen::new(role).bold());
         Some(tip)
     }

@@ -14,6 +14,8 @@ struct Label {
     anchor: DVec2,
     sides: [Side; 8],
     role: Role,
+    /// Another anchor, with its sides, where there is no room at the first.
+    spare: Option<(DVec2, [Side; 8])>,
 }
 
 /// Labels waiting to be written, the most important first.
@@ -30,6 +32,7 @@ impl Labels {
             anchor,
             sides,
             role,
+            spare: None,
         });
     }
 
@@ -65,6 +68,12 @@ impl Labels {
             ),
         };
         self.add(&text, anchor, Side::towards(towards), role);
+        // Beside the disc, as after a head-on hit the arrow may be on the other disc.
+        let across = v.perp().normalize_or_zero();
+        let across = across * 1.0_f64.copysign(across.y);
+        if let Some(label) = self.waiting.last_mut() {
+            label.spare = Some((centre + radius * across, Side::towards(across)));
+        }
     }
 
     /// An angle in degrees, outside the middle of its arc.
@@ -103,7 +112,10 @@ impl Labels {
     /// Writes all of them.
     pub(super) fn write(self, sheet: &mut Sheet) {
         for label in self.waiting {
-            sheet.label(&label.text, label.anchor, &label.sides, label.role);
+            let placed = sheet.label(&label.text, label.anchor, &label.sides, label.role);
+            if let Some((anchor, sides)) = label.spare.filter(|_| !placed) {
+                sheet.label(&label.text, anchor, &sides, label.role);
+            }
         }
     }
 }

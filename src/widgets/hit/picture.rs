@@ -211,7 +211,7 @@ impl Moment<'_> {
         let bodies = names.into_iter().zip([Role::StrikerOut, Role::CoinOut]);
         for (body, (name, role)) in bodies.enumerate() {
             let radius = self.stage.radius(body);
-            let tip = arrows.outwards(sheet, now[body], radius, after[body], role);
+            let tip = arrows.outwards(sheet, &self.stage, now[body], radius, after[body], role);
             labels.outgoing(name, tip, now[body], radius, after[body], role);
         }
     }
@@ -232,7 +232,7 @@ impl Moment<'_> {
         let (m1, m2) = (collision.striker.mass, collision.target.mass);
         let centre = (m1 * now[0] + m2 * now[1]) / (m1 + m2);
         let role = Role::StrikerOut;
-        let tip = arrows.outwards(sheet, centre, 0.0, velocity, role);
+        let tip = arrows.outwards(sheet, &self.stage, centre, 0.0, velocity, role);
         labels.outgoing("V", tip, centre, self.stage.unit(), velocity, role);
     }
 

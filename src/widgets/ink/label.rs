@@ -111,7 +111,7 @@ impl Label {
 /// How far from its anchor a label may stand, in rows.
 const FARTHEST: i32 = 4;
 /// Within how many rows a place with blanks around it is worth having.
-const NEAR: i32 = 2;
+const NEAR: i32 = 3;
 
 impl Sheet {
     /// Writes `text` (in the sheet's charset) beside a point of the world: on the

@@ -10,7 +10,7 @@ use ratatui::layout::Rect;
 use super::Shown;
 use crate::physics::Collision;
 use crate::widgets::ink::{Pen, Sheet, Side, View};
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, text};
 
 /// The corners: where the arrows begin, where v₁ ends, where u ends.
 fn corners(collision: &Collision) -> [DVec2; 3] {
@@ -115,17 +115,15 @@ pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: 
             _ => format!("{name} = {length:.2}"),
         };
         let outwards = outwards(from, to, middle);
-        let at = if step == 2 {
-            centre + 0.5 * length * outwards
-        } else {
-            centre
+        // In the middle of a square that has room for it, else beyond the square.
+        let columns = length / sheet.view().per_column();
+        let roomy = columns > text::width(&text) as f64 + 2.0;
+        let (share, sides) = match step {
+            2 if roomy => (0.5, [Side::Above, Side::Below].to_vec()),
+            2 => (1.0, Side::towards(outwards).to_vec()),
+            _ => (0.0, Side::towards(outwards).to_vec()),
         };
-        // In the middle of a square that has room for it.
-        let sides = match step {
-            2 => [Side::Above, Side::Below].to_vec(),
-            _ => Side::towards(outwards).to_vec(),
-        };
-        sheet.label(&text, at, &sides, role);
+        sheet.label(&text, centre + share * length * outwards, &sides, role);
     }
     sheet.draw(buf, &look.theme);
     let mut lines = Lines::new(below, buf, *look);

@@ -257,10 +257,11 @@ fn about_topic(choosing: &Choosing, lines: &mut Lines) {
     match known(choosing, family) {
         None => lines.paragraph("You have not met it yet.", Role::Text),
         Some(topic) => {
-            let text = format!(
-                "You answered {} of it, {} right; of the last {}, {}.",
-                topic.all.attempts, topic.all.right, topic.lately.attempts, topic.lately.right
-            );
+            let (all, lately) = (topic.all, topic.lately);
+            let mut text = format!("{} answered, {} right.", all.attempts, all.right);
+            if all.attempts > lately.attempts {
+                text += &format!(" Of the last {}, {}.", lately.attempts, lately.right);
+            }
             lines.paragraph(&text, Role::Text);
         }
     }
