@@ -1,6 +1,8 @@
 //! The families of the quiz over thousands of seeds: the truth is what a computation of its
 //! own finds, every misconception is known by its answer, every text can be read.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -197,7 +197,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
         why,
         more: more([("asked", json!("limit"))]),
     };
-    Some(told(&hit, setting(masses, &hit), unmarked(&hit), asked))
+    Some(told(&hit, &setting(masses, &hit), unmarked(&hit), asked))
 }
 
 /// By how many degrees at most.
@@ -262,7 +262,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         },
         more: more([("asked", json!("theta1"))]),
     };
-    Some(told(&hit, setting(masses, &hit), unmarked(&hit), asked))
+    Some(told(&hit, &setting(masses, &hit), unmarked(&hit), asked))
 }
 
 fn lossy_most(hit: &Hit, theta1: f64) -> String {
@@ -334,7 +334,7 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         why: touching(theta1, alpha),
         more: more([("asked", json!("alpha"))]),
     };
-    Some(told(&hit, setting(masses, &hit), Picture::Nothing, asked))
+    Some(told(&hit, &setting(masses, &hit), Picture::Nothing, asked))
 }
 
 fn touching(theta1: f64, alpha: f64) -> String {
@@ -407,5 +407,5 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
         ),
         more: more([("asked", json!("offset"))]),
     };
-    Some(told(&hit, setting(masses, &hit), Picture::Nothing, asked))
+    Some(told(&hit, &setting(masses, &hit), Picture::Nothing, asked))
 }

@@ -112,7 +112,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         significant(f64::from(coin_g)),
         significant(e)
     );
-    Some(told(&hit, text, Picture::Nothing, asked))
+    Some(told(&hit, &text, Picture::Nothing, asked))
 }
 
 /// e from the speeds after a head-on hit of equal masses.
@@ -172,7 +172,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         "A striker hits a resting coin of the same mass head-on at {u_words} m/s. After it the \
          striker goes on at {v1_words} m/s, the coin at {v2_words} m/s."
     );
-    Some(told(&hit, text, unmarked(&hit), asked))
+    Some(told(&hit, &text, unmarked(&hit), asked))
 }
 
 /// The striker's mass that brings the right angle back.
@@ -226,7 +226,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
         "Smooth discs meet off-centre, the coin of {m2_words} g at rest. Some energy is lost: \
          e = {e_words}."
     );
-    Some(told(&hit, text, Picture::Nothing, asked))
+    Some(told(&hit, &text, Picture::Nothing, asked))
 }
 
 /// The e that brings the right angle to two masses.
@@ -279,7 +279,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
         "A smooth striker of {m1} g hits a resting coin of {m2} g off-centre at {} m/s.",
         significant(hit.speed)
     );
-    Some(told(&hit, text, unmarked(&hit), asked))
+    Some(told(&hit, &text, unmarked(&hit), asked))
 }
 
 /// How far loss closes the corner of equal masses.
@@ -411,5 +411,5 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let seen = Picture::After {
         collision: hit.collision(),
     };
-    Some(told(&hit, text, seen, asked))
+    Some(told(&hit, &text, seen, asked))
 }

@@ -182,7 +182,7 @@ fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<
         },
         more: more([]),
     };
-    Some(told(&hit, text, unmarked(&hit), asked))
+    Some(told(&hit, &text, unmarked(&hit), asked))
 }
 
 const fn lossless_corner(right: usize) -> &'static str {

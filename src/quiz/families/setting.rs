@@ -63,7 +63,7 @@ pub(super) struct Asked {
 }
 
 /// The question about a hit that is told in other words, beside another picture.
-pub(super) fn told(hit: &Hit, text: String, picture: Picture, asked: Asked) -> Question {
+pub(super) fn told(hit: &Hit, text: &str, picture: Picture, asked: Asked) -> Question {
     Question {
         text: format!("{text} {}", asked.ask),
         picture,

@@ -161,7 +161,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
     };
     Some(told(
         &seen.hit,
-        seen.words("A smooth striker"),
+        &seen.words("A smooth striker"),
         seen.picture(),
         asked,
     ))
@@ -222,7 +222,12 @@ fn by_momentum(dice: &mut Dice) -> Option<Question> {
         more: more([("asked", json!("momentum"))]),
     };
     let striker = format!("A striker of {} g", significant(STRIKER));
-    Some(told(&seen.hit, seen.words(&striker), seen.picture(), asked))
+    Some(told(
+        &seen.hit,
+        &seen.words(&striker),
+        seen.picture(),
+        asked,
+    ))
 }
 
 /// The mass of the coin by the two angles alone.
@@ -288,5 +293,10 @@ fn by_angles(dice: &mut Dice) -> Option<Question> {
         more: more([("asked", json!("angles"))]),
     };
     let striker = format!("A smooth striker of {} g", significant(STRIKER));
-    Some(told(&seen.hit, seen.words(&striker), seen.picture(), asked))
+    Some(told(
+        &seen.hit,
+        &seen.words(&striker),
+        seen.picture(),
+        asked,
+    ))
 }
