@@ -121,7 +121,9 @@ impl Disk {
         for entry in entries {
             let entry = entry?;
             let file = entry.file_name();
-            let name = file.to_str().and_then(|name| name.strip_suffix(self.ending));
+            let name = file
+                .to_str()
+                .and_then(|name| name.strip_suffix(self.ending));
             if let Some(name) = name
                 && !name.starts_with('.')
                 && entry.path().is_file()

@@ -110,7 +110,9 @@ impl Big {
         };
         let fits = |all: &Vec<Self>| {
             let gaps = gap.saturating_mul(all.len().saturating_sub(1) as u16);
-            let high = all.iter().fold(gaps, |sum, it| sum.saturating_add(it.rows()));
+            let high = all
+                .iter()
+                .fold(gaps, |sum, it| sum.saturating_add(it.rows()));
             high <= rows && all.iter().all(|it| it.columns() <= columns)
         };
         let sizes = Size::all(charset).iter();
@@ -282,7 +284,10 @@ mod tests {
 
     #[test]
     fn letters_in_both_charsets() {
-        for (words, charset) in [("Question 3", Charset::Ascii), ("Question 3 40°", Charset::Unicode)] {
+        for (words, charset) in [
+            ("Question 3", Charset::Ascii),
+            ("Question 3 40°", Charset::Unicode),
+        ] {
             println!("{}", drawn(words, 79, 4, charset).unwrap());
         }
     }

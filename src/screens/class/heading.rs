@@ -62,7 +62,14 @@ impl<'a> Heading<'a> {
                 row += big.rows() + air;
             }
             None => {
-                centred(self.texts.first().unwrap_or(&""), row, area, buf, look, Role::Title);
+                centred(
+                    self.texts.first().unwrap_or(&""),
+                    row,
+                    area,
+                    buf,
+                    look,
+                    Role::Title,
+                );
                 row += 1;
             }
         }

@@ -289,7 +289,10 @@ impl Screen for Class {
             keys: vec![
                 Hint::new("Enter", "go on"),
                 Hint::new("Backspace", "the step before"),
-                Hint::new("[ ]", "the question before, the next one, where it was left"),
+                Hint::new(
+                    "[ ]",
+                    "the question before, the next one, where it was left",
+                ),
                 Hint::new("p", "pause: a blank screen until p again"),
                 Hint::new("l", "dark on light for a projector, or light on dark"),
                 Hint::new("z", "the question's words alone, as large as they fit"),
@@ -380,10 +383,7 @@ fn play_keys(play: &Play) -> Vec<Hint> {
             ]);
             keys
         }
-        (_, Step::Describe) => vec![
-            Hint::new("Enter", "predict"),
-            Hint::new("z", "words alone"),
-        ],
+        (_, Step::Describe) => vec![Hint::new("Enter", "predict"), Hint::new("z", "words alone")],
         (_, Step::Predict) => vec![
             Hint::new("Enter", "first vote"),
             Hint::new("z", "words alone"),
@@ -411,7 +411,10 @@ fn input_keys(input: &AnswerInput) -> Vec<Hint> {
             vec![Hint::new("0-9", "type"), Hint::new("arrows", "dial")]
         }
         AnswerInput::Choice { .. } => {
-            vec![Hint::new("a b c", "choose"), Hint::new("Up Down", "likewise")]
+            vec![
+                Hint::new("a b c", "choose"),
+                Hint::new("Up Down", "likewise"),
+            ]
         }
     };
     keys.extend([

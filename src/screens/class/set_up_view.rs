@@ -165,7 +165,10 @@ fn words(
 ) -> (String, String) {
     let course = |kind: CourseKind, about: &str| {
         let count = Course::new(kind.clone()).count;
-        (kind.name().to_owned(), format!("{count} questions, {about}"))
+        (
+            kind.name().to_owned(),
+            format!("{count} questions, {about}"),
+        )
     };
     match kind {
         Kind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),

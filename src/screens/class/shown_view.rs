@@ -89,8 +89,18 @@ fn write(play: &Play, question: &Question, shown: &Shown, lines: &mut Lines) {
     lines.gap();
     let number = play.number();
     let right = |vote| right(&play.round, number, vote);
-    lines.pair("right at first", &right(Vote::First), Role::Text, Role::Title);
-    lines.pair("after talking", &right(Vote::Second), Role::Text, Role::Title);
+    lines.pair(
+        "right at first",
+        &right(Vote::First),
+        Role::Text,
+        Role::Title,
+    );
+    lines.pair(
+        "after talking",
+        &right(Vote::Second),
+        Role::Text,
+        Role::Title,
+    );
     if let Some((misconception, count)) = shown.held {
         lines.gap();
         let words = format!("{}: {}.", teams(count), misconception.name);

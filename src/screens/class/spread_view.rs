@@ -55,7 +55,13 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
                 Said::Number(x) => Some(*x),
                 _ => None,
             });
-            draw_line(quantity.unit(), &numbers.collect::<Vec<_>>(), rest, buf, look);
+            draw_line(
+                quantity.unit(),
+                &numbers.collect::<Vec<_>>(),
+                rest,
+                buf,
+                look,
+            );
         }
         Form::Shot(_) => {
             let offsets = votes.iter().filter_map(|said| match said {
@@ -175,7 +181,11 @@ fn draw_bars(options: &[String], votes: &[Said], area: Rect, buf: &mut Buffer, l
         let bar = bar(count as f64 / most as f64, width, look.charset);
         let thick = if rows >= lines.written() + 3 { 2 } else { 1 };
         for row in 0..thick {
-            let number = if row == 0 { count.to_string() } else { String::new() };
+            let number = if row == 0 {
+                count.to_string()
+            } else {
+                String::new()
+            };
             lines.pair(&bar, &number, Role::Predicted, Role::Title);
         }
     }
@@ -196,7 +206,11 @@ fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &L
     }
     // Some room on both sides, even where all said the same.
     let margin = (0.15 * (largest - least)).max(0.1 * largest.abs()).max(0.5);
-    let x = Axis::linear(format!("your votes ({unit})"), least - margin, largest + margin);
+    let x = Axis::linear(
+        format!("your votes ({unit})"),
+        least - margin,
+        largest + margin,
+    );
     let mut heaps: Vec<(f64, usize)> = Vec::new();
     for number in numbers {
         match heaps.iter_mut().find(|(x, _)| (x - number).abs() < 1e-9) {

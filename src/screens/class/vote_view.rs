@@ -76,13 +76,7 @@ pub(super) fn row_at(
 }
 
 /// Draws who has voted, and not what.
-pub(super) fn draw_teams(
-    play: &Play,
-    booths: &Booths,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
+pub(super) fn draw_teams(play: &Play, booths: &Booths, area: Rect, buf: &mut Buffer, look: &Look) {
     let round = &play.round;
     heading(booths.vote).draw(area, buf, look);
     let rows = rows(round, booths.vote, area, look);
@@ -212,4 +206,3 @@ pub(super) fn text<'a>(play: &'a Play, booths: &'a Booths, area: Rect) -> Option
     };
     Some((layout.panel, Box::new(write)))
 }
-

@@ -1,6 +1,5 @@
 //! The page of saved games: to resume one, watch it again, export or remove it.
 
-
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
