@@ -24,7 +24,7 @@ pub fn tracks_picture(rutherford: &Rutherford, angles: [f64; 2]) -> Svg {
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
     let offsets = angles.map(|angle| rutherford.impact_parameter(angle).unwrap_or(0.0));
     let widest = offsets[0].max(offsets[1]);
-    let reach = (1.9 * widest).max(1.6 * rutherford.head_on_approach);
+    let reach = (3.2 * widest).max(2.6 * rutherford.head_on_approach);
     let place = |at: DVec2| HALF / reach * dvec2(at.x, -at.y);
     let words = "Two particles pass a nucleus, each turned by an angle";
     let corner = DVec2::splat(HALF + MARGIN);
@@ -88,7 +88,7 @@ mod tests {
     #[test]
     fn the_nucleus_is_tiny_and_the_ways_keep_away_from_it() {
         // 180° and 60°: the head-on particle turns at d, the other at (d/2)(1 + 1/sin 30°)
-        // = 1.5 d; the picture reaches to 1.9 b = 1.9 · (d/2) cot 30° = 1.645 d.
+        // = 1.5 d; the picture reaches to 3.2 b = 3.2 · (d/2) cot 30° = 2.771 d.
         let gold = Rutherford::radium_c_on_gold();
         let file = tracks_picture(&gold, [PI, PI / 3.0]).file();
         let read = roxmltree::Document::parse(&file).unwrap();
@@ -105,7 +105,7 @@ mod tests {
                 points.map(point).collect()
             })
             .collect();
-        let scale = HALF / (1.9 * 0.5 * 3_f64.sqrt());
+        let scale = HALF / (3.2 * 0.5 * 3_f64.sqrt());
         for (way, nearest) in ways.iter().zip([1.0, 1.5]) {
             let found = way
                 .iter()

@@ -11,11 +11,13 @@ use crate::physics::units::m_from_mm;
 use crate::quiz::words::degrees;
 use crate::quiz::{Aim, Ray};
 
+/// How much larger than other hits it is drawn, so that the scale can be read.
+pub(super) const LARGER: f64 = 1.4;
 /// Millimetres between two ticks of the scale, and between two that are numbered.
 const TICK_MM: i32 = 5;
 const NUMBER_MM: i32 = 10;
 /// Length of the wanted way, in radii of the larger disc.
-const WAY: f64 = 3.2;
+const WAY: f64 = 2.8;
 /// Radius of its arc.
 const ARC: f64 = 1.9;
 

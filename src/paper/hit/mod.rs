@@ -101,7 +101,7 @@ fn draw_aim(aim: &Aim) -> Sheet {
     let stage = Stage::new(&aim.with(0.0), &shown);
     let words = "A striker on its way to a disc at rest, a scale of offsets across the way, \
                  and where one of the two is to go, seen from above";
-    let mut sheet = Sheet::new(words, stage.scale());
+    let mut sheet = Sheet::new(words, aim::LARGER * stage.scale());
     aim::shot(&mut sheet, &stage, aim);
     sheet.place_labels();
     sheet

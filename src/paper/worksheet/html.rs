@@ -6,6 +6,9 @@ use super::{Worksheet, pictures, words};
 use crate::paper::{Page, Svg};
 use crate::quiz::{Confidence, Form, Quantity, Question, letter};
 
+/// The widest picture that stands beside its question: 96 mm.
+const BESIDE: f64 = 363.0;
+
 /// A document of these sheets.
 pub(super) fn document<const N: usize>(title: &str, sheets: [Markup; N]) -> String {
     let page = Page::new(title).style(include_str!("worksheet.css"));
@@ -51,8 +54,9 @@ pub(super) fn questions(worksheet: &Worksheet) -> Markup {
 
 fn one(number: usize, question: &Question) -> Markup {
     let picture = pictures::of_question(question);
+    let is_wide = picture.as_ref().is_some_and(|it| it.size().x > BESIDE);
     html! {
-        article.question {
+        article.question.wide[is_wide] {
             h2 { (number) }
             div.said {
                 p { (question.text) }
@@ -92,7 +96,7 @@ fn room(form: &Form) -> Markup {
             }
         },
         Form::Number { quantity, .. } => html! {
-            div.work {}
+            (work())
             p.answer {
                 "Answer: "
                 @if *quantity == Quantity::Restitution { "e = " }
@@ -107,10 +111,15 @@ fn room(form: &Form) -> Markup {
             }
         },
         Form::Shot(_) => html! {
-            div.work {}
+            (work())
             p.answer { "Offset: " (blank("mm")) span.tick { (ticked("left")) } span.tick { (ticked("right")) } }
         },
     }
+}
+
+/// Lines to work on.
+fn work() -> Markup {
+    html! { div.work { @for _ in 0..3 { div {} } } }
 }
 
 /// A line to write on, with the unit behind it.

@@ -63,15 +63,10 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
 
 /// The hit of a question as it really goes, with all its figures.
 pub(super) fn of_answer(question: &Question) -> Option<Svg> {
+    // The offset is given in the question; only of a shot it is the answer.
     let (collision, offset) = match &question.form {
         Form::Shot(aim) => (aim.with(aim.offset), true),
-        _ => {
-            let asked_by_offset = matches!(
-                question.picture,
-                quiz::Picture::Before { shown, .. } if shown.offset
-            );
-            (*question.picture.collision()?, asked_by_offset)
-        }
+        _ => (*question.picture.collision()?, false),
     };
     let shown = Shown {
         offset,
