@@ -30,7 +30,14 @@ fn written(question: &Question) -> String {
 /// mended; figures, families, order and choices may not.)
 #[test]
 fn a_code_is_the_same_round_for_ever() {
-    for code in ["quick-7", "mixed-7", "mixed-1234", "mixed12-42", "exam-3", "speeds3-5"] {
+    for code in [
+        "quick-7",
+        "mixed-7",
+        "mixed-1234",
+        "mixed12-42",
+        "exam-3",
+        "speeds3-5",
+    ] {
         let round = Round::of(Code::parse(code).unwrap());
         let text: Vec<String> = round.questions().iter().map(written).collect();
         insta::assert_snapshot!(format!("code_{code}"), text.join("\n"));
@@ -39,7 +46,14 @@ fn a_code_is_the_same_round_for_ever() {
 
 #[test]
 fn a_code_says_all_of_its_round() {
-    for code in ["quick-7", "mixed-7", "mixed12-42", "exam-3", "speeds3-5", "7"] {
+    for code in [
+        "quick-7",
+        "mixed-7",
+        "mixed12-42",
+        "exam-3",
+        "speeds3-5",
+        "7",
+    ] {
         let round = Round::of(Code::parse(code).unwrap());
         assert_eq!(round.code().to_string(), code);
         assert_eq!(Round::of(round.code().clone()), round);
@@ -55,7 +69,10 @@ fn a_mixed_round_asks_no_question_twice_and_no_family_before_all_have_come() {
         for (i, question) in round.questions().iter().enumerate() {
             assert!(!families[..i].contains(&question.family), "{seed}");
             let texts = round.questions()[..i].iter().map(|it| &it.text);
-            assert!(!texts.into_iter().any(|text| *text == question.text), "{seed}");
+            assert!(
+                !texts.into_iter().any(|text| *text == question.text),
+                "{seed}"
+            );
         }
         let difficulties: Vec<Difficulty> =
             round.questions().iter().map(|it| it.difficulty).collect();
