@@ -174,10 +174,10 @@ fn going_back_corrects_a_vote_and_the_scores() {
     let round = ClassRound::new(Code::parse("from-angle2-7").unwrap(), vec!["A".into()]);
     let form = &round.questions()[0].form;
     let truth = said(form, &form.truth());
-    game.press("<Enter><Enter><Enter>");
+    game.press("<Enter><Enter><Enter><Enter>");
     game.press(&truth);
     assert!(game.screen().contains("> 2 Bees"), "{}", game.screen());
-    game.press("100<Enter>-100<Enter>");
+    game.press("<Enter>100<Enter>-100<Enter>");
     // Talk, second vote, shot, scores.
     game.press("<Enter><Enter><Enter>");
     if !game.screen().contains("after talking") {

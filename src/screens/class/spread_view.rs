@@ -45,10 +45,11 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
         Form::Rays { .. } => {
             let beside = Beside::square(rest);
             beside.draw(buf, look, "all who voted", "the votes");
-            draw_question(beside.picture, buf, look, question, None);
+            // The question's own labels stay whole.
             if let Some(collision) = question.picture.collision() {
                 draw_fan(collision, &votes, beside.picture, buf, look);
             }
+            draw_question(beside.picture, buf, look, question, None);
         }
         Form::Number { quantity, .. } => {
             let numbers = votes.iter().filter_map(|said| match said {

@@ -439,8 +439,8 @@ impl Screen for Foil {
             }
         }
         keys.push(Hint::new("Tab", "next page"));
-        keys.push(Hint::new("e", "export"));
         keys.push(Hint::new("Esc", "back"));
+        keys.push(Hint::new("e", "export"));
         keys
     }
 

@@ -150,10 +150,10 @@ impl Sheet {
         .flat_map(|(away, blank, over)| sides.iter().map(move |side| (*side, away, blank, over)))
         .find_map(|(side, away, blank, over)| {
             let (x, y) = side.start(at, width, away);
-            // Centred above or below it may move along to stay within the area.
+            // Above or below it may move along to stay within the area.
             let x = match side {
-                S::Above | S::Below => x.clamp(0, last.max(0)),
-                _ => x,
+                S::Right | S::Left => x,
+                _ => x.clamp(0, last.max(0)),
             };
             let free = self.has_room((x, y), width, over)
                 && (!blank || self.is_blank((x - 1, y)) && self.is_blank((x + width, y)));
