@@ -92,9 +92,9 @@ fn the_key_holds_every_truth_and_every_belief() {
             for belief in &question.beliefs {
                 let said = question.form.words(&belief.said);
                 let name = belief.misconception.name;
-                let is_it = |row: &&String| row.contains(&said) && row.contains(name);
-                let row = rows.iter().find(is_it).unwrap();
-                assert!(row.contains(&belief.says), "{row}");
+                let parts = [said.as_str(), name, &belief.says];
+                let is_it = |row: &String| parts.iter().all(|part| row.contains(part));
+                assert!(rows.iter().any(is_it), "{parts:?}");
                 assert!(plain.contains(&line(&belief.says)), "{plain}");
             }
         }
@@ -114,7 +114,7 @@ fn nothing_is_loaded_nothing_runs_and_every_number_is_one() {
             }
             let namespace = "xmlns=\"http://www.w3.org/2000/svg\"";
             let rest = html.replace(namespace, "");
-            for word in ["http", "url(", "@import", "NaN", "inf ", "undefined"] {
+            for word in ["://", "url(", "@import", "NaN", "inf ", "undefined"] {
                 assert!(!rest.contains(word), "{word} in {}", round.code());
             }
         }

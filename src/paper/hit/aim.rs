@@ -12,7 +12,7 @@ use crate::quiz::words::degrees;
 use crate::quiz::{Aim, Ray};
 
 /// How much larger than other hits it is drawn, so that the scale can be read.
-pub(super) const LARGER: f64 = 1.4;
+pub(super) const LARGER: f64 = 1.3;
 /// Millimetres between two ticks of the scale, and between two that are numbered.
 const TICK_MM: i32 = 5;
 const NUMBER_MM: i32 = 10;

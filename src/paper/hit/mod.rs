@@ -98,7 +98,7 @@ fn draw_aim(aim: &Aim) -> Sheet {
         speeds: true,
         ..Shown::default()
     };
-    let stage = Stage::new(&aim.with(0.0), &shown);
+    let stage = Stage::new(&aim.with(0.0), &shown).nearer();
     let words = "A striker on its way to a disc at rest, a scale of offsets across the way, \
                  and where one of the two is to go, seen from above";
     let mut sheet = Sheet::new(words, aim::LARGER * stage.scale());

@@ -67,6 +67,12 @@ impl Stage {
         stage
     }
 
+    /// The same, with a striker that has just room for its arrow.
+    pub(super) fn nearer(mut self) -> Self {
+        self.start[0] += 1.1 * self.radius(0) * self.along();
+        self
+    }
+
     /// Units of the picture for each metre.
     pub(super) fn scale(&self) -> f64 {
         RADIUS / self.unit()

@@ -63,13 +63,13 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
 
 /// The hit of a question as it really goes, with all its figures.
 pub(super) fn of_answer(question: &Question) -> Option<Svg> {
-    // The offset is given in the question; only of a shot it is the answer.
-    let (collision, offset) = match &question.form {
-        Form::Shot(aim) => (aim.with(aim.offset), true),
-        _ => (*question.picture.collision()?, false),
+    let collision = match &question.form {
+        Form::Shot(aim) => aim.with(aim.offset),
+        _ => *question.picture.collision()?,
     };
     let shown = Shown {
-        offset,
+        // It is given in the question, or said in the answer.
+        offset: false,
         angle: true,
         line_of_impact: false,
         masses: true,
