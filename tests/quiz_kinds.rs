@@ -66,8 +66,8 @@ fn go_on(game: &mut Headless) {
 fn top(game: &mut Headless) -> String {
     let screen = game.screen();
     let line = screen.lines().next().unwrap().to_owned();
-    let status = line.rsplit_once("   ").map_or(&*line, |(_, status)| status);
-    status.split("  ").next().unwrap().trim().to_owned()
+    let status = line.split_once("carrom : quiz").unwrap().1.trim();
+    status.split("  ").next().unwrap().to_owned()
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
         let screen = game.screen();
         let line = screen
             .lines()
-            .position(|line| line.contains(&name))
+            .position(|line| line.get(..8).is_some_and(|it| it.contains(&name)))
             .unwrap();
         game.click((12, line as u16));
         if row > 0 {
@@ -115,7 +115,8 @@ fn a_topic_is_chosen_from_all_there_are() {
         let mut game = choosing();
         game.press("t");
         game.press(&"<Down>".repeat(i));
-        assert!(game.screen().contains(family.name()), "{}", game.screen());
+        let name = Charset::Ascii.text(family.name()).into_owned();
+        assert!(game.screen().contains(&name), "{}", game.screen());
         game.press("<Enter>");
         let screen = game.screen();
         assert!(
@@ -228,7 +229,7 @@ fn a_review_asks_what_is_due() {
     let screen = game.screen();
     for due in [
         "2 due",
-        "Due now:",
+        "Come back to what you",
         "speeds after the hit",
         "angles from the angle",
     ] {
