@@ -176,7 +176,11 @@ fn going_back_corrects_a_vote_and_the_scores() {
     let truth = said(form, &form.truth());
     game.press("<Enter><Enter><Enter><Enter>");
     game.press(&truth);
-    assert!(game.screen().contains("> 2 Bees"), "{}", game.screen());
+    assert!(
+        game.screen().contains("one team without a vote"),
+        "{}",
+        game.screen()
+    );
     game.press("<Enter>100<Enter>-100<Enter>");
     // Talk, second vote, shot, scores.
     game.press("<Enter><Enter><Enter>");

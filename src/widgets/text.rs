@@ -129,7 +129,7 @@ mod tests {
             ["at last", "(60, 0) g m/s"]
         );
         assert_eq!(wrap("at 90 - 30 = 60", 10), ["at 90 - 30", "= 60"]);
-        assert_eq!(wrap("n = (-sin α, 1)", 9), ["n =", "(-sin α,", "1)"]);
+        assert_eq!(wrap("n = (-sin α, 1)", 10), ["n", "= (-sin α,", "1)"]);
         assert_eq!(wrap("½ m₁u₁² = 0.12 J", 10), ["½ m₁u₁²", "= 0.12 J"]);
         // Words that are no unit, and lines too short for both.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);

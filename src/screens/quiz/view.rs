@@ -157,7 +157,6 @@ fn title(watched: &Watched) -> String {
     };
     if let Form::Shot(aim) = &watched.question.form
         && watched.told
-        && watched.remedy.is_none()
         && watch.frame() == Frame::Laboratory
     {
         let does_it = watch.collision().offset == aim.offset;

@@ -106,7 +106,15 @@ fn spell_function(text: &str, function: &str, name: &str) -> String {
             if factor {
                 spelt.push_str("times ");
             }
-            spelt.push_str(name);
+            let power = ["squared", "cubed", "to the power"];
+            let raised = power
+                .iter()
+                .any(|word| found[function.len()..].starts_with(word));
+            spelt.push_str(if raised {
+                name.trim_end_matches("of ")
+            } else {
+                name
+            });
         } else {
             spelt.push_str(function);
         }
@@ -261,7 +269,7 @@ mod tests {
             ),
             ("v₁² + v₂²", "v 1 squared plus v 2 squared"),
             ("m₁/(m₁ + m₂)", "m 1 over (m 1 plus m 2)"),
-            ("1/sin⁴", "1 over sin to the power 4"),
+            ("1/sin⁴", "1 over the sine to the power 4"),
             ("3.2×10⁻⁷", "3.2 times 10 to the power minus 7"),
             ("well-known and off-centre", "well-known and off-centre"),
             ("m₁u₁", "m 1 u 1"),
