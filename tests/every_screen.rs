@@ -110,7 +110,7 @@ proptest! {
         acts in prop::collection::vec(act(), 1..60),
     ) {
         let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
-        let mut game = opened(place.clone(), charset, seed);
+        let mut game = opened(place, charset, seed);
         for act in &acts {
             match act {
                 Act::Tell(input) => game.input(input),

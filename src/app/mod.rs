@@ -300,7 +300,7 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
-            Place::Class { code, teams } => Box::new(Class::new(code, teams)),
+            Place::Class { code, teams } => Box::new(Class::new(code.as_ref(), teams)),
             Place::Foil => Box::new(Foil::default()),
             Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),

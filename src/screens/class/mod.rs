@@ -53,9 +53,9 @@ enum Scene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub fn new(code: Option<Code>, teams: Vec<String>) -> Self {
+    pub fn new(code: Option<&Code>, teams: Vec<String>) -> Self {
         Self {
-            scene: Scene::SetUp(SetUp::new(code.as_ref(), teams)),
+            scene: Scene::SetUp(SetUp::new(code, teams)),
             paused: false,
             leaving: false,
         }

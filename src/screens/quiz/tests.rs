@@ -195,7 +195,11 @@ fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
     };
     // The way is level and in the middle; to its right is below.
     // A row is some 20 mm of offset.
-    for (row, low, high) in [(12, -0.012, 0.012), (15, 0.004, 0.033), (8, -0.033, -0.004)] {
+    for (row, low, high) in [
+        (12, -0.012, 0.012),
+        (14, 0.004, 0.0331),
+        (9, -0.0331, -0.004),
+    ] {
         sitting.mouse(MouseKind::Drag, (30, row));
         let Some(Said::Shot(offset)) = offset(&sitting) else {
             panic!("no offset");

@@ -61,6 +61,7 @@ pub fn draw_setup_of(
 }
 
 /// What is being said of a hit.
+#[derive(Clone, Copy)]
 enum Saying<'a> {
     /// Nothing, or nothing that is seen.
     Nothing,

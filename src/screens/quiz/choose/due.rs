@@ -76,10 +76,7 @@ mod tests {
         let known = attempt("speeds-1", true, 0);
         let missed = attempt("from-angle-1", false, 0);
         let rested = attempt("from-offset-1", true, 2);
-        let found = due(
-            vec![known.clone(), missed.clone(), rested.clone()],
-            Some(NOW_S),
-        );
+        let found = due(vec![known.clone(), missed.clone(), rested], Some(NOW_S));
         let families = [(Family::FromOffset, 1), (Family::FromAngle, 1)];
         assert_eq!(found.now, families);
         assert_eq!(found.next, Some((Family::Speeds, "in 1 day".into())));
