@@ -12,7 +12,8 @@
 //!   main.rs        parse the command line, run, print the error
 //!   cli/           one file a subcommand
 //!   ─────────────────────────────────────────────────────────────
-//!   shells/        what drives the app: terminal (crossterm), tape (headless script)
+//!   shells/        what drives the app: terminal (crossterm), tape (headless script); and
+//!                  plain lines in place of it, for screen readers
 //!   ─────────────────────────────────────────────────────────────
 //!   store/         what is kept on disk: saved games, every answer (SQLite); the only
 //!                  room that writes there

@@ -186,7 +186,10 @@ fn a_title_is_text_whatever_is_in_it() {
         let expected = clean(title, 120);
         let heads = select(&page, "h1");
         assert_eq!(heads, [expected.clone(), format!("Key: {expected}")]);
-        assert_eq!(select(&page, "head > title"), std::slice::from_ref(&expected));
+        assert_eq!(
+            select(&page, "head > title"),
+            std::slice::from_ref(&expected)
+        );
         assert!(select(&page, "script").is_empty() && select(&page, "img").is_empty());
         let (text, pictures, others) = read(&sheet.sheet_markdown("p"));
         assert_eq!(text.lines().next().unwrap(), line(&expected));

@@ -3,7 +3,7 @@
 /// A Markdown document: CommonMark, and tables as GitHub has them.
 ///
 /// Text that is given to it is plain text: whatever is in it is shown and nothing in it
-/// is obeyed. It should be one line, as [`clean`](super::clean) makes it; line breaks
+/// is obeyed. It should be one line, as [`clean`](super::clean()) makes it; line breaks
 /// become blanks.
 ///
 /// Pictures are files beside the document. A picture within it (as a data URI or as

@@ -10,7 +10,7 @@
 //! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which
 //! escapes what it is given, Markdown and pictures escape by themselves. What no
 //! escaping mends (control characters, marks that turn the text beside them round, names
-//! without end) is taken out by [`clean`].
+//! without end) is taken out by [`clean()`].
 //!
 //! ```
 //! use carrom::paper::{Ink, Markdown, Page, Stroke, Svg, clean};

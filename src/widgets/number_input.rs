@@ -90,6 +90,7 @@ impl NumberInput {
     pub fn about(&self) -> String {
         match self.quantity.unit() {
             "" => "Type a number, or dial it with the arrows.".into(),
+            "times" => "Type how many times, or dial it with the arrows.".into(),
             unit => format!("Type a number in {unit}, or dial it with the arrows."),
         }
     }

@@ -1,6 +1,6 @@
 //! A round for a class round one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the [`Step`]s of [`crate::class`]; [`play`] knows the way
+//! A question goes through the [`Step`]s of [`crate::class`]; `play` knows the way
 //! through them, and every step has a view of its own.
 
 mod booth;

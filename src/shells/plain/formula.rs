@@ -2,7 +2,7 @@
 
 use crate::lessons::{Formula, Node};
 
-/// A formula in words and signs that [`spoken`](super::spoken) spells.
+/// A formula in words and signs that [`spoken`](super::spoken()) spells.
 pub(super) fn linear(formula: &Formula) -> String {
     let terms = formula.0.iter().map(|term| {
         let blank = if term.apart { " " } else { "" };
