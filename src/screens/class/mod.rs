@@ -377,10 +377,7 @@ fn play_keys(play: &Play) -> Vec<Hint> {
             if *page != Page::Items {
                 keys.push(Hint::new("Enter", "next page"));
             }
-            keys.extend([
-                Hint::new("e", "write the tables"),
-                Hint::new("Up Down", "scroll"),
-            ]);
+            keys.extend([Hint::new("e", "tables"), Hint::new("Up Down", "scroll")]);
             keys
         }
         (_, Step::Describe) => vec![Hint::new("Enter", "predict"), Hint::new("z", "words alone")],
