@@ -18,12 +18,11 @@ use ratatui::layout::Rect;
 use super::{Context, Help, Hint, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
-use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::progress::Attempt;
 use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary,
 };
-use crate::widgets::hit::{Layers, Watch, drag_offset, point_at};
+use crate::widgets::hit::{Layers, Watch};
 use crate::widgets::{AnswerInput, Scroll, Turned};
 
 /// Back to choosing a round.
@@ -341,7 +340,12 @@ impl Quiz {
             (MouseKind::ScrollUp, _) => return self.scroll_by(-1, cx),
             (MouseKind::ScrollDown, _) => return self.scroll_by(1, cx),
             (MouseKind::Down | MouseKind::Drag, Phase::Asked(asked)) if on_picture => {
-                return asked.point(layout.picture, cell, pressed);
+                let Asked {
+                    question, input, ..
+                } = &mut **asked;
+                if !input.point(question, layout.picture, cell, pressed) {
+                    return Next::Ignored;
+                }
             }
             (MouseKind::Down, Phase::Asked(asked)) => {
                 let rows = self
@@ -376,23 +380,6 @@ impl Quiz {
 }
 
 impl Asked {
-    /// Points at a cell of the picture: turns a ray, or drags the coin sideways.
-    fn point(&mut self, picture: Rect, cell: (u16, u16), pressed: bool) -> Next {
-        let Some(collision) = self.question.picture.collision() else {
-            return Next::Ignored;
-        };
-        match (&mut self.input, &self.question.form) {
-            (AnswerInput::Rays(rays), _) => point_at(picture, collision, rays, cell, pressed),
-            (AnswerInput::Shot(offset), Form::Shot(aim)) => {
-                let now = aim.with(m_from_mm(offset.value().unwrap_or(0.0)));
-                let dragged = mm_from_m(drag_offset(picture, &now, cell));
-                offset.set((2.0 * dragged).round() / 2.0);
-            }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
     /// Puts the mark at a choice.
     fn choose(&mut self, choice: usize) {
         if let AnswerInput::Choice { chosen, .. } = &mut self.input {
