@@ -69,7 +69,7 @@ fn a_missing_file_is_named() {
 fn figures_are_pictures_without_a_terminal() {
     for figure in [
         "lab", "split", "triangle", "frames", "curves", "angles", "energy", "worked", "solve",
-        "foil",
+        "foil", "shots",
     ] {
         let output = BAD.carrom(&["figure", figure, "alpha_deg=40"]);
         assert_eq!(output.status.code(), Some(0), "{figure}");
