@@ -83,6 +83,7 @@ impl Summary {
     /// answered.
     pub fn calibration_words(&self) -> String {
         let (sure, sure_right) = self.calibration(Confidence::Sure);
+        let (thought, thought_right) = self.calibration(Confidence::ThinkSo);
         let (guesses, guesses_right) = self.calibration(Confidence::Guess);
         let counted = match sure {
             _ if self.lines.is_empty() => return String::new(),
@@ -91,13 +92,17 @@ impl Summary {
             1 => "Sure once, and not right.".into(),
             _ => format!("Sure {sure} times, right {sure_right} of them."),
         };
-        // "Sure" pays from four right in five on, "guess" up to one in two.
+        // "Sure" pays from four right in five on, "guess" up to one in two. One answer
+        // that was thought right and was not says nothing yet.
         let verdict = if 5 * sure_right < 4 * sure {
             "What you were sure of and missed is worth most: look at it again."
         } else if 2 * guesses_right > guesses
             || sure == 0 && 5 * self.right() >= 4 * self.lines.len()
         {
             "You know more than you trust yourself to."
+        } else if thought > 1 && 2 * thought_right < thought {
+            "What you only think so is right less than half the time: call it a guess, \
+             which costs nothing."
         } else {
             "You judge well what you know."
         };
@@ -190,6 +195,11 @@ mod tests {
             (
                 vec![(ThinkSo, false), (Guess, false)],
                 "You were never sure. You judge well what you know.",
+            ),
+            (
+                vec![(ThinkSo, false), (ThinkSo, false), (ThinkSo, true)],
+                "You were never sure. What you only think so is right less than half the time: \
+                 call it a guess, which costs nothing.",
             ),
         ] {
             assert_eq!(summary(&answers).calibration_words(), words);
