@@ -1,7 +1,5 @@
 //! A look back over a round.
 
-use crate::physics::units::deg_from_rad;
-
 use super::misconceptions::all;
 use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question};
 
@@ -133,9 +131,10 @@ impl Summary {
         if let Some((misconception, _)) = self.most_held() {
             return misconception.advice.into();
         }
-        match self.mean_error().map(deg_from_rad) {
-            _ if self.lines.is_empty() => "Answer a question first.".into(),
-            Some(error) if error <= super::grade::RIGHT_DEG => {
+        match self.lines.len() {
+            0 => "Answer a question first.".into(),
+            // As a topic is solid: from four right in five on.
+            asked if 5 * self.right() >= 4 * asked => {
                 "You have this. Try a new round, or a level that needs an exact cut.".into()
             }
             _ => "In the lab, take one hit at a time: first the line of impact, then the \
@@ -147,7 +146,7 @@ impl Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Given, Hit, Pieces, Rays, Said};
+    use super::super::{Code, Given, Hit, Pieces, Rays, Round, Said};
     use super::*;
 
     const HIT: Hit = Hit {
@@ -204,6 +203,24 @@ mod tests {
         ] {
             assert_eq!(summary(&answers).calibration_words(), words);
         }
+    }
+
+    /// No angle is asked for in this round, and one answer in three is off.
+    #[test]
+    fn advice_counts_what_was_right_whatever_was_asked() {
+        let round = Round::of(Code::parse("speeds3-5").unwrap());
+        let summary = |right: usize| {
+            let answers: Vec<Answer> = (round.questions().iter().enumerate())
+                .map(|(i, question)| match question.form.truth() {
+                    Said::Number(truth) if i >= right => Said::Number(truth + 90.0),
+                    truth => truth,
+                })
+                .map(|said| Answer::new(said, Confidence::Guess))
+                .collect();
+            Summary::new(round.questions().iter().zip(&answers))
+        };
+        assert!(summary(3).advice().starts_with("You have this."));
+        assert!(summary(2).advice().starts_with("In the lab,"));
     }
 
     #[test]
