@@ -185,8 +185,11 @@ fn a_tape_that_cannot_be_used_is_named_with_its_line() {
     for (content, message) in [
         (&b"Escape\nDance\n"[..], ":2: unknown instruction Dance"),
         (b"Run \"lob\"\n", ":1: Run: unrecognized subcommand 'lob'"),
-        (b"Escape\nType \"\xff\"\n", ":2: expected text in UTF-8"),
-        (&noise, ": expected a tape of at most 1048576 bytes"),
+        (
+            b"Escape\nType \"\xff\"\n",
+            ":2: expected UTF-8 text, found other bytes",
+        ),
+        (&noise, ":1: expected a file of at most 1 MiB, found more"),
     ] {
         let tape = folder.file("bad.tape", content);
         let output = carrom(&["tape", &tape, "--out", &within(&folder, "shots")]);
