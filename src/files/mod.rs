@@ -8,5 +8,5 @@ mod source;
 
 pub use fault::{Fault, harmless};
 pub use list::{List, embedded, list};
-pub use read::read;
+pub use read::{LARGEST, read, read_stdin};
 pub use source::Source;

@@ -7,14 +7,12 @@ use toml::Spanned;
 
 use super::figures::fill;
 use super::{Concept, Wrong};
-use crate::files::{Fault, Source, harmless};
+use crate::files::{self, Fault, Source, harmless};
 use crate::physics::named::Shot;
 use crate::quiz::{Difficulty, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
-/// Largest file that is looked at, in bytes.
-const LARGEST_FILE: usize = 1 << 20;
 /// Most letters of a question.
 const ASK: usize = 240;
 /// Most letters of a choice.
@@ -81,7 +79,7 @@ pub(super) fn file(
     bytes: &[u8],
     concepts: &mut Vec<Concept>,
 ) -> Result<(), Fault> {
-    let source = Source::of_bytes(name, bytes, LARGEST_FILE)?;
+    let source = Source::of_bytes(name, bytes, files::LARGEST)?;
     let file: File = toml::from_str(source.text()).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
         source.fault(at, source.key_near(at), error.message().trim())
