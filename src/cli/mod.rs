@@ -16,6 +16,7 @@ mod simulate;
 mod solve;
 mod tape;
 mod worksheet;
+mod written;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
