@@ -3,14 +3,16 @@
 
 mod draft;
 mod fault;
+mod letters;
 mod list;
 mod put;
 mod read;
 mod source;
 
 pub use draft::{Draft, UNFINISHED, settle};
-pub use fault::{Fault, harmless};
-pub use list::{List, embedded, list};
+pub use fault::{Fault, harmless, harmless_lines};
+pub use letters::{is_invisible, tidy_name};
+pub use list::{List, embedded, list, not_a_file};
 pub use put::{Document, Existing, Unwritten, put};
 pub use read::{LARGEST, read, read_stdin};
-pub use source::Source;
+pub use source::{BYTE_ORDER_MARK, Source};
