@@ -26,8 +26,8 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
-    /// These families, because they are due.
-    Review(Vec<Family>),
+    /// A question about each of these topics, because they are due.
+    Review(Vec<String>),
 }
 
 impl CourseKind {
@@ -60,9 +60,10 @@ impl CourseKind {
     }
 
     /// How many questions it has unless told otherwise.
-    pub const fn length(&self) -> usize {
+    pub fn length(&self) -> usize {
         match self {
-            Self::Quick | Self::Review(_) => 5,
+            Self::Quick => 5,
+            Self::Review(topics) => topics.len(),
             Self::Exam => 15,
             Self::Topic(_) => 6,
             Self::Hits | Self::Mixed => families::where_to::LENGTH,
@@ -98,10 +99,10 @@ impl Course {
     }
 
     /// A round of so many questions, held from 1 to [`Course::MOST`]; ten hits are
-    /// always ten.
+    /// always ten, and a review has a question a topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
-            CourseKind::Hits => kind.length(),
+            CourseKind::Hits | CourseKind::Review(_) => kind.length(),
             _ => count.clamp(1, Self::MOST),
         };
         Self { kind, count }

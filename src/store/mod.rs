@@ -43,8 +43,19 @@ pub struct Store {
     exports: Box<dyn Shelf>,
     tables: Box<dyn Shelf>,
     progress: Database,
-    knows_time: bool,
+    clock: Clock,
     closed: bool,
+}
+
+/// What a store knows of the time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Clock {
+    /// What the computer says.
+    Computer,
+    /// Always the same, in seconds since 1970 began.
+    Stopped(i64),
+    /// Nothing.
+    None,
 }
 
 /// The shelves of a store.
@@ -94,7 +105,15 @@ impl Store {
     /// whenever they are made.
     pub fn timeless(self) -> Self {
         Self {
-            knows_time: false,
+            clock: Clock::None,
+            ..self
+        }
+    }
+
+    /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
+    pub fn at(self, time_s: i64) -> Self {
+        Self {
+            clock: Clock::Stopped(time_s),
             ..self
         }
     }
@@ -106,7 +125,7 @@ impl Store {
             exports: Box::new(shelves.exports),
             tables: Box::new(shelves.tables),
             progress,
-            knows_time: true,
+            clock: Clock::Computer,
             closed: false,
         }
     }
@@ -157,7 +176,11 @@ impl Store {
         for name in self.games.shelf.names()? {
             let game = self.read(&name).map(|(_, game)| Box::new(game));
             found.push(Kept {
-                age: self.games.shelf.age(&name).filter(|_| self.knows_time),
+                age: self
+                    .games
+                    .shelf
+                    .age(&name)
+                    .filter(|_| self.clock == Clock::Computer),
                 // Where it is, is said beside.
                 game: game.map_err(|fault| fault.without_file()),
                 name,
@@ -196,7 +219,11 @@ impl Store {
     fn list_classes(&self) -> Result<Vec<KeptRound>, String> {
         let names = self.classes.shelf.names()?.into_iter();
         let kept = names.map(|name| KeptRound {
-            age: self.classes.shelf.age(&name).filter(|_| self.knows_time),
+            age: self
+                .classes
+                .shelf
+                .age(&name)
+                .filter(|_| self.clock == Clock::Computer),
             round: match self.read_class(&name) {
                 Ok((_, round)) => Ok(Box::new(round)),
                 Err(fault) => Err(fault.without_file()),
@@ -250,9 +277,13 @@ impl Store {
 
     /// The time in seconds since 1970 began; `None` where it is not to be known.
     fn now_s(&self) -> Option<i64> {
-        let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
-        i64::try_from(now.as_secs())
-            .ok()
-            .filter(|_| self.knows_time)
+        match self.clock {
+            Clock::None => None,
+            Clock::Stopped(time_s) => Some(time_s),
+            Clock::Computer => {
+                let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
+                i64::try_from(now.as_secs()).ok()
+            }
+        }
     }
 }

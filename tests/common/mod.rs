@@ -4,6 +4,7 @@ pub mod bad_files;
 pub mod child;
 pub mod families;
 pub mod folder;
+pub mod keys;
 pub mod lessons;
 pub mod play;
 #[cfg(unix)]

@@ -86,6 +86,11 @@ impl<'a> Choice<'a> {
 }
 
 impl Concept {
+    /// What it is about, in words: "right angle".
+    pub fn topic(&self) -> String {
+        self.subject.replace('-', " ")
+    }
+
     /// All choices. Those of an [ordered](Self::ordered) question stand as they are to
     /// be shown; of any other the right one is first, and they have to be shuffled.
     pub fn choices(&self) -> Vec<Choice<'_>> {

@@ -41,7 +41,7 @@ fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Concept,
         difficulty: concept.difficulty,
-        topic: concept.subject.replace('-', " "),
+        topic: concept.topic(),
         text: concept.ask.clone(),
         picture,
         form: choices.form,

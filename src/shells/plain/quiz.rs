@@ -4,7 +4,7 @@ use super::answering::{answer, confidence};
 use super::picture::describe;
 use super::talk::{Asked, Leave, Talk};
 use crate::messages::{Done, Request, Wish};
-use crate::progress::{Attempt, reviews};
+use crate::progress::{Attempt, Due};
 use crate::quiz::{
     Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain,
 };
@@ -80,10 +80,9 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
             (about, kind)
         })
         .collect();
-    if !due.is_empty() {
-        let names: Vec<&str> = due.iter().map(|family| family.name()).collect();
-        let about = format!("review what is due: {}", names.join("; "));
-        kinds.push((about, CourseKind::Review(due)));
+    if let Some(review) = due.course() {
+        let about = format!("review what is due: {}", due.first().join("; "));
+        kinds.push((about, review));
     }
     for family in Family::ALL {
         if let Some(kind) = CourseKind::with_id(family.id()) {
@@ -115,24 +114,13 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
     })
 }
 
-/// The families that are due for this player.
-fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Vec<Family>, Leave> {
+/// What is due for this player.
+fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Due, Leave> {
     let player = keeper.player.to_owned();
-    let Done::Recalled(Ok(history)) = keeper.wish(talk, Wish::Recall(Some(player)))? else {
-        return Ok(Vec::new());
-    };
-    let Some(now_s) = history.now_s else {
-        return Ok(Vec::new());
-    };
-    let mut due: Vec<Family> = Vec::new();
-    for review in reviews(&history.attempts) {
-        if let Some(family) = Family::with_id(&review.family).filter(|_| review.is_due(now_s))
-            && !due.contains(&family)
-        {
-            due.push(family);
-        }
+    match keeper.wish(talk, Wish::Recall(Some(player)))? {
+        Done::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, history.now_s)),
+        _ => Ok(Due::default()),
     }
-    Ok(due)
 }
 
 /// Plays a round to its end.

@@ -1,14 +1,12 @@
 //! Choosing a round of the quiz.
 
-mod due;
 mod view;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use due::Due;
-
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::progress::Due;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
 use crate::screens::{Context, Help, Hint, Next, Place, Screen};
@@ -119,7 +117,8 @@ impl Choosing {
 
     /// What is due.
     fn due(&self) -> Due {
-        self.history.history().map_or_else(Due::default, Due::of)
+        let history = self.history.history();
+        history.map_or_else(Due::default, |it| Due::of(&it.attempts, it.now_s))
     }
 
     /// The chosen line of the page, and how many there are; `None` where nothing is
@@ -315,7 +314,7 @@ impl Screen for Choosing {
         Help {
             text: vec![
                 "A round is a few questions: you answer, say how sure you are, watch what happens and read why.",
-                "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks what is due.",
+                "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks once about each topic that is due, in any of its kinds of question.",
                 "In an exam you hear nothing until the end; then every question can be opened.",
                 "Every round but a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
             ],

@@ -194,10 +194,10 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
             }
         };
         lines.paragraph(text, Role::Text);
-        if let Some((family, when)) = &due.next {
+        if let Some((topic, when)) = &due.next {
             lines.gap();
             lines.paragraph(&format!("Next, {when}:"), Role::Dim);
-            lines.line(&format!(" {}", family.name()), Role::Text);
+            lines.line(&format!(" {topic}"), Role::Text);
         }
         return;
     }
@@ -206,17 +206,12 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
         Role::Text,
     );
     lines.gap();
-    for (family, topics) in &due.now {
-        let count = match topics {
-            1 => String::new(),
-            _ => format!("{topics}×"),
-        };
-        lines.pair(
-            &format!(" {}", family.name()),
-            &count,
-            Role::Text,
-            Role::Dim,
-        );
+    for topic in due.first() {
+        lines.line(&format!(" {topic}"), Role::Text);
+    }
+    match due.now.len() - due.first().len() {
+        0 => {}
+        left => lines.line(&format!(" and {left} more after these"), Role::Dim),
     }
     lines.gap();
     lines.line("Enter: begin.", Role::Key);
