@@ -6,6 +6,8 @@ mod common;
 
 use std::fs;
 use std::path::Path;
+#[cfg(unix)]
+use std::thread;
 use std::time::Duration;
 
 use carrom::app::App;
@@ -18,6 +20,13 @@ use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::Charset;
 use common::folder::Folder;
+use common::keys::said;
+#[cfg(unix)]
+use common::pty::{Pty, carrom as carrom_in_terminal};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+#[cfg(unix)]
+use rustix::process::Signal;
 
 const LONG: Duration = Duration::from_secs(60);
 
@@ -37,22 +46,6 @@ fn app(code: &str, teams: &[&str], charset: Charset) -> App {
 fn class(folder: &Path, code: &str, teams: &[&str]) -> Headless {
     let app = app(code, teams, Charset::Ascii);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
-}
-
-/// The keys with which a team says this in its booth.
-fn said(form: &Form, said: &Said) -> String {
-    match (form, said) {
-        (Form::Rays { side, .. }, Said::Rays(rays)) => [rays.striker, rays.target]
-            .map(|angle| match angle {
-                Some(angle) => format!("{:.1}<Enter>", side * angle.to_degrees() + 0.0),
-                None => "x<Enter>".into(),
-            })
-            .concat(),
-        (_, Said::Number(x)) => format!("{x:.3}<Enter>"),
-        (_, Said::Choice(i)) => format!("{}<Enter>", char::from(b'a' + *i as u8)),
-        (_, Said::Shot(offset)) => format!("{:.2}<Enter>", offset * 1000.0),
-        _ => unreachable!("another kind than is asked for"),
-    }
 }
 
 fn records(text: &str) -> Vec<csv::StringRecord> {
@@ -293,6 +286,92 @@ fn a_round_that_is_killed_is_taken_up_where_it_was_left() {
     game.press("dy");
     assert!(kept(folder.path()).is_empty());
     assert!(game.screen().contains("There are none yet"));
+}
+
+/// The angle of the striker that each team said first, in degrees as it was typed.
+#[cfg(unix)]
+fn first_votes(folder: &Path) -> Vec<Option<u32>> {
+    let rounds = kept(folder);
+    let [round] = &rounds[..] else {
+        assert!(rounds.is_empty(), "the round has lost its file");
+        return Vec::new();
+    };
+    let form = &round.questions()[0].form;
+    let typed = |vote| match (form, vote) {
+        (Form::Rays { side, .. }, Some(Said::Rays(rays))) => {
+            Some((side * rays.striker?.to_degrees()).round() as u32)
+        }
+        _ => None,
+    };
+    let teams = 0..round.teams().len();
+    teams
+        .map(|team| typed(round.ballot(0, team).first))
+        .collect()
+}
+
+/// Killed while votes come in, the program has kept every vote after which the screen
+/// showed the list of the teams again: new ones and changed ones alike.
+#[cfg(unix)]
+#[test]
+fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
+    const TEAMS: usize = 4;
+    let folder = Folder::new("class-killed-pty");
+    let data = folder.path().to_str().unwrap();
+    let start = |arguments: &[&str]| {
+        let arguments = [&["class", "--data-dir", data], arguments].concat();
+        Pty::start(carrom_in_terminal(&arguments))
+    };
+    let mut chance = Pcg64::seed_from_u64(11);
+    let mut safe: Vec<Option<u32>> = vec![None; TEAMS];
+    let mut angle = 0;
+    for kill in 0..20 {
+        let mut pty = if safe.iter().any(Option::is_some) {
+            let mut pty = start(&[]);
+            pty.wait_for("Start");
+            pty.press("\x1b[F\x1b[B\r");
+            pty.wait_for("7: A, B, C, D");
+            pty.press("\r");
+            pty
+        } else {
+            let mut pty = start(&["--teams", "A,B,C,D", "--code", "7"]);
+            pty.wait_for("> Start");
+            pty.press("\r\r\r");
+            pty
+        };
+        let voted = safe.iter().flatten().count();
+        pty.wait_until("the votes so far", |screen| {
+            screen.contains("Each team in turn") && screen.matches("has voted").count() >= voted
+        });
+        let mut last = None;
+        for vote in 0..=chance.random_range(1..4) {
+            let team = chance.random_range(0..TEAMS);
+            angle += 1;
+            pty.press(&(team + 1).to_string());
+            pty.wait_until("a booth", |screen| !screen.contains("Each team in turn"));
+            pty.press(&format!("{angle}\r30\r"));
+            if vote > 0 && kill % 3 > 0 && chance.random_bool(0.3) {
+                // In the middle of this one.
+                last = Some((team, angle));
+                break;
+            }
+            pty.wait_for("Each team in turn");
+            safe[team] = Some(angle);
+        }
+        if last.is_some() {
+            thread::sleep(Duration::from_micros(chance.random_range(0..6_000)));
+        }
+        pty.signal(Signal::KILL);
+        pty.wait();
+        let now = first_votes(folder.path());
+        // What was not told to be safe may be so all the same.
+        if let Some((team, angle)) = last
+            && now[team] == Some(angle)
+        {
+            safe[team] = Some(angle);
+        }
+        assert_eq!(now, safe, "kill {kill}");
+    }
+    assert!(angle > 40);
 }
 
 #[test]
