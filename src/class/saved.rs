@@ -33,11 +33,6 @@ struct Votes {
 }
 
 #[derive(Deserialize)]
-struct AnyFormat {
-    format: Option<Spanned<toml::Value>>,
-}
-
-#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Read {
     #[serde(rename = "format")]
@@ -95,8 +90,7 @@ impl ClassRound {
     /// than was asked for.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
         let source = Source::of_bytes(name, bytes, LARGEST)?;
-        check_format(source)?;
-        let read: Read = parse(source)?;
+        let read: Read = source.tables("a class round", FORMAT)?;
         let Some(code) = Code::parse(read.code.get_ref()) else {
             let message = "expected the code of a round, such as mixed-7";
             return Err(source.fault(read.code.span().start, "code", message));
@@ -191,32 +185,4 @@ impl ClassRound {
             .flat_map(|question| (0..self.teams().len()).map(move |team| (question, team)))
             .any(|(question, team)| voted(self.ballot(question, team)))
     }
-}
-
-fn check_format(source: Source) -> Result<(), Fault> {
-    let expected = format!("expected a class round with `format = {FORMAT}`");
-    let any: AnyFormat = parse(source)?;
-    let Some(format) = any.format else {
-        return Err(source.fault(0, "format", format!("{expected}, found none")));
-    };
-    match format.get_ref().as_integer() {
-        Some(found) if found == i64::from(FORMAT) => Ok(()),
-        Some(found) if found > i64::from(FORMAT) => Err(source.fault(
-            format.span().start,
-            "format",
-            format!("{found} is newer than the {FORMAT} this carrom reads"),
-        )),
-        _ => Err(source.fault(
-            format.span().start,
-            "format",
-            format!("{expected}, found {}", format.get_ref()),
-        )),
-    }
-}
-
-fn parse<'a, T: Deserialize<'a>>(source: Source<'a>) -> Result<T, Fault> {
-    toml::from_str(source.text()).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        source.fault(at, source.key_near(at), error.message().trim())
-    })
 }

@@ -29,7 +29,8 @@ const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    format: Spanned<u32>,
+    #[serde(rename = "format")]
+    _format: u32,
     item: Vec<Item>,
 }
 
@@ -82,14 +83,7 @@ pub(super) fn file(
     concepts: &mut Vec<Concept>,
 ) -> Result<(), Fault> {
     let source = Source::of_bytes(name, bytes, LARGEST_FILE)?;
-    let file: File = toml::from_str(source.text()).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        source.fault(at, source.key_near(at), error.message().trim())
-    })?;
-    if *file.format.get_ref() != FORMAT {
-        let message = format!("expected {FORMAT}, found {}", file.format.get_ref());
-        return Err(source.fault(file.format.span().start, "format", message));
-    }
+    let file: File = source.tables("a file of questions", FORMAT)?;
     for item in &file.item {
         let reader = Reader {
             source,

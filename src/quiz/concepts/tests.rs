@@ -276,7 +276,7 @@ fn faults_name_line_and_field() {
         (
             "format = 1",
             "format = 2",
-            "my.toml:1: format: expected 1, found 2",
+            "my.toml:1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
         ),
         (
             "\"easy\"",

@@ -354,14 +354,14 @@ fn play_keys(play: &Play) -> Vec<Hint> {
                 Hint::new("x", "take back"),
             ],
         },
-        (Phase::Shot(shown), _) if !shown.told => vec![
+        (Phase::Shot(shown), _) if !shown.telling.is_told() => vec![
             Hint::new("Enter", "show it"),
             Hint::new("Space", "go on"),
             Hint::new(", .", "step"),
         ],
         (Phase::Shot(shown), _) => {
             let mut keys = vec![Hint::new("Enter", "the scores")];
-            if let Some(watch) = &shown.watch {
+            if let Some(watch) = shown.telling.watch() {
                 let space = if watch.clock().is_over() {
                     "again"
                 } else {
