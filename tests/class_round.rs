@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use std::sync::Arc;
+
 use carrom::class::{ClassRound, Vote, answers_csv, items, items_csv, standings, team_names};
 use carrom::quiz::{Code, Form, Said};
 
@@ -49,7 +51,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
 fn what_is_kept_is_taken_up_again() {
     let round = played();
     let text = round.text().unwrap();
-    let again = ClassRound::read("round", text.as_bytes()).unwrap();
+    let again = ClassRound::read("round", text.as_bytes(), &Arc::default()).unwrap();
     assert_eq!(again.teams(), round.teams());
     assert_eq!(again.code(), round.code());
     for i in 0..round.questions().len() {
@@ -71,7 +73,7 @@ fn what_is_kept_is_taken_up_again() {
 fn a_file_of_the_first_format_still_opens() {
     let text = "format = 1\ncode = \"7\"\nteams = [\"Ants\", \"Bees\"]\n\n\
                 [[question]]\nfirst = [\"rays 60 30\", \"rays still 0\"]\nsecond = [\"\", \"rays 45 45\"]\n";
-    let round = ClassRound::read("old", text.as_bytes()).unwrap();
+    let round = ClassRound::read("old", text.as_bytes(), &Arc::default()).unwrap();
     assert_eq!(
         (
             round.begun(),
@@ -107,7 +109,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
             "found more",
         ),
     ] {
-        let fault = ClassRound::read("bad", text.as_bytes())
+        let fault = ClassRound::read("bad", text.as_bytes(), &Arc::default())
             .unwrap_err()
             .to_string();
         assert!(fault.contains(complaint), "{complaint}: {fault}\n{text}");
@@ -116,7 +118,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
     let noise: Vec<u8> = (0..10_000_000_u64)
         .map(|i| (i * 7919 % 251) as u8)
         .collect();
-    assert!(ClassRound::read("noise", &noise).is_err());
+    assert!(ClassRound::read("noise", &noise, &Arc::default()).is_err());
 }
 
 #[test]

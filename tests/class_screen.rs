@@ -521,3 +521,50 @@ fn escape_asks_twice_once_there_is_a_vote() {
     game.press("<Escape><Escape>");
     assert!(game.screen().contains("carrom : home"));
 }
+
+/// A class plays questions of the teacher's own, and takes the round up again; once their
+/// files have changed it is refused, for the votes would be on other questions.
+#[test]
+fn a_round_of_own_questions_is_taken_up_while_they_are_the_same() {
+    let folder = Folder::new("class-own");
+    let mine = folder.path().join("mine");
+    fs::create_dir_all(&mine).unwrap();
+    let from = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/own-concepts/our-marbles.toml"
+    );
+    let text = fs::read_to_string(from).unwrap();
+    fs::write(mine.join("our-marbles.toml"), &text).unwrap();
+    let open = |arguments: &str| {
+        let arguments = format!("class {arguments} --concepts '{}' --seed 3", mine.display());
+        let app = cli::open(&arguments).unwrap();
+        let store = Store::in_folder(folder.path()).with_own(app.own());
+        Headless::keeping(app, 80, 24, store)
+    };
+    let mut game = open("--teams A,B");
+    let screen = game.screen();
+    assert!(screen.contains("your own questions"), "{screen}");
+    game.press("<Down><Down><Down><Down><Enter><Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("question 1 of 2  code own-3"), "{screen}");
+    game.press("<Enter><Enter>1b<Enter>");
+    assert!(game.screen().contains("has voted"), "{}", game.screen());
+    let mut game = open("");
+    game.press("<End><Down><Enter>");
+    assert!(game.screen().contains("own-3: A, B"), "{}", game.screen());
+    game.press("<Enter>");
+    assert!(game.screen().contains("has voted"), "{}", game.screen());
+    let without = text
+        .split("\n[[item]]")
+        .take(2)
+        .collect::<Vec<_>>()
+        .join("\n[[item]]");
+    fs::write(mine.join("our-marbles.toml"), without).unwrap();
+    let mut game = open("");
+    game.press("<End><Down><Enter>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("cannot be read") && screen.contains("as they were"),
+        "{screen}"
+    );
+}

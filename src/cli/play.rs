@@ -24,6 +24,7 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
     let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;
     let folder = options.data_dir();
     let store = folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder));
+    let store = store.with_own(app.own());
     Ok(match terminal::run(app, store)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.

@@ -1,6 +1,6 @@
 //! What to do next.
 
-use super::{Attempt, LESSON, Mastery, Review, Trend, beliefs, reviews, topics};
+use super::{Attempt, LESSON, Mastery, Trend, beliefs, reviews, topics};
 
 /// How many of the last attempts count as lately.
 const LATELY: usize = 10;
@@ -19,10 +19,9 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
         return belief.misconception.advice.to_owned();
     }
     let reviews = reviews(attempts);
-    let asked_again = |review: &&Review| review.family == LESSON || review.is_of_quiz();
     let due = |now_s| {
         let mut due = reviews.iter().filter(|review| review.is_due(now_s));
-        due.find(asked_again)
+        due.find(|review| review.comes_back())
     };
     if let Some(review) = now_s.and_then(due) {
         return match review.family.as_str() {

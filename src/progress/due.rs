@@ -1,6 +1,6 @@
 //! What is due of the quiz.
 
-use super::{Attempt, Review, reviews};
+use super::{Attempt, LESSON, Review, reviews};
 use crate::quiz::{CourseKind, Family};
 
 /// What is due of the quiz, and what comes next. What chapters asked is not of it: they
@@ -47,8 +47,14 @@ impl Due {
 }
 
 impl Review {
+    /// Whether anything asks about it again: the quiz, or the chapter that did before. A
+    /// teacher's own questions may be about what nothing else is about.
+    pub fn comes_back(&self) -> bool {
+        self.family == LESSON || self.is_of_quiz()
+    }
+
     /// Whether the quiz can ask about it.
-    pub(super) fn is_of_quiz(&self) -> bool {
+    fn is_of_quiz(&self) -> bool {
         Family::with_id(&self.family).is_some() && !Family::asking(&self.topic).is_empty()
     }
 }
@@ -56,7 +62,7 @@ impl Review {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::progress::{DAY_S, LESSON};
+    use crate::progress::DAY_S;
     use crate::quiz::{Answer, Code, Confidence, Round};
 
     const NOW_S: i64 = 1_800_000_000;

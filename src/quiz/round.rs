@@ -1,7 +1,8 @@
 //! A round: questions fixed by a code.
 
+use super::concepts::Concept;
 use super::dice::Dice;
-use super::families::where_to;
+use super::families::{concept, where_to};
 use super::{Code, Course, CourseKind, Difficulty, Family, Question, review};
 
 /// The questions of a round.
@@ -56,6 +57,7 @@ impl Round {
                 rising(MIXED, &course, seed)
             }
             CourseKind::Topic(family) => rising(&[*family], &course, seed),
+            CourseKind::Own(library) => own(&library.concepts, &course, seed),
             CourseKind::Review(topics) => {
                 review::questions(topics, &mut Dice::new(salted(course.kind.id(), seed)))
             }
@@ -117,6 +119,19 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
         questions.extend(fresh);
     }
     questions
+}
+
+/// Written questions, each once, rising in difficulty and otherwise in any order.
+fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
+    let mut dice = Dice::new(salted(course.kind.id(), seed));
+    let mut concepts: Vec<&Concept> = concepts.iter().collect();
+    dice.shuffle(&mut concepts);
+    concepts.truncate(course.count);
+    concepts.sort_by_key(|concept| concept.difficulty);
+    let questions = concepts.into_iter();
+    questions
+        .filter_map(|it| concept::question(it, &mut dice))
+        .collect()
 }
 
 /// A seed of each kind of course's own, so that the quick five of a seed are not the

@@ -18,6 +18,7 @@ mod shelf;
 mod turn;
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::class::{ClassRound, answers_csv, items_csv};
@@ -25,6 +26,7 @@ use crate::files::Fault;
 use crate::game::{Game, SavedGame};
 use crate::messages::{Answer, Done, History, Kept, KeptRound, Request, Wish};
 use crate::progress::Attempt;
+use crate::quiz::concepts::Library;
 use database::Database;
 use disk::Disk;
 use drawer::Drawer;
@@ -44,6 +46,8 @@ pub struct Store {
     tables: Box<dyn Shelf>,
     progress: Database,
     clock: Clock,
+    /// The questions that rounds of own ones ask.
+    own: Arc<Library>,
     closed: bool,
 }
 
@@ -110,6 +114,15 @@ impl Store {
         }
     }
 
+    /// The same store, which knows the questions of a teacher's own, so that rounds of
+    /// them can be taken up again.
+    pub fn with_own(self, own: &Arc<Library>) -> Self {
+        Self {
+            own: Arc::clone(own),
+            ..self
+        }
+    }
+
     /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
     pub fn at(self, time_s: i64) -> Self {
         Self {
@@ -126,6 +139,7 @@ impl Store {
             tables: Box::new(shelves.tables),
             progress,
             clock: Clock::Computer,
+            own: Arc::default(),
             closed: false,
         }
     }
@@ -242,7 +256,7 @@ impl Store {
     /// The text of a class's round and the round.
     fn read_class(&self, name: &str) -> Result<(String, ClassRound), Fault> {
         let bytes = self.classes.shelf.read(name)?;
-        let round = ClassRound::read(&self.classes.shelf.place(name), &bytes)?;
+        let round = ClassRound::read(&self.classes.shelf.place(name), &bytes, &self.own)?;
         Ok((String::from_utf8_lossy(&bytes).into_owned(), round))
     }
 

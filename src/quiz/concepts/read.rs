@@ -14,7 +14,7 @@ use crate::quiz::{Difficulty, Misconception};
 /// The format that this program reads.
 const FORMAT: u32 = 1;
 /// Largest file that is looked at, in bytes.
-const LARGEST_FILE: usize = 1 << 20;
+pub(super) const LARGEST_FILE: usize = 1 << 20;
 /// Most letters of a question.
 const ASK: usize = 240;
 /// Most letters of a choice.
@@ -141,6 +141,7 @@ impl Reader<'_> {
             );
             return Err(self.fault(&item.wrong, "wrong", message));
         }
+        let place = self.fault(&item.id, "id", "");
         let concept = Concept {
             id: self.id(&item.id)?,
             subject: subject.into(),
@@ -158,6 +159,8 @@ impl Reader<'_> {
             why: self.text(&item.why, "why", WHY)?,
             ordered: item.right_place.is_some(),
             hit: self.hit.map(|shot| shot.collision()),
+            file: place.file,
+            line: place.line.unwrap_or(1),
             before_right: self.before_right(item)?,
         };
         for (place, wrong) in concept.wrongs.iter().enumerate() {

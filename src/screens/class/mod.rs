@@ -19,6 +19,7 @@ mod spread_view;
 mod view;
 mod vote_view;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
@@ -53,9 +54,9 @@ enum Scene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub fn new(code: Option<&Code>, teams: Vec<String>) -> Self {
+    pub fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
         Self {
-            scene: Scene::SetUp(SetUp::new(code, teams)),
+            scene: Scene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
             paused: false,
             leaving: false,
         }
