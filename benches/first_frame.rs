@@ -2,12 +2,13 @@
 //! terminal of 80 by 24: `cargo bench --bench first_frame`.
 
 #[cfg(unix)]
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[allow(dead_code, reason = "a start is watched, and no more")]
+#[path = "../tests/common/pty.rs"]
+mod pty;
 
 #[cfg(unix)]
 fn main() {
-    use common::pty::{Pty, carrom};
+    use pty::{Pty, carrom};
     use std::time::{Duration, Instant};
 
     const RUNS: usize = 50;

@@ -14,7 +14,8 @@ use crate::widgets::{self, Charset, Depth, Palette, Theme};
 /// Draw a figure of the lessons as an SVG picture
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Figures: lab, split, triangle, frames, curves, angles, energy, worked, solve, foil.\n\
+    after_help = "Figures: lab, split, triangle, frames, curves, angles, energy, worked, solve, foil,\n\
+                  shots.\n\
                   After the name come fields that change the worked shot:\n  \
                   carrom figure curves alpha_deg=45 --svg curves.svg\n  \
                   carrom figure lab m1_g=20 m2_g=40 speed=3 alpha_deg=45 --svg marbles.svg\n\

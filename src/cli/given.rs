@@ -1,14 +1,27 @@
-//! Files and folders given on the command line in place of those in the program.
+//! Files and folders given on the command line.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 
 use super::Failure;
-use crate::files::Fault;
+use crate::files::{self, Fault};
+
+/// The name of a file for messages, and its bytes, up to one more than the `most` that
+/// may be read; `-` is standard input.
+///
+/// # Errors
+/// If it cannot be read.
+pub(super) fn bytes(path: &Path, most: usize) -> Result<(String, Vec<u8>), Fault> {
+    if path.as_os_str() == "-" {
+        let name = "standard input";
+        return Ok((name.into(), files::read_stdin(name, most)?));
+    }
+    Ok((path.display().to_string(), files::read(path, most)?))
+}
 
 /// What is in these files and folders, or without any what is in the program.
-pub(super) fn read<L: Default>(
+pub(super) fn library<L: Default>(
     paths: &[PathBuf],
     embedded: fn() -> L,
     add_file: fn(&mut L, &Path),

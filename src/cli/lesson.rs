@@ -34,7 +34,7 @@ struct Check {
 
 pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
-    let library = given::read(
+    let library = given::library(
         &args.paths,
         Library::embedded,
         Library::add_file,

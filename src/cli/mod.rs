@@ -140,6 +140,15 @@ enum Screen {
 }
 
 impl Screen {
+    /// Whether it really opens a screen, rather than talking in lines or printing.
+    fn opens(&self) -> bool {
+        match self {
+            Self::Learn { plain, .. } | Self::Quiz { plain, .. } => !plain,
+            Self::Progress(args) => !args.prints(),
+            _ => true,
+        }
+    }
+
     /// Where that is, with these levels, chapters, questions and options.
     ///
     /// # Errors
@@ -308,13 +317,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     })?;
     let screen = match &cli.command {
         None => None,
-        Some(Command::Open(
-            Screen::Quiz { plain: true, .. } | Screen::Learn { plain: true, .. },
-        )) => return Err("expected a command that opens a screen".into()),
-        Some(Command::Open(Screen::Progress(args))) if args.prints() => {
-            return Err("expected a command that opens a screen".into());
-        }
-        Some(Command::Open(screen)) => Some(screen),
+        Some(Command::Open(screen)) if screen.opens() => Some(screen),
         Some(_) => return Err("expected a command that opens a screen".into()),
     };
     let options = cli.options.or(outer);

@@ -9,6 +9,7 @@ use etcetera::BaseStrategy;
 use crate::game::is_player_name;
 use crate::quiz::concepts::Library;
 use crate::screens::{Book, Settings, Shelf};
+use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
 use crate::{lessons, levels};
 
@@ -175,11 +176,6 @@ impl Options {
         Shelf::new(library)
     }
 
-    /// The folder for what carrom keeps, if one is given.
-    pub(super) fn given_data_dir(&self) -> Option<&Path> {
-        self.data_dir.as_deref()
-    }
-
     /// The chapters of the program and those of the folders given. Files that are no
     /// good are left out and listed in the contents.
     pub(super) fn book(&self) -> Book {
@@ -203,6 +199,11 @@ impl Options {
         Arc::new(library)
     }
 
+    /// The folder for what carrom keeps, if one is given.
+    pub(super) fn given_data_dir(&self) -> Option<&Path> {
+        self.data_dir.as_deref()
+    }
+
     /// The folder for what carrom keeps; `None` if none is given and the system
     /// knows no home for the user.
     pub(super) fn data_dir(&self) -> Option<PathBuf> {
@@ -210,6 +211,12 @@ impl Options {
             let system = etcetera::choose_base_strategy().ok()?;
             Some(system.data_dir().join("carrom"))
         })
+    }
+
+    /// Where carrom keeps things; it refuses everything where no folder is known.
+    pub(super) fn store(&self) -> Store {
+        let folder = self.data_dir();
+        folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder))
     }
 }
 

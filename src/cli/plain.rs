@@ -10,7 +10,6 @@ use super::{Failure, Options};
 use crate::physics::worked::Step;
 use crate::quiz::Code;
 use crate::shells::plain::{self, Keeper, Leave, Talk};
-use crate::store::Store;
 
 /// A round of the quiz.
 pub(super) fn quiz(code: Option<&Code>, options: &Options) -> Result<ExitCode, Failure> {
@@ -44,8 +43,7 @@ fn with_keeper(
     options: &Options,
     run: impl FnOnce(&mut Talk, &mut Keeper) -> Result<(), Leave>,
 ) -> Result<ExitCode, Failure> {
-    let folder = options.data_dir();
-    let mut store = folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder));
+    let mut store = options.store();
     let player = options.player_name();
     talk(|talk| run(talk, &mut Keeper::new(&player, &mut store)))
 }

@@ -9,7 +9,6 @@ use anyhow::anyhow;
 use super::options::Look;
 use super::{Failure, Options, Screen, app};
 use crate::shells::terminal::{self, Ending};
-use crate::store::Store;
 
 /// Opens the game at a screen and plays it until it is left.
 pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode, Failure> {
@@ -22,9 +21,7 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
     };
     let seed = options.seed.unwrap_or_else(any_seed);
     let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;
-    let folder = options.data_dir();
-    let store = folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder));
-    let store = store.with_own(app.own());
+    let store = options.store().with_own(app.own());
     Ok(match terminal::run(app, store)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.

@@ -60,8 +60,7 @@ impl Args {
 }
 
 pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
-    let folder = options.data_dir();
-    let mut store = folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder));
+    let mut store = options.store();
     let player = options.player_name();
     let history = match ask(
         &mut store,

@@ -1,15 +1,14 @@
 //! `carrom replay`: plays a saved or exported game again and prints what happens.
 
 use std::fmt::Write as _;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Error, anyhow};
+use anyhow::anyhow;
 use serde::Serialize;
 
-use super::{Failure, print};
-use crate::files;
+use super::{Failure, given, print};
+use crate::files::Fault;
 use crate::game::{
     Coin, Fingerprint, Game, Move, Piece, RecordError, Ruling, SavedGame, Seat, Setup, Stage,
     Strike, Team,
@@ -33,7 +32,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
-    let (saved, game) = read(&args.file).map_err(Failure::Input)?;
+    let (saved, game) = read(&args.file).map_err(|fault| Failure::Input(fault.into()))?;
     let moves = happenings(&saved).map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
     let report = if args.json {
         let mut report = serde_json::to_string(&Report::of(&saved, &game, moves))?;
@@ -46,18 +45,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn read(file: &Path) -> Result<(SavedGame, Game), Error> {
-    if file.as_os_str() != "-" {
-        let bytes = files::read(file, SavedGame::LARGEST_FILE)?;
-        return Ok(SavedGame::read(&file.display().to_string(), &bytes)?);
-    }
-    let mut bytes = Vec::new();
-    let most = SavedGame::LARGEST_FILE as u64 + 1;
-    io::stdin()
-        .take(most)
-        .read_to_end(&mut bytes)
-        .map_err(|error| anyhow!("standard input: cannot be read: {error}"))?;
-    Ok(SavedGame::read("standard input", &bytes)?)
+fn read(file: &Path) -> Result<(SavedGame, Game), Fault> {
+    let (name, bytes) = given::bytes(file, SavedGame::LARGEST_FILE)?;
+    SavedGame::read(&name, &bytes)
 }
 
 /// A move and what came of it.

@@ -1,14 +1,15 @@
 //! `carrom simulate`: plays the shot of a scene and prints what happens.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Error, anyhow};
+use anyhow::anyhow;
 use serde::Serialize;
 
-use super::{Failure, print};
-use crate::levels::{LARGEST_FILE, Scene, read_file};
+use super::{Failure, given, print};
+use crate::files::{self, Fault};
+use crate::levels::Scene;
 use crate::physics::units::mm_from_m;
 use crate::physics::{Event, EventKind, Sample, Shot, State};
 
@@ -23,7 +24,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
-    let scene = read(&args.file).map_err(Failure::Input)?;
+    let scene = read(&args.file).map_err(|fault| Failure::Input(fault.into()))?;
     let shot = scene
         .play()
         .map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
@@ -38,17 +39,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn read(file: &Path) -> Result<Scene, Error> {
-    if file.as_os_str() != "-" {
-        return Ok(Scene::read(&file.display().to_string(), &read_file(file)?)?);
-    }
-    let mut bytes = Vec::new();
-    let most = LARGEST_FILE as u64 + 1;
-    io::stdin()
-        .take(most)
-        .read_to_end(&mut bytes)
-        .map_err(|error| anyhow!("standard input: cannot be read: {error}"))?;
-    Ok(Scene::read("standard input", &bytes)?)
+fn read(file: &Path) -> Result<Scene, Fault> {
+    let (name, bytes) = given::bytes(file, files::LARGEST)?;
+    Scene::read(&name, &bytes)
 }
 
 /// What `--json` prints.

@@ -1,13 +1,13 @@
 //! `carrom tape`: plays a script without a terminal.
 
-use std::fs::{self, File};
-use std::io::Read;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::{Context, anyhow};
 
 use super::{Failure, Options};
+use crate::files::{self, Source};
 use crate::shells::Headless;
 use crate::shells::tape::{PlayError, Tape, play};
 use crate::store::Store;
@@ -47,13 +47,9 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Expect "90.0"            fails unless the screen shows this
   Refuse "NaN"             fails if the screen shows this"#;
 
-/// The longest file that is looked at at all, in bytes.
-const LONGEST: u64 = 1 << 20;
-
 pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let file = args.file.display();
-    let text = read(&args.file).map_err(Failure::Input)?;
-    let tape = Tape::parse(&text).map_err(|error| Failure::Input(anyhow!("{file}:{error}")))?;
+    let tape = read(&args.file).map_err(Failure::Input)?;
     let open = |arguments: &str| {
         let (app, options) = super::open_within(arguments, options)?;
         Ok(match options.given_data_dir() {
@@ -92,21 +88,10 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The text of a tape; an error names the file.
-fn read(path: &Path) -> anyhow::Result<String> {
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes))
-        .with_context(|| path.display().to_string())?;
-    if bytes.len() as u64 > LONGEST {
-        return Err(anyhow!(
-            "{}: expected a tape of at most {LONGEST} bytes, found more",
-            path.display()
-        ));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
-        anyhow!("{}:{line}: expected text in UTF-8", path.display())
-    })
+/// The tape in a file.
+fn read(path: &Path) -> anyhow::Result<Tape> {
+    let bytes = files::read(path, files::LARGEST)?;
+    let name = path.display().to_string();
+    let source = Source::of_bytes(&name, &bytes, files::LARGEST)?;
+    Tape::parse(source.text()).map_err(|error| anyhow!("{name}:{error}"))
 }

@@ -9,6 +9,6 @@ mod tables;
 
 pub use fault::{Fault, harmless};
 pub use list::{List, embedded, list};
-pub use read::read;
+pub use read::{LARGEST, read, read_stdin};
 pub use source::Source;
 pub use tables::newer;

@@ -1,4 +1,4 @@
-//! Reads the bytes of a file.
+//! Reads the bytes of a file, or of standard input.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -6,20 +6,34 @@ use std::path::Path;
 
 use super::Fault;
 
-/// The bytes of a file, up to one more than the `most` that may be read.
+/// Largest text file that is looked at where nothing else is said, in bytes.
+pub const LARGEST: usize = 1 << 20;
+
+/// The bytes of a file, up to one more than the `most` that may be read: who takes them
+/// for text by [`Source::of_bytes`](super::Source::of_bytes) refuses that many.
 ///
 /// # Errors
 /// If it cannot be read.
 pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, Fault> {
-    take(path, most).map_err(|error| {
-        let name = path.display().to_string();
-        Fault::of_file(&name, format!("cannot be read: {error}"))
-    })
+    let bytes = File::open(path).and_then(|file| take(file, most));
+    bytes.map_err(|error| unreadable(&path.display().to_string(), &error))
 }
 
-fn take(path: &Path, most: usize) -> io::Result<Vec<u8>> {
+/// The bytes of standard input, likewise.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, Fault> {
+    take(io::stdin(), most).map_err(|error| unreadable(name, &error))
+}
+
+fn take(source: impl Read, most: usize) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let more = (most as u64).saturating_add(1);
-    File::open(path)?.take(more).read_to_end(&mut bytes)?;
+    source.take(more).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+fn unreadable(name: &str, error: &io::Error) -> Fault {
+    Fault::of_file(name, format!("cannot be read: {error}"))
 }

@@ -3,7 +3,7 @@
 use super::formula::Formula;
 use super::inline::{self, Meaning};
 use super::source::{Line, Source};
-use crate::levels::Fault;
+use crate::files::Fault;
 
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]

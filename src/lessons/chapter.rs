@@ -3,7 +3,7 @@
 use super::header::{self, Header};
 use super::page::Page;
 use super::source::{Line, Source};
-use crate::levels::Fault;
+use crate::files::Fault;
 
 /// Most pages of a chapter.
 const MOST_PAGES: usize = 60;

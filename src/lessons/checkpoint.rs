@@ -6,7 +6,7 @@ use super::inline::{self, Meaning};
 use super::source::{Line, Source};
 use super::words::Words;
 use super::{Quantity, Shot};
-use crate::levels::Fault;
+use crate::files::Fault;
 use crate::physics::Collision;
 
 /// Least and most lines of a choice.

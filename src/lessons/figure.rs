@@ -5,7 +5,7 @@ use super::header::Shots;
 use super::words::Words;
 
 /// What a figure shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FigureKind {
     /// The hit, as in the lab.
     Lab,
@@ -34,9 +34,17 @@ pub enum FigureKind {
     Solve,
     /// Particles and a centre of repulsion.
     Foil {
-        /// The page of the foil to open from it: 1 a particle, 2 a beam, 3 what was
-        /// counted in 1913.
+        /// The page of the foil: 1 a particle, 2 a beam, 3 what was counted in 1913.
         page: u8,
+        /// Whether the counts of 1913 stand above the law rather than against it.
+        levelled: bool,
+    },
+    /// Many shots at one disc, none of them aimed.
+    Shots {
+        /// Whether the offsets fill a disc, as in space, rather than a line.
+        space: bool,
+        /// The angle in degrees beyond which shots are counted.
+        beyond_deg: f64,
     },
 }
 
@@ -53,7 +61,7 @@ pub struct Figure {
 
 impl FigureKind {
     /// Names in a file, each with its figure.
-    const NAMES: [(&'static str, Self); 10] = [
+    const NAMES: [(&'static str, Self); 11] = [
         ("lab", Self::Lab),
         ("split", Self::Split),
         ("triangle", Self::Triangle { step: 3 }),
@@ -63,7 +71,20 @@ impl FigureKind {
         ("energy", Self::Energy),
         ("worked", Self::Worked { blank: None }),
         ("solve", Self::Solve),
-        ("foil", Self::Foil { page: 1 }),
+        (
+            "foil",
+            Self::Foil {
+                page: 1,
+                levelled: false,
+            },
+        ),
+        (
+            "shots",
+            Self::Shots {
+                space: false,
+                beyond_deg: 60.0,
+            },
+        ),
     ];
 
     /// The names of all figures.
@@ -101,8 +122,13 @@ impl Figure {
             FigureKind::Worked { blank } => {
                 *blank = words.number("blank", 1.0, 9.0)?.map(|step| step as usize);
             }
-            FigureKind::Foil { page } => {
+            FigureKind::Foil { page, levelled } => {
                 *page = words.number("page", 1.0, 3.0)?.map_or(1, |page| page as u8);
+                *levelled = words.flag("levelled");
+            }
+            FigureKind::Shots { space, beyond_deg } => {
+                *space = words.flag("space");
+                *beyond_deg = words.number("beyond_deg", 5.0, 85.0)?.unwrap_or(60.0);
             }
             _ => {}
         }

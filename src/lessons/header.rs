@@ -8,8 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::Shot;
 use super::source::{FORMAT, Line, Source};
 use super::words::Words;
-use crate::files::newer;
-use crate::levels::Fault;
+use crate::files::{Fault, newer};
 
 /// What stands before and after a header.
 const FENCE: &str = "+++";

@@ -9,7 +9,7 @@ use super::source::Source;
 use super::words::Words;
 use super::written::Written;
 use super::{Quantity, Shot};
-use crate::levels::Fault;
+use crate::files::Fault;
 
 /// What names in a text stand for.
 pub(super) struct Meaning<'a> {

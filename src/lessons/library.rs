@@ -7,7 +7,6 @@ use include_dir::{Dir, include_dir};
 
 use super::chapter::Chapter;
 use crate::files::{self, Fault};
-use crate::levels::read_file;
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
@@ -54,7 +53,7 @@ impl Library {
 
     /// Adds one chapter.
     pub fn add_file(&mut self, path: &Path) {
-        match read_file(path) {
+        match files::read(path, files::LARGEST) {
             Ok(bytes) => self.add(&path.display().to_string(), &bytes),
             Err(fault) => self.problems.push(fault),
         }

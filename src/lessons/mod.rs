@@ -37,5 +37,5 @@ pub use library::Library;
 pub use page::Page;
 pub use source::FORMAT;
 
-pub use crate::levels::Fault;
+pub use crate::files::Fault;
 pub use crate::physics::named::{Constant, Quantity, Shot};

@@ -6,7 +6,7 @@ use super::figure::Figure;
 use super::header::Shots;
 use super::inline::Meaning;
 use super::source::{Line, Source};
-use crate::levels::Fault;
+use crate::files::Fault;
 
 /// Most letters of a page's title.
 const TITLE: usize = 40;

@@ -1,6 +1,6 @@
 //! The lines of a file, and faults at them.
 
-use crate::levels::{Fault, LARGEST_FILE};
+use crate::files::{self, Fault};
 
 /// The format of chapters that this program reads.
 pub const FORMAT: u32 = 1;
@@ -21,15 +21,7 @@ impl<'a> Source<'a> {
     /// # Errors
     /// If it is too large, or no text.
     pub(super) fn new(name: &'a str, bytes: &'a [u8]) -> Result<Self, Fault> {
-        let empty = Self { name, text: "" };
-        if bytes.len() > LARGEST_FILE {
-            return Err(empty.fault(1, "expected a file of at most 1 MiB, found more"));
-        }
-        let text = std::str::from_utf8(bytes).map_err(|error| {
-            let before = bytes.iter().take(error.valid_up_to());
-            let line = 1 + before.filter(|byte| **byte == b'\n').count();
-            empty.fault(line, "expected UTF-8 text, found other bytes")
-        })?;
+        let text = files::Source::of_bytes(name, bytes, files::LARGEST)?.text();
         let source = Self { name, text };
         let control = |c: char| c.is_control() && c != '\n' && c != '\r';
         match source.lines().find(|(_, line)| line.contains(control)) {

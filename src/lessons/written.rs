@@ -1,5 +1,7 @@
 //! A figure as it is written in a text, and whether it is what the engine computes.
 
+use super::formula::superscript;
+
 /// A written figure.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Written {
@@ -52,7 +54,7 @@ impl Written {
         let mut shown = mantissa.replace('-', "−");
         if text.contains('e') {
             shown += "×10";
-            shown.extend(exponent.to_string().chars().map(raised));
+            shown += &superscript(&exponent.to_string()).unwrap_or_default();
         }
         Ok(Self {
             shown,
@@ -74,24 +76,6 @@ impl Written {
         } else {
             format!("{truth:.places$}")
         }
-    }
-}
-
-/// A letter of an exponent.
-fn raised(letter: char) -> char {
-    match letter {
-        '-' => '⁻',
-        '0' => '⁰',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        '9' => '⁹',
-        other => other,
     }
 }
 

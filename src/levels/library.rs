@@ -6,7 +6,6 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::level::Level;
-use super::source::LARGEST_FILE;
 use crate::files::{self, Fault, List};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
@@ -93,7 +92,7 @@ impl Library {
     /// Adds one level file to the pack named after its folder.
     pub fn add_file(&mut self, path: &Path) {
         let (_, name) = path.parent().map(order).unwrap_or_default();
-        match read_file(path) {
+        match files::read(path, files::LARGEST) {
             Ok(bytes) => self.add(&name, &path.display().to_string(), &bytes),
             Err(fault) => self.problems.push(fault),
         }
@@ -115,15 +114,6 @@ impl Library {
             }),
         }
     }
-}
-
-/// The bytes of a scene or level file, up to one more than may be read.
-///
-/// # Errors
-///
-/// If the file cannot be read.
-pub fn read_file(path: &Path) -> Result<Vec<u8>, Fault> {
-    files::read(path, LARGEST_FILE)
 }
 
 /// Where the pack of a folder comes among others, and its name: `2-right-angle` is

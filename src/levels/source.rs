@@ -4,13 +4,10 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::fields::Fields;
-use crate::files::{Fault, Source, newer};
+use crate::files::{self, Fault, Source, newer};
 
 /// The format that this program reads and writes.
 pub const FORMAT: u32 = 1;
-
-/// Largest file that is looked at, in bytes.
-pub const LARGEST_FILE: usize = 1 << 20;
 
 /// Reads a file of the format: `read` takes what it knows from the tables, and
 /// what is left over is a fault.
@@ -23,7 +20,7 @@ pub(super) fn read_document<T>(
     bytes: &[u8],
     read: impl FnOnce(&mut Fields) -> Result<T, Fault>,
 ) -> Result<T, Fault> {
-    let source = Source::of_bytes(name, bytes, LARGEST_FILE)?;
+    let source = Source::of_bytes(name, bytes, files::LARGEST)?;
     let document = parse(source)?;
     let mut fields = Fields::of_document(source, &document);
     check_format(&mut fields, source)?;

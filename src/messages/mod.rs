@@ -1,5 +1,5 @@
-//! What goes into the app and what comes out of it: keys, the mouse, the size of
-//! the screen; where to go next; what a shell shall do.
+//! What goes into the app and what comes out of it: keys, the mouse, the size of the
+//! screen; what a shell shall do, and what came of it.
 //!
 //! Each shell translates its own world into these types, so that the app never
 //! learns which one drives it.

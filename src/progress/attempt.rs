@@ -21,7 +21,7 @@ pub struct Attempt {
     pub family: String,
     /// What it was about: "equal masses, by offset", or the title of the chapter.
     pub topic: String,
-    /// The code of the round; 0 where there is none.
+    /// The seed of the round; 0 where there is none.
     pub seed: u64,
     /// Its place in the round, or the page of the chapter, from 1.
     pub number: u32,

@@ -80,8 +80,8 @@ pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
         "You are sure a little too often. Before you say \"sure\", ask what would have to \
          be true for you to be wrong."
     } else if guess.beyond() > 0.0 || think_so.beyond() > 0.0 {
-        "You know more than you trust yourself to: what you call a guess is right more \
-         often than that."
+        "You know more than you trust yourself to: you are right more often than you \
+         expect."
     } else if think_so.beyond() < 0.0 {
         "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
          and it is where learning starts."

@@ -1,7 +1,5 @@
 //! A look back over a round.
 
-use crate::physics::units::deg_from_rad;
-
 use super::misconceptions::all;
 use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question};
 
@@ -83,6 +81,7 @@ impl Summary {
     /// answered.
     pub fn calibration_words(&self) -> String {
         let (sure, sure_right) = self.calibration(Confidence::Sure);
+        let (thought, thought_right) = self.calibration(Confidence::ThinkSo);
         let (guesses, guesses_right) = self.calibration(Confidence::Guess);
         let counted = match sure {
             _ if self.lines.is_empty() => return String::new(),
@@ -91,13 +90,17 @@ impl Summary {
             1 => "Sure once, and not right.".into(),
             _ => format!("Sure {sure} times, right {sure_right} of them."),
         };
-        // "Sure" pays from four right in five on, "guess" up to one in two.
+        // "Sure" pays from four right in five on, "guess" up to one in two. One answer
+        // that was thought right and was not says nothing yet.
         let verdict = if 5 * sure_right < 4 * sure {
             "What you were sure of and missed is worth most: look at it again."
         } else if 2 * guesses_right > guesses
             || sure == 0 && 5 * self.right() >= 4 * self.lines.len()
         {
             "You know more than you trust yourself to."
+        } else if thought > 1 && 2 * thought_right < thought {
+            "What you only think so is right less than half the time: call it a guess, \
+             which costs nothing."
         } else {
             "You judge well what you know."
         };
@@ -128,9 +131,10 @@ impl Summary {
         if let Some((misconception, _)) = self.most_held() {
             return misconception.advice.into();
         }
-        match self.mean_error().map(deg_from_rad) {
-            _ if self.lines.is_empty() => "Answer a question first.".into(),
-            Some(error) if error <= super::grade::RIGHT_DEG => {
+        match self.lines.len() {
+            0 => "Answer a question first.".into(),
+            // As a topic is solid: from four right in five on.
+            asked if 5 * self.right() >= 4 * asked => {
                 "You have this. Try a new round, or a level that needs an exact cut.".into()
             }
             _ => "In the lab, take one hit at a time: first the line of impact, then the \
@@ -142,7 +146,7 @@ impl Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Given, Hit, Pieces, Rays, Said};
+    use super::super::{Code, Given, Hit, Pieces, Rays, Round, Said};
     use super::*;
 
     const HIT: Hit = Hit {
@@ -191,9 +195,32 @@ mod tests {
                 vec![(ThinkSo, false), (Guess, false)],
                 "You were never sure. You judge well what you know.",
             ),
+            (
+                vec![(ThinkSo, false), (ThinkSo, false), (ThinkSo, true)],
+                "You were never sure. What you only think so is right less than half the time: \
+                 call it a guess, which costs nothing.",
+            ),
         ] {
             assert_eq!(summary(&answers).calibration_words(), words);
         }
+    }
+
+    /// No angle is asked for in this round, and one answer in three is off.
+    #[test]
+    fn advice_counts_what_was_right_whatever_was_asked() {
+        let round = Round::of(Code::parse("speeds3-5").unwrap());
+        let summary = |right: usize| {
+            let answers: Vec<Answer> = (round.questions().iter().enumerate())
+                .map(|(i, question)| match question.form.truth() {
+                    Said::Number(truth) if i >= right => Said::Number(truth + 90.0),
+                    truth => truth,
+                })
+                .map(|said| Answer::new(said, Confidence::Guess))
+                .collect();
+            Summary::new(round.questions().iter().zip(&answers))
+        };
+        assert!(summary(3).advice().starts_with("You have this."));
+        assert!(summary(2).advice().starts_with("In the lab,"));
     }
 
     #[test]

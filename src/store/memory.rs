@@ -22,10 +22,6 @@ impl Memory {
             texts: Vec::new(),
         }
     }
-
-    fn find(&self, name: &str) -> Option<usize> {
-        self.texts.iter().position(|(known, _)| known == name)
-    }
 }
 
 impl Shelf for Memory {
@@ -56,7 +52,8 @@ impl Shelf for Memory {
     }
 
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
-        let Some(at) = self.find(name).filter(|at| self.texts[*at].1 == old) else {
+        let there = |(known, now): &(String, String)| known == name && now == old;
+        let Some(at) = self.texts.iter().position(there) else {
             return Ok(false);
         };
         self.texts.remove(at);

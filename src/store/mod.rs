@@ -22,7 +22,6 @@ use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::class::{ClassRound, answers_csv, items_csv};
-use crate::files::Fault;
 use crate::game::{Game, SavedGame};
 use crate::messages::{Answer, Done, History, Kept, KeptRound, Request, Wish};
 use crate::progress::Attempt;
@@ -40,14 +39,13 @@ const TABLE: &str = ".csv";
 
 /// Where everything is kept.
 pub struct Store {
-    games: Drawer,
-    classes: Drawer,
+    /// Each game with where it stands.
+    games: Drawer<(SavedGame, Game)>,
+    classes: Drawer<ClassRound>,
     exports: Box<dyn Shelf>,
     tables: Box<dyn Shelf>,
     progress: Database,
     clock: Clock,
-    /// The questions that rounds of own ones ask.
-    own: Arc<Library>,
     closed: bool,
 }
 
@@ -116,11 +114,11 @@ impl Store {
 
     /// The same store, which knows the questions of a teacher's own, so that rounds of
     /// them can be taken up again.
-    pub fn with_own(self, own: &Arc<Library>) -> Self {
-        Self {
-            own: Arc::clone(own),
-            ..self
-        }
+    pub fn with_own(mut self, own: &Arc<Library>) -> Self {
+        let own = Arc::clone(own);
+        self.classes
+            .read_by(move |name, bytes| ClassRound::read(name, bytes, &own));
+        self
     }
 
     /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
@@ -133,13 +131,14 @@ impl Store {
 
     fn of<S: Shelf + 'static>(shelves: Shelves<S>, progress: Database) -> Self {
         Self {
-            games: Drawer::new(shelves.games, "game"),
-            classes: Drawer::new(shelves.classes, "class"),
+            games: Drawer::new(shelves.games, "game", SavedGame::read),
+            classes: Drawer::new(shelves.classes, "class", |name, bytes| {
+                ClassRound::read(name, bytes, &Arc::default())
+            }),
             exports: Box::new(shelves.exports),
             tables: Box::new(shelves.tables),
             progress,
             clock: Clock::Computer,
-            own: Arc::default(),
             closed: false,
         }
     }
@@ -154,12 +153,12 @@ impl Store {
             Wish::Save(game) => Done::Saved(self.save(ticket, game)),
             Wish::List => Done::Listed(self.list()),
             Wish::Load(name) => Done::Loaded(self.load(ticket, name)),
-            Wish::Remove(name) => Done::Removed(self.remove(name)),
+            Wish::Remove(name) => Done::Removed(self.games.remove(name)),
             Wish::Export(game) => Done::Exported(self.export(game)),
             Wish::SaveClass(round) => Done::Saved(self.save_class(ticket, round)),
             Wish::ListClasses => Done::Classes(self.list_classes()),
-            Wish::LoadClass(name) => Done::Class(self.load_class(ticket, name)),
-            Wish::RemoveClass(name) => Done::Removed(self.classes.shelf.remove(name)),
+            Wish::LoadClass(name) => Done::Class(self.classes.load(ticket, name).map(Box::new)),
+            Wish::RemoveClass(name) => Done::Removed(self.classes.remove(name)),
             Wish::ExportClass(round) => Done::Exported(self.export_class(round)),
             Wish::Record(attempt) => Done::Noted(self.record(attempt)),
             Wish::Star(player, starred) => Done::Noted(self.progress.star(player, starred)),
@@ -186,38 +185,18 @@ impl Store {
     }
 
     fn list(&self) -> Result<Vec<Kept>, String> {
-        let mut found = Vec::new();
-        for name in self.games.shelf.names()? {
-            let game = self.read(&name).map(|(_, game)| Box::new(game));
-            found.push(Kept {
-                age: self
-                    .games
-                    .shelf
-                    .age(&name)
-                    .filter(|_| self.clock == Clock::Computer),
-                // Where it is, is said beside.
-                game: game.map_err(|fault| fault.without_file()),
-                name,
-            });
-        }
-        Ok(found)
+        let found = self.games.list()?.into_iter();
+        let kept = found.map(|found| Kept {
+            name: found.name,
+            age: found.age.filter(|_| self.clock == Clock::Computer),
+            game: found.thing.map(Box::new),
+        });
+        Ok(kept.collect())
     }
 
     fn load(&mut self, ticket: u64, name: &str) -> Result<Box<SavedGame>, String> {
-        let (text, (game, _)) = self.read(name).map_err(|fault| fault.to_string())?;
-        self.games.taken(ticket, name, text);
+        let (game, _) = self.games.load(ticket, name)?;
         Ok(Box::new(game))
-    }
-
-    /// The text of a game and the game, with where it stands.
-    fn read(&self, name: &str) -> Result<(String, (SavedGame, Game)), Fault> {
-        let bytes = self.games.shelf.read(name)?;
-        let game = SavedGame::read(&self.games.shelf.place(name), &bytes)?;
-        Ok((String::from_utf8_lossy(&bytes).into_owned(), game))
-    }
-
-    fn remove(&mut self, name: &str) -> Result<(), String> {
-        self.games.shelf.remove(name)
     }
 
     fn export(&mut self, game: &SavedGame) -> Result<String, String> {
@@ -231,33 +210,13 @@ impl Store {
     }
 
     fn list_classes(&self) -> Result<Vec<KeptRound>, String> {
-        let names = self.classes.shelf.names()?.into_iter();
-        let kept = names.map(|name| KeptRound {
-            age: self
-                .classes
-                .shelf
-                .age(&name)
-                .filter(|_| self.clock == Clock::Computer),
-            round: match self.read_class(&name) {
-                Ok((_, round)) => Ok(Box::new(round)),
-                Err(fault) => Err(fault.without_file()),
-            },
-            name,
+        let found = self.classes.list()?.into_iter();
+        let kept = found.map(|found| KeptRound {
+            name: found.name,
+            age: found.age.filter(|_| self.clock == Clock::Computer),
+            round: found.thing.map(Box::new),
         });
         Ok(kept.collect())
-    }
-
-    fn load_class(&mut self, ticket: u64, name: &str) -> Result<Box<ClassRound>, String> {
-        let (text, round) = self.read_class(name).map_err(|fault| fault.to_string())?;
-        self.classes.taken(ticket, name, text);
-        Ok(Box::new(round))
-    }
-
-    /// The text of a class's round and the round.
-    fn read_class(&self, name: &str) -> Result<(String, ClassRound), Fault> {
-        let bytes = self.classes.shelf.read(name)?;
-        let round = ClassRound::read(&self.classes.shelf.place(name), &bytes, &self.own)?;
-        Ok((String::from_utf8_lossy(&bytes).into_owned(), round))
     }
 
     /// Writes both tables of a class's round.

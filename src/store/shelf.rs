@@ -9,7 +9,7 @@ pub(super) trait Shelf: Send {
     /// The names there are, the latest first.
     fn names(&self) -> Result<Vec<String>, String>;
 
-    /// What stands under a name, up to one byte more than a game may have.
+    /// What stands under a name; of what is too large one byte more than may be read.
     fn read(&self, name: &str) -> Result<Vec<u8>, Fault>;
 
     /// How long ago it was put there.

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use super::signs::{greek, superscript};
+
 /// The glyphs a screen may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Charset {
@@ -71,54 +73,11 @@ const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\n')
 }
 
-/// The digit or sign that is raised in an exponent.
-const fn superscript(letter: char) -> Option<char> {
-    Some(match letter {
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴' => '4',
-        '⁵' => '5',
-        '⁶' => '6',
-        '⁷' => '7',
-        '⁸' => '8',
-        '⁹' => '9',
-        '⁻' => '-',
-        _ => return None,
-    })
-}
-
 /// How a letter outside ASCII is spelt inside it.
-const fn spelling(letter: char) -> &'static str {
+fn spelling(letter: char) -> &'static str {
     match letter {
-        'α' => "alpha",
-        'β' => "beta",
-        'γ' => "gamma",
-        'δ' => "delta",
-        'ε' | 'ϵ' => "epsilon",
-        'η' => "eta",
-        'θ' | 'ϑ' => "theta",
-        'λ' => "lambda",
-        'μ' => "mu",
         // The micro of a unit.
         'µ' => "u",
-        'ν' => "nu",
-        'π' => "pi",
-        'ρ' => "rho",
-        'σ' => "sigma",
-        'τ' => "tau",
-        'φ' | 'ϕ' => "phi",
-        'χ' => "chi",
-        'ψ' => "psi",
-        'ω' => "omega",
-        'Γ' => "Gamma",
-        'Δ' => "Delta",
-        'Θ' => "Theta",
-        'Λ' => "Lambda",
-        'Σ' => "Sigma",
-        'Φ' => "Phi",
-        'Ω' => "Omega",
         '₀' => "0",
         '₁' => "1",
         '₂' => "2",
@@ -186,7 +145,7 @@ const fn spelling(letter: char) -> &'static str {
         'ò' | 'ó' | 'ô' | 'õ' | 'ö' | 'ø' => "o",
         'ù' | 'ú' | 'û' | 'ü' => "u",
         'ß' => "ss",
-        _ => "?",
+        other => greek(other).unwrap_or("?"),
     }
 }
 

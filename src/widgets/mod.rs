@@ -29,6 +29,7 @@ mod number_input;
 mod question_picture;
 mod ray_input;
 mod scroll;
+pub(crate) mod signs;
 pub mod text;
 pub mod tracks;
 

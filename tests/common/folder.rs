@@ -1,24 +1,34 @@
 //! A folder of one test's own.
 
-#![allow(dead_code, reason = "not every test has files")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// An empty folder, removed when it is dropped.
 pub struct Folder(PathBuf);
 
 impl Folder {
+    /// A folder that nobody else has, with this in its name.
     pub fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("carrom-{name}-{}", std::process::id()));
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("carrom-{name}-{}-{number}", std::process::id());
+        let path = std::env::temp_dir().join(name);
         let _ = fs::remove_dir_all(&path);
         fs::create_dir_all(&path).unwrap();
         Self(path)
     }
 
+    /// Where it is.
     pub fn path(&self) -> &Path {
         &self.0
+    }
+
+    /// Writes a file in it, and says where that is.
+    pub fn file(&self, name: &str, content: impl AsRef<[u8]>) -> String {
+        let path = self.0.join(name);
+        fs::write(&path, content).unwrap();
+        path.to_str().unwrap().into()
     }
 }
 

@@ -1,7 +1,5 @@
 //! The keys that say something.
 
-#![allow(dead_code, reason = "not every test answers")]
-
 use carrom::quiz::{Form, Said};
 
 /// The keys with which this is said to a question of this form.

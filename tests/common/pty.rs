@@ -1,6 +1,5 @@
 //! A program in a terminal of its own, seen as a person would see it.
 
-#![allow(dead_code, reason = "each test uses another part")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::io::{Read, Write};

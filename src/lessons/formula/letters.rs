@@ -63,7 +63,7 @@ pub(super) fn raised(letter: char) -> Option<char> {
         '7' => '⁷',
         '8' => '⁸',
         '9' => '⁹',
-        '−' => '⁻',
+        '-' | '−' => '⁻',
         _ => return None,
     })
 }

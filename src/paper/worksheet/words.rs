@@ -6,7 +6,7 @@ use crate::quiz::{Code, Confidence, Form, Picture, Question, RIGHT_DEG, Round, l
 pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
      anything up, and tick how sure you are. A good guess is worth something, and an honest \
      \"guess\" costs nothing. Pictures are seen from above and true to scale; left and right \
-     are as the striker sees them on its way.";
+     are as the striker sees them on its way. Rims are smooth unless a question says otherwise.";
 
 /// What a key is for.
 pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \

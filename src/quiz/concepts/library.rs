@@ -50,8 +50,8 @@ impl Library {
         let subject = path.file_stem().map(|stem| stem.to_string_lossy());
         let subject = harmless(&subject.unwrap_or_default(), LONGEST_SUBJECT);
         let name = path.display().to_string();
-        let added = files::read(path, read::LARGEST_FILE)
-            .and_then(|bytes| self.add(&subject, &name, &bytes));
+        let added =
+            files::read(path, files::LARGEST).and_then(|bytes| self.add(&subject, &name, &bytes));
         self.problems.extend(added.err());
     }
 

@@ -7,14 +7,12 @@ use toml::Spanned;
 
 use super::figures::fill;
 use super::{Concept, Wrong};
-use crate::files::{Fault, Source, harmless};
+use crate::files::{self, Fault, Source, harmless};
 use crate::physics::named::Shot;
 use crate::quiz::{Difficulty, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
-/// Largest file that is looked at, in bytes.
-pub(super) const LARGEST_FILE: usize = 1 << 20;
 /// Most letters of a question.
 const ASK: usize = 240;
 /// Most letters of a choice.
@@ -82,7 +80,7 @@ pub(super) fn file(
     bytes: &[u8],
     concepts: &mut Vec<Concept>,
 ) -> Result<(), Fault> {
-    let source = Source::of_bytes(name, bytes, LARGEST_FILE)?;
+    let source = Source::of_bytes(name, bytes, files::LARGEST)?;
     let file: File = source.tables("a file of questions", FORMAT)?;
     for item in &file.item {
         let reader = Reader {

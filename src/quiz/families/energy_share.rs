@@ -163,8 +163,8 @@ fn passed(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
             number(
                 &LOSS_ON_EVERYTHING,
                 PERCENT * e * e * without_loss,
-                "You took e off the speed without loss. e makes them part more slowly; it does \
-                 not shrink each speed."
+                "You multiplied the speed without loss by e. But e makes them part more \
+                 slowly; it does not shrink each speed."
                     .into(),
             ),
         ],

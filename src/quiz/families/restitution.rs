@@ -320,7 +320,8 @@ fn corner(dice: &mut Dice) -> Option<Question> {
             number(
                 &LOSS_ON_EVERYTHING,
                 90.0 * e,
-                "You took e off the right angle itself. e works along the line of impact alone."
+                "You multiplied the right angle itself by e. But e works along the line of \
+                 impact alone."
                     .into(),
             ),
             number(

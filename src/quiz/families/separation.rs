@@ -120,15 +120,14 @@ fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<
         ));
     }
     let not_here = if m1_g == m2_g {
-        "energy is lost"
+        "Equal masses part at a right angle if no energy is lost. Here some is."
+    } else if lossy {
+        "With loss it is not equal masses that part at a right angle, but m₁ = e m₂. Here they \
+         are others."
     } else {
-        "the masses differ"
+        "The right angle without loss is that of equal masses. Here they differ."
     };
-    chosen.push((
-        &ALWAYS_SQUARE,
-        EXACTLY,
-        format!("The right angle is that of equal masses without loss. Here {not_here}."),
-    ));
+    chosen.push((&ALWAYS_SQUARE, EXACTLY, not_here.into()));
     if lossy {
         chosen.push((
             &LOSSLESS,
@@ -253,7 +252,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
             number(
                 &ALWAYS_SQUARE,
                 90.0,
-                "You opened a right angle. It is that of equal masses without loss.".into(),
+                "You opened a right angle. It takes m₁ = e m₂: without loss, equal masses.".into(),
             ),
             number(
                 &COPIED_ANGLE,

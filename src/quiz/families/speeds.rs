@@ -87,8 +87,8 @@ fn target(hit: &Hit, difficulty: Difficulty) -> Question {
             number(
                 &LOSS_ON_EVERYTHING,
                 e * lossless,
-                "You took e off the speed without loss. But e makes them part more slowly; it \
-                 does not shrink each speed."
+                "You multiplied the speed without loss by e. But e makes them part more \
+                 slowly; it does not shrink each speed."
                     .into(),
             ),
         ],

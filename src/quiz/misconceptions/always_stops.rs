@@ -17,5 +17,5 @@ pub static ALWAYS_STOPS: Misconception = Misconception {
             telltale: Some(Ray::Striker),
         })
     },
-    says: |_| "You stopped the striker. That takes equal masses and no loss.".into(),
+    says: |_| "You stopped the striker. Without loss that takes equal masses.".into(),
 };

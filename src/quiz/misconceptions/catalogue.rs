@@ -78,10 +78,10 @@ pub static SINE_COSINE: Misconception = Misconception::in_words(
      there.",
 );
 
-/// Faster hits taken to part at a wider angle.
+/// Angles taken to depend on how fast the hit is.
 pub static SPEED_OPENS_ANGLE: Misconception = Misconception::in_words(
     "speed-opens-angle",
-    "a faster hit parts wider",
+    "angles that hang on the speed",
     "In the lab, change the speed alone and watch the angles: nothing about them moves.",
 );
 

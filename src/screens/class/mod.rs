@@ -284,7 +284,7 @@ impl Screen for Class {
             text: vec![
                 "One laptop, one projector, up to eight teams. Each question goes the same way: it is read out; everyone predicts in silence; the teams enter their first vote; all see how the votes are spread, and talk; the teams may change; then the shot, and why; then the scores.",
                 "Let every team write its answer down while it is silent: then nobody copies what is typed first.",
-                "Points come from how near the last vote is, up to ten a question. There are no timers, and nobody is faster than anybody.",
+                "Rims are smooth unless a question says otherwise. Points come from how near the last vote is, up to ten a question. There are no timers, and nobody is faster than anybody.",
                 "Everything is saved after each vote. Leave when the bell rings, and take the round up again another day.",
             ],
             keys: vec![

@@ -62,7 +62,7 @@ pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
     let Ok(series) = series() else {
         return;
     };
-    let law = Axis::log("1/sin⁴(φ/2), small angles to the right", 1.0, 5000.0);
+    let law = Axis::log("1/sin⁴(φ/2), small φ right", 1.0, 5000.0);
     let mut plot = if levelled {
         let excess = Axis::linear("above the law (%)", -25.0, 50.0).every(25.0);
         Plot::new(area, look, law, excess)

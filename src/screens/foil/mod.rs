@@ -6,6 +6,7 @@ mod export;
 mod field;
 mod guess;
 mod measured_page;
+mod plot;
 mod run;
 mod setup;
 mod tracks_page;
@@ -22,6 +23,7 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::{NumberEntry, Scroll, Typed};
 
 pub use field::Field;
+pub use plot::Plot;
 pub use setup::{Obstacle, Setup};
 
 use run::Run;
@@ -107,6 +109,13 @@ impl Foil {
         self.page == Page::Counts && self.run.as_ref().is_some_and(Run::is_running)
     }
 
+    /// Stops the beam, or lets it go on.
+    fn halt(&mut self, halted: bool) {
+        if let Some(run) = &mut self.run {
+            run.set_halted(halted);
+        }
+    }
+
     /// Changes the setting; a beam of another setting is no longer this one's.
     fn change(&mut self, change: impl FnOnce(&mut Setup)) {
         let before = self.setup;
@@ -141,9 +150,7 @@ impl Foil {
 
     fn turn_to(&mut self, page: Page) {
         self.commit_entry();
-        if let Some(run) = &mut self.run {
-            run.set_halted(true);
-        }
+        self.halt(true);
         // The setting that was chosen stays chosen, if the page has it.
         let chosen = self.field();
         self.page = page;
@@ -162,22 +169,22 @@ impl Foil {
     /// Throws a beam: lets a halted one go on, or begins another, after a guess if one is
     /// wanted.
     fn throw(&mut self, cx: &Context) {
-        match &mut self.run {
-            Some(run) if !run.is_over() => run.set_halted(false),
-            Some(_) => self.begin(None, cx),
+        match &self.run {
+            Some(run) if !run.is_over() => self.halt(false),
+            Some(_) => self.begin(None, cx.seed()),
             None if cx.settings.predict => {
                 self.guess = Some(guess::CHOICES.len() / 2);
                 self.scroll = Scroll::default();
             }
-            None => self.begin(None, cx),
+            None => self.begin(None, cx.seed()),
         }
     }
 
     /// Begins a beam of new particles; what was said of the last one of its kind still
     /// stands.
-    fn begin(&mut self, said: Option<f64>, cx: &Context) {
+    fn begin(&mut self, said: Option<f64>, seed: u64) {
         let said = said.or_else(|| self.run.as_ref().and_then(|run| run.said));
-        let seed = cx.seed().wrapping_add(self.runs);
+        let seed = seed.wrapping_add(self.runs);
         self.runs = self.runs.wrapping_add(1);
         let (law, particles) = (self.setup.law(), self.setup.particles());
         self.run = Some(Run::new(law, seed, particles, said));
@@ -241,11 +248,7 @@ impl Foil {
     /// Keys while a beam is under way: Escape stops it at once.
     fn running_key(&mut self, key: Key) -> Next {
         match key {
-            Key::Escape | Key::Enter | Key::Char(' ') => {
-                if let Some(run) = &mut self.run {
-                    run.set_halted(true);
-                }
-            }
+            Key::Escape | Key::Enter | Key::Char(' ') => self.halt(true),
             Key::Tab => self.turn_by(1),
             Key::BackTab => self.turn_by(Page::ALL.len() - 1),
             Key::Char('l' | 'L') => self.other_scale = !self.other_scale,
@@ -262,7 +265,7 @@ impl Foil {
             Key::Enter | Key::Char(' ') => {
                 self.guess = None;
                 let said = guess::CHOICES.get(chosen).map(|choice| choice.share);
-                self.begin(said, cx);
+                self.begin(said, cx.seed());
             }
             Key::Escape => self.guess = None,
             Key::Tab => self.turn_by(1),

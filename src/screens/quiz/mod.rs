@@ -587,7 +587,7 @@ impl Screen for Quiz {
     fn help(&self, _cx: &Context) -> Help {
         Help {
             text: vec![
-                "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end.",
+                "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end. Rims are smooth unless a question says otherwise.",
                 "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A number is right within a twentieth of the truth. A shot: set the offset that sends the disc along the dashed way to the mark.",
                 "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays.",
                 "After the last question each one can be opened again. The code at the top fixes the questions: with the same code a friend gets the same round.",

@@ -71,7 +71,7 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
             panel::confidence(asked, *chosen, quiz.tells_at_end(), lines);
         }
         Phase::Watch(watched) if watched.telling.is_told() => {
-            panel::told(watched, lines, look.charset)
+            panel::told(watched, lines, look.charset);
         }
         Phase::Watch(watched) => panel::untold(watched, lines),
         Phase::Summary(at) => {

@@ -1,6 +1,7 @@
 //! What the figure of a page shows, in words, computed by the engine.
 
 use crate::lessons::{Figure, FigureKind};
+use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::worked::{self, Given};
 use crate::physics::{Bond, Collision, Frame, Outcome};
@@ -20,6 +21,7 @@ pub(super) fn describe(figure: &Figure, told: bool) -> Vec<String> {
                     .into(),
             ];
         }
+        FigureKind::Shots { space, beyond_deg } => return shots(space, beyond_deg, told),
         FigureKind::Worked { blank } => {
             let shown = blank.filter(|_| !told).map(|step| step - 1);
             return working(&collision, figure.shot.is_by_offset(), shown);
@@ -62,6 +64,24 @@ pub(super) fn describe(figure: &Figure, told: bool) -> Vec<String> {
         FigureKind::Triangle { .. } => triangle(&collision, &outcome),
         _ => result(&collision),
     });
+    lines
+}
+
+/// Shots that nobody aimed, between equal discs.
+fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
+    let (beam, over) = if space {
+        (Beam::Space, "a round target of radius r₁ + r₂")
+    } else {
+        (Beam::Board, "a line, from 0 to r₁ + r₂ on either side")
+    };
+    let mut lines = vec![format!("Figure: shots evenly spread over {over}.")];
+    if told {
+        let share = beam.share_within(rad_from_deg(beyond_deg).cos());
+        lines.push(format!(
+            "{} % of them are turned by more than {beyond_deg}°.",
+            significant(100.0 * share)
+        ));
+    }
     lines
 }
 

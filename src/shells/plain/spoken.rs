@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::widgets::signs::{greek, superscript};
+
 /// A text with its signs and units spelt as they are read aloud, in one line without
 /// blanks at its ends; what is spelt is ASCII, and letters of names stay as they are.
 ///
@@ -46,7 +48,7 @@ fn spell_signs(text: &str) -> String {
             .and_then(|before| letters.get(before))
             .copied();
         let after = letters.get(i + 1).copied();
-        let power: String = letters[i..].iter().map_while(|c| raised(*c)).collect();
+        let power: String = letters[i..].iter().map_while(|c| superscript(*c)).collect();
         if !power.is_empty() {
             let _ = match power.as_str() {
                 "2" => write!(plain, " squared"),
@@ -71,7 +73,16 @@ fn spell_signs(text: &str) -> String {
             '/' if before == Some(' ') && after == Some(' ') => plain.push_str("over"),
             '/' if before == Some('m') && after == Some('s') => plain.push('/'),
             '/' if name(before) && name(after) => plain.push_str(" over "),
-            c => plain.push_str(spelling(c).unwrap_or(c.encode_utf8(&mut [0; 4]))),
+            c => match (spelling(c), greek(c)) {
+                (Some(words), _) => plain.push_str(words),
+                (None, Some(name)) => {
+                    if c.is_uppercase() {
+                        plain.push_str("capital ");
+                    }
+                    plain.push_str(&name.to_lowercase());
+                }
+                (None, None) => plain.push(c),
+            },
         }
         // A letter after a subscript is another quantity.
         if matches!(letter, '₀'..='₉') && after.is_some_and(|c| c.is_ascii_alphabetic()) {
@@ -167,49 +178,11 @@ fn named_unit(unit: &str) -> Option<&'static str> {
     })
 }
 
-/// The digit or sign of an exponent.
-const fn raised(letter: char) -> Option<char> {
-    Some(match letter {
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴' => '4',
-        '⁵' => '5',
-        '⁶' => '6',
-        '⁷' => '7',
-        '⁸' => '8',
-        '⁹' => '9',
-        '⁻' => '-',
-        _ => return None,
-    })
-}
-
-/// How a sign is read; `None` for a letter that stands for itself.
+/// How a sign is read; `None` for a letter, Greek ones too.
 const fn spelling(letter: char) -> Option<&'static str> {
     Some(match letter {
-        'α' => "alpha",
-        'β' => "beta",
-        'γ' => "gamma",
-        'δ' => "delta",
-        'ε' => "epsilon",
-        'η' => "eta",
-        'θ' => "theta",
-        'λ' => "lambda",
-        'μ' | 'µ' => "mu",
-        'π' => "pi",
-        'ρ' => "rho",
-        'σ' => "sigma",
-        'τ' => "tau",
-        'φ' | 'ϕ' => "phi",
-        'χ' => "chi",
-        'ψ' => "psi",
-        'ω' => "omega",
-        'Δ' => "capital delta",
-        'Θ' => "capital theta",
+        'µ' => "mu",
         'Σ' => "the sum of",
-        'Φ' => "capital phi",
-        'Ω' => "capital omega",
         '₀' => " 0",
         '₁' => " 1",
         '₂' => " 2",

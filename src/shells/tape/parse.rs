@@ -11,8 +11,6 @@ use super::{Instruction, Setting, Tape};
 use crate::messages::{Key, MouseKind};
 use crate::widgets::{Charset, Depth};
 
-/// The longest tape, in bytes.
-const LONGEST: usize = 1 << 20;
 /// The most presses or notches in one instruction.
 const MOST: u32 = 10_000;
 /// The most columns or rows.
@@ -31,15 +29,6 @@ pub struct ParseError {
 }
 
 pub(super) fn parse(text: &str) -> Result<Tape, ParseError> {
-    if text.len() > LONGEST {
-        return Err(ParseError {
-            line: 1,
-            message: format!(
-                "expected a tape of at most {LONGEST} bytes, found {}",
-                text.len()
-            ),
-        });
-    }
     let mut tape = Tape {
         run: None,
         steps: Vec::new(),

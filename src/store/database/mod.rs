@@ -80,36 +80,22 @@ impl Database {
 
     /// Keeps an answer.
     pub(super) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
-        self.run(TransactionBehavior::Immediate, |transaction| {
-            tables::insert_attempt(transaction, attempt)
-        })
+        self.change(|transaction| tables::insert_attempt(transaction, attempt))
     }
 
     /// All answers of a player, or of everyone, in the order in which they were kept.
     pub(super) fn attempts(&mut self, player: Option<&str>) -> Result<Vec<Attempt>, String> {
-        if self.is_nowhere() {
-            return Ok(Vec::new());
-        }
-        self.run(TransactionBehavior::Deferred, |transaction| {
-            tables::attempts(transaction, player)
-        })
+        self.look_up(|transaction| tables::attempts(transaction, player))
     }
 
     /// Keeps the stars of a player's level, unless there are as many already.
     pub(super) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
-        self.run(TransactionBehavior::Immediate, |transaction| {
-            tables::upsert_star(transaction, player, starred)
-        })
+        self.change(|transaction| tables::upsert_star(transaction, player, starred))
     }
 
     /// The stars of all levels that a player has won.
     pub(super) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
-        if self.is_nowhere() {
-            return Ok(Vec::new());
-        }
-        self.run(TransactionBehavior::Deferred, |transaction| {
-            tables::stars(transaction, player)
-        })
+        self.look_up(|transaction| tables::stars(transaction, player))
     }
 
     /// Adds what a player has done in a chapter to its bookmark.
@@ -119,9 +105,7 @@ impl Database {
         chapter: &str,
         later: &Bookmark,
     ) -> Result<(), String> {
-        self.run(TransactionBehavior::Immediate, |transaction| {
-            bookmarks::merge(transaction, player, chapter, later)
-        })
+        self.change(|transaction| bookmarks::merge(transaction, player, chapter, later))
     }
 
     /// Forgets what is to be forgotten of a player's bookmarks.
@@ -129,19 +113,12 @@ impl Database {
         if self.is_nowhere() {
             return Ok(());
         }
-        self.run(TransactionBehavior::Immediate, |transaction| {
-            bookmarks::forget(transaction, player, what)
-        })
+        self.change(|transaction| bookmarks::forget(transaction, player, what))
     }
 
     /// All bookmarks of a player, by the ids of the chapters.
     pub(super) fn marks(&mut self, player: &str) -> Result<BTreeMap<String, Bookmark>, String> {
-        if self.is_nowhere() {
-            return Ok(BTreeMap::new());
-        }
-        self.run(TransactionBehavior::Deferred, |transaction| {
-            bookmarks::all(transaction, player)
-        })
+        self.look_up(|transaction| bookmarks::all(transaction, player))
     }
 
     /// Whether there is no database yet, and so nothing to be found in it.
@@ -150,6 +127,25 @@ impl Database {
             Place::Memory(connection) => connection.is_none(),
             Place::Folder(folder) => matches!(fs::exists(path(folder)), Ok(false)),
         }
+    }
+
+    /// Looks something up; where there is no database there is nothing.
+    fn look_up<T: Default>(
+        &mut self,
+        look: impl Fn(&Transaction) -> rusqlite::Result<T>,
+    ) -> Result<T, String> {
+        if self.is_nowhere() {
+            return Ok(T::default());
+        }
+        self.run(TransactionBehavior::Deferred, look)
+    }
+
+    /// Changes something; the database is made if there is none.
+    fn change(
+        &mut self,
+        change: impl Fn(&Transaction) -> rusqlite::Result<()>,
+    ) -> Result<(), String> {
+        self.run(TransactionBehavior::Immediate, change)
     }
 
     /// Does something as one transaction. If it fails, nothing of it is done.

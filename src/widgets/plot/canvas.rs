@@ -181,14 +181,18 @@ impl Plot {
         }
     }
 
-    /// Every column but that of the axis takes the bar that its middle is in.
+    /// Every column but that of the axis takes the bar that its middle is in. A first bar
+    /// so narrow that it would be lost in the axis has the column beside it.
     fn draw_bars(&self, buf: &mut Buffer) {
         let paper = self.paper();
         let view = self.sheet.view();
-        for column in paper.left() + 1..paper.right() {
+        let first = paper.left() + 1;
+        for column in first..paper.right() {
             let x = view.world_at(column, paper.y).x;
             let over = |bar: &&Bar| bar.from <= x && x < bar.to;
-            let Some(bar) = self.bars.iter().find(over) else {
+            let lost = self.bars.first().filter(|bar| bar.to <= x);
+            let narrow = lost.filter(|_| column == first);
+            let Some(bar) = narrow.or_else(|| self.bars.iter().find(over)) else {
                 continue;
             };
             // Its top in cells; the last row belongs to the axis.
@@ -384,6 +388,22 @@ mod tests {
             // Eleven rows for six decades: 1000 is in the middle of the sixth.
             assert!(!filled(6) && filled(8) && filled(11), "{buf:?}");
         }
+    }
+
+    #[test]
+    fn a_first_bar_narrower_than_a_column_is_not_lost_in_the_axis() {
+        let mut buf = Buffer::empty(Rect::new(0, 0, 30, 16));
+        let mut plot = Plot::new(
+            buf.area,
+            look(Charset::Ascii),
+            Axis::linear("x", 0.0, 180.0),
+            Axis::linear("y", 0.0, 10.0),
+        );
+        for (from, height) in [(0.0, 9.0), (1.0, 2.0), (2.0, 1.0)] {
+            plot.bar(from, from + 1.0, height, Role::Trail);
+        }
+        plot.draw(&mut buf);
+        assert!(row(&buf, 4).contains("|:"), "{buf:?}");
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod curves;
 mod export;
 mod foil;
 mod frames;
+mod shots;
 mod triangle;
 mod worked;
 
@@ -54,6 +55,8 @@ enum State {
     Step(usize),
     /// The setting that keys change, and the step.
     Solve { field: usize, step: usize },
+    /// A page of the foil.
+    Foil(Box<foil_screen::Plot>),
 }
 
 impl Shown {
@@ -87,6 +90,10 @@ impl Shown {
             }
             FigureKind::Worked { blank } => State::Step(blank.map_or(0, |step| step - 1)),
             FigureKind::Solve => State::Solve { field: 0, step: 0 },
+            FigureKind::Foil { levelled, .. } if !self.hidden => {
+                let page = self.foil_page().unwrap_or_default();
+                State::Foil(Box::new(foil_screen::Plot::new(page, levelled, !reduced)))
+            }
             _ => State::Plain,
         };
     }
@@ -119,7 +126,7 @@ impl Shown {
     /// The page of the foil that shows more of it, if it is the foil, which has a
     /// screen of its own.
     pub(super) fn foil_page(&self) -> Option<foil_screen::Page> {
-        let FigureKind::Foil { page } = self.figure.kind else {
+        let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
         };
         let pages = foil_screen::Page::ALL;
@@ -138,8 +145,9 @@ impl Shown {
     /// motion is `reduced`; anything else stands told.
     pub(super) fn reveal(&mut self, said: Option<Rays>, reduced: bool) {
         self.hidden = false;
-        match self.state {
-            State::Step(_) => {}
+        match self.figure.kind {
+            FigureKind::Worked { .. } => {}
+            FigureKind::Foil { .. } => self.set_up(said, reduced),
             _ => self.set_up(said, reduced || said.is_none()),
         }
     }
@@ -184,7 +192,11 @@ impl Shown {
                 let (step, count) = (self.step(), self.step_count());
                 format!("worked out: step {} of {count}", step + 1)
             }
-            FigureKind::Foil { .. } => "α particles at an atom".into(),
+            FigureKind::Foil { .. } => match &self.state {
+                State::Foil(plot) => plot.title().into(),
+                _ => "α particles at an atom".into(),
+            },
+            FigureKind::Shots { space, .. } => shots::title(space).into(),
         }
     }
 
@@ -229,6 +241,7 @@ impl Shown {
                 ("< >", "by ten"),
                 (", .", "step"),
             ],
+            State::Foil(plot) => plot.keys(),
             State::Plain if self.has_alpha() => vec![("Left Right", "α")],
             State::Plain => vec![],
         }
@@ -276,6 +289,7 @@ impl Shown {
                 }
                 _ => turn(step, last, key, [Key::Char(','), Key::Char('.')]),
             },
+            State::Foil(plot) => plot.update(key),
             State::Plain => self.has_alpha() && self.alpha_key(key),
         }
     }
@@ -335,6 +349,9 @@ impl Shown {
             }
             return held;
         }
+        if let State::Foil(plot) = &mut self.state {
+            return plot.mouse(mouse, area);
+        }
         let watched = match &self.state {
             State::Plain if held && self.has_alpha() => {
                 let alpha = match self.figure.kind {
@@ -364,6 +381,7 @@ impl Shown {
         match &mut self.state {
             State::Hit(watch) => watch.advance(passed),
             State::Frames(watches) => watches.iter_mut().for_each(|watch| watch.advance(passed)),
+            State::Foil(plot) => plot.advance(),
             _ => {}
         }
     }
@@ -374,6 +392,7 @@ impl Shown {
             _ if self.hidden => None,
             State::Hit(watch) => watch.wake(),
             State::Frames(watches) => watches.iter().find_map(Watch::wake),
+            State::Foil(plot) => plot.wake(),
             _ => None,
         }
     }
@@ -393,7 +412,12 @@ impl Shown {
             (State::Hit(watch), _) => watch.draw(area, buf, look),
             (State::Frames(watches), _) => frames::draw(watches, area, buf, look),
             (_, FigureKind::Triangle { step }) => triangle::draw(self, step, area, buf, look),
+            (State::Foil(plot), _) => plot.draw(area, buf, look),
             (_, FigureKind::Foil { .. }) => foil::draw(area, buf, look),
+            (_, FigureKind::Shots { space, beyond_deg }) => {
+                let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
+                shots::draw(space, beyond, area, buf, look);
+            }
             (State::Step(_), FigureKind::Worked { blank }) => {
                 let blank = blank.filter(|_| self.hidden);
                 worked::draw(self, None, blank, area, buf, look);

@@ -1,0 +1,164 @@
+//! Many shots at one disc at rest, none of them aimed: equal masses, nothing lost.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::{DVec2, dvec2};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::{Lines, Look, Role};
+
+/// Shots on a board.
+const ON_BOARD: u32 = 8;
+
+/// Shots in space.
+const IN_SPACE: u32 = 60;
+
+/// Half the width and height of the picture, in touching distances.
+const ON_BOARD_EXTENT: DVec2 = dvec2(1.8, 1.6);
+const IN_SPACE_EXTENT: DVec2 = dvec2(1.3, 1.1);
+
+/// The title of the figure.
+pub(super) fn title(space: bool) -> &'static str {
+    if space {
+        "the target, along the flight"
+    } else {
+        "shots without aiming"
+    }
+}
+
+/// Draws the shots, evenly spread. With an angle `beyond`, in radians, those that are
+/// turned by more stand out and are counted.
+pub(super) fn draw(space: bool, beyond: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+    let words = Rect {
+        y: area.bottom().saturating_sub(1),
+        height: 1.min(area.height),
+        ..area
+    };
+    let picture = Rect {
+        height: area.height - words.height,
+        ..area
+    };
+    // What is turned by more than θ₁ = 90° − α comes nearer than sin α = cos θ₁.
+    let near = beyond.map(f64::cos);
+    if space {
+        draw_face(near, picture, buf, look);
+    } else {
+        draw_ways(near, picture, buf, look);
+    }
+    let text = match (beyond, near) {
+        (Some(beyond), Some(near)) => {
+            let offsets = if space { in_space() } else { on_board() };
+            let counted = offsets.iter().filter(|at| at.length() < near).count();
+            let angle = beyond.to_degrees();
+            format!(
+                "{counted} of {} turn by more than {angle:.0}°.",
+                offsets.len()
+            )
+        }
+        _ if space => "Evenly spread over the round target.".into(),
+        _ => "Evenly spread, from side to side.".into(),
+    };
+    Lines::new(words, buf, *look).line(&format!(" {text}"), Role::Text);
+}
+
+/// The ways of shots on a board. Those that come within `near` stand out.
+fn draw_ways(near: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+    let view = View::fit(area, -ON_BOARD_EXTENT, ON_BOARD_EXTENT);
+    let mut sheet = Sheet::new(view, look.charset);
+    sheet.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
+    sheet.disc(DVec2::ZERO, 0.5, Role::Coin, 'C');
+    for at in on_board() {
+        let pen = match near {
+            None => Pen::new(Role::StrikerOut),
+            Some(near) if at.length() < near => Pen::new(Role::CoinOut),
+            Some(_) => Pen::new(Role::StrikerOut).dotted(),
+        };
+        sheet.polyline(way(at.y), pen.on(Layer::Vector));
+    }
+    sheet.label("r₁ + r₂", DVec2::X, &[Side::Right], Role::Arc);
+    sheet.draw(buf, &look.theme);
+}
+
+/// The round target of shots in space, and where they meet it. Those within `near` stand
+/// out.
+fn draw_face(near: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+    let view = View::fit(area, -IN_SPACE_EXTENT, IN_SPACE_EXTENT);
+    let mut sheet = Sheet::new(view, look.charset);
+    sheet.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
+    for at in in_space() {
+        // Small enough for a mark of its place.
+        let counted = near.is_some_and(|near| at.length() < near);
+        let role = if counted { Role::Marble } else { Role::Coin };
+        sheet.disc(at, 1e-3, role, ' ');
+    }
+    sheet.label(
+        "r₁ + r₂",
+        DVec2::from_angle(-PI / 4.0),
+        &[Side::BelowRight, Side::Right],
+        Role::Arc,
+    );
+    sheet.draw(buf, &look.theme);
+}
+
+/// Offsets evenly spread over a line.
+fn on_board() -> Vec<DVec2> {
+    let offset = |i| (2.0 * f64::from(i) + 1.0) / f64::from(ON_BOARD) - 1.0;
+    (0..ON_BOARD).map(|i| dvec2(0.0, offset(i))).collect()
+}
+
+/// Offsets evenly spread over a disc: each ring of equal area has as many, and the golden
+/// angle keeps neighbours apart (H. Vogel, 1979, on sunflower heads).
+fn in_space() -> Vec<DVec2> {
+    let golden = PI * (3.0 - 5.0_f64.sqrt());
+    let at = |i| {
+        let radius = ((f64::from(i) + 0.5) / f64::from(IN_SPACE)).sqrt();
+        radius * DVec2::from_angle(golden * f64::from(i))
+    };
+    (0..IN_SPACE).map(at).collect()
+}
+
+/// The way of a striker's centre: straight on until the rims touch, then at θ₁ = 90° − α
+/// from its old course, away from the coin, sin α = b.
+fn way(offset: f64) -> [DVec2; 3] {
+    let far = 3.0 * ON_BOARD_EXTENT.length();
+    let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);
+    let turned = (FRAC_PI_2 - offset.abs().asin()) * offset.signum();
+    [
+        dvec2(-far, offset),
+        contact,
+        contact + far * DVec2::from_angle(turned),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lessons::Shot;
+    use crate::physics::beam::Beam;
+    use crate::physics::units::rad_from_deg;
+
+    /// As the engine says.
+    #[test]
+    fn a_way_turns_by_the_angle_of_the_hit() {
+        for at in on_board() {
+            let [from, contact, to] = way(at.y);
+            let alpha = at.y.asin();
+            let outcome = Shot::default().collision().with_alpha(alpha).outcome();
+            let turned = (contact - from).angle_to(to - contact);
+            let expected = outcome.v1.to_angle();
+            assert!((turned - expected).abs() < 1e-12, "{turned} {expected}");
+        }
+    }
+
+    #[test]
+    fn the_share_counted_is_that_of_the_law() {
+        for (offsets, beam) in [(on_board(), Beam::Board), (in_space(), Beam::Space)] {
+            let near = rad_from_deg(60.0).cos();
+            let counted = offsets.iter().filter(|at| at.length() < near).count();
+            let share = counted as f64 / offsets.len() as f64;
+            assert!((share - beam.share_within(near)).abs() < 1e-12, "{share}");
+        }
+    }
+}

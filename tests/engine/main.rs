@@ -1,0 +1,7 @@
+//! The physics and the levels, without a screen.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod collisions;
+mod goals;
+mod packs;

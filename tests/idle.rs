@@ -1,0 +1,42 @@
+//! carrom at rest takes no processor time.
+//!
+//! A program of its own, so that no other test runs beside it: what it measures is two
+//! hundredths of a second.
+
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[allow(dead_code, reason = "an idle terminal is asked for little")]
+#[path = "common/pty.rs"]
+mod pty;
+
+use std::thread;
+use std::time::Duration;
+
+use pty::{Pty, carrom};
+
+#[test]
+fn idle_it_takes_no_processor_time() {
+    // The clock ticks a hundred times a second.
+    let seconds = |pty: &Pty| {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", pty.pid())).unwrap();
+        let (_, after) = stat.rsplit_once(')').unwrap();
+        let fields: Vec<_> = after.split_whitespace().collect();
+        let ticks = [11, 12].map(|i: usize| fields[i].parse::<u32>().unwrap());
+        f64::from(ticks[0] + ticks[1]) / 100.0
+    };
+    let mut idle = [carrom(&[]), carrom(&["lab"]), carrom(&["levels"])].map(|command| {
+        let pty = Pty::start(command);
+        pty.wait_for("carrom : ");
+        pty.wait_for("? help");
+        pty
+    });
+    let before = idle.each_ref().map(seconds);
+    thread::sleep(Duration::from_secs(5));
+    for (pty, before) in idle.iter_mut().zip(before) {
+        let used = seconds(pty) - before;
+        assert!(used < 0.02, "{used} s in 5 s of nothing");
+        pty.press("\x03");
+        assert_eq!(pty.wait(), 0);
+    }
+}

@@ -1,0 +1,98 @@
+//! Files that are no good, each with the message that it must give.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use proptest::prelude::*;
+
+/// A folder of bad files: `NAME.expected` is the message for `NAME.ENDING`, or for the
+/// folder `NAME`.
+pub struct BadFiles {
+    /// Its name below `tests`.
+    pub folder: &'static str,
+    /// How the names of the files end.
+    pub ending: &'static str,
+}
+
+impl BadFiles {
+    /// The folder.
+    pub fn path(&self) -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests")
+            .join(self.folder)
+    }
+
+    /// Runs carrom in the folder.
+    pub fn carrom(&self, arguments: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_carrom"))
+            .args(arguments)
+            .current_dir(self.path())
+            .output()
+            .expect("carrom runs")
+    }
+
+    /// The names of the messages without their ending.
+    pub fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.path()).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let names: Vec<_> = names.collect();
+        let expected: Vec<_> = names
+            .iter()
+            .filter_map(|name| name.strip_suffix(".expected").map(str::to_owned))
+            .collect();
+        assert_eq!(
+            2 * expected.len(),
+            names.len(),
+            "every bad file has a message, and every message a file"
+        );
+        expected
+    }
+
+    /// The message that must be given for a name.
+    pub fn expected(&self, name: &str) -> String {
+        let path = self.path().join(format!("{name}.expected"));
+        fs::read_to_string(path).unwrap().trim_end().to_owned()
+    }
+
+    /// Gives each file or folder to a command, which must tell its message and leave with
+    /// 2. What it printed otherwise is given to `printed`, with whether it read a file.
+    pub fn each(&self, command: [&str; 2], printed: impl Fn(&str, bool, &[u8])) {
+        for name in self.names() {
+            let file = format!("{name}.{}", self.ending);
+            let is_file = self.path().join(&file).exists();
+            let bad = if is_file { &file } else { &name };
+            let output = self.carrom(&[command[0], command[1], bad]);
+            assert_eq!(message(&output), self.expected(&name), "{name}");
+            assert_eq!(output.status.code(), Some(2), "{name}");
+            printed(&name, is_file, &output.stdout);
+        }
+    }
+}
+
+/// Standard error without the name of the program before the message.
+pub fn message(output: &Output) -> String {
+    let text = String::from_utf8_lossy(&output.stderr);
+    let text = text.trim_end();
+    text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
+}
+
+/// A good file of a folder with a stretch of it replaced by a `piece`.
+pub fn mutated(
+    folder: &str,
+    piece: impl Strategy<Value = String>,
+) -> impl Strategy<Value = Vec<u8>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let entries = fs::read_dir(folder).unwrap();
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let files: Vec<_> = paths.iter().map(|path| fs::read(path).unwrap()).collect();
+    let files = prop::sample::select(files);
+    let at = any::<prop::sample::Index>();
+    (files, at, 0_usize..8, piece).prop_map(|(mut bytes, at, length, piece)| {
+        let start = at.index(bytes.len());
+        let end = (start + length).min(bytes.len());
+        bytes.splice(start..end, piece.bytes());
+        bytes
+    })
+}

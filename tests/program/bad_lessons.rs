@@ -1,0 +1,140 @@
+//! Files that are no chapters: each gives its message with file and line, exit status
+//! 2, and nothing else; the rest of the chapters still open.
+//!
+//! `tests/bad-lessons/NAME.expected` is the message for `NAME.md`.
+
+use carrom::cli;
+use carrom::lessons::{Chapter, Library};
+use carrom::screens::learn::check;
+use carrom::shells::Headless;
+use proptest::prelude::*;
+
+use crate::bad_files::{self, BadFiles, message};
+
+const BAD: BadFiles = BadFiles {
+    folder: "bad-lessons",
+    ending: "md",
+};
+
+#[test]
+fn every_bad_file_gives_its_message() {
+    BAD.each(["lesson", "check"], |_, _, _| {});
+}
+
+#[test]
+fn the_rest_of_the_book_opens_beside_bad_files() {
+    let mut library = Library::embedded();
+    let own = library.chapters.len();
+    library.add_dir(&BAD.path());
+    // Those that are only too long for a small screen can be read.
+    let readable = ["too-long", "formula-too-wide"];
+    assert_eq!(library.chapters.len(), own + readable.len());
+    assert_eq!(library.problems.len(), BAD.names().len() - readable.len());
+
+    let arguments = format!("learn --lessons '{}'", BAD.path().display());
+    let mut game = Headless::new(cli::open(&arguments).unwrap(), 100, 60);
+    let screen = game.screen();
+    assert!(screen.contains("left out"), "{screen}");
+    game.press("<End>");
+    let screen = game.screen();
+    // The message is broken where the folder's name leaves room.
+    assert!(
+        screen.contains("what is wrong") && screen.contains("expected"),
+        "{screen}"
+    );
+    game.press("<Home><Enter>");
+    assert!(game.screen().contains("page 1 of"));
+}
+
+#[test]
+fn the_chapters_in_the_program_are_good() {
+    let output = BAD.carrom(&["lesson", "check"]);
+    assert_eq!(message(&output), "");
+    assert_eq!(output.status.code(), Some(0));
+    let report = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(report.lines().count(), Library::embedded().chapters.len());
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let output = BAD.carrom(&["lesson", "check", "99-none.md"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).starts_with("99-none.md: cannot be read: "));
+}
+
+#[test]
+fn figures_are_pictures_without_a_terminal() {
+    for figure in [
+        "lab", "split", "triangle", "frames", "curves", "angles", "energy", "worked", "solve",
+        "foil", "shots",
+    ] {
+        let output = BAD.carrom(&["figure", figure, "alpha_deg=40"]);
+        assert_eq!(output.status.code(), Some(0), "{figure}");
+        let svg = String::from_utf8(output.stdout).unwrap();
+        assert!(
+            svg.starts_with("<svg ") && svg.ends_with("</svg>\n"),
+            "{figure}"
+        );
+    }
+    for (words, expected) in [
+        (["figure", "film"], "expected a figure (lab, split,"),
+        (["figure", "lab"], ""),
+    ] {
+        assert!(message(&BAD.carrom(&words)).starts_with(expected));
+    }
+    let output = BAD.carrom(&["figure", "curves", "m1_g=-1"]);
+    assert_eq!(
+        message(&output),
+        "m1_g: expected a mass in g from 0.1 to 1000, found -1"
+    );
+    assert_eq!(output.status.code(), Some(2));
+}
+
+/// A chapter with a stretch of it replaced.
+fn mutated() -> impl Strategy<Value = Vec<u8>> {
+    let piece = prop_oneof![
+        "[0-9.eE+-]{0,6}",
+        "[-$\\{\\}:#*_`\\[\\]()=/^ ]{0,5}",
+        "\\PC{0,4}",
+        Just("\n# X\n".to_owned()),
+        Just("\n:::choice\n".to_owned()),
+        Just("\n::lab alpha_deg=90\n".to_owned()),
+    ];
+    bad_files::mutated("assets/lessons", piece)
+}
+
+fn is_chapter_or_message(bytes: &[u8], whole: bool) -> Result<(), TestCaseError> {
+    match Chapter::read("01-any.md", bytes) {
+        Ok(chapter) => {
+            prop_assert!(!chapter.pages.is_empty());
+            if whole {
+                // Every page can be set.
+                let _ = check(&chapter);
+            }
+        }
+        Err(fault) => {
+            let message = fault.to_string();
+            prop_assert!(message.starts_with("01-any.md:"), "{message}");
+            prop_assert!(!message.contains(char::is_control), "{message:?}");
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn any_bytes_give_a_chapter_or_a_message(bytes in proptest::collection::vec(any::<u8>(), 0..2000)) {
+        is_chapter_or_message(&bytes, true)?;
+    }
+
+    #[test]
+    fn any_text_gives_a_chapter_or_a_message(text in "[-a-z0-9 \n$\\{\\}:#*_`\\[\\]()=/^αθ.]{0,300}") {
+        let header = "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n# P\n";
+        is_chapter_or_message(format!("{header}{text}").as_bytes(), true)?;
+    }
+
+    #[test]
+    fn any_change_to_a_chapter_gives_a_chapter_or_a_message(bytes in mutated()) {
+        is_chapter_or_message(&bytes, false)?;
+    }
+}

@@ -1,0 +1,420 @@
+//! The place in each chapter is kept: until the next time, for each player, whatever has
+//! become of the chapter meanwhile.
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use carrom::app::{App, Data};
+use carrom::lessons::Library;
+use carrom::messages::{Done, Effect, Input, Key, Request, Wish};
+use carrom::screens::{Book, Place, Settings};
+use carrom::shells::Headless;
+use carrom::store::Store;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use crate::child::{self, Player};
+use crate::folder::Folder;
+#[cfg(unix)]
+use crate::pty::{Pty, carrom as carrom_in_terminal};
+
+fn settings(player: &str) -> Settings {
+    Settings {
+        reduced_motion: true,
+        player: player.into(),
+        ..Settings::default()
+    }
+}
+
+/// The contents, or a chapter, by its number from 1, as a player opens it.
+fn open(folder: &Path, player: &str, chapter: Option<usize>) -> Headless {
+    let place = chapter.map_or(Place::Learn, |number| Place::Chapter { number: number - 1 });
+    let app = App::new(place, settings(player), 1);
+    Headless::keeping(app, 80, 24, Store::in_folder(folder))
+}
+
+fn shows(game: &mut Headless, text: &str) {
+    let screen = game.screen();
+    assert!(screen.contains(text), "{text} is not to be seen:\n{screen}");
+}
+
+/// All answers that are kept in a folder.
+fn attempts(folder: &Path) -> usize {
+    open(folder, "anyone", None).attempts().len()
+}
+
+#[test]
+fn a_chapter_opens_the_next_time_where_it_was_left() {
+    let folder = Folder::new("bookmarks-place");
+    let mut game = open(folder.path(), "Ada", Some(2));
+    shows(&mut game, "page 1 of 5");
+    game.press("2<Enter>nn");
+    shows(&mut game, "page 3 of 5");
+    drop(game);
+    // Straight to the chapter, and by way of the contents.
+    let mut game = open(folder.path(), "Ada", Some(2));
+    shows(&mut game, "page 3 of 5");
+    let mut game = open(folder.path(), "Ada", None);
+    shows(&mut game, "3/5");
+    game.press("<Down>");
+    shows(&mut game, "go on at page 3");
+    shows(&mut game, "3 of 5");
+    game.press("<Enter>");
+    shows(&mut game, "page 3 of 5");
+    game.press("bb");
+    shows(&mut game, "+ Along the line");
+    // Asked again, it is still to be answered the next time.
+    game.press("r");
+    drop(game);
+    let mut game = open(folder.path(), "Ada", Some(2));
+    shows(&mut game, "page 1 of 5");
+    assert!(!game.screen().contains("+ Along the line"));
+    assert_eq!(attempts(folder.path()), 1, "the record of answers stays");
+}
+
+#[test]
+fn a_chapter_read_to_its_end_begins_at_its_first_page() {
+    let folder = Folder::new("bookmarks-end");
+    let mut game = open(folder.path(), "Ada", Some(2));
+    game.press("nnnnn");
+    shows(&mut game, "carrom : learn");
+    let mut game = open(folder.path(), "Ada", None);
+    shows(&mut game, "5/5");
+    game.press("<Down>");
+    shows(&mut game, "Enter: read it.");
+    game.press("<Enter>");
+    shows(&mut game, "page 1 of 5");
+}
+
+#[test]
+fn a_dial_stands_where_it_was_left() {
+    let folder = Folder::new("bookmarks-dial");
+    for leave in ["<Escape>", "n"] {
+        let mut game = open(folder.path(), "Ada", Some(3));
+        game.press("Ry");
+        while !game.screen().contains("A shot of your own") {
+            game.press("n");
+        }
+        game.press("<Home><Right><Right><Right>");
+        shows(&mut game, "alpha = 3 deg");
+        game.press(leave);
+        drop(game);
+        let mut game = open(folder.path(), "Ada", Some(3));
+        if leave == "n" {
+            game.press("b");
+        }
+        shows(&mut game, "alpha = 3 deg");
+    }
+}
+
+#[test]
+fn each_player_has_bookmarks_of_their_own() {
+    let folder = Folder::new("bookmarks-players");
+    open(folder.path(), "Ada", Some(2)).press("nn");
+    open(folder.path(), "Bo", Some(2)).press("n");
+    shows(&mut open(folder.path(), "Ada", Some(2)), "page 3 of 5");
+    shows(&mut open(folder.path(), "Bo", Some(2)), "page 2 of 5");
+    shows(&mut open(folder.path(), "球", Some(2)), "page 1 of 5");
+    // What one of them forgets the other still has.
+    open(folder.path(), "Ada", None).press("Ay");
+    shows(&mut open(folder.path(), "Ada", Some(2)), "page 1 of 5");
+    shows(&mut open(folder.path(), "Bo", Some(2)), "page 2 of 5");
+}
+
+#[test]
+fn a_chapter_is_forgotten_and_so_are_all() {
+    let folder = Folder::new("bookmarks-reset");
+    for chapter in [1, 2, 3] {
+        open(folder.path(), "Ada", Some(chapter)).press("2<Enter>n");
+    }
+    let answered = attempts(folder.path());
+    assert!(answered > 0);
+    let mut game = open(folder.path(), "Ada", None);
+    game.press("<Home><Down>R");
+    shows(&mut game, "Forget chapter 2?");
+    shows(&mut game, "y forget it");
+    game.press("R");
+    shows(&mut game, "2/5");
+    assert!(!game.screen().contains("Forget"));
+    game.press("Ry");
+    assert!(!game.screen().contains("2/5"));
+    shows(&mut open(folder.path(), "Ada", Some(2)), "page 1 of 5");
+    shows(&mut open(folder.path(), "Ada", Some(3)), "page 2 of");
+    let mut game = open(folder.path(), "Ada", None);
+    game.press("A");
+    shows(&mut game, "Forget all chapters?");
+    game.press("<Escape>");
+    shows(&mut game, "carrom : learn");
+    game.press("Ay");
+    for mut game in [game, open(folder.path(), "Ada", None)] {
+        let screen = game.screen();
+        assert!(!screen.contains("2/"), "{screen}");
+        game.press("A");
+        assert!(!game.screen().contains("Forget"), "there is nothing left");
+    }
+    // From within a chapter.
+    let mut game = open(folder.path(), "Ada", Some(3));
+    game.press("nnRy");
+    shows(&mut game, "page 1 of");
+    shows(&mut open(folder.path(), "Ada", Some(3)), "page 1 of");
+    assert_eq!(
+        attempts(folder.path()),
+        answered,
+        "the record of answers stays"
+    );
+}
+
+const HEADER: &str = "+++\nformat = 1\ntitle = \"Mine\"\nabout = \"A\"\n+++\n";
+const ASKED: &str =
+    ":::choice\nWhich one?\n- [ ] This.\n  Said to this.\n- [x] That.\n  Said to that.\n:::\n\n";
+
+/// A chapter of one's own with these pages, opened at its place.
+fn own(folder: &Path, pages: &str) -> Headless {
+    let file = folder.join("77-mine.md");
+    fs::write(&file, format!("{HEADER}{pages}")).unwrap();
+    let mut library = Library::default();
+    library.add_file(&file);
+    assert_eq!(library.problems, []);
+    let place = Place::Chapter { number: 0 };
+    let book = Book::new(library);
+    let data = Data {
+        book,
+        ..Data::default()
+    };
+    let app = App::with_data(data, place, settings("Ada"), 1);
+    Headless::keeping(app, 80, 24, Store::in_folder(folder))
+}
+
+#[test]
+fn a_chapter_that_was_changed_opens_all_the_same() {
+    let text = "Text.\n\n";
+    let one = format!("# One\n{text}");
+    let two = format!("# Two\n{ASKED}");
+    let three = format!("# Three\n{text}");
+    let before = format!("{one}{two}{three}");
+    let asked_anew = two.replace("Which one?", "Which is it?");
+    let number =
+        format!("# Two\n:::number answer=1 tolerance=1\nHow many?\n---\nOne.\n:::\n\n{three}");
+    let zero = "# Zero\nText.\n\n";
+    for (pages, page, answered) in [
+        (before.clone(), "page 2 of 3", true),
+        (format!("{zero}{before}"), "page 3 of 4", true),
+        (format!("{two}{one}"), "page 1 of 2", true),
+        (one.clone(), "page 1 of 1", false),
+        (
+            format!("{one}{}", two.replace("Two", "2")),
+            "page 1 of 2",
+            false,
+        ),
+        (format!("{one}{asked_anew}"), "page 2 of 2", false),
+        (format!("{one}{number}"), "page 2 of 3", false),
+    ] {
+        let folder = Folder::new("bookmarks-changed");
+        let mut game = own(folder.path(), &before);
+        game.press("nn");
+        game.press("b2<Enter>");
+        shows(&mut game, "Said to that.");
+        let mut game = own(folder.path(), &pages);
+        shows(&mut game, page);
+        assert_eq!(game.screen().contains("Said to that."), answered, "{pages}");
+        // All of it can be read, and be done.
+        game.press(&"b".repeat(5));
+        for _ in 0..5 {
+            game.press("1<Enter>n");
+        }
+        game.press("<Escape><Escape>c");
+        shows(&mut game, "1 of 1 chapters done");
+        // Back to what it was: what fits it is there again.
+        let mut game = own(folder.path(), &before);
+        game.press("<Escape>");
+        shows(&mut game, "/3");
+    }
+}
+
+fn drawn(app: &App) -> String {
+    use ratatui::{Terminal, backend::TestBackend};
+    let mut terminal = Terminal::new(TestBackend::new(80, 24)).unwrap();
+    terminal.draw(|frame| app.draw(frame)).unwrap();
+    carrom::widgets::cells::text(terminal.backend().buffer())
+}
+
+#[test]
+fn nothing_is_said_and_nothing_kept_before_it_is_known_where_a_chapter_was_left() {
+    let folder = Folder::new("bookmarks-waiting");
+    open(folder.path(), "Ada", Some(2)).press("2<Enter>nn");
+    let mut store = Store::in_folder(folder.path());
+    for place in [Place::Learn, Place::Chapter { number: 1 }] {
+        let mut app = App::new(place, settings("Ada"), 1);
+        let asked = app.update(&Input::Resize(80, 24));
+        let [Effect::Keep(request)] = &asked[..] else {
+            panic!("{asked:?}");
+        };
+        assert_eq!(request.wish, Wish::Marks("Ada".into()));
+        for key in [
+            Key::Char('n'),
+            Key::Down,
+            Key::Enter,
+            Key::Char('R'),
+            Key::Char('y'),
+        ] {
+            assert_eq!(app.update(&Input::Key(key)), [], "{key}");
+            let screen = drawn(&app);
+            assert!(screen.contains("Looking"), "{screen}");
+            for wrong in ["done", "page 1", "0 of", "/5"] {
+                assert!(!screen.contains(wrong), "{wrong}\n{screen}");
+            }
+        }
+        let answer = store.answer(request);
+        let _ = app.update(&Input::Kept(Box::new(answer)));
+        let screen = drawn(&app);
+        assert!(
+            screen.contains("3/5") || screen.contains("page 3 of 5"),
+            "{screen}"
+        );
+    }
+}
+
+#[test]
+fn where_nothing_can_be_kept_it_is_kept_in_memory() {
+    let folder = Folder::new("bookmarks-nowhere");
+    let file = folder.path().join("file");
+    fs::write(&file, "").unwrap();
+    for store in [Store::in_folder(&file), Store::nowhere()] {
+        let app = App::new(Place::Chapter { number: 1 }, settings("Ada"), 1);
+        let mut game = Headless::keeping(app, 80, 24, store);
+        shows(&mut game, "What you do cannot be kept");
+        game.press("x");
+        shows(&mut game, "page 1 of 5");
+        game.press("2<Enter>nn");
+        assert!(!game.screen().contains("cannot be kept"), "it is told once");
+        game.press("<Escape>");
+        shows(&mut game, "3/5");
+        game.press("<Escape>c<Home><Down><Enter>");
+        shows(&mut game, "page 3 of 5");
+        game.press("<Escape>Ry");
+        assert!(!game.screen().contains("3/5"));
+    }
+}
+
+/// Turns the pages of the third chapter to and fro, answering what is asked, and says how
+/// many pages it has turned.
+#[test]
+fn child_reads() {
+    let Some((folder, words)) = child::told() else {
+        return;
+    };
+    let chapter = words[1].parse().unwrap();
+    let mut game = open(&folder, &words[0], Some(chapter));
+    for number in 1..=words[2].parse().unwrap() {
+        // A number, a line of a choice, or a ray and then the other.
+        while game.screen().contains("n skip") {
+            game.press("1<Enter>");
+        }
+        game.settle(Duration::from_secs(60));
+        game.press("n");
+        if game.screen().contains("carrom : learn") {
+            game.press("<Up><Enter>");
+        }
+        assert!(!game.screen().contains("please note"));
+        child::say(number);
+    }
+}
+
+/// What is kept of a player's chapters.
+fn marks(
+    folder: &Path,
+    player: &str,
+) -> std::collections::BTreeMap<String, carrom::lessons::Bookmark> {
+    let request = Request {
+        ticket: 0,
+        wish: Wish::Marks(player.into()),
+    };
+    let answer = Store::in_folder(folder).answer(&request);
+    assert_eq!(answer.notice, None);
+    match answer.done {
+        Done::Marks(Ok(marks)) => marks,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn four_who_read_at_once_lose_nothing() {
+    let folder = Folder::new("bookmarks-four");
+    // Two of them are one player, in different chapters and in the same.
+    let readers = [("Ada", "1"), ("Ada", "2"), ("Ada", "2"), ("球", "2")];
+    let start = |(name, chapter)| {
+        Player::start(
+            "bookmarks::child_reads",
+            folder.path(),
+            &[name, chapter, "8"],
+        )
+    };
+    for player in readers.map(start) {
+        assert_eq!(player.end(), Some(8));
+    }
+    let library = Library::embedded_once();
+    for (name, number) in [("Ada", 0), ("Ada", 1), ("球", 1)] {
+        let chapter = &library.chapters[number];
+        let mark = &marks(folder.path(), name)[&chapter.id];
+        assert_eq!(mark.seen(chapter), chapter.pages.len(), "{name}");
+        assert_eq!(mark.answered(chapter), chapter.checkpoints(), "{name}");
+    }
+    assert_eq!(marks(folder.path(), "球").len(), 1);
+}
+
+#[test]
+fn a_reader_who_is_killed_goes_on_at_the_page_last_seen() {
+    let folder = Folder::new("bookmarks-killed");
+    let mut chance = Pcg64::seed_from_u64(12);
+    let chapter = &Library::embedded_once().chapters[2];
+    for _ in 0..15 {
+        let before = marks(folder.path(), "Ada");
+        let at = before.get(&chapter.id).map_or(0, |mark| mark.page(chapter));
+        let player = Player::start(
+            "bookmarks::child_reads",
+            folder.path(),
+            &["Ada", "3", "1000"],
+        );
+        let turned = player.kill(chance.random_range(1..6), &mut chance).unwrap();
+        let now = marks(folder.path(), "Ada")[&chapter.id].page(chapter);
+        let pages = chapter.pages.len();
+        // It may have turned one page more than it had time to say.
+        let expected = [turned, turned + 1].map(|turned| (at + turned) % pages);
+        assert!(expected.contains(&now), "from {at} by {turned} to {now}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_real_game_opens_tomorrow_where_it_was_left_today() {
+    let folder = Folder::new("bookmarks-pty");
+    let data = folder.path().to_str().unwrap();
+    let start = |arguments: &[&str]| {
+        let mut all = arguments.to_vec();
+        all.extend(["--data-dir", data]);
+        Pty::start(carrom_in_terminal(&all))
+    };
+    let mut pty = start(&["learn"]);
+    pty.wait_for("0 of 12 chapters done");
+    pty.press("\x1b[B\r");
+    pty.wait_for("page 1 of 5");
+    pty.press("2\r");
+    pty.wait_for("+ Along the line");
+    pty.press("n");
+    pty.wait_for("page 2 of 5");
+    pty.press("n");
+    pty.wait_for("page 3 of 5");
+    pty.press("\x03");
+    assert_eq!(pty.wait(), 0);
+    let mut pty = start(&["learn", "2"]);
+    pty.wait_for("page 3 of 5");
+    pty.press("\x1b");
+    pty.wait_for("3/5");
+    pty.press("Ry");
+    pty.wait_until("no page seen", |screen| !screen.contains("3/5"));
+    pty.press("\x03");
+    assert_eq!(pty.wait(), 0);
+    let pty = start(&["learn", "2"]);
+    pty.wait_for("page 1 of 5");
+}

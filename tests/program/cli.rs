@@ -1,0 +1,380 @@
+//! The command line: what it prints, where, and with which exit status.
+
+use std::fs;
+use std::process::{Command, Output, Stdio};
+
+use crate::folder::Folder;
+
+/// Runs carrom without a terminal, with nothing to read.
+fn carrom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// Where something of this name is in a folder, or will be.
+fn within(folder: &Folder, name: &str) -> String {
+    folder.path().join(name).to_str().unwrap().into()
+}
+
+/// The names of all that is in a folder.
+fn names(folder: &Folder) -> Vec<String> {
+    let mut names: Vec<_> = fs::read_dir(folder.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn without_a_terminal_it_says_so() {
+    for arguments in [&[][..], &["lab"], &["quiz", "--seed", "7"], &["levels"]] {
+        let output = carrom(arguments);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(out(&output), "");
+        let message = err(&output);
+        assert!(
+            message.starts_with("carrom: a terminal is needed, and standard input is not one"),
+            "{message}"
+        );
+        assert_eq!(message.lines().count(), 1);
+    }
+}
+
+#[test]
+fn help_and_version_are_no_failure() {
+    let output = carrom(&["--help"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(err(&output), "");
+    for word in [
+        "lab",
+        "quiz",
+        "levels",
+        "tape",
+        "--charset",
+        "--data-dir",
+        "Examples",
+    ] {
+        assert!(out(&output).contains(word), "{word}");
+    }
+    let output = carrom(&["--version"]);
+    assert_eq!(
+        out(&output),
+        format!("carrom {}\n", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn unusable_arguments_are_refused() {
+    for (arguments, message) in [
+        (&["lob"][..], "unrecognized subcommand 'lob'"),
+        (&["--colour", "16"], "unexpected argument '--colour'"),
+        (
+            &["--color", "17"],
+            "invalid value '17' for '--color <DEPTH>'",
+        ),
+        (
+            &["quiz", "--seed", "-1"],
+            "invalid value '-1' for '--seed <N>'",
+        ),
+        (
+            &["quiz", "--seed", "NaN"],
+            "invalid value 'NaN' for '--seed <N>'",
+        ),
+        (
+            &["quiz", "--code", "mixed"],
+            "invalid value 'mixed' for '--code <CODE>': expected the code of a round",
+        ),
+        (
+            &["quiz", "--code", "review-7"],
+            "invalid value 'review-7' for '--code <CODE>'",
+        ),
+        (
+            &["--player", "a\u{1b}[2J"],
+            "expected a name of 1 to 40 visible letters",
+        ),
+        (
+            &["--player", " "],
+            "expected a name of 1 to 40 visible letters",
+        ),
+        (&["tape"], "<FILE>"),
+        (&["completions", "csh"], "invalid value 'csh'"),
+    ] {
+        let output = carrom(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert_eq!(out(&output), "");
+        assert!(
+            err(&output).contains(message),
+            "{arguments:?}: {}",
+            err(&output)
+        );
+    }
+}
+
+#[test]
+fn completions_and_the_manual_page_are_printed() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let output = carrom(&["completions", shell]);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(out(&output).contains("carrom"));
+    }
+    let output = carrom(&["man"]);
+    assert!(out(&output).contains(".TH carrom 1"));
+}
+
+#[test]
+fn a_tape_writes_its_screenshots() {
+    let folder = Folder::new("tape");
+    let tape = folder.file(
+        "home.tape",
+        b"Screenshot home\nType \"?\"\nScreenshot help\n",
+    );
+    let target = within(&folder, "new/shots");
+    let output = carrom(&["tape", &tape, "--out", &target, "--svg"]);
+    assert_eq!(err(&output), "");
+    assert_eq!(output.status.code(), Some(0));
+    let written: Vec<_> = out(&output).lines().map(str::to_owned).collect();
+    assert_eq!(written.len(), 4);
+    let first: Vec<_> = written.iter().map(|path| fs::read(path).unwrap()).collect();
+    assert!(String::from_utf8_lossy(&first[0]).contains("carrom : home"));
+    assert!(first[1].starts_with(b"<svg "));
+    carrom(&["tape", &tape, "--out", &target, "--svg"]);
+    let again: Vec<_> = written.iter().map(|path| fs::read(path).unwrap()).collect();
+    assert_eq!(first, again);
+}
+
+#[test]
+fn options_outside_a_tape_stand_where_it_says_nothing() {
+    let folder = Folder::new("outer");
+    let tape = folder.file("a.tape", b"Run \"--charset ascii\"\nType \"?\"\n");
+    let output = carrom(&["tape", &tape, "--charset", "unicode", "--seed", "3"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+}
+
+#[test]
+fn a_tape_that_fails_writes_nothing() {
+    let folder = Folder::new("fails");
+    let tape = folder.file("bad.tape", b"Screenshot home\nExpect \"90.0\"\n");
+    let output = carrom(&["tape", &tape, "--out", &within(&folder, "shots")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(out(&output), "");
+    let message = err(&output);
+    let start = format!("carrom: {tape}:2: Expect: the screen does not show \"90.0\"\n");
+    assert!(message.starts_with(&start), "{message}");
+    assert!(message.contains("carrom : home"), "{message}");
+    assert_eq!(names(&folder), ["bad.tape"]);
+}
+
+#[test]
+fn a_tape_that_cannot_be_used_is_named_with_its_line() {
+    let folder = Folder::new("unusable");
+    let noise: Vec<u8> = (0..10 << 20)
+        .map(|i: u32| (i.wrapping_mul(i) >> 7) as u8)
+        .collect();
+    for (content, message) in [
+        (&b"Escape\nDance\n"[..], ":2: unknown instruction Dance"),
+        (b"Run \"lob\"\n", ":1: Run: unrecognized subcommand 'lob'"),
+        (
+            b"Escape\nType \"\xff\"\n",
+            ":2: expected UTF-8 text, found other bytes",
+        ),
+        (&noise, ":1: expected a file of at most 1 MiB, found more"),
+    ] {
+        let tape = folder.file("bad.tape", content);
+        let output = carrom(&["tape", &tape, "--out", &within(&folder, "shots")]);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(out(&output), "");
+        let expected = format!("carrom: {tape}{message}");
+        assert!(err(&output).starts_with(&expected), "{}", err(&output));
+        assert_eq!(err(&output).lines().count(), 1);
+        assert_eq!(names(&folder), ["bad.tape"]);
+    }
+    let missing = within(&folder, "missing.tape");
+    let output = carrom(&["tape", &missing]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        err(&output).starts_with(&format!("carrom: {missing}: ")),
+        "{}",
+        err(&output)
+    );
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let folder = Folder::new("readonly");
+    let tape = folder.file("a.tape", b"Screenshot home\n");
+    let output = carrom(&["tape", &tape, "--out", &format!("{tape}/shots")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        err(&output).starts_with(&format!("carrom: {tape}/shots: ")),
+        "{}",
+        err(&output)
+    );
+}
+
+/// A game that was exported once and for all.
+const GAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/saves/format-1.toml");
+
+#[test]
+fn an_exported_game_is_played_again_to_the_last_bit() {
+    let text = carrom(&["replay", GAME]);
+    assert!(text.status.success(), "{}", err(&text));
+    assert!(out(&text).contains("   1  South strikes at "));
+    let json = carrom(&["replay", GAME, "--json"]);
+    let report: serde_json::Value = serde_json::from_str(&out(&json)).unwrap();
+    let strokes = report["moves"].as_array().unwrap().iter();
+    let strokes = strokes.filter(|made| made["kind"] == "strike");
+    assert_eq!(strokes.count(), 30);
+    let end = report["final"]["fingerprint"].as_str().unwrap();
+    assert!(fs::read_to_string(GAME).unwrap().contains(end));
+    assert!(out(&text).contains(end));
+}
+
+#[test]
+fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
+    let folder = Folder::new("replay");
+    let game = fs::read_to_string(GAME).unwrap();
+    let other = game.replacen("[0.8135039368984194,", "[1.8135039368984194,", 1);
+    for (content, expected) in [
+        (other.as_str(), ":41: end: expected the moves to lead to "),
+        ("format = 2", ":1: format: 2 is newer than the 1 "),
+        ("hello", ":1: "),
+    ] {
+        let file = folder.file("game.toml", content.as_bytes());
+        let output = carrom(&["replay", &file]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(out(&output).is_empty());
+        let message = err(&output);
+        assert!(
+            message.starts_with(&format!("carrom: {file}{expected}")),
+            "{message}"
+        );
+    }
+    let missing = carrom(&["replay", "/no/such/game.toml"]);
+    assert_eq!(missing.status.code(), Some(2));
+}
+
+#[test]
+fn a_tape_keeps_its_games_only_where_it_is_told_to() {
+    let folder = Folder::new("tape-saves");
+    let tape = folder.file(
+        "game.tape",
+        b"Run \"table --seed 3\"\nEnter\nSpace\nEnter\nType \"se\"\n",
+    );
+    let data = folder.path().join("data");
+    let data = data.to_str().unwrap();
+    assert!(
+        carrom(&["tape", &tape, "--data-dir", data])
+            .status
+            .success()
+    );
+    let saved = fs::read_to_string(folder.path().join("data/games/game-1.toml")).unwrap();
+    let exported =
+        fs::read_to_string(folder.path().join("data/exports/carrom-game-1.toml")).unwrap();
+    assert_eq!(saved, exported);
+    // The same again in a folder of its own gives the same bytes.
+    let again = folder.path().join("again");
+    let again = again.to_str().unwrap();
+    assert!(
+        carrom(&["tape", &tape, "--data-dir", again])
+            .status
+            .success()
+    );
+    let twin = fs::read_to_string(folder.path().join("again/games/game-1.toml")).unwrap();
+    assert_eq!(saved, twin);
+}
+
+/// A folder with two good questions in one file and a file with a belief nobody holds.
+const OWN_CONCEPTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
+
+#[test]
+fn written_questions_of_ones_own_are_checked() {
+    let output = carrom(&["concept", "check", OWN_CONCEPTS]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(
+        out(&output),
+        "our-marbles-twice-as-heavy: good: our marbles, middle\n\
+         our-marbles-head-on: good: our marbles, easy\n"
+    );
+    let message = err(&output);
+    assert!(
+        message.contains("wrong-belief.toml:12: misconception: expected the id of a misconception, found flat-earth"),
+        "{message}"
+    );
+    let good = format!("{OWN_CONCEPTS}/our-marbles.toml");
+    let output = carrom(&["concept", "check", &good]);
+    assert_eq!((output.status.code(), err(&output).as_str()), (Some(0), ""));
+    // What is in the program is good, too.
+    let output = carrom(&["concept", "check"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(out(&output).lines().count(), 97);
+}
+
+#[test]
+fn a_right_choice_that_gives_itself_away_is_told_with_its_place() {
+    let folder = Folder::new("cli-concepts");
+    let path = within(&folder, "mine.toml");
+    let good = fs::read_to_string(format!("{OWN_CONCEPTS}/our-marbles.toml")).unwrap();
+    let long = "It stops, for it gives all of its momentum away, as equal masses do";
+    fs::write(&path, good.replace("It stops", long)).unwrap();
+    let output = carrom(&["concept", "check", &path]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(out(&output).contains("our-marbles-head-on: NOT GOOD: mine, easy"));
+    let message = err(&output);
+    let wanted = format!("{path}:22: our-marbles-head-on.right: expected a choice of the length");
+    assert!(message.contains(&wanted), "{message}");
+    // The id of a question in the program is taken.
+    fs::write(
+        &path,
+        good.replace("our-marbles-head-on", "sideways-balances"),
+    )
+    .unwrap();
+    let message = err(&carrom(&["concept", "check", &path]));
+    assert!(
+        message.contains("mine.toml:22: ") && message.contains("expected an id of its own"),
+        "{message}"
+    );
+}
+
+#[test]
+fn the_code_of_own_questions_needs_their_folder() {
+    let folder = Folder::new("cli-own");
+    let to = within(&folder, "sheets");
+    let output = carrom(&["worksheet", "--code", "own-7", "--out", &to]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = err(&output);
+    assert!(
+        message.contains(
+            "expected questions of your own for the code own-7; --concepts gives their folder"
+        ),
+        "{message}"
+    );
+    let output = carrom(&[
+        "worksheet",
+        "--code",
+        "own-7",
+        "--out",
+        &to,
+        "--concepts",
+        OWN_CONCEPTS,
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let sheet = fs::read_to_string(format!("{to}/worksheet.md")).unwrap();
+    assert!(
+        sheet.contains("own-7") && sheet.contains("A marble of 40 g"),
+        "{sheet}"
+    );
+    let easy = sheet.find("Two equal marbles").unwrap();
+    assert!(easy < sheet.find("A marble of 40 g").unwrap());
+}

@@ -1,0 +1,290 @@
+//! Carrom is killed at any moment of a game, and loses at most the stroke in motion; of a
+//! round of a class, and loses no vote that was seen.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::thread;
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::class::ClassRound;
+use carrom::game::SavedGame;
+use carrom::messages::{Done, Request, Wish};
+use carrom::quiz::{Form, Said};
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::store::Store;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use rustix::process::Signal;
+
+use crate::child::{self, Player};
+use crate::folder::Folder;
+use crate::pty::{Pty, carrom};
+
+/// The keys from the page of a new game to one of two people.
+const TWO_PEOPLE: &str = "<Down><Down><Down> <Enter>";
+/// The keys to the game that was played last.
+const RESUME: &str = "s<Enter>";
+
+/// A player of a game that these keys lead to.
+fn start(folder: &Path, seed: u64, keys: &str) -> Player {
+    Player::start("kill::child_plays", folder, &[&seed.to_string(), keys])
+}
+
+/// All games by name; each must be readable.
+fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
+    let request = Request {
+        ticket: 0,
+        wish: Wish::List,
+    };
+    let Done::Listed(Ok(games)) = Store::in_folder(folder).answer(&request).done else {
+        panic!("the games cannot be listed");
+    };
+    let read = games.into_iter().map(|kept| {
+        let game = kept
+            .game
+            .unwrap_or_else(|why| panic!("{}: {why}", kept.name));
+        (kept.name, game.0)
+    });
+    read.collect()
+}
+
+/// The number in `stroke 7 of 7` on the screen, while the last one is watched.
+fn stroke(screen: &str) -> Option<usize> {
+    let after = screen.split("- stroke ").nth(1)?;
+    let mut words = after.split_whitespace();
+    let (number, of, all) = (words.next()?, words.next()?, words.next()?);
+    (of == "of" && number == all).then(|| number.parse().ok())?
+}
+
+/// Plays until it is killed, and says the number of each stroke as soon as it is on the
+/// screen.
+#[test]
+fn child_plays() {
+    let Some((folder, words)) = child::told() else {
+        return;
+    };
+    let seed = words[0].parse().unwrap();
+    let settings = Settings {
+        reduced_motion: true,
+        ..Settings::default()
+    };
+    let app = App::new(Place::Table, settings, seed);
+    let store = Store::in_folder(&folder);
+    let mut game = Headless::keeping(app, 80, 24, store);
+    game.press(&words[1]);
+    let mut chance = Pcg64::seed_from_u64(seed);
+    loop {
+        if !game.screen().contains("Space strike") {
+            // On from the end of a stroke or a board.
+            game.press("<Enter>");
+            continue;
+        }
+        game.press(&format!("{:.1} ", chance.random_range(20.0..160.0)));
+        if let Some(number) = stroke(&game.screen()) {
+            child::say(number);
+        }
+    }
+}
+
+#[test]
+fn a_game_that_is_killed_sixty_times_loses_at_most_the_stroke_in_motion() {
+    let folder = Folder::new("killed");
+    let mut chance = Pcg64::seed_from_u64(60);
+    let mut before = 0;
+    for kill in 0..60 {
+        let keys = if before > 0 { RESUME } else { TWO_PEOPLE };
+        let player = start(folder.path(), kill, keys);
+        // Now and then before it has done anything at all.
+        let strokes = if kill % 10 == 9 {
+            0
+        } else {
+            chance.random_range(1..8)
+        };
+        let said = player.kill(strokes, &mut chance).unwrap_or(before);
+        let games = games(folder.path());
+        let kept = games.values().map(|game| game.record.strokes()).max();
+        let kept = kept.unwrap_or(0);
+        assert!(games.len() <= 1, "a game has lost its file");
+        assert!(
+            kept == said || kept == said + 1,
+            "{said} were struck, {kept} are kept"
+        );
+        before = kept;
+    }
+    assert!(before > 60);
+}
+
+#[test]
+fn two_who_play_and_are_killed_do_no_harm_to_each_other_nor_to_older_games() {
+    let folder = Folder::new("killed-two");
+    let mut chance = Pcg64::seed_from_u64(2);
+    let mut before = BTreeMap::new();
+    for round in 0..10 {
+        let players = [0, 1].map(|i| start(folder.path(), 2 * round + i, TWO_PEOPLE));
+        let said = players.map(|player| {
+            let strokes = chance.random_range(1..4);
+            player.kill(strokes, &mut chance).unwrap()
+        });
+        let mut now = games(folder.path());
+        for (name, game) in &before {
+            assert_eq!(now.remove(name).as_ref(), Some(game), "{name} was harmed");
+        }
+        let mut kept: Vec<_> = now.values().map(|game| game.record.strokes()).collect();
+        let mut said = said.to_vec();
+        kept.sort_unstable();
+        said.sort_unstable();
+        assert_eq!(kept.len(), 2);
+        for (kept, said) in kept.into_iter().zip(said) {
+            assert!(
+                kept == said || kept == said + 1,
+                "{said} were struck, {kept} are kept"
+            );
+        }
+        before.extend(now);
+    }
+}
+
+#[test]
+fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
+    let folder = Folder::new("killed-pty");
+    let data = folder.path().to_str().unwrap();
+    let mut chance = Pcg64::seed_from_u64(3);
+    let mut before = 0;
+    for _ in 0..8 {
+        let mut pty = Pty::start(carrom(&["table", "--seed", "3", "--data-dir", data]));
+        pty.wait_for("a new game");
+        // Less motion, so that strokes are over at once.
+        pty.press("Ms");
+        if before == 0 {
+            pty.wait_for("There are none yet");
+            pty.press("\x1b");
+            pty.wait_for("a new game");
+            pty.press("\x1b[B\x1b[B\x1b[B \r");
+        } else {
+            pty.wait_for("Enter: resume");
+            pty.press("\r");
+        }
+        let mut said = before;
+        for _ in 0..chance.random_range(1..4) {
+            pty.wait_for("Space strike");
+            pty.press(&format!("{:.1} ", chance.random_range(40.0..140.0)));
+            said += 1;
+            pty.wait_for(&format!("stroke {said} of {said}"));
+            pty.press("\r");
+        }
+        pty.wait_for("Space strike");
+        // In the middle of the next.
+        pty.press("90 ");
+        thread::sleep(Duration::from_micros(chance.random_range(0..30_000)));
+        pty.signal(Signal::KILL);
+        pty.wait();
+        let games = games(folder.path());
+        assert_eq!(games.len(), 1);
+        let kept = games
+            .values()
+            .map(|game| game.record.strokes())
+            .max()
+            .unwrap();
+        assert!(
+            kept == said || kept == said + 1,
+            "{said} were struck, {kept} are kept"
+        );
+        before = kept;
+    }
+}
+
+/// The angle of the striker that each team said first, in degrees as it was typed.
+fn first_votes(folder: &Path) -> Vec<Option<u32>> {
+    let request = Request {
+        ticket: 0,
+        wish: Wish::ListClasses,
+    };
+    let Done::Classes(Ok(rounds)) = Store::in_folder(folder).answer(&request).done else {
+        panic!("the rounds cannot be listed");
+    };
+    let rounds: Vec<ClassRound> = rounds
+        .into_iter()
+        .map(|kept| *kept.round.unwrap())
+        .collect();
+    let [round] = &rounds[..] else {
+        assert!(rounds.is_empty(), "the round has lost its file");
+        return Vec::new();
+    };
+    let form = &round.questions()[0].form;
+    let typed = |vote| match (form, vote) {
+        (Form::Rays { side, .. }, Some(Said::Rays(rays))) => {
+            Some((side * rays.striker?.to_degrees()).round() as u32)
+        }
+        _ => None,
+    };
+    let teams = 0..round.teams().len();
+    teams
+        .map(|team| typed(round.ballot(0, team).first))
+        .collect()
+}
+
+/// Killed while votes come in, the program has kept every vote after which the screen
+/// showed the list of the teams again: new ones and changed ones alike.
+#[test]
+fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
+    const TEAMS: usize = 4;
+    let folder = Folder::new("class-killed-pty");
+    let data = folder.path().to_str().unwrap();
+    let start = |arguments: &[&str]| {
+        let arguments = [&["class", "--data-dir", data], arguments].concat();
+        Pty::start(carrom(&arguments))
+    };
+    let mut chance = Pcg64::seed_from_u64(11);
+    let mut safe: Vec<Option<u32>> = vec![None; TEAMS];
+    let mut angle = 0;
+    for kill in 0..20 {
+        let mut pty = if safe.iter().any(Option::is_some) {
+            let mut pty = start(&[]);
+            pty.wait_for("Start");
+            pty.press("\x1b[F\x1b[B\r");
+            pty.wait_for("7: A, B, C, D");
+            pty.press("\r");
+            pty
+        } else {
+            let mut pty = start(&["--teams", "A,B,C,D", "--code", "7"]);
+            pty.wait_for("> Start");
+            pty.press("\r\r\r");
+            pty
+        };
+        let voted = safe.iter().flatten().count();
+        pty.wait_until("the votes so far", |screen| {
+            screen.contains("Each team in turn") && screen.matches("has voted").count() >= voted
+        });
+        let mut last = None;
+        for vote in 0..=chance.random_range(1..4) {
+            let team = chance.random_range(0..TEAMS);
+            angle += 1;
+            pty.press(&(team + 1).to_string());
+            pty.wait_until("a booth", |screen| !screen.contains("Each team in turn"));
+            pty.press(&format!("{angle}\r30\r"));
+            if vote > 0 && kill % 3 > 0 && chance.random_bool(0.3) {
+                // In the middle of this one.
+                last = Some((team, angle));
+                break;
+            }
+            pty.wait_for("Each team in turn");
+            safe[team] = Some(angle);
+        }
+        if last.is_some() {
+            thread::sleep(Duration::from_micros(chance.random_range(0..6_000)));
+        }
+        pty.signal(Signal::KILL);
+        pty.wait();
+        let now = first_votes(folder.path());
+        // What was not told to be safe may be so all the same.
+        if let Some((team, angle)) = last
+            && now[team] == Some(angle)
+        {
+            safe[team] = Some(angle);
+        }
+        assert_eq!(now, safe, "kill {kill}");
+    }
+    assert!(angle > 40);
+}

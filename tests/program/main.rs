@@ -1,0 +1,31 @@
+//! The program run as a person or a script runs it: its arguments, what it prints, the
+//! files it keeps, and a real terminal; killed at any moment, too.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod bad_files;
+mod bad_lessons;
+mod bad_levels;
+mod bookmarks;
+mod child;
+mod cli;
+#[cfg(unix)]
+mod kill;
+mod memory;
+mod plain;
+mod play;
+mod report;
+mod saves;
+mod simulate;
+mod solve;
+#[cfg(unix)]
+mod terminal;
+mod worksheet;
+
+#[path = "../common/folder.rs"]
+mod folder;
+#[path = "../common/keys.rs"]
+mod keys;
+#[cfg(unix)]
+#[path = "../common/pty.rs"]
+mod pty;

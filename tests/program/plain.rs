@@ -1,0 +1,286 @@
+//! Plain mode: the program talked to in lines, as a screen reader or a script does.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use carrom::quiz::{Code, Form, Question, Round, Said};
+
+use crate::folder::Folder;
+
+/// What the program says to these lines.
+fn talk(arguments: &str, folder: &Path, heard: &[u8]) -> String {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments.split(' '))
+        .arg("--data-dir")
+        .arg(folder)
+        .env("TERM", "dumb")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let heard = heard.to_owned();
+    // Whoever quits early does not hear the rest.
+    let writer = std::thread::spawn(move || drop(input.write_all(&heard)));
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap();
+    let complaints = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{complaints}");
+    assert_eq!(complaints, "");
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.chars().all(|c| c == '\n' || !c.is_control()),
+        "{said:?}"
+    );
+    assert!(
+        said.lines()
+            .all(|line| line.trim() == line && !line.is_empty()),
+        "{said}"
+    );
+    said
+}
+
+/// The lines that say this answer, as the player would type them.
+fn typed(question: &Question, said: &Said) -> String {
+    match (&question.form, said) {
+        (Form::Rays { side, .. }, Said::Rays(rays)) => [rays.striker, rays.target]
+            .map(|angle| match angle {
+                Some(angle) => format!("{:.1}\n", side * angle.to_degrees()),
+                None => "still\n".into(),
+            })
+            .concat(),
+        (Form::Number { .. }, Said::Number(x)) => format!("{x}\n"),
+        (_, Said::Choice(i)) => format!("{}\n", carrom::quiz::letter(*i)),
+        (_, Said::Shot(offset)) => format!("{}\n", 1000.0 * offset),
+        other => panic!("no answer of this form: {other:?}"),
+    }
+}
+
+fn answers(round: &Round, said: impl Fn(&Question) -> Said) -> String {
+    let each = round.questions().iter();
+    each.map(|question| format!("{}3\n", typed(question, &said(question))))
+        .collect()
+}
+
+fn round(code: &str) -> Round {
+    Round::of(Code::parse(code).unwrap())
+}
+
+#[test]
+fn a_round_answered_by_the_truth_is_all_right() {
+    let folder = Folder::new("plain");
+    for code in ["7", "mixed-7", "mixed-8"] {
+        let round = round(code);
+        let lines = answers(&round, |question| question.form.truth());
+        let said = talk(
+            &format!("quiz --plain --code {code}"),
+            folder.path(),
+            lines.as_bytes(),
+        );
+        assert_eq!(
+            said.matches("\nRight.\n").count(),
+            round.questions().len(),
+            "{said}"
+        );
+        assert!(said.contains("10 of 10 right."), "{said}");
+        assert!(said.contains(&format!("the code {code}.")), "{said}");
+    }
+}
+
+#[test]
+fn each_misconception_is_named() {
+    let folder = Folder::new("plain");
+    let round = round("mixed-7");
+    let lines = answers(&round, |question| question.beliefs[0].said);
+    let said = talk(
+        "quiz --plain --code mixed-7",
+        folder.path(),
+        lines.as_bytes(),
+    );
+    for question in round.questions() {
+        let name = carrom::shells::plain::spoken(question.beliefs[0].misconception.name);
+        assert!(
+            said.contains(&format!("It looks like this: {name}.")),
+            "{name}\n{said}"
+        );
+    }
+    assert!(said.contains(" 0 of 10 right."), "{said}");
+}
+
+#[test]
+fn every_answer_is_kept_before_it_is_told_and_whatever_comes_then() {
+    let folder = Folder::new("plain");
+    let round = round("7");
+    let first = &round.questions()[0];
+    for end in ["quit\n", "", "nonsense\n", "\u{0}\u{1b}[2J\n"] {
+        let lines = format!("{}2\n{end}", typed(first, &first.form.truth()));
+        talk("quiz --plain --seed 7", folder.path(), lines.as_bytes());
+    }
+    let kept = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(["progress", "--json", "--data-dir"])
+        .arg(folder.path())
+        .output()
+        .unwrap();
+    let kept: serde_json::Value = serde_json::from_slice(&kept.stdout).unwrap();
+    let attempts = kept["attempts"].as_array().unwrap();
+    assert_eq!(attempts.len(), 4);
+    for attempt in attempts {
+        assert_eq!(attempt["right"], true);
+        assert_eq!(attempt["confidence"], "think-so");
+    }
+}
+
+#[test]
+fn what_cannot_be_understood_is_asked_again_kindly() {
+    let folder = Folder::new("plain");
+    let said = talk(
+        "quiz --plain --seed 7",
+        folder.path(),
+        b"sixty\n999\n\nhelp\nrepeat\nskip\n",
+    );
+    let again = "Please type an angle from minus 180 to 180, or still.\n";
+    assert_eq!(said.matches(again).count(), 3, "{said}");
+    assert!(said.contains("At any time: repeat"), "{said}");
+    assert_eq!(
+        said.matches("11.3 millimetres to the left").count(),
+        2,
+        "{said}"
+    );
+    assert!(said.contains("\nLeft open.\nQuestion 2 of 10"), "{said}");
+}
+
+#[test]
+fn noise_neither_breaks_nor_fills_it() {
+    let folder = Folder::new("plain");
+    let noise: Vec<u8> = (0..10_000_000_u64).map(|i| (i * i % 251) as u8).collect();
+    for arguments in [
+        "quiz --plain",
+        "quiz --plain --seed 1",
+        "learn --plain",
+        "solve --plain",
+    ] {
+        talk(arguments, folder.path(), &noise);
+        talk(arguments, folder.path(), &vec![b'x'; 10_000_000]);
+    }
+}
+
+#[test]
+fn an_exam_tells_nothing_before_its_end() {
+    let folder = Folder::new("plain");
+    let round = round("exam-3");
+    let lines = answers(&round, |question| question.form.truth());
+    let said = talk(
+        "quiz --plain --code exam-3",
+        folder.path(),
+        lines.as_bytes(),
+    );
+    let (during, after) = said.split_once("Answer 1.").unwrap();
+    assert!(
+        !during.contains("Right.") && !during.contains("points"),
+        "{during}"
+    );
+    assert_eq!(after.matches("\nRight.\n").count(), round.questions().len());
+}
+
+#[test]
+fn a_round_is_chosen_by_its_number_or_its_code() {
+    let folder = Folder::new("plain");
+    let said = talk("quiz --plain", folder.path(), b"99\nmixed\n3\nquit\n");
+    assert_eq!(
+        said.matches("Please type a number from 1").count(),
+        2,
+        "{said}"
+    );
+    assert!(
+        said.contains("Question 1 of 10: where will they go?"),
+        "{said}"
+    );
+    let said = talk("quiz --plain", folder.path(), b"speeds4-7\nquit\n");
+    assert!(
+        said.contains("Question 1 of 4: speeds after the hit."),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_whole_round_reads_well() {
+    let folder = Folder::new("plain");
+    let round = round("quick-7");
+    let lines: String = (0..)
+        .zip(round.questions())
+        .map(|(i, question)| {
+            let said = match i % 2 {
+                0 => question.form.truth(),
+                _ => question.beliefs[0].said,
+            };
+            format!("{}{}\n", typed(question, &said), 1 + i % 3)
+        })
+        .collect();
+    let said = talk(
+        "quiz --plain --code quick-7",
+        folder.path(),
+        lines.as_bytes(),
+    );
+    insta::assert_snapshot!("plain_quick_7", said);
+}
+
+#[test]
+fn every_chapter_can_be_read_to_its_end_and_the_place_is_kept() {
+    let folder = Folder::new("plain");
+    // Whatever is asked is left open; then Enter goes on.
+    let on = b"skip\n\n".repeat(400);
+    let said = talk("learn 1 --plain", folder.path(), &on);
+    let ends = said.matches("That is the end of the chapter.").count();
+    assert_eq!(ends, 12, "{}", &said[said.len() - 2000..]);
+    for strange in ["NaN", "inf ", "{", "}", "$", "  "] {
+        assert!(!said.contains(strange), "{strange:?}");
+    }
+    let said = talk(
+        "learn 2 --plain",
+        folder.path(),
+        b"skip\nnext\nskip\nquit\n",
+    );
+    assert!(said.contains("Page 2 of"), "{said}");
+    let said = talk("learn 2 --plain", folder.path(), b"quit\n");
+    assert!(
+        said.contains("Page 2 of") && !said.contains("Page 1 of"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_checkpoint_is_answered_and_kept() {
+    let folder = Folder::new("plain");
+    let said = talk("learn 1 --plain", folder.path(), b"2\nquit\n");
+    assert!(
+        said.contains("Your answer in metres per second?\nRight.\n"),
+        "{said}"
+    );
+    let said = talk("learn 1 --plain", folder.path(), b"1\nquit\n");
+    assert!(
+        said.contains("Not quite.\nIt is 2 metres per second.\n"),
+        "{said}"
+    );
+    let said = talk("learn --plain", folder.path(), b"quit\n");
+    assert!(said.contains("1 of 7 pages read."), "{said}");
+}
+
+#[test]
+fn a_solution_is_asked_for_or_given() {
+    let folder = Folder::new("plain");
+    let given = talk(
+        "solve --plain --m1-g 20 --m2-g 40 --speed 3 --alpha-deg 45",
+        folder.path(),
+        b"",
+    );
+    assert!(given.contains("2.236 metres per second"), "{given}");
+    assert!(given.contains("63.43 degrees"), "{given}");
+    let asked = talk("solve --plain", folder.path(), b"20\n40\n3\n45\n\n");
+    assert!(
+        asked.contains("Mass of the striker in grams? Proposed: 15."),
+        "{asked}"
+    );
+    assert!(asked.ends_with(&given), "{asked}");
+}

@@ -1,0 +1,411 @@
+//! The report of what a player has done, whoever the player is and whatever was done:
+//! read back by real parsers.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use carrom::app::App;
+use carrom::messages::{Done, History, Request, Wish};
+use carrom::paper::clean;
+use carrom::paper::report::{Report, Sources};
+use carrom::progress::{Attempt, LESSON, Starred, csv, json};
+use carrom::quiz::Confidence;
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::store::Store;
+use carrom::widgets::Charset;
+use carrom::{lessons, levels};
+use pulldown_cmark::{Event, Options, Parser, Tag};
+use scraper::{Html, Node, Selector};
+
+use crate::folder::Folder;
+
+fn nasty_names() -> Vec<String> {
+    let mut names: Vec<String> = [
+        "שלום עולם",
+        "مرحبا",
+        "a\u{202e}b\u{2066}c",
+        "e\u{301}\u{302}\u{303}",
+        "👩‍👩‍👧‍👦 🏴\u{e0067}\u{e0062}\u{e0065}\u{e006e}\u{e0067}\u{e007f}",
+        "球 さん",
+        "O'Hara \"Q\" & Söhne",
+        "two\r\nlines\tand\u{2028}more",
+        "</title></h1></script><script>alert(1)</script>",
+        "<img src=x onerror=alert(1)>",
+        "\"><svg onload=alert(1)>",
+        "<!-- ]]> --> &amp; &#0; {{x}}",
+        "=HYPERLINK(\"http://x.invalid\",\"y\")",
+        "@SUM(A1)|cmd",
+        "+1-1",
+        "a;=1+1\n=1+1",
+        "*a* _b_ `c` [d](e) ![f](g) | h | ~i~ $j$",
+        "# a\n- b\n> c\n---",
+        "\u{0}\u{1b}[2J\u{7f}\u{9b}x\u{feff}\u{fffe}",
+        "\u{200b}",
+        "../../etc/passwd",
+        "'; DROP TABLE attempt; --",
+    ]
+    .map(str::to_owned)
+    .into();
+    names.push("x".repeat(10_000));
+    names.push("球\n\"=<".repeat(2_000));
+    names.push(format!("e{}", "\u{301}".repeat(10_000)));
+    names
+}
+
+fn attempt(player: &str, number: u32) -> Attempt {
+    Attempt {
+        time_s: None,
+        player: player.into(),
+        family: "where-to".into(),
+        topic: player.into(),
+        seed: 7,
+        number,
+        question: "{}".into(),
+        answer: "{}".into(),
+        truth: "{}".into(),
+        error_deg: Some(f64::from(number)),
+        credit: 0.5,
+        right: number <= 4,
+        confidence: Some(Confidence::ThinkSo),
+        misconception: (number > 4).then(|| "copied-angle".into()),
+    }
+}
+
+fn ask(store: &mut Store, wish: Wish) -> Done {
+    store.answer(&Request { ticket: 0, wish }).done
+}
+
+/// What a store has of a player who answered six questions and won a level.
+fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
+    let mut store = Store::in_folder(folder);
+    for number in 1..=6 {
+        let wish = Wish::Record(Box::new(attempt(player, number)));
+        assert_eq!(ask(&mut store, wish), Done::Noted(Ok(())));
+    }
+    let (pack, level) = first_level();
+    let star = Starred {
+        pack,
+        level,
+        stars: 2,
+    };
+    ask(&mut store, Wish::Star(player.into(), star));
+    let mut store = Store::in_folder(folder);
+    let Done::Recalled(Ok(history)) = ask(&mut store, Wish::Recall(Some(player.into()))) else {
+        panic!("nothing is recalled");
+    };
+    let Done::Stars(Ok(stars)) = ask(&mut store, Wish::Stars(player.into())) else {
+        panic!("no stars are recalled");
+    };
+    assert_eq!((history.attempts.len(), stars.len()), (6, 1));
+    (*history, stars)
+}
+
+fn first_level() -> (String, String) {
+    let pack = &levels::Library::embedded_once().packs[0];
+    (pack.name.clone(), pack.levels[0].id.clone())
+}
+
+fn report<'a>(player: &'a str, history: &'a History, stars: &'a [Starred]) -> Report<'a> {
+    Report::new(&Sources {
+        player,
+        history,
+        stars,
+        levels: levels::Library::embedded_once(),
+        lessons: lessons::Library::embedded_once(),
+    })
+}
+
+/// The elements of a document in their order, and the text of the first of a kind.
+fn read_html(html: &str) -> (Vec<String>, impl Fn(&str) -> String + use<>) {
+    let document = Html::parse_document(html);
+    let mut elements = Vec::new();
+    for node in document.tree.nodes() {
+        if let Node::Element(element) = node.value() {
+            elements.push(element.name().to_owned());
+            for (name, value) in element.attrs() {
+                assert!(!name.starts_with("on") && name != "src" && name != "href");
+                assert!(!value.contains("script"), "{name}={value}");
+            }
+        }
+    }
+    assert!(!elements.iter().any(|it| it == "script" || it == "img"));
+    let text = move |name: &str| {
+        let selector = Selector::parse(name).unwrap();
+        let found = document.select(&selector).next();
+        found.map_or(String::new(), |it| it.text().collect())
+    };
+    (elements, text)
+}
+
+/// The tags of a document in their order, and its first text.
+fn read_markdown(text: &str) -> (Vec<String>, String) {
+    let (mut tags, mut first) = (Vec::new(), String::new());
+    let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_MATH;
+    for event in Parser::new_ext(text, options) {
+        match event {
+            Event::Start(Tag::Image { dest_url, .. }) => tags.push(dest_url.to_string()),
+            Event::Start(tag) => tags.push(format!("{:?}", tag.to_end())),
+            Event::Text(text) if tags.len() == 1 => first.push_str(&text),
+            Event::Text(_) | Event::End(_) | Event::Rule => {}
+            other => panic!("{other:?}"),
+        }
+    }
+    (tags, first)
+}
+
+#[test]
+fn no_name_breaks_a_report() {
+    let folder = Folder::new("report-names");
+    let (plain, stars) = kept(folder.path(), "Ada");
+    let plain = report("Ada", &plain, &stars);
+    let elements = read_html(&plain.html()).0;
+    let tags = read_markdown(&plain.markdown("pictures")).0;
+    assert!(elements.iter().filter(|it| *it == "svg").count() == 3 && tags.len() > 20);
+    for name in nasty_names() {
+        let (history, stars) = kept(folder.path(), &name);
+        let report = report(&name, &history, &stars);
+        let shown = match clean(&name, 44) {
+            shown if shown.is_empty() => "a player without a name".to_owned(),
+            shown => shown,
+        };
+        let html = report.html();
+        let (found, text) = read_html(&html);
+        assert_eq!(found, elements, "{name:?}");
+        assert_eq!(text("h1"), shown);
+        assert_eq!(text("title"), format!("{shown}: glancing collisions"));
+        assert_eq!(text("tbody td"), clean(&name, 40));
+        let (found, first) = read_markdown(&report.markdown("pictures"));
+        assert_eq!(found, tags, "{name:?}");
+        assert_eq!(first, shown);
+        for text in [&html, &report.markdown("pictures")] {
+            let is_bad = |c: char| c.is_control() && c != '\n' || "\u{202e}\u{2066}".contains(c);
+            assert!(!text.contains(is_bad), "{name:?}");
+        }
+        for picture in report.pictures() {
+            roxmltree::Document::parse(&picture.svg.file()).unwrap();
+        }
+    }
+}
+
+#[test]
+fn no_name_breaks_the_table_or_the_json() {
+    let folder = Folder::new("report-table");
+    for name in nasty_names() {
+        let (history, _) = kept(folder.path(), &name);
+        let table = csv(&history.attempts).unwrap();
+        let rows: Vec<_> = csv_rows(&table);
+        assert_eq!(rows.len(), 6);
+        for row in &rows {
+            assert_eq!(
+                (row.len(), &row[11]),
+                (14, if &row[9] <= "4" { "yes" } else { "no" })
+            );
+            assert_eq!(row[1].replace('\'', ""), name.replace('\'', ""));
+        }
+        let json = json(&history.attempts, history.now_s).to_string();
+        let read: serde_json::Value = serde_json::from_str(&json).unwrap();
+        assert_eq!(read["attempts"][5]["player"], *name);
+        assert_eq!(read["summary"]["topics"][0]["topic"], *name);
+    }
+}
+
+fn csv_rows(table: &str) -> Vec<csv::StringRecord> {
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    reader.records().map(Result::unwrap).collect()
+}
+
+#[test]
+fn no_name_breaks_a_screen() {
+    for name in nasty_names() {
+        for charset in [Charset::Ascii, Charset::Unicode] {
+            for place in [Place::Home, Place::Progress, Place::Levels, Place::Table] {
+                let settings = Settings {
+                    charset,
+                    player: name.clone(),
+                    ..Settings::default()
+                };
+                let mut game = Headless::new(App::new(place, settings, 7), 80, 24);
+                let screen = game.screen();
+                let lines: Vec<_> = screen.lines().collect();
+                assert!(lines.len() <= 24);
+                let is_bad = |c: char| {
+                    c.is_control()
+                        || "\u{202e}\u{2066}".contains(c)
+                        || (charset == Charset::Ascii && !c.is_ascii())
+                };
+                for line in lines {
+                    assert!(!line.contains(is_bad), "{line:?}");
+                    assert!(
+                        unicode_width::UnicodeWidthStr::width(line) <= 80,
+                        "{line:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn who_has_done_nothing_gets_a_page_that_says_so() {
+    let history = History::default();
+    let report = report("Ada", &history, &[]);
+    assert!(report.pictures().is_empty());
+    for text in [report.html(), report.markdown("pictures")] {
+        assert!(text.contains("every beginning is a clean board"));
+        assert!(text.contains("Play a round of the quiz"));
+        assert!(!text.contains("NaN") && !text.contains("inf "));
+    }
+}
+
+#[test]
+fn one_answer_makes_a_report() {
+    for error_deg in [None, Some(0.0), Some(180.0)] {
+        let one = Attempt {
+            error_deg,
+            time_s: Some(1_795_000_000),
+            ..attempt("Ada", 1)
+        };
+        let history = History {
+            attempts: vec![one],
+            now_s: Some(1_795_000_000),
+        };
+        let report = report("Ada", &history, &[]);
+        let html = report.html();
+        let (_, text) = read_html(&html);
+        // 1 795 000 000 s is 18 November 2026, 10:53:20 UTC.
+        assert_eq!(
+            text("header"),
+            "carrom · glancing collisionsAda1 answer on 18 November 2026"
+        );
+        assert!(!html.contains("NaN"), "{html}");
+        let shown = usize::from(error_deg.is_some()) + 1;
+        assert_eq!(report.pictures().len(), shown);
+    }
+}
+
+#[test]
+fn thousands_of_answers_fit_the_page_too() {
+    let library = lessons::Library::embedded_once();
+    let attempts: Vec<_> = (0..5_000_u32)
+        .map(|i| {
+            let chapter = &library.chapters[i as usize % library.chapters.len()];
+            let read = i % 5 == 0;
+            Attempt {
+                time_s: Some(1_700_000_000 + i64::from(i) * 9_000),
+                family: if read { LESSON } else { "where-to" }.into(),
+                topic: format!("topic {}", i % 70),
+                question: format!("{{\"chapter\":\"{}\"}}", chapter.id),
+                error_deg: Some(40.0 / (1.0 + f64::from(i) / 500.0)),
+                right: i > 4_000,
+                confidence: Some(Confidence::ALL[i as usize % 3]),
+                misconception: carrom::quiz::misconceptions::all()
+                    .nth(i as usize % 13)
+                    .map(|it| it.id.to_owned()),
+                ..attempt("Ada", i % 9)
+            }
+        })
+        .collect();
+    let history = History {
+        attempts,
+        now_s: Some(1_795_000_000),
+    };
+    let report = report("Ada", &history, &[]);
+    let html = report.html();
+    let (elements, _) = read_html(&html);
+    // What is cut keeps the page one page, and its file small.
+    assert!(elements.iter().filter(|it| *it == "tr").count() <= 35);
+    assert!(html.len() < 60_000, "{}", html.len());
+    assert!(html.contains("and 46 more"), "56 topics are met, 10 shown");
+    let first: f64 = (0..10).map(|i| 40.0 / (1.0 + f64::from(i) / 500.0)).sum();
+    let first = format!("{:.1}° → ", first / 10.0);
+    assert!(html.contains(&first), "{first}");
+    let (tags, _) = read_markdown(&report.markdown("pictures"));
+    assert!(tags.iter().filter(|it| *it == "TableRow").count() <= 50);
+}
+
+fn carrom(arguments: &[&str], data: &Path, folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments)
+        .arg("--data-dir")
+        .arg(data)
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn a_report_is_written_where_it_is_wanted() {
+    let folder = Folder::new("report-written");
+    let name = "Zoë \"=<b>";
+    kept(folder.path(), name);
+    let run = |file: &str| {
+        let arguments = ["progress", "--player", name, "--report", file];
+        carrom(&arguments, folder.path(), folder.path())
+    };
+    for file in ["a.html", "B.HTML", "c.md", "my report (1).md"] {
+        let output = run(file);
+        assert!(output.status.success(), "{output:?}");
+        assert!(output.stdout.is_empty() && output.stderr.is_empty());
+    }
+    let page = fs::read_to_string(folder.path().join("a.html")).unwrap();
+    assert_eq!(read_html(&page).1("h1"), name);
+    for (file, beside) in [("c.md", "c"), ("my report (1).md", "my report (1)")] {
+        let text = fs::read_to_string(folder.path().join(file)).unwrap();
+        let (tags, first) = read_markdown(&text);
+        assert_eq!(first, name);
+        let pictures: Vec<_> = tags.iter().filter(|it| it.ends_with(".svg")).collect();
+        assert_eq!(pictures.len(), 3);
+        for picture in pictures {
+            // Addresses have blanks and brackets in percent.
+            let place = picture
+                .replace("%20", " ")
+                .replace("%28", "(")
+                .replace("%29", ")");
+            assert!(place.starts_with(beside), "{place}");
+            let svg = fs::read_to_string(folder.path().join(place)).unwrap();
+            roxmltree::Document::parse(&svg).unwrap();
+        }
+    }
+    // Somebody else has done nothing, and that is no error.
+    let output = carrom(
+        &["progress", "--report", "d.md"],
+        folder.path(),
+        folder.path(),
+    );
+    assert!(output.status.success());
+    assert!(!folder.path().join("d-pictures").exists());
+}
+
+#[test]
+fn what_cannot_be_written_is_said() {
+    let folder = Folder::new("report-refused");
+    for file in ["a.pdf", "a", ".html", "html", "a.html.txt", ""] {
+        let output = carrom(
+            &["progress", "--report", file],
+            folder.path(),
+            folder.path(),
+        );
+        assert_eq!(output.status.code(), Some(2), "{file}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains("--report <FILE>"), "{said}");
+        assert!(
+            said.contains("ends in .html or .md") || file.is_empty(),
+            "{said}"
+        );
+    }
+    let both = ["progress", "--report", "a.html", "--csv"];
+    assert_eq!(
+        carrom(&both, folder.path(), folder.path()).status.code(),
+        Some(2)
+    );
+    let nowhere = ["progress", "--report", "no/such/folder/a.html"];
+    let output = carrom(&nowhere, folder.path(), folder.path());
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        said.contains("cannot write no/such/folder/a.html"),
+        "{said}"
+    );
+}

@@ -1,0 +1,524 @@
+//! Saved games: what is written is read again, nothing else is, and no game harms
+//! another.
+
+use std::fs;
+use std::path::Path;
+use std::thread;
+
+use carrom::app::App;
+use carrom::game::{
+    Aids, Company, Fingerprint, Game, Hands, Player, Record, Rules, SavedGame, Setup,
+};
+use carrom::messages::{Done, Kept, Request, Wish};
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::store::Store;
+use proptest::prelude::*;
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
+
+use crate::folder::Folder;
+use crate::play::random_move;
+
+/// A game of so many moves.
+fn saved(setup: Setup, moves: usize, seed: u64) -> SavedGame {
+    let mut chance = Pcg64::seed_from_u64(seed);
+    let mut record = Record::new(setup);
+    let mut game = Game::new(setup);
+    for _ in 0..moves {
+        record.push(random_move(&mut game, &mut chance));
+    }
+    SavedGame {
+        player: "Ada \"L\" \u{e9}".into(),
+        company: Company {
+            players: [
+                Player::Person,
+                Player::Computer,
+                Player::Computer,
+                Player::Person,
+            ],
+            strength: Default::default(),
+            call: true,
+            aids: Aids {
+                ghost: false,
+                ..Aids::default()
+            },
+        },
+        record,
+        end: Fingerprint::of(&game),
+    }
+}
+
+fn friendly(seed: u64) -> Setup {
+    Setup {
+        rules: Rules::Friendly,
+        seed: Some(seed),
+        ..Setup::default()
+    }
+}
+
+fn ask(store: &mut Store, ticket: u64, wish: Wish) -> Done {
+    store.answer(&Request { ticket, wish }).done
+}
+
+fn save(store: &mut Store, ticket: u64, game: &SavedGame) {
+    let done = ask(store, ticket, Wish::Save(Box::new(game.clone())));
+    assert_eq!(done, Done::Saved(Ok(())));
+}
+
+fn list(store: &mut Store) -> Vec<Kept> {
+    match ask(store, 0, Wish::List) {
+        Done::Listed(Ok(games)) => games,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn readable(store: &mut Store) -> Vec<(String, SavedGame)> {
+    let games = list(store).into_iter();
+    games
+        .filter_map(|kept| Some((kept.name, kept.game.ok()?.0)))
+        .collect()
+}
+
+#[test]
+fn a_game_is_read_as_it_was_written_bit_for_bit() {
+    for (rules, hands) in [
+        (Rules::Tournament, Hands::Two),
+        (Rules::Tournament, Hands::Four),
+        (Rules::Friendly, Hands::Two),
+        (Rules::Practice, Hands::Two),
+    ] {
+        for seed in [None, Some(7), Some(u64::MAX)] {
+            let setup = Setup {
+                rules,
+                hands,
+                seed,
+                ..Setup::default()
+            };
+            let saved = saved(setup, 40, 5);
+            let text = saved.text().unwrap();
+            let (read, game) = SavedGame::read("game", text.as_bytes()).unwrap();
+            assert_eq!(read, saved);
+            assert_eq!(read.text().unwrap(), text);
+            assert_eq!(Fingerprint::of(&game), saved.end);
+        }
+    }
+}
+
+#[test]
+fn a_beginning_of_a_game_is_refused() {
+    let text = saved(friendly(1), 12, 1).text().unwrap();
+    let bytes = text.as_bytes();
+    for length in 0..bytes.len() - 1 {
+        let fault = SavedGame::read("game", &bytes[..length]).expect_err("a part");
+        assert!(fault.to_string().starts_with("game:"), "{fault}");
+    }
+    // Without its last line break nothing is missing.
+    assert!(SavedGame::read("game", &bytes[..bytes.len() - 1]).is_ok());
+}
+
+/// The game of `tests/saves/format-N.toml`, for the next N: 30 strokes of two people.
+#[test]
+#[ignore = "prints the file for a new format: cargo test --test saves -- --ignored --nocapture"]
+fn print_a_game_to_pin() {
+    let mut game = saved(friendly(1), 30, 1);
+    game.player = "Ada".into();
+    assert_eq!(game.record.strokes(), 30);
+    print!("{}", game.text().unwrap());
+}
+
+/// Should this fail because the engine now plays a stroke differently in some bit,
+/// every game that anybody has saved is lost: mend the engine, or let the old format
+/// go on with the old one.
+#[test]
+fn a_game_of_the_first_format_still_opens() {
+    let bytes = include_bytes!("../saves/format-1.toml");
+    let (saved, game) = SavedGame::read("format-1.toml", bytes).unwrap();
+    assert_eq!(saved.player, "Ada");
+    assert_eq!(saved.record.strokes(), 30);
+    assert_eq!(saved.text().unwrap().as_bytes(), bytes);
+    assert_eq!(Fingerprint::of(&game), saved.end);
+}
+
+/// Files that are no games of ours, and the message each must give.
+fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
+    let good = saved(friendly(2), 3, 2).text().unwrap();
+    let with = |from: &str, to: &str| {
+        assert!(good.contains(from), "{from}");
+        good.replacen(from, to, 1).into_bytes()
+    };
+    let end = good.lines().last().unwrap().to_owned();
+    let player = good.lines().nth(2).unwrap();
+    let mut latin = good.clone().into_bytes();
+    let at = good.find("Ada").unwrap();
+    latin[at] = 0xe9;
+    vec![
+        (
+            "empty",
+            vec![],
+            "line 1: expected a saved game with `format = 1`, found an empty file",
+        ),
+        (
+            "foreign",
+            b"[package]\nname = \"x\"\n".to_vec(),
+            "line 1: format: expected a saved game with `format = 1`, found none",
+        ),
+        ("other", b"%PDF-1.7 \x00\x01".to_vec(), "line 1: "),
+        (
+            "scene",
+            b"format = 1\n[board]\n[[disc]]\nkind = \"striker\"\n".to_vec(),
+            "line 2: unknown field `board`",
+        ),
+        (
+            "newer",
+            b"format = 2\nwhatever = true\n".to_vec(),
+            "line 1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+        ),
+        (
+            "format-text",
+            with("format = 1", "format = \"1\""),
+            "line 2: format: expected a saved game with `format = 1`, found \"1\"",
+        ),
+        (
+            "latin",
+            latin,
+            "line 3: player: expected UTF-8 text, found other bytes",
+        ),
+        (
+            "huge",
+            vec![b'#'; (1 << 20) + 1],
+            "line 1: expected a file of at most 1 MiB, found more",
+        ),
+        (
+            "misspelt",
+            with("moves =", "movse ="),
+            "line 9: movse: unknown field `movse`",
+        ),
+        (
+            "no-player",
+            with(player, "player = \"\""),
+            "line 3: player: expected a name of 1 to 40 visible letters",
+        ),
+        ("bad-move", with("strike", "stroke"), "line 10: "),
+        (
+            "no-number",
+            with("velocity_m_s = [", "velocity_m_s = [nan, "),
+            "line 10: ",
+        ),
+        (
+            "impossible",
+            with("place_m = [", "place_m = [1.0, "),
+            "line 10: ",
+        ),
+        (
+            "off-the-lines",
+            with(
+                "moves = [\n",
+                "moves = [\n  { strike = { place_m = [0.0, 0.0], velocity_m_s = [0.0, 1.0] } },\n",
+            ),
+            "line 10: moves: move 1: ",
+        ),
+        (
+            "too-early",
+            with("moves = [\n", "moves = [\n  \"next_board\",\n"),
+            "line 10: moves: move 1: ",
+        ),
+        (
+            "other-end",
+            with(&end, "end = \"0123456789abcdef\""),
+            "line 14: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
+        ),
+        (
+            "no-end",
+            with(&end, "end = \"soon\""),
+            "line 14: end: expected a fingerprint of 16 hexadecimal digits",
+        ),
+    ]
+}
+
+#[test]
+fn a_bad_file_gives_a_message_and_is_left_alone_and_all_others_go_on() {
+    let folder = Folder::new("bad-saves");
+    let mut store = Store::in_folder(folder.path());
+    let good = saved(friendly(3), 5, 3);
+    save(&mut store, 1, &good);
+    let games = folder.path().join("games");
+    for (name, bytes, _) in bad() {
+        fs::write(games.join(format!("{name}.toml")), bytes).unwrap();
+    }
+    // Nor is what only looks like a game in anybody's way.
+    fs::create_dir(games.join("a-folder.toml")).unwrap();
+    fs::write(games.join("notes.txt"), "mine").unwrap();
+
+    let mut other = Store::in_folder(folder.path());
+    let listed = list(&mut other);
+    assert_eq!(listed.len(), bad().len() + 1);
+    for (name, _, expected) in bad() {
+        let kept = listed.iter().find(|kept| kept.name == name).unwrap();
+        let reason = kept.game.as_ref().unwrap_err();
+        assert!(reason.starts_with(expected), "{name}: {reason}");
+        let done = ask(&mut other, 9, Wish::Load(name.into()));
+        let Done::Loaded(Err(reason)) = done else {
+            panic!("{name} was loaded");
+        };
+        assert!(reason.contains(&format!("{name}.toml:")), "{reason}");
+    }
+    // A game goes on, another begins: every other file stays as it is.
+    let longer = saved(friendly(3), 6, 3);
+    save(&mut store, 1, &longer);
+    save(&mut other, 2, &good);
+    for (name, bytes, _) in bad() {
+        let now = fs::read(games.join(format!("{name}.toml"))).unwrap();
+        assert!(now == bytes, "{name}");
+    }
+    let mut kept = readable(&mut other);
+    kept.sort_by(|a, b| a.0.cmp(&b.0));
+    let expected = [("game-1".into(), longer), ("game-2".into(), good)];
+    assert_eq!(kept, expected);
+}
+
+#[test]
+fn a_file_that_was_changed_by_others_is_not_written_over() {
+    let folder = Folder::new("changed-saves");
+    let mut store = Store::in_folder(folder.path());
+    let path = folder.path().join("games/game-1.toml");
+    for (moves, found) in [(2, &b"not ours"[..]), (3, b"")] {
+        save(&mut store, 1, &saved(friendly(4), moves - 1, 4));
+        let path = path.with_file_name(format!("game-{}.toml", moves - 1));
+        fs::write(&path, found).unwrap();
+        save(&mut store, 1, &saved(friendly(4), moves, 4));
+        assert_eq!(fs::read(&path).unwrap(), found);
+    }
+    fs::remove_file(path.with_file_name("game-3.toml")).unwrap();
+    save(&mut store, 1, &saved(friendly(4), 4, 4));
+    let kept = readable(&mut store);
+    assert_eq!(kept.len(), 1);
+    assert_eq!(kept[0].1.record.strokes(), 4);
+}
+
+#[test]
+fn two_who_resume_the_same_game_both_keep_what_they_play() {
+    let folder = Folder::new("same-save");
+    save(
+        &mut Store::in_folder(folder.path()),
+        1,
+        &saved(friendly(5), 4, 5),
+    );
+    let resume = || {
+        let mut store = Store::in_folder(folder.path());
+        let done = ask(&mut store, 1, Wish::Load("game-1".into()));
+        assert!(matches!(done, Done::Loaded(Ok(_))));
+        store
+    };
+    let (mut one, mut two) = (resume(), resume());
+    let ones = saved(friendly(5), 6, 5);
+    let twos = saved(friendly(6), 7, 6);
+    save(&mut one, 1, &ones);
+    save(&mut two, 1, &twos);
+    save(&mut one, 1, &ones);
+    let mut kept: Vec<_> = readable(&mut one)
+        .into_iter()
+        .map(|(_, game)| game)
+        .collect();
+    kept.sort_by_key(|game| game.record.strokes());
+    assert_eq!(kept, [ones, twos]);
+}
+
+#[test]
+fn many_at_once_do_not_harm_each_other() {
+    let folder = Folder::new("many-saves");
+    let games: Vec<_> = (0..4).map(|seed| saved(friendly(seed), 4, seed)).collect();
+    thread::scope(|scope| {
+        for game in &games {
+            let path = folder.path();
+            scope.spawn(move || {
+                let mut store = Store::in_folder(path);
+                for ticket in 0..5 {
+                    for moves in 1..=4 {
+                        let begun = game.record.moves().iter().take(moves).cloned();
+                        let record = Record::of(*game.record.setup(), begun.collect());
+                        let end = Fingerprint::of(&record.replay().unwrap());
+                        save(
+                            &mut store,
+                            ticket,
+                            &SavedGame {
+                                record,
+                                end,
+                                ..game.clone()
+                            },
+                        );
+                    }
+                }
+            });
+        }
+    });
+    let kept = readable(&mut Store::in_folder(folder.path()));
+    assert_eq!(kept.len(), 20);
+    for game in &games {
+        let same = kept.iter().filter(|(_, kept)| kept == game);
+        assert_eq!(same.count(), 5);
+    }
+    assert_eq!(leftovers(folder.path()), Vec::<String>::new());
+}
+
+/// Files in the folder of games that are no games.
+fn leftovers(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder.join("games")).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    names
+        .filter(|name| !name.ends_with(".toml") && name != ".lock")
+        .collect()
+}
+
+#[test]
+fn an_export_never_replaces_another() {
+    let folder = Folder::new("exports");
+    let mut store = Store::in_folder(folder.path());
+    let game = saved(friendly(7), 3, 7);
+    let mut places = Vec::new();
+    for _ in 0..3 {
+        match ask(&mut store, 1, Wish::Export(Box::new(game.clone()))) {
+            Done::Exported(Ok(place)) => places.push(place),
+            other => panic!("{other:?}"),
+        }
+    }
+    for (i, place) in places.iter().enumerate() {
+        assert!(place.ends_with(&format!("carrom-game-{}.toml", i + 1)));
+        assert_eq!(fs::read_to_string(place).unwrap(), game.text().unwrap());
+    }
+}
+
+#[test]
+fn a_game_that_is_removed_is_gone_and_only_that() {
+    let folder = Folder::new("removed-save");
+    for mut store in [Store::in_folder(folder.path()), Store::in_memory()] {
+        for ticket in 1..=3 {
+            save(&mut store, ticket, &saved(friendly(8), 3, ticket));
+        }
+        let removed = ask(&mut store, 9, Wish::Remove("game-2".into()));
+        assert_eq!(removed, Done::Removed(Ok(())));
+        let names: Vec<_> = readable(&mut store)
+            .into_iter()
+            .map(|(name, _)| name)
+            .collect();
+        assert_eq!(names, ["game-3", "game-1"]);
+    }
+}
+
+/// A game of two people at the table.
+fn table(store: Store) -> Headless {
+    let settings = Settings {
+        reduced_motion: true,
+        ..Settings::default()
+    };
+    let app = App::new(Place::Table, settings, 5);
+    let mut game = Headless::keeping(app, 80, 24, store);
+    game.press("<Down><Down><Down> ");
+    game
+}
+
+#[test]
+fn a_save_that_fails_is_told_once_and_the_game_goes_on() {
+    let folder = Folder::new("no-saves");
+    // A file where the folder should be: nobody can write there, not even root.
+    let in_the_way = folder.path().join("games");
+    fs::write(&in_the_way, "in the way").unwrap();
+    let mut game = table(Store::in_folder(folder.path()));
+    game.press("<Enter> ");
+    let told = |game: &mut Headless| game.screen().contains("This game cannot be saved");
+    assert!(told(&mut game), "{}", game.screen());
+    game.press("<Enter>80 ");
+    assert!(!told(&mut game), "{}", game.screen());
+    assert!(game.screen().contains("stroke 2 of 2"), "{}", game.screen());
+    assert_eq!(fs::read_to_string(&in_the_way).unwrap(), "in the way");
+    // Once the way is free, all of it is kept.
+    fs::remove_file(&in_the_way).unwrap();
+    game.press("<Enter>100 ");
+    let kept = readable(&mut Store::in_folder(folder.path()));
+    assert_eq!(kept[0].1.record.strokes(), 3);
+}
+
+#[test]
+fn a_game_is_left_and_resumed_where_it_was() {
+    let folder = Folder::new("resumed");
+    let mut game = table(Store::in_folder(folder.path()));
+    game.press("<Enter> <Enter>80 <Enter>100 <Enter>");
+    let left = game.screen();
+    game.press("<Escape><Escape>");
+    assert!(game.screen().contains("a new game"), "{}", game.screen());
+
+    // Another day.
+    let mut game = table(Store::in_folder(folder.path()).timeless());
+    game.press("s");
+    assert!(game.screen().contains("board 1, 3"), "{}", game.screen());
+    game.press("<Enter>");
+    assert_eq!(game.screen(), left);
+    game.press("95 <Enter>");
+    let kept = readable(&mut Store::in_folder(folder.path()));
+    assert_eq!(kept.len(), 1);
+    assert_eq!(kept[0].1.record.strokes(), 4);
+
+    // Stroke by stroke.
+    game.press("v");
+    for stroke in 1..=4 {
+        let expected = format!("stroke {stroke} of 4");
+        assert!(game.screen().contains(&expected), "{}", game.screen());
+        game.press("<Enter>");
+    }
+    assert!(game.screen().contains("strength"), "{}", game.screen());
+
+    // Removed only when that is confirmed.
+    game.press("<Escape><Escape>sd");
+    assert!(
+        game.screen().contains("Remove this game"),
+        "{}",
+        game.screen()
+    );
+    game.press("n");
+    assert!(game.screen().contains("board 1, 4"), "{}", game.screen());
+    game.press("dy");
+    assert!(
+        game.screen().contains("There are none yet"),
+        "{}",
+        game.screen()
+    );
+}
+
+#[test]
+fn unreadable_games_are_listed_with_their_reason() {
+    let folder = Folder::new("unreadable");
+    let games = folder.path().join("games");
+    fs::create_dir_all(&games).unwrap();
+    fs::write(games.join("game-1.toml"), "format = 9\n").unwrap();
+    let mut game = table(Store::in_folder(folder.path()));
+    game.press("s");
+    let screen = game.screen();
+    assert!(screen.contains("> game-1 ?"), "{screen}");
+    assert!(screen.contains("9 is newer"), "{screen}");
+    game.press("<Enter>ve");
+    assert!(game.screen().contains("saved games"), "{}", game.screen());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn any_bytes_are_a_game_or_a_message(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        prop_assert!(SavedGame::read("any", &bytes).is_err());
+    }
+
+    #[test]
+    fn a_damaged_game_is_a_message_or_leads_to_the_same_end(
+        at in any::<prop::sample::Index>(),
+        byte: u8,
+        cut in 0..3usize,
+    ) {
+        let whole = saved(friendly(9), 6, 9);
+        let mut bytes = whole.text().unwrap().into_bytes();
+        let at = at.index(bytes.len());
+        bytes.splice(at..(at + cut).min(bytes.len()), [byte]);
+        if let Ok((read, _)) = SavedGame::read("damaged", &bytes) {
+            prop_assert_eq!(read.end, whole.end);
+        }
+    }
+}

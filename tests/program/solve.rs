@@ -1,0 +1,521 @@
+//! `carrom solve` driven as a command.
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::{Value, json};
+
+fn solve(args: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(["--charset", "ascii", "solve"])
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let input = input.to_vec();
+    let writer = std::thread::spawn(move || {
+        // A command that refuses its arguments does not read its input.
+        let _ = stdin.write_all(&input);
+    });
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap();
+    output
+}
+
+fn printed(args: &[&str]) -> String {
+    let output = solve(args, b"");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Exit code and answers of a batch.
+fn batch(input: &[u8]) -> (Option<i32>, Vec<Value>) {
+    let output = solve(&["--batch"], input);
+    assert!(output.stderr.is_empty(), "{output:?}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let answers = text.lines().map(|line| serde_json::from_str(line).unwrap());
+    (output.status.code(), answers.collect())
+}
+
+fn answer(line: &str) -> Value {
+    let (code, mut answers) = batch(line.as_bytes());
+    assert_eq!((code, answers.len()), (Some(0), 1), "{answers:?}");
+    answers.remove(0)
+}
+
+fn refusal(line: &str) -> String {
+    let (code, answers) = batch(line.as_bytes());
+    assert_eq!((code, answers.len()), (Some(1), 1), "{line}: {answers:?}");
+    assert_eq!(answers[0]["line"], 1);
+    answers[0]["error"].as_str().unwrap().to_owned()
+}
+
+fn close(value: &Value, expected: f64) {
+    let value = value.as_f64().unwrap();
+    assert!(
+        (value - expected).abs() <= 1e-12,
+        "{value} is not {expected}"
+    );
+}
+
+const MARBLES: &str = r#"{"m1_g":20,"m2_g":40,"u1":[3,0],"alpha_deg":45}"#;
+
+#[test]
+fn the_published_example() {
+    let marbles = answer(MARBLES);
+    assert_eq!(marbles["hit"], true);
+    for (field, expected) in [("v1", [1.0, 2.0]), ("v2", [1.0, -1.0])] {
+        close(&marbles[field][0], expected[0]);
+        close(&marbles[field][1], expected[1]);
+    }
+    close(&marbles["speed1"], 5.0_f64.sqrt());
+    close(&marbles["speed2"], 2.0_f64.sqrt());
+    close(&marbles["theta1_deg"], 2.0_f64.atan().to_degrees());
+    close(&marbles["theta2_deg"], 45.0);
+    close(
+        &marbles["separation_deg"],
+        45.0 + 2.0_f64.atan().to_degrees(),
+    );
+    close(&marbles["energy_before_j"], 0.09);
+    close(&marbles["energy_after_j"], 0.09);
+}
+
+#[test]
+fn the_fields_stand_in_their_order() {
+    let output = solve(&["--batch"], MARBLES.as_bytes());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let fields = [
+        "hit",
+        "v1",
+        "v2",
+        "speed1",
+        "speed2",
+        "theta1_deg",
+        "theta2_deg",
+        "separation_deg",
+        "energy_before_j",
+        "energy_after_j",
+    ];
+    let places: Vec<usize> = fields
+        .iter()
+        .map(|field| text.find(&format!("\"{field}\":")).unwrap())
+        .collect();
+    assert!(places.is_sorted(), "{text}");
+    assert_eq!(text.matches(':').count(), fields.len(), "{text}");
+}
+
+#[test]
+fn a_head_on_hit_has_no_angle_and_no_nan() {
+    let stopped = answer(r#"{"m1_g":15,"m2_g":15,"u1":[2.4,3.2],"alpha_deg":0}"#);
+    assert_eq!(stopped["v1"], json!([0.0, 0.0]));
+    assert_eq!(stopped["theta1_deg"], Value::Null);
+    assert_eq!(stopped["separation_deg"], Value::Null);
+    close(&stopped["theta2_deg"], 0.0);
+}
+
+#[test]
+fn a_miss_leaves_the_velocities_as_they_were() {
+    let line = r#"{"m1_g":15,"m2_g":15,"u1":[0.1,0.7],"u2":[0.3,-0.2],"offset_mm":40,"r1_mm":20.65,"r2_mm":15.9}"#;
+    let missed = answer(line);
+    assert_eq!(missed["hit"], false);
+    assert_eq!(missed["v1"], json!([0.1, 0.7]));
+    assert_eq!(missed["v2"], json!([0.3, -0.2]));
+    close(&missed["theta1_deg"], 0.0);
+    assert_eq!(missed["energy_before_j"], missed["energy_after_j"]);
+}
+
+#[test]
+fn a_graze_is_a_hit_that_does_nothing() {
+    let line = r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"offset_mm":36.55,"r1_mm":20.65,"r2_mm":15.9}"#;
+    let grazed = answer(line);
+    assert_eq!(grazed["hit"], true);
+    assert_eq!(grazed["v1"], json!([4.0, 0.0]));
+    assert_eq!(grazed["theta2_deg"], Value::Null);
+}
+
+#[test]
+fn offset_and_angle_are_two_ways_to_say_the_same() {
+    let by_offset =
+        answer(r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"offset_mm":15,"r1_mm":14.1,"r2_mm":15.9}"#);
+    let by_angle = answer(r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#);
+    for field in ["speed1", "speed2", "theta1_deg", "separation_deg"] {
+        close(&by_offset[field], by_angle[field].as_f64().unwrap());
+    }
+}
+
+#[test]
+fn discs_that_stick_share_a_velocity_and_turn() {
+    let stuck = answer(
+        r#"{"m1_g":10,"m2_g":10,"u1":[3,0],"offset_mm":10,"r1_mm":10,"r2_mm":10,"stick":true}"#,
+    );
+    assert_eq!(stuck["v1"], json!([1.5, 0.0]));
+    assert_eq!(stuck["v1"], stuck["v2"]);
+    close(&stuck["spin_rad_s"], 50.0);
+    close(&stuck["energy_rotation_j"], 0.00375);
+    close(&stuck["energy_after_j"], 0.0225 + 0.00375);
+    assert_eq!(answer(MARBLES).get("spin_rad_s"), None);
+}
+
+#[test]
+fn numbers_read_back_to_the_same_bits() {
+    // The velocities of a miss come out as they went in, through text both ways.
+    let speeds: [f64; 6] = [
+        0.1,
+        1.0 / 3.0,
+        5e-324,
+        123_456.789_012_345_68,
+        2.2e-16,
+        -7.450_580_596_923_828e-9,
+    ];
+    for speed in speeds {
+        let line = json!({"m1_g":15,"m2_g":15,"u1":[4.0,speed],"u2":[speed,1.0],"offset_mm":99,"r1_mm":1,"r2_mm":1});
+        let missed = answer(&line.to_string());
+        let back = missed["v1"][1].as_f64().unwrap();
+        assert_eq!(back.to_bits(), speed.to_bits());
+    }
+}
+
+#[test]
+fn a_batch_keeps_its_order_and_goes_on_after_a_bad_line() {
+    let mut input = String::new();
+    for line in 1..=2000 {
+        if line % 7 == 0 {
+            input.push_str("not json\n");
+        } else {
+            let u1 = f64::from(line);
+            input.push_str(&format!(
+                "{{\"m1_g\":1,\"m2_g\":1,\"u1\":[{u1},0],\"alpha_deg\":90}}\r\n"
+            ));
+        }
+    }
+    let (code, answers) = batch(input.as_bytes());
+    assert_eq!((code, answers.len()), (Some(1), 2000));
+    for (line, answer) in (1..).zip(&answers) {
+        if line % 7 == 0 {
+            assert_eq!(answer["line"], line);
+            assert!(answer["error"].is_string());
+        } else {
+            close(&answer["speed1"], f64::from(line));
+        }
+    }
+}
+
+#[test]
+fn blank_lines_are_passed_over_but_counted() {
+    let (code, answers) = batch(format!("\n  \r\n{MARBLES}\n\nbad\n").as_bytes());
+    assert_eq!((code, answers.len()), (Some(1), 2));
+    assert_eq!(answers[1]["line"], 5);
+    assert_eq!(batch(b""), (Some(0), vec![]));
+}
+
+/// Every refusal names the field and what was expected.
+#[test]
+fn refusals_name_the_field() {
+    for (line, said) in [
+        (
+            r#"{"m1_g":-5,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
+            "m1_g: expected grams from 1e-12 to 1e12, found -5",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":0,"u1":[4,0],"alpha_deg":30}"#,
+            "m2_g: expected grams from 1e-12 to 1e12, found 0",
+        ),
+        (
+            r#"{"m1_g":1e300,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
+            "m1_g: expected grams from 1e-12 to 1e12, found 1e300",
+        ),
+        (r#"{"m2_g":15,"u1":[4,0],"alpha_deg":30}"#, "m1_g: missing"),
+        (
+            r#"{"m1_g":15,"m2_g":null,"u1":[4,0],"alpha_deg":30}"#,
+            "m2_g: invalid type: null, expected a number",
+        ),
+        (r#"{"m1_g":15,"m2_g":15,"alpha_deg":30}"#, "u1: missing"),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4],"alpha_deg":30}"#,
+            "u1: invalid length 1",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0,0],"alpha_deg":30}"#,
+            "u1: ",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":4,"alpha_deg":30}"#,
+            "u1: invalid type: integer `4`, expected an array of length 2",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[1e200,0],"alpha_deg":30}"#,
+            "u1: expected components in m/s from -1e9 to 1e9, found 1e200",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"u2":[0,-1e10],"alpha_deg":30}"#,
+            "u2: expected components in m/s from -1e9 to 1e9, found -1e10",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0]}"#,
+            "alpha_deg: missing: expected this, or offset_mm with r1_mm and r2_mm",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":91}"#,
+            "alpha_deg: expected degrees from -90 to 90, found 91",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"offset_mm":1,"r1_mm":1,"r2_mm":1}"#,
+            "alpha_deg: expected either this or offset_mm, found both",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"offset_mm":1,"r1_mm":1}"#,
+            "r2_mm: missing",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"offset_mm":1,"r1_mm":0,"r2_mm":1}"#,
+            "r1_mm: expected millimetres",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"restitution":1.1}"#,
+            "restitution: expected a number from 0 to 1, found 1.1",
+        ),
+        (
+            r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"stick":1}"#,
+            "stick: invalid type: integer `1`, expected a boolean",
+        ),
+        (
+            r#"{"m1_g":"15","m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
+            "m1_g: invalid type: string \"15\", expected a number",
+        ),
+        (
+            r#"{"m1_g":15,"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
+            "duplicate field `m1_g`",
+        ),
+        (
+            r#"{"m1_g":15,"mass2":15,"u1":[4,0],"alpha_deg":30}"#,
+            "unknown field `mass2`, expected one of `m1_g`, `m2_g`",
+        ),
+        (
+            r#"{"m1_g":NaN,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
+            "m1_g: expected value at column",
+        ),
+        (
+            r#"{"m1_g":1e999,"m2_g":15,"u1":[4,0],"alpha_deg":30}"#,
+            "m1_g: number out of range at column",
+        ),
+        (r#"{"m1_g":15"#, "EOF while parsing"),
+        (
+            "[1,2]",
+            "expected an object with m1_g, m2_g, u1 and alpha_deg",
+        ),
+        ("17", "expected an object with m1_g"),
+        ("{} {}", "trailing characters"),
+    ] {
+        let error = refusal(line);
+        assert!(error.contains(said), "{line}\n  {error}\n  {said}");
+        assert!(!error.contains("line 1"), "{error}");
+    }
+}
+
+#[test]
+fn noise_is_refused_briefly_and_the_run_goes_on() {
+    // A cheap generator, so that the noise is the same every time.
+    let mut state = 7_u32;
+    let mut noise: Vec<u8> = std::iter::repeat_with(|| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    })
+    .filter(|byte| *byte != b'\n')
+    .take(10_000_000)
+    .collect();
+    noise.extend_from_slice(b"\n\xff\xfe{\"m1_g\":1}\n");
+    noise.extend_from_slice(format!("{{\"{}\":1}}\n", "é".repeat(9000)).as_bytes());
+    noise.extend_from_slice("[".repeat(60_000).as_bytes());
+    noise.push(b'\n');
+    noise.extend_from_slice(MARBLES.as_bytes());
+    let (code, answers) = batch(&noise);
+    assert_eq!((code, answers.len()), (Some(1), 5));
+    assert_eq!(
+        answers[0]["error"],
+        "expected a line of at most 65536 bytes"
+    );
+    for refused in &answers[..4] {
+        assert!(refused["error"].as_str().unwrap().chars().count() <= 203);
+    }
+    assert_eq!(answers[4]["hit"], true);
+}
+
+/// A program at the other end of a pipe gets its answer without closing its end.
+#[test]
+fn an_answer_does_not_wait_for_the_end_of_input() {
+    use std::io::{BufRead, BufReader};
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(["solve", "--batch"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let mut stdout = BufReader::new(child.stdout.take().unwrap());
+    for _ in 0..3 {
+        writeln!(stdin, "{MARBLES}").unwrap();
+        let mut line = String::new();
+        stdout.read_line(&mut line).unwrap();
+        assert!(line.starts_with("{\"hit\":true"), "{line}");
+    }
+    drop(stdin);
+    assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn one_object_on_demand() {
+    let text = printed(&[
+        "--m1-g",
+        "20",
+        "--m2-g",
+        "40",
+        "--speed",
+        "3",
+        "--alpha-deg",
+        "45",
+        "--json",
+    ]);
+    assert_eq!(
+        serde_json::from_str::<Value>(&text).unwrap(),
+        answer(MARBLES)
+    );
+}
+
+#[test]
+fn the_worked_solution_fills_the_numbers_in() {
+    let text = printed(&[
+        "--m1-g",
+        "20",
+        "--m2-g",
+        "40",
+        "--speed",
+        "3",
+        "--alpha-deg",
+        "45",
+    ]);
+    assert!(text.is_ascii());
+    for part in [
+        "m1 = 20 g   u1 = (3, 0) m/s",
+        "n = (cos alpha, -sin alpha) = (0.7071, -0.7071)",
+        "= [(20 - 1 * 40) * 2.121 + 2 * 40 * 0] / 60 = -0.7071 m/s",
+        "v1 = v1n n + v1t t = (1, 2) m/s",
+        "theta1 = 63.43 deg",
+        "separation, from v1 to v2: 108.4 deg",
+        "momentum after   m1v1 + m2v2 = (60, 0) g m/s",
+        "more than a right angle",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+}
+
+#[test]
+fn the_worked_solution_speaks_of_what_is_special() {
+    let offset = |mm: &'static str| ["--r1-mm", "20.65", "--r2-mm", "15.9", "--offset-mm", mm];
+    for (args, part) in [
+        (
+            &["--alpha-deg", "30"][..],
+            "a right angle, as always between equal masses",
+        ),
+        (&["--alpha-deg", "0"], "The striker stops dead"),
+        (&["--alpha-deg", "90"], "A graze"),
+        (&offset("40"), "A miss"),
+        (&offset("-18.275"), "alpha = -30 deg"),
+        (&["--alpha-deg", "30", "--u2", "4,0"], "they never meet"),
+        (
+            &["--alpha-deg", "30", "--u2", "-4,0"],
+            "Seen by someone who moves as the target did, it is 90 deg",
+        ),
+        (
+            &["--alpha-deg", "30", "--speed", "0", "--u2", "-1,0"],
+            "without an old course there is no scattering angle",
+        ),
+        (
+            &["--alpha-deg", "30", "--restitution", "0.8", "--m1-g", "12"],
+            "weighs just 0.8 times the target",
+        ),
+        (
+            &["--alpha-deg", "30", "--m2-g", "5.5"],
+            "They part at 51.25 deg: less than a right angle",
+        ),
+        (&["--alpha-deg", "0", "--m1-g", "5.5"], "straight back"),
+        (
+            &["--alpha-deg", "30", "--stick"],
+            "go on as one at 2 m/s, turning",
+        ),
+        (
+            &["--alpha-deg", "0", "--stick"],
+            "a hit through the middle turns nothing",
+        ),
+    ] {
+        let text = printed(args);
+        // No sign without a spelling in ASCII: those become question marks.
+        let text = text.replace("how squarely?", "");
+        let unwrapped = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(unwrapped.contains(part), "{args:?}: {part}\n{text}");
+        for never in ["NaN", "inf", "?", "-0 "] {
+            assert!(!text.contains(never), "{args:?}: {never}\n{text}");
+        }
+        assert!(text.lines().all(|line| line.len() <= 80), "{text}");
+    }
+}
+
+#[test]
+fn bad_arguments_are_refused_by_name() {
+    for (args, said) in [
+        (
+            &["--alpha-deg", "95"][..],
+            "--alpha-deg: expected degrees from -90 to 90, found 95",
+        ),
+        (
+            &["--alpha-deg", "NaN"],
+            "--alpha-deg: expected degrees from -90 to 90, found NaN",
+        ),
+        (&["--alpha-deg", "x"], "--alpha-deg"),
+        (
+            &["--alpha-deg", "30", "--m1-g", "-15"],
+            "--m1-g: expected grams",
+        ),
+        (
+            &["--alpha-deg", "30", "--m2-g", "inf"],
+            "--m2-g: expected grams",
+        ),
+        (
+            &["--alpha-deg", "30", "--speed", "1e200"],
+            "--speed: expected components in m/s",
+        ),
+        (
+            &["--alpha-deg", "30", "--restitution", "-0.1"],
+            "--restitution: expected a number from 0 to 1",
+        ),
+        (
+            &["--alpha-deg", "30", "--u2", "1"],
+            "expected two numbers in m/s with a comma between",
+        ),
+        (
+            &[
+                "--alpha-deg",
+                "30",
+                "--offset-mm",
+                "1",
+                "--r1-mm",
+                "1",
+                "--r2-mm",
+                "1",
+            ],
+            "cannot be used with",
+        ),
+        (&["--offset-mm", "1"], "--r1-mm"),
+        (&[], "--alpha-deg"),
+        (&["--batch", "--m1-g", "3"], "cannot be used with"),
+        (&["--alpha-deg", "30", "--frobnicate"], "--frobnicate"),
+    ] {
+        let output = solve(args, b"");
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {error}");
+        assert!(error.contains(said), "{args:?}: {error}");
+        assert!(output.stdout.is_empty());
+    }
+}

@@ -1,0 +1,436 @@
+//! Worksheets: the questions of a round and their key, on paper.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use carrom::paper::clean;
+use carrom::paper::worksheet::Worksheet;
+use carrom::quiz::{Code, CourseKind, Form, Picture, Round};
+use pulldown_cmark::{Event, Options, Parser, Tag};
+use scraper::{Html, Selector};
+
+use crate::folder::Folder;
+
+/// A round of each kind and of each topic.
+fn rounds() -> impl Iterator<Item = Round> {
+    let topics = CourseKind::topics().map(|family| format!("{}-5", family.id()));
+    let mixed = ["mixed12-7", "mixed1-3", "quick-5", "exam-3", "7"].map(str::to_owned);
+    let codes = topics.chain(mixed);
+    codes.map(|code| Round::of(Code::parse(&code).unwrap_or_else(|| panic!("{code}"))))
+}
+
+fn select(page: &Html, selector: &str) -> Vec<String> {
+    let selector = Selector::parse(selector).unwrap();
+    let found = page.select(&selector);
+    found.map(|it| it.text().collect::<String>()).collect()
+}
+
+/// Words in one line.
+fn line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn the_sheet_asks_what_the_code_asks_and_tells_no_answer() {
+    for round in rounds() {
+        let sheet = Worksheet::new(&round, None);
+        let (html, markdown) = (sheet.sheet_html(), sheet.sheet_markdown("pictures"));
+        let page = Html::parse_document(&html);
+        let texts: Vec<_> = round.questions().iter().map(|it| it.text.clone()).collect();
+        assert!(!texts.is_empty());
+        assert_eq!(select(&page, ".question .said > p:first-child"), texts);
+        assert_eq!(select(&page, ".sure").len(), texts.len());
+        let code = round.code().to_string();
+        assert_eq!(select(&page, ".code strong"), [code.as_str()]);
+        assert!(html.contains(&format!("carrom quiz --code {code}")));
+        let plain = read(&markdown).0;
+        for question in round.questions() {
+            assert!(plain.contains(&line(&question.text)), "{plain}");
+            assert!(!html.contains(&question.why) && !plain.contains(&line(&question.why)));
+            if let Form::Choice { options, .. } = &question.form {
+                for option in options {
+                    assert!(select(&page, ".choices span").contains(option));
+                    assert!(plain.contains(&line(option)), "{plain}");
+                }
+            }
+        }
+        for picture in sheet.pictures() {
+            let Some(number) = picture.name.strip_prefix("question-") else {
+                continue;
+            };
+            let number: usize = number.parse().unwrap();
+            let asked = &round.questions()[number - 1];
+            if matches!(asked.picture, Picture::Before { .. }) {
+                let file = picture.svg.file();
+                for letter in ["θ", "v₁", "v₂"] {
+                    assert!(!file.contains(letter), "{letter}: {}", asked.text);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_key_holds_every_truth_and_every_belief() {
+    for round in rounds() {
+        let sheet = Worksheet::new(&round, None);
+        let page = Html::parse_document(&sheet.key_html());
+        let truths = select(&page, ".truth");
+        let glance = select(&page, ".glance li");
+        let plain = read(&sheet.key_markdown("pictures")).0;
+        assert_eq!(truths.len(), round.questions().len());
+        assert_eq!(glance, truths);
+        let rows = select(&page, ".beliefs tbody tr");
+        for (question, truth) in round.questions().iter().zip(&truths) {
+            let words = question.form.words(&question.form.truth());
+            assert!(truth.ends_with(&words), "{truth}: {words}");
+            for text in [&words, &question.why] {
+                assert!(plain.contains(&line(text)), "{text} in {plain}");
+            }
+            for belief in &question.beliefs {
+                let said = question.form.words(&belief.said);
+                let name = belief.misconception.name;
+                let parts = [said.as_str(), name, &belief.says];
+                let is_it = |row: &String| parts.iter().all(|part| row.contains(part));
+                assert!(rows.iter().any(is_it), "{parts:?}");
+                assert!(plain.contains(&line(&belief.says)), "{plain}");
+            }
+        }
+        let beliefs = round.questions().iter().map(|it| it.beliefs.len());
+        assert_eq!(rows.len(), beliefs.sum::<usize>());
+    }
+}
+
+#[test]
+fn nothing_is_loaded_nothing_runs_and_every_number_is_one() {
+    for round in rounds() {
+        let sheet = Worksheet::new(&round, None);
+        for html in [sheet.sheet_html(), sheet.key_html(), sheet.html_with_key()] {
+            let page = Html::parse_document(&html);
+            for selector in ["[src]", "[href]", "script", "link", "iframe", "object"] {
+                assert!(select(&page, selector).is_empty(), "{selector}");
+            }
+            let namespace = "xmlns=\"http://www.w3.org/2000/svg\"";
+            let rest = html.replace(namespace, "");
+            for word in ["://", "url(", "@import", "NaN", "inf ", "undefined"] {
+                assert!(!rest.contains(word), "{word} in {}", round.code());
+            }
+        }
+        for picture in sheet.pictures() {
+            let file = picture.svg.file();
+            assert!(!file.contains("NaN") && !file.contains("inf"));
+            roxmltree::Document::parse(&file).unwrap();
+        }
+    }
+}
+
+#[test]
+fn the_same_code_and_title_give_the_same_bytes() {
+    let documents = || {
+        let round = Round::of(Code::parse("mixed12-7").unwrap());
+        let sheet = Worksheet::new(&round, Some("a"));
+        let pictures = sheet.pictures().into_iter().map(|it| it.svg.file());
+        let mut all: Vec<_> = pictures.collect();
+        all.extend([sheet.html_with_key(), sheet.sheet_html(), sheet.key_html()]);
+        all.extend([sheet.sheet_markdown("p"), sheet.key_markdown("p")]);
+        all
+    };
+    assert_eq!(documents(), documents());
+}
+
+/// The text of a Markdown document, each block a line; the pictures in it; and what else
+/// there is that is no text.
+fn read(document: &str) -> (String, Vec<String>, BTreeSet<String>) {
+    let (mut text, mut pictures, mut others) = (String::new(), Vec::new(), BTreeSet::new());
+    let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH;
+    for event in Parser::new_ext(document, options) {
+        match event {
+            Event::Text(piece) => text.push_str(&piece),
+            Event::Start(Tag::Image { dest_url, .. }) => pictures.push(dest_url.to_string()),
+            Event::Start(tag) => {
+                let kind = format!("{tag:?}");
+                let kind: String = kind.chars().take_while(|c| c.is_alphanumeric()).collect();
+                others.insert(kind);
+            }
+            Event::End(_) => text.push('\n'),
+            Event::SoftBreak => text.push(' '),
+            other => {
+                others.insert(format!("{other:?}"));
+            }
+        }
+    }
+    (text, pictures, others)
+}
+
+#[test]
+fn a_title_is_text_whatever_is_in_it() {
+    let round = Round::of(Code::parse("quick-1").unwrap());
+    let usual = read(&Worksheet::new(&round, None).sheet_markdown("p")).2;
+    let many = "x".repeat(10_000);
+    for title in [
+        "<script>alert(1)</script>",
+        "</title></h1><img src=x onerror=alert(1)>",
+        "\"' onload=\"x\" &amp; <!-- ]]>",
+        "two\nlines\r\n# and [a](http://b.c) ![d](e) `f` *g* | h",
+        "\u{202e}turned\u{0}\u{1b}[2J",
+        "- a\n---\n1. b",
+        "=1+1",
+        "שלום 球 👩‍👩‍👧‍👦",
+        many.as_str(),
+    ] {
+        let sheet = Worksheet::new(&round, Some(title));
+        let html = sheet.html_with_key();
+        let page = Html::parse_document(&html);
+        let expected = clean(title, 120);
+        let heads = select(&page, "h1");
+        assert_eq!(heads, [expected.clone(), format!("Key: {expected}")]);
+        assert_eq!(
+            select(&page, "head > title"),
+            std::slice::from_ref(&expected)
+        );
+        assert!(select(&page, "script").is_empty() && select(&page, "img").is_empty());
+        let (text, pictures, others) = read(&sheet.sheet_markdown("p"));
+        assert_eq!(text.lines().next().unwrap(), line(&expected));
+        assert!(pictures.iter().all(|it| it.starts_with("p/question-")));
+        assert_eq!(others, usual, "{title}");
+    }
+    for title in ["", " \n", "\u{200b}"] {
+        let html = Worksheet::new(&round, Some(title)).sheet_html();
+        assert!(html.contains("<h1><bdi>Glancing collisions</bdi></h1>"));
+    }
+}
+
+/// Where something of this name is in a folder, or will be.
+fn within(folder: &Folder, name: &str) -> String {
+    folder.path().join(name).to_str().unwrap().into()
+}
+
+fn worksheet(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .arg("worksheet")
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+#[test]
+fn files_are_written_and_none_is_replaced_unasked() {
+    let folder = Folder::new("files");
+    let out = within(&folder, "new/sheets");
+    let ask = ["--seed", "7", "--count", "12", "--out", &out];
+    let output = worksheet(&ask);
+    assert!(output.status.success(), "{}", err(&output));
+    let named = String::from_utf8(output.stdout).unwrap();
+    let names = ["worksheet.html", "worksheet.md", "key.html", "key.md"];
+    let expected = names.map(|name| format!("{out}/{name}\n"));
+    assert_eq!(named, expected.concat());
+    let round = Round::of(Code::parse("mixed12-7").unwrap());
+    let sheet = Worksheet::new(&round, None);
+    let at = |name: &str| fs::read_to_string(Path::new(&out).join(name)).unwrap();
+    assert_eq!(at("worksheet.html"), sheet.sheet_html());
+    assert_eq!(at("key.html"), sheet.key_html());
+    // Every picture that is named is there.
+    for name in ["worksheet.md", "key.md"] {
+        let pictures = read(&at(name)).1;
+        assert!(!pictures.is_empty());
+        for picture in pictures {
+            assert!(at(&picture).contains("<svg "));
+        }
+    }
+    // Once more: nothing changes, unless it is asked for.
+    fs::write(Path::new(&out).join("key.md"), "mine").unwrap();
+    fs::remove_file(Path::new(&out).join("worksheet.html")).unwrap();
+    let output = worksheet(&ask);
+    assert_eq!(output.status.code(), Some(1));
+    let message = err(&output);
+    assert!(message.contains("is there already (--force replaces it)"));
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert_eq!(at("key.md"), "mine");
+    assert!(!Path::new(&out).join("worksheet.html").exists());
+    assert!(
+        worksheet(&[&ask[..], &["--force"]].concat())
+            .status
+            .success()
+    );
+    assert_eq!(at("key.md"), sheet.key_markdown("pictures"));
+    assert_eq!(at("worksheet.html"), sheet.sheet_html());
+}
+
+#[test]
+fn a_code_and_a_title_and_one_document() {
+    let folder = Folder::new("code");
+    let out = within(&folder, "a");
+    let arguments = [
+        "--code",
+        " Speeds-3 ",
+        "--title",
+        "-10b- <&>",
+        "--with-key",
+        "--out",
+        &out,
+    ];
+    let output = worksheet(&arguments);
+    assert!(output.status.success(), "{}", err(&output));
+    let html = fs::read_to_string(folder.path().join("a/worksheet.html")).unwrap();
+    let page = Html::parse_document(&html);
+    assert_eq!(select(&page, "h1"), ["-10b- <&>", "Key: -10b- <&>"]);
+    assert_eq!(select(&page, ".code strong"), ["speeds-3", "speeds-3"]);
+    assert!(!folder.path().join("a/key.html").exists());
+}
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let folder = Folder::new("wrong");
+    let out = within(&folder, "out");
+    fs::write(folder.path().join("file"), "").unwrap();
+    let in_file = within(&folder, "file/sheets");
+    for (arguments, status, message) in [
+        (vec!["--out", &out], 2, "expected --seed N or --code CODE"),
+        (
+            vec!["--out", &out, "--seed", "1", "--code", "7"],
+            2,
+            "expected --seed or --code, not both",
+        ),
+        (
+            vec!["--out", &out, "--count", "5", "--code", "7"],
+            2,
+            "cannot be used with",
+        ),
+        (vec!["--seed", "1"], 2, "--out <DIR>"),
+        (
+            vec!["--out", &out, "--seed", "1", "--count", "0"],
+            2,
+            "expected a number from 1 to 60",
+        ),
+        (
+            vec!["--out", &out, "--seed", "1", "--count", "61"],
+            2,
+            "expected a number from 1 to 60",
+        ),
+        (
+            vec!["--out", &out, "--seed", "1", "--count", "-3"],
+            2,
+            "expected a number from 1 to 60",
+        ),
+        (
+            vec!["--out", &out, "--code", "review-7"],
+            2,
+            "expected the code of a round",
+        ),
+        (vec!["--out", &in_file, "--seed", "1"], 1, "file/sheets"),
+    ] {
+        let output = worksheet(&arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}");
+        assert!(output.stdout.is_empty());
+        let said = err(&output);
+        assert!(said.contains(message), "{arguments:?}: {said}");
+        assert!(!Path::new(&out).exists());
+    }
+}
+
+/// A browser that can print, if this machine has one.
+fn browser() -> Option<&'static str> {
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    names.into_iter().find(|name| {
+        let mut command = Command::new(name);
+        let command = command.arg("--version").stderr(Stdio::null());
+        command.output().is_ok_and(|it| it.status.success())
+    })
+}
+
+fn browse(browser: &str, folder: &Folder, arguments: &[&str]) -> String {
+    let output = Command::new(browser)
+        .args(["--headless", "--no-sandbox", "--disable-gpu"])
+        .arg(format!("--user-data-dir={}", within(folder, "profile")))
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", err(&output));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// Heights of what must not be cut, in CSS pixels, written into the page in place of it.
+/// A sheet is as wide on the screen as on paper.
+const MEASURE: &str = "<script>addEventListener('load', () => {
+  const found = [...document.querySelectorAll('.question, .worked, figure, tr')];
+  const lines = found.map(it => {
+    const box = it.getBoundingClientRect();
+    const sheet = it.closest('.worksheet').getBoundingClientRect();
+    const svg = it.querySelector('svg');
+    const right = Math.max(box.right, svg ? svg.getBoundingClientRect().right : 0);
+    return `BOX ${it.tagName} ${Math.ceil(box.height)} ${Math.ceil(right - sheet.right)}`;
+  });
+  document.body.innerText = lines.join('\\n') + '\\n';
+});</script></body>";
+
+/// Height of a page of A4 between its margins, 270 mm, in CSS pixels.
+const PAGE: f64 = 270.0 / 25.4 * 96.0;
+
+#[test]
+fn printed_on_a4_nothing_is_cut_and_the_key_begins_a_page() {
+    let Some(browser) = browser() else {
+        eprintln!("no chromium on this machine: worksheets were not printed");
+        return;
+    };
+    let folder = Folder::new("print");
+    for code in ["mixed1-7", "mixed30-3"] {
+        let round = Round::of(Code::parse(code).unwrap());
+        let html = Worksheet::new(&round, None).html_with_key();
+        let page = within(&folder, "page.html");
+        // A browser keeps what is not to be broken on one page, if it fits on one.
+        let policy = html.find("<meta http-equiv").unwrap();
+        let end = policy + html[policy..].find('>').unwrap() + 1;
+        let measured = format!("{}{}", &html[..policy], &html[end..]).replace("</body>", MEASURE);
+        fs::write(&page, measured).unwrap();
+        let seen = browse(
+            browser,
+            &folder,
+            &["--window-size=1000,1400", "--dump-dom", &page],
+        );
+        let boxes: Vec<Vec<&str>> = seen
+            .split("BOX ")
+            .skip(1)
+            .map(|it| it.split(['<', '\n', ' ']).collect())
+            .collect();
+        assert!(boxes.len() > 2 * round.questions().len(), "{seen}");
+        for found in boxes {
+            let [height, over]: [f64; 2] = [1, 2].map(|i| found[i].parse().unwrap());
+            assert!(height < PAGE && over <= 1.0, "{found:?} in {code}");
+        }
+        fs::write(&page, &html).unwrap();
+        let pdf = within(&folder, "page.pdf");
+        let print = format!("--print-to-pdf={pdf}");
+        browse(browser, &folder, &["--no-pdf-header-footer", &print, &page]);
+        pages(&pdf, round.questions().len());
+    }
+}
+
+/// Looks at the text of each printed page, where there is a tool that reads it.
+fn pages(pdf: &str, questions: usize) {
+    let Ok(output) = Command::new("pdftotext")
+        .args(["-layout", pdf, "-"])
+        .output()
+    else {
+        eprintln!("no pdftotext on this machine: printed pages were not read");
+        return;
+    };
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let pages: Vec<&str> = text.trim_end_matches('\u{c}').split('\u{c}').collect();
+    let key = pages.iter().position(|it| it.contains("Key: ")).unwrap();
+    let first = pages[key].trim_start();
+    assert!(first.starts_with("carrom · key"), "{first}");
+    let sure = |page: &&str| page.matches("How sure?").count();
+    let asked: Vec<_> = pages[..key].iter().map(sure).collect();
+    assert_eq!(asked.iter().sum::<usize>(), questions);
+    // No page without a question, and not many more pages than they need.
+    assert!(asked.iter().all(|count| *count > 0), "{asked:?}");
+    assert!(key <= 1 + questions / 2, "{key} pages for {questions}");
+    assert_eq!(pages[key..].iter().map(sure).sum::<usize>(), 0);
+}

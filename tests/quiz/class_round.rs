@@ -1,0 +1,162 @@
+//! A class round without a screen: votes, scores, what is kept and what is taken home.
+
+use std::sync::Arc;
+
+use carrom::class::{ClassRound, Vote, answers_csv, items, items_csv, standings, team_names};
+use carrom::quiz::{Code, Form, Said};
+
+fn round(code: &str, teams: &[&str]) -> ClassRound {
+    let names = team_names(teams.iter().copied()).unwrap();
+    ClassRound::new(Code::parse(code).unwrap(), names)
+}
+
+/// Three teams: one always right, one that follows a misconception first and is right
+/// after talking, one that always follows the misconception.
+fn played() -> ClassRound {
+    let mut round = round("mixed-7", &["Ants", "=Bees", "Cats, \"C\""]);
+    for i in 0..round.questions().len() {
+        let question = &round.questions()[i];
+        let truth = question.form.truth();
+        let held = question.beliefs[0].said;
+        for (team, first, second) in [(0, truth, None), (1, held, Some(truth)), (2, held, None)] {
+            round.vote(i, team, Vote::First, Some(first));
+            round.vote(i, team, Vote::Second, second);
+        }
+    }
+    round
+}
+
+#[test]
+fn the_second_vote_scores_and_the_first_is_kept() {
+    let round = played();
+    let asked = round.questions().len();
+    let board = standings(&round, asked);
+    let places: Vec<_> = board.iter().map(|it| (it.team, it.place)).collect();
+    assert_eq!(places, [(0, 1), (1, 1), (2, 3)]);
+    assert!((board[0].points - 10.0 * asked as f64).abs() < 1e-9);
+    assert!((board[1].gain - 10.0).abs() < 1e-9 && board[2].points < board[0].points);
+    for item in items(&round, asked) {
+        let [first, second] = item.right.map(Option::unwrap);
+        assert!((first - 1.0 / 3.0).abs() < 1e-12 && (second - 2.0 / 3.0).abs() < 1e-12);
+        let held = round.questions()[item.question].beliefs[0].misconception;
+        assert_eq!(item.commonest, Some((held, 2)));
+        // Those who did well elsewhere did well here: two right, one wrong, every time.
+        assert!(item.discrimination.unwrap() > 0.99);
+    }
+}
+
+#[test]
+fn what_is_kept_is_taken_up_again() {
+    let round = played();
+    let text = round.text().unwrap();
+    let again = ClassRound::read("round", text.as_bytes(), &Arc::default()).unwrap();
+    assert_eq!(again.teams(), round.teams());
+    assert_eq!(again.code(), round.code());
+    for i in 0..round.questions().len() {
+        for team in 0..3 {
+            for vote in [Vote::First, Vote::Second] {
+                let [old, new] = [&round, &again].map(|it| it.ballot(i, team).vote(vote));
+                let form = &round.questions()[i].form;
+                assert_eq!(old.is_some(), new.is_some());
+                if let (Some(old), Some(new)) = (old, new) {
+                    assert!(form.distance(&old, &new) < 1e-9);
+                }
+            }
+        }
+    }
+    assert_eq!(again.begun(), round.questions().len());
+}
+
+#[test]
+fn a_file_of_the_first_format_still_opens() {
+    let text = "format = 1\ncode = \"7\"\nteams = [\"Ants\", \"Bees\"]\n\n\
+                [[question]]\nfirst = [\"rays 60 30\", \"rays still 0\"]\nsecond = [\"\", \"rays 45 45\"]\n";
+    let round = ClassRound::read("old", text.as_bytes(), &Arc::default()).unwrap();
+    assert_eq!(
+        (
+            round.begun(),
+            round.voted(0, Vote::First),
+            round.voted(0, Vote::Second)
+        ),
+        (1, 2, 1)
+    );
+}
+
+#[test]
+fn a_bad_file_says_what_is_wrong_with_it() {
+    let good = "format = 1\ncode = \"7\"\nteams = [\"Ants\"]\n";
+    for (text, complaint) in [
+        (String::new(), "format"),
+        ("format = 2\n".into(), "newer"),
+        ("format = \"x\"\n".into(), "format"),
+        (good.replace("\"7\"", "\"seven\""), "code"),
+        (good.replace("\"Ants\"", "\"Ants\", \"ants\""), "twice"),
+        (good.replace("\"Ants\"", "\" Ants\""), "visible"),
+        (good.replace("[\"Ants\"]", "[]"), "found none"),
+        (format!("{good}extra = 1\n"), "extra"),
+        (
+            format!("{good}[[question]]\nfirst = [\"number 3\"]\nsecond = []\n"),
+            "expected a vote on this question",
+        ),
+        (
+            format!("{good}[[question]]\nfirst = [\"rays NaN 3\"]\nsecond = []\n"),
+            "expected a vote on this question",
+        ),
+        (
+            format!("{good}[[question]]\nfirst = [\"\", \"rays 1 2\"]\nsecond = []\n"),
+            "found more",
+        ),
+    ] {
+        let fault = ClassRound::read("bad", text.as_bytes(), &Arc::default())
+            .unwrap_err()
+            .to_string();
+        assert!(fault.contains(complaint), "{complaint}: {fault}\n{text}");
+        assert!(fault.starts_with("bad"), "{fault}");
+    }
+    let noise: Vec<u8> = (0..10_000_000_u64)
+        .map(|i| (i * 7919 % 251) as u8)
+        .collect();
+    assert!(ClassRound::read("noise", &noise, &Arc::default()).is_err());
+}
+
+#[test]
+fn a_vote_of_another_kind_is_not_taken() {
+    let mut round = round("7", &["Ants"]);
+    assert!(matches!(round.questions()[0].form, Form::Rays { .. }));
+    for said in [Said::Number(3.0), Said::Choice(0), Said::Shot(0.0)] {
+        round.vote(0, 0, Vote::First, Some(said));
+        assert_eq!(round.ballot(0, 0).first, None);
+    }
+    round.vote(99, 0, Vote::First, Some(Said::Number(1.0)));
+    round.vote(0, 99, Vote::First, None);
+    assert!(!round.is_begun());
+}
+
+#[test]
+fn the_tables_can_be_read_back_and_hold_no_formula() {
+    let round = played();
+    let answers = answers_csv(&round).unwrap();
+    let rows: Vec<csv::StringRecord> = csv::Reader::from_reader(answers.as_bytes())
+        .records()
+        .map(Result::unwrap)
+        .collect();
+    assert_eq!(rows.len(), 3 * round.questions().len());
+    assert_eq!(&rows[1][6], "'=Bees");
+    assert_eq!(&rows[2][6], "Cats, \"C\"");
+    assert_eq!(&rows[0][8], "yes");
+    assert_eq!(
+        &rows[1][11],
+        round.questions()[0].beliefs[0].misconception.id
+    );
+    assert_eq!(&rows[1][13], "yes");
+    let items = items_csv(&round).unwrap();
+    let rows: Vec<csv::StringRecord> = csv::Reader::from_reader(items.as_bytes())
+        .records()
+        .map(Result::unwrap)
+        .collect();
+    assert_eq!(rows.len(), round.questions().len());
+    assert_eq!((&rows[0][7], &rows[0][11]), ("0.333", "0.667"));
+    for text in [&answers, &answers_csv(&self::round("7", &["A"])).unwrap()] {
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+    }
+}

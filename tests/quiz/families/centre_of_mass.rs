@@ -1,0 +1,42 @@
+//! The frame of the centre of mass.
+
+use carrom::quiz::Family;
+use glam::DVec2;
+
+use super::hit::Hit;
+use super::owed::{all, assert_close, assert_family, figure, number, word};
+
+#[test]
+fn owes_what_all_owe() {
+    assert_family(Family::CentreOfMass);
+}
+
+fn between_deg(a: DVec2, b: DVec2) -> f64 {
+    a.perp_dot(b).atan2(a.dot(b)).abs().to_degrees()
+}
+
+#[test]
+fn what_is_true_follows_from_the_velocities_less_that_of_the_centre() {
+    for question in all(Family::CentreOfMass) {
+        let hit = Hit::of(&question);
+        let centre = hit.m1 * hit.u / (hit.m1 + hit.m2);
+        let turn = between_deg(hit.u - centre, hit.v1 - centre);
+        let expected = match word(&question, "asked") {
+            "turn" => turn,
+            "centre-speed" => {
+                let target = figure(&question, "target_speed") * hit.u.normalize();
+                ((hit.m1 * hit.u + hit.m2 * target) / (hit.m1 + hit.m2)).length()
+            }
+            "theta1" => {
+                assert_close(turn, figure(&question, "turn_deg"), &question);
+                between_deg(hit.u, hit.v1)
+            }
+            "theta2" => {
+                assert_close(turn, figure(&question, "turn_deg"), &question);
+                between_deg(hit.u, hit.v2)
+            }
+            other => panic!("{other}"),
+        };
+        assert_close(number(&question), expected, &question);
+    }
+}

@@ -1,0 +1,88 @@
+//! The written questions.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use carrom::quiz::{Answer, Confidence, Course, CourseKind, Difficulty, Family, Form, Round, Said};
+use carrom::quiz::{concepts, explain};
+
+use super::owed::{all, assert_family, questions, right_choice, word};
+
+#[test]
+fn owes_what_all_owe() {
+    assert_family(Family::Concept);
+}
+
+#[test]
+fn each_is_asked_as_it_is_written() {
+    for question in all(Family::Concept) {
+        let written = concepts::with_id(word(&question, "id")).unwrap();
+        assert_eq!(question.difficulty, written.difficulty);
+        assert_eq!(question.text, written.ask);
+        assert_eq!(right_choice(&question), written.right);
+        let Form::Choice { options, right } = &question.form else {
+            panic!("{question:#?}");
+        };
+        for wrong in &written.wrongs {
+            let place = options.iter().position(|it| *it == wrong.choice).unwrap();
+            assert_ne!(place, *right);
+            let answer = Answer::new(Said::Choice(place), Confidence::Sure);
+            let found = question.diagnose(&answer).map(|it| it.misconception);
+            assert_eq!(found, wrong.misconception);
+            let told = explain(&question, &answer).text;
+            assert_eq!(told, format!("{} {}", wrong.says, written.why));
+        }
+        if written.ordered {
+            let written: Vec<_> = written.choices().iter().map(|it| it.text()).collect();
+            assert_eq!(*options, written);
+        }
+    }
+}
+
+#[test]
+fn every_one_is_asked_and_its_right_choice_stands_anywhere() {
+    let mut asked = BTreeSet::new();
+    // By the number of choices: how often the right one has each letter.
+    let mut letters: BTreeMap<usize, BTreeMap<usize, f64>> = BTreeMap::new();
+    for question in all(Family::Concept) {
+        let id = word(&question, "id").to_owned();
+        if let Form::Choice { options, right } = &question.form
+            && !concepts::with_id(&id).unwrap().ordered
+        {
+            let of_so_many = letters.entry(options.len()).or_default();
+            *of_so_many.entry(*right).or_default() += 1.0;
+        }
+        asked.insert(id);
+    }
+    assert_eq!(asked.len(), concepts::all().len());
+    for (choices, times) in letters {
+        let all: f64 = times.values().sum();
+        let expected = all / choices as f64;
+        // Five standard deviations.
+        let most = 5.0 * (expected * (1.0 - 1.0 / choices as f64)).sqrt();
+        assert_eq!(times.len(), choices);
+        for (letter, times) in times {
+            assert!(
+                (times - expected).abs() < most,
+                "{letter} of {choices}: {times} and not {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn none_comes_twice_in_a_round() {
+    let fewest = Difficulty::ALL.map(|difficulty| {
+        let of_it = questions(Family::Concept, difficulty);
+        of_it.map(|it| it.text).collect::<BTreeSet<_>>().len()
+    });
+    let third = Course::MOST / 3;
+    assert!(fewest.iter().all(|n| *n >= third), "{fewest:?}");
+    for count in [6, 30] {
+        for seed in 0..300 {
+            let course = Course::of(CourseKind::Topic(Family::Concept), count);
+            let round = Round::new(course, seed);
+            let texts: BTreeSet<_> = round.questions().iter().map(|it| &it.text).collect();
+            assert_eq!(texts.len(), count, "{seed}");
+        }
+    }
+}

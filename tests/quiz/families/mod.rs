@@ -1,0 +1,18 @@
+//! The families of the quiz over thousands of seeds: the truth is what a computation of its
+//! own finds, every misconception is known by its answer, every text can be read.
+
+mod both_moving;
+mod centre_of_mass;
+mod concept;
+mod energy_share;
+mod hit;
+mod largest_deflection;
+mod make_it_so;
+mod owed;
+mod restitution;
+mod rutherford;
+mod separation;
+mod slip_or_stick;
+mod speeds;
+mod weigh;
+mod where_to;

@@ -1,0 +1,322 @@
+//! What every family of questions owes, whatever it asks.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use carrom::quiz::misconceptions;
+use carrom::quiz::{
+    Answer, CLEAR, Confidence, Dice, Difficulty, Family, Fit, Form, Grade, Question, Rays, Said,
+    explain,
+};
+use carrom::widgets::Charset;
+use carrom::widgets::text::wrap;
+
+/// Seeds asked at each difficulty.
+pub const SEEDS: u64 = 2_000;
+
+/// Most draws a question may need; the guard of `Family::ask` lies at twenty times this.
+const DRAWS: usize = 1_000;
+
+/// A family that shuffles its choices has the right one at each of two places at least
+/// this often, and each misconception is met in at least this share of its questions at
+/// one difficulty.
+const NOW_AND_THEN: f64 = 0.02;
+
+/// Columns of the panel beside a picture, and those that a choice has behind its letter.
+const PANEL: usize = 28;
+const CHOICE: usize = 24;
+
+/// The question of a seed.
+pub fn question(family: Family, difficulty: Difficulty, seed: u64) -> Question {
+    let asked = family.ask(difficulty, &mut Dice::new(seed));
+    let (question, draws) = asked.unwrap_or_else(|| panic!("{family:?} asks nothing"));
+    assert!(draws <= DRAWS, "{family:?} {seed}: {draws} draws");
+    question
+}
+
+/// The questions of [`SEEDS`] seeds at a difficulty.
+pub fn questions(family: Family, difficulty: Difficulty) -> impl Iterator<Item = Question> {
+    (0..SEEDS).map(move |seed| question(family, difficulty, seed))
+}
+
+/// All questions of a family at all difficulties.
+pub fn all(family: Family) -> impl Iterator<Item = Question> {
+    Difficulty::ALL
+        .into_iter()
+        .flat_map(move |difficulty| questions(family, difficulty))
+}
+
+/// A figure of a question that is a number.
+pub fn figure(question: &Question, name: &str) -> f64 {
+    let figure = question.figures.get(name).and_then(|it| it.as_f64());
+    figure.unwrap_or_else(|| panic!("no number {name} among {:?}", question.figures))
+}
+
+/// A figure of a question that is a word.
+pub fn word<'a>(question: &'a Question, name: &str) -> &'a str {
+    let word = question.figures.get(name).and_then(|it| it.as_str());
+    word.unwrap_or_else(|| panic!("no word {name} among {:?}", question.figures))
+}
+
+/// The true number of a question that asks for one.
+pub fn number(question: &Question) -> f64 {
+    match question.form.truth() {
+        Said::Number(truth) => truth,
+        other => panic!("no number: {other:?}"),
+    }
+}
+
+/// The true rays of a question that asks for them.
+pub fn rays(question: &Question) -> Rays {
+    match question.form.truth() {
+        Said::Rays(truth) => truth,
+        other => panic!("no rays: {other:?}"),
+    }
+}
+
+/// The text of the right choice.
+pub fn right_choice(question: &Question) -> &str {
+    match &question.form {
+        Form::Choice { options, right } => &options[*right],
+        other => panic!("no choices: {other:?}"),
+    }
+}
+
+/// Whether two numbers are the same but for rounding.
+#[track_caller]
+pub fn assert_close(found: f64, expected: f64, question: &Question) {
+    let scale = expected.abs().max(1.0);
+    assert!(
+        (found - expected).abs() <= 1e-9 * scale,
+        "{found} is not {expected}: {question:#?}"
+    );
+}
+
+/// Holds a family to all that every one owes. What is true in its own questions is its own
+/// test's to say.
+pub fn assert_family(family: Family) {
+    assert_eq!(Family::with_id(family.id()), Some(family));
+    let mut asked: Vec<BTreeSet<String>> = Vec::new();
+    let mut met: BTreeMap<&str, f64> = BTreeMap::new();
+    let mut letters: BTreeMap<usize, f64> = BTreeMap::new();
+    for difficulty in Difficulty::ALL {
+        let mut here: BTreeMap<&str, u32> = BTreeMap::new();
+        let mut different = BTreeSet::new();
+        for question in questions(family, difficulty) {
+            assert_eq!((question.family, question.difficulty), (family, difficulty));
+            // What has been held to it already is not held to it again.
+            if different.insert(identity(&question)) {
+                assert_question(&question);
+            }
+            for belief in &question.beliefs {
+                *here.entry(belief.misconception.id).or_default() += 1;
+            }
+            if let Form::Choice { right, .. } = question.form {
+                *letters.entry(right).or_default() += 1.0;
+            }
+        }
+        for (id, times) in here {
+            let share = f64::from(times) / SEEDS as f64;
+            let most = met.entry(id).or_default();
+            *most = most.max(share);
+        }
+        asked.push(different);
+    }
+    assert!(met.len() >= 2, "{family:?} knows only {met:?}");
+    for (id, share) in &met {
+        assert!(
+            *share >= NOW_AND_THEN,
+            "{family:?}: {id} is too rare: {share}"
+        );
+    }
+    let choices: f64 = letters.values().sum();
+    let often = letters.values().filter(|n| **n >= NOW_AND_THEN * choices);
+    assert!(letters.is_empty() || often.count() >= 2, "{letters:?}");
+    assert_different(family, &asked);
+    assert_repeats(family);
+}
+
+/// What makes a question the one it is.
+fn identity(question: &Question) -> String {
+    let figures = serde_json::to_string(&question.figures).unwrap();
+    format!("{} {figures} {:?}", question.text, question.form)
+}
+
+/// The difficulties ask different things: at least half of what each asks is asked by no
+/// easier one.
+fn assert_different(family: Family, asked: &[BTreeSet<String>]) {
+    for (i, one) in asked.iter().enumerate() {
+        assert!(one.len() >= 3, "{family:?} asks {} at {i}", one.len());
+        for easier in &asked[..i] {
+            let old = one.intersection(easier).count();
+            assert!(2 * old <= one.len(), "{family:?}: {i} asks {old} again");
+        }
+    }
+}
+
+/// The same seed brings the same question.
+fn assert_repeats(family: Family) {
+    for difficulty in Difficulty::ALL {
+        for seed in 0..20 {
+            let again = || question(family, difficulty, seed);
+            assert_eq!(again(), again());
+        }
+    }
+}
+
+/// What every question owes.
+pub fn assert_question(question: &Question) {
+    let form = &question.form;
+    let truth = Answer::new(form.truth(), Confidence::Sure);
+    let grade = Grade::new(question, &truth);
+    assert!(
+        grade.right && (grade.credit - 1.0).abs() < 1e-12,
+        "{question:#?}"
+    );
+    assert!((grade.points() - Grade::MOST).abs() < 1e-12);
+    assert_eq!(question.diagnose(&truth), None, "{question:#?}");
+
+    // Another machine's last bit must not make it another question.
+    let clearance = question.clearance();
+    assert!(clearance > CLEAR + 1e-9, "{clearance}: {question:#?}");
+    let told = question.beliefs.len() + question.replies.len();
+    assert!(told > 0, "{question:#?}");
+    for belief in &question.beliefs {
+        let answer = Answer::new(belief.said, Confidence::Sure);
+        assert!(!Grade::new(question, &answer).right, "{question:#?}");
+        let diagnosis = question.diagnose(&answer).unwrap();
+        assert_eq!(
+            diagnosis.misconception, belief.misconception,
+            "{question:#?}"
+        );
+        assert_eq!(diagnosis.fit, Fit::Whole);
+        assert!(misconceptions::all().any(|known| known == belief.misconception));
+        assert_can_be_said(question, &belief.said);
+    }
+    assert_can_be_said(question, &form.truth());
+    assert_figures(question);
+    assert_words(question);
+}
+
+/// An answer can be given by hand.
+fn assert_can_be_said(question: &Question, said: &Said) {
+    match (&question.form, said) {
+        (Form::Number { quantity, .. }, Said::Number(x)) => {
+            let range = quantity.smallest()..=quantity.largest();
+            assert!(range.contains(x), "{x}: {question:#?}");
+            // As it is printed it means the same.
+            let typed: f64 = quantity.print_bare(*x).parse().unwrap();
+            let off = if *x == 0.0 {
+                typed.abs()
+            } else {
+                quantity.distance(typed, *x)
+            };
+            assert!(off < 0.2, "{typed} for {x}: {question:#?}");
+        }
+        (Form::Choice { options, .. }, Said::Choice(i)) => assert!(*i < options.len()),
+        (Form::Shot(aim), Said::Shot(offset)) => {
+            assert!(offset.abs() <= aim.collision.reach(), "{question:#?}");
+        }
+        (Form::Rays { .. }, Said::Rays(rays)) => {
+            let angles = [rays.striker, rays.target];
+            assert!(angles.into_iter().flatten().all(f64::is_finite));
+        }
+        other => panic!("{other:?} answers {question:#?}"),
+    }
+}
+
+/// The figures to be kept are all sound.
+fn assert_figures(question: &Question) {
+    assert!(!question.figures.is_empty());
+    for (name, value) in &question.figures {
+        assert!(!value.is_null(), "{name}: {question:#?}");
+        if let Some(x) = value.as_f64() {
+            assert!(x.is_finite(), "{name}: {question:#?}");
+        }
+    }
+}
+
+/// Every word can be read where it will stand, and none gives the answer away.
+fn assert_words(question: &Question) {
+    assert_readable(&question.topic, PANEL, 1);
+    assert_readable(&question.text, PANEL, 10);
+    assert!(
+        question.text.ends_with(['?', '.', ':']),
+        "{}",
+        question.text
+    );
+    match &question.form {
+        Form::Choice { options, right } => {
+            assert!((2..=5).contains(&options.len()) && *right < options.len());
+            for (i, option) in options.iter().enumerate() {
+                assert_readable(option, CHOICE, 4);
+                let same = |other: &String| other.eq_ignore_ascii_case(option);
+                assert!(!options[..i].iter().any(same), "{options:?}");
+            }
+        }
+        Form::Number { quantity, truth } => {
+            let answer = quantity.print(*truth);
+            assert!(
+                !question.text.contains(&answer),
+                "{answer}: {}",
+                question.text
+            );
+        }
+        Form::Rays { .. } | Form::Shot(_) => {}
+    }
+    // Written questions speak in whole thoughts; the panel scrolls where it is small.
+    let longest = if question.family == Family::Concept {
+        14
+    } else {
+        12
+    };
+    for said in answers(question) {
+        let explanation = explain(question, &Answer::new(said, Confidence::Guess));
+        assert_readable(&explanation.text, PANEL, longest);
+        assert_readable(explanation.title, PANEL, 2);
+        assert!(explanation.text.ends_with('.'), "{}", explanation.text);
+    }
+}
+
+/// The true answer, what misconceptions say, and some answers off in their own way.
+fn answers(question: &Question) -> Vec<Said> {
+    let mut answers: Vec<Said> = question.beliefs.iter().map(|belief| belief.said).collect();
+    answers.push(question.form.truth());
+    match &question.form {
+        Form::Number { quantity, truth } => {
+            let far = [0.0, 0.7 * truth, 1.9 * truth, quantity.largest()];
+            answers.extend(far.map(|x| Said::Number(x.min(quantity.largest()))));
+        }
+        Form::Choice { options, .. } => answers.extend((0..options.len()).map(Said::Choice)),
+        Form::Shot(aim) => {
+            let far = [-1.1, -0.5, 0.0, 0.5, 1.1];
+            answers.extend(far.map(|share| Said::Shot(share * aim.collision.reach())));
+        }
+        Form::Rays { .. } => {
+            let wild = [
+                (None, Some(-0.4)),
+                (Some(-3.0), None),
+                (Some(0.0), Some(2.0)),
+                (Some(2.0), Some(0.0)),
+            ];
+            answers.extend(wild.map(|(striker, target)| Said::Rays(Rays { striker, target })));
+        }
+    }
+    answers
+}
+
+/// A text has no stranger in it, can be written in ASCII, and takes no more than so many
+/// lines of so many columns there.
+#[track_caller]
+pub fn assert_readable(text: &str, columns: usize, lines: usize) {
+    for stranger in [
+        "NaN", "inf", "-0.0", "−0.0", "  ", "{", "}", " .", " ,", "..",
+    ] {
+        assert!(!text.contains(stranger), "{stranger:?} in {text:?}");
+    }
+    assert!(!text.is_empty() && text.trim() == text, "{text:?}");
+    let ascii = Charset::Ascii.text(text);
+    let unknown = |text: &str| text.matches('?').count();
+    assert_eq!(unknown(&ascii), unknown(text), "no ASCII for {text:?}");
+    let taken = wrap(&ascii, columns).len();
+    assert!(taken <= lines, "{taken} lines: {text}");
+}

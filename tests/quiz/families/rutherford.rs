@@ -1,0 +1,69 @@
+//! Rutherford's counts.
+
+use carrom::quiz::{Family, Picture};
+
+use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
+
+#[test]
+fn owes_what_all_owe() {
+    assert_family(Family::Rutherford);
+}
+
+/// Counts at an angle go as the area of a ring of offsets over the solid angle it is sent
+/// into: b db / (sin φ dφ), with b = cot(φ/2), written without the half angle:
+/// cot(φ/2) = (1 + cos φ) / sin φ, and sin⁴(φ/2) = (1 − cos φ)² / 4.
+fn count(angle_deg: f64) -> f64 {
+    4.0 / (1.0 - angle_deg.to_radians().cos()).powi(2)
+}
+
+#[test]
+fn the_law_is_that_of_rings() {
+    let offset = |deg: f64| (1.0 + deg.to_radians().cos()) / deg.to_radians().sin();
+    for tens in 2..17 {
+        let (deg, step) = (10.0 * f64::from(tens), 1e-4);
+        let ring = offset(deg - step).powi(2) - offset(deg + step).powi(2);
+        let cosine = |deg: f64| deg.to_radians().cos();
+        let found = ring / (cosine(deg - step) - cosine(deg + step));
+        // The area π b² and the solid angle 2π cos φ; the scale is 1/2 then.
+        assert!(
+            (found / count(deg) / 0.5 - 1.0).abs() < 1e-6,
+            "{deg}: {found}"
+        );
+    }
+}
+
+#[test]
+fn what_is_true_follows_from_the_law() {
+    for question in all(Family::Rutherford) {
+        let here = figure(&question, "angle_deg");
+        match word(&question, "asked") {
+            "choice" => {
+                let times = count(here) / count(figure(&question, "to_deg"));
+                let said = right_choice(&question);
+                let said = said.trim_end_matches(" as many").trim_end_matches(" times");
+                let said: f64 = match said.split_once('/') {
+                    Some((one, n)) => one.parse::<f64>().unwrap() / n.parse::<f64>().unwrap(),
+                    None => said.parse().unwrap(),
+                };
+                assert_close(said, times, &question);
+            }
+            "ratio" => {
+                let energy = figure(&question, "energy_mev");
+                let other = question.figures.get("to_energy_mev");
+                let other = other.map_or(energy, |it| it.as_f64().unwrap());
+                let times = count(here) / count(figure(&question, "to_deg"));
+                assert_close(
+                    number(&question),
+                    times * (other / energy).powi(2),
+                    &question,
+                );
+            }
+            "angle" => {
+                let fewer = count(here) / count(number(&question));
+                assert_close(fewer, figure(&question, "fewer_times"), &question);
+                assert_eq!(question.picture, Picture::Nothing, "it would give it away");
+            }
+            other => panic!("{other}"),
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Slipping against sticking.
+
+use carrom::quiz::Family;
+use glam::DVec2;
+
+use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
+
+#[test]
+fn owes_what_all_owe() {
+    assert_family(Family::SlipOrStick);
+}
+
+#[test]
+fn what_is_true_follows_from_shared_momentum_along_the_line_or_in_all() {
+    for question in all(Family::SlipOrStick) {
+        let [m1, m2, u] = ["m1_g", "m2_g", "speed"].map(|name| figure(&question, name));
+        let alpha = figure(&question, "alpha_deg").to_radians().abs();
+        // In n and t: e = 0 leaves both with the same part along n.
+        let level = m1 * u * alpha.cos() / (m1 + m2);
+        let (striker, target) = (DVec2::new(level, u * alpha.sin()), DVec2::new(level, 0.0));
+        let energy = |m: f64, v: DVec2| 0.5 * m * v.length_squared();
+        let (asked, rims) = (word(&question, "asked"), word(&question, "rims"));
+        let expected = match asked {
+            "separation" => striker.angle_to(target).abs().to_degrees(),
+            "striker-speed" => striker.length(),
+            "pair-speed" => m1 * u / (m1 + m2),
+            "energy-lost" => {
+                let before = 0.5 * m1 * u * u;
+                100.0 * (1.0 - (energy(m1, striker) + energy(m2, target)) / before)
+            }
+            "picture" => {
+                assert_close(m1, m2, &question);
+                let expected = match rims {
+                    "lossless" => "They part at exactly 90°",
+                    "slip" => "They part at less than 90°",
+                    "stick" => "They stay together and move on",
+                    other => panic!("{other}"),
+                };
+                assert_eq!(right_choice(&question), expected);
+                continue;
+            }
+            other => panic!("{other}"),
+        };
+        assert_eq!(
+            rims,
+            if asked == "pair-speed" {
+                "stick"
+            } else {
+                "slip"
+            }
+        );
+        assert_close(number(&question), expected, &question);
+    }
+}

@@ -1,0 +1,68 @@
+//! The families that ask where both go, by two rays.
+
+use carrom::quiz::{Difficulty, Family, Picture, Question};
+
+use super::hit::Hit;
+use super::owed::{all, assert_family, figure, questions, rays};
+
+const FAMILIES: [Family; 5] = [
+    Family::WhereTo,
+    Family::FromAngle,
+    Family::FromOffset,
+    Family::FromPicture,
+    Family::UnequalMasses,
+];
+
+#[test]
+fn owe_what_all_owe() {
+    for family in FAMILIES {
+        assert_family(family);
+    }
+}
+
+#[test]
+fn the_true_rays_are_those_of_an_impulse_along_the_line_of_centres() {
+    for family in FAMILIES {
+        for question in all(family) {
+            let gap = rays(&question).gap(&Hit::of(&question).rays());
+            assert!(gap < 1e-9, "off by {gap}: {question:#?}");
+        }
+    }
+}
+
+/// Whether a question gives the impact angle, rather than the offset.
+fn by_angle(question: &Question) -> bool {
+    question.figures.contains_key("alpha_deg")
+}
+
+#[test]
+fn each_asks_what_its_name_says() {
+    let equal = |question: &Question| figure(question, "m1_g") == figure(question, "m2_g");
+    for question in all(Family::FromAngle) {
+        assert!(by_angle(&question) && equal(&question), "{question:#?}");
+        let lossy = figure(&question, "restitution") < 1.0;
+        assert_eq!(lossy, question.difficulty == Difficulty::Hard);
+    }
+    for question in all(Family::FromOffset) {
+        assert!(!by_angle(&question));
+        assert_eq!(equal(&question), question.difficulty != Difficulty::Hard);
+    }
+    for question in all(Family::UnequalMasses) {
+        let head_on = figure(&question, "alpha_deg") == 0.0;
+        assert!(!equal(&question) || head_on, "{question:#?}");
+    }
+}
+
+#[test]
+fn the_picture_alone_is_all_there_is_to_go_by() {
+    for difficulty in Difficulty::ALL {
+        for question in questions(Family::FromPicture, difficulty) {
+            let Picture::Before { shown, .. } = question.picture else {
+                panic!("no hit to see: {question:#?}");
+            };
+            assert!(!shown.figures && !shown.offset);
+            assert_eq!(shown.angle, difficulty == Difficulty::Easy);
+            assert!(!question.text.contains(|c: char| c.is_ascii_digit()));
+        }
+    }
+}

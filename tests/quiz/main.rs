@@ -1,0 +1,9 @@
+//! The quiz without a screen: every family of questions, whole rounds, their codes, and a
+//! round of a class.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod class_round;
+mod codes;
+mod families;
+mod rounds;

@@ -1,0 +1,277 @@
+//! Rounds of the quiz over thousands of seeds: the truth is the truth, every
+//! misconception is known by its answer, every text can be read.
+
+use std::sync::LazyLock;
+
+use carrom::quiz::misconceptions::OF_RAYS as ALL;
+use carrom::quiz::{
+    Answer, Confidence, Fit, Form, Given, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG,
+    Ray, Rays, Round, Said, Summary, explain, hits,
+};
+use carrom::widgets::text::wrap;
+use glam::DVec2;
+
+const SEEDS: u64 = 2_000;
+
+static ROUNDS: LazyLock<Vec<Round>> = LazyLock::new(|| (0..SEEDS).map(Round::hits).collect());
+
+fn questions() -> impl Iterator<Item = &'static Question> {
+    ROUNDS.iter().flat_map(Round::questions)
+}
+
+fn drawn() -> impl Iterator<Item = Hit> {
+    (0..SEEDS).flat_map(hits).map(|(_, hit)| hit)
+}
+
+/// The rays that are true for a question of this family.
+fn truth(question: &Question) -> Rays {
+    match question.form.truth() {
+        Said::Rays(rays) => rays,
+        other => panic!("not rays: {other:?}"),
+    }
+}
+
+/// The side on which the target lies.
+fn side(question: &Question) -> f64 {
+    match question.form {
+        Form::Rays { side, .. } => side,
+        ref other => panic!("not rays: {other:?}"),
+    }
+}
+
+/// What misconceptions make of a question, with the ray that gives each away.
+fn beliefs(
+    question: &Question,
+) -> impl Iterator<Item = (&'static Misconception, Rays, Option<Ray>)> {
+    question.beliefs.iter().map(|belief| match belief.said {
+        Said::Rays(rays) => (belief.misconception, rays, belief.telltale),
+        other => panic!("not rays: {other:?}"),
+    })
+}
+
+fn sure(rays: Rays) -> Answer {
+    Answer::new(Said::Rays(rays), Confidence::Sure)
+}
+
+/// The angle from `a` to `b`, anticlockwise; `None` if `b` is at rest.
+fn turn(a: DVec2, b: DVec2) -> Option<f64> {
+    (b.length() > 1e-9 * a.length()).then(|| a.perp_dot(b).atan2(a.dot(b)))
+}
+
+/// Where the two go, by an impulse along the line of centres.
+fn by_impulse(question: &Hit) -> Rays {
+    let (m1, r1, m2, r2) = match question.pieces {
+        Pieces::Equal => (15.0, 15.0, 15.0, 15.0),
+        Pieces::Tournament => (15.0, 20.65, 5.5, 15.9),
+        Pieces::Marbles => (20.0, 12.4, 40.0, 15.6),
+        Pieces::Own { .. } => unreachable!("no round asks about own pieces"),
+    };
+    let u = question.speed * DVec2::from_angle(question.direction_deg.to_radians());
+    let sine = match question.given {
+        Given::Angle { alpha_deg } => alpha_deg.to_radians().sin(),
+        Given::Offset { offset_mm } => offset_mm / (r1 + r2),
+    };
+    // The target's centre lies `sine` of the way to the right of the path.
+    let right = DVec2::new(u.y, -u.x) / question.speed;
+    let normal = u / question.speed * (1.0 - sine * sine).sqrt() + right * sine;
+    let impulse = (1.0 + question.restitution) * u.dot(normal) / (1.0 / m1 + 1.0 / m2);
+    Rays {
+        striker: turn(u, u - impulse / m1 * normal),
+        target: turn(impulse / m2 * normal, u),
+    }
+}
+
+#[test]
+fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
+    for question in drawn() {
+        let gap = question.truth().gap(&by_impulse(&question));
+        assert!(gap < 1e-9, "{question:?}: off by {gap}");
+    }
+}
+
+#[test]
+fn the_truth_earns_all_and_is_never_diagnosed() {
+    for question in questions() {
+        let answer = sure(truth(question));
+        let grade = Grade::new(question, &answer);
+        assert!(grade.right);
+        assert!((grade.credit - 1.0).abs() < 1e-12);
+        assert!((grade.points() - Grade::MOST).abs() < 1e-12);
+        assert_eq!(question.diagnose(&answer), None);
+        assert_eq!(explain(question, &answer).title, "right");
+    }
+}
+
+#[test]
+fn each_misconception_is_known_by_its_answer() {
+    let mut met = [0; ALL.len()];
+    for question in questions() {
+        for belief in &question.beliefs {
+            let place = ALL.into_iter().position(|it| it == belief.misconception);
+            met[place.expect("a misconception of rays")] += 1;
+            let answer = Answer::new(belief.said, Confidence::Sure);
+            assert!(!Grade::new(question, &answer).right);
+            let diagnosis = question.diagnose(&answer).expect("a diagnosis");
+            assert_eq!(diagnosis.misconception, belief.misconception);
+            assert_eq!(diagnosis.fit, Fit::Whole);
+        }
+    }
+    for (misconception, times) in ALL.into_iter().zip(met) {
+        assert!(times > 100, "{misconception:?} was met {times} times");
+    }
+}
+
+#[test]
+fn a_slip_of_the_hand_changes_no_diagnosis() {
+    let slip = 0.99 * RIGHT_DEG.to_radians();
+    let nudged = |rays: Rays, a: f64, b: f64| Rays {
+        striker: rays.striker.map(|angle| angle + a * slip),
+        target: rays.target.map(|angle| angle + b * slip),
+    };
+    for question in questions().take(2_000) {
+        for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let right = sure(nudged(truth(question), a, b));
+            assert_eq!(question.diagnose(&right), None);
+            for (misconception, rays, _) in beliefs(question) {
+                let answer = sure(nudged(rays, a, b));
+                let diagnosis = question.diagnose(&answer).expect("a diagnosis");
+                assert_eq!(diagnosis.misconception, misconception);
+            }
+        }
+    }
+}
+
+#[test]
+fn one_ray_that_gives_a_misconception_away_is_enough() {
+    for question in questions().take(2_000) {
+        for (_, held, telltale) in beliefs(question) {
+            let Some(ray) = telltale else {
+                continue;
+            };
+            let wild = Some(-2.2 * side(question));
+            let mut rays = held;
+            match ray {
+                Ray::Striker => rays.target = wild,
+                Ray::Target => rays.striker = wild,
+            }
+            let diagnosis = question.diagnose(&sure(rays)).expect("a diagnosis");
+            assert_eq!(diagnosis.fit, Fit::OneRay(ray), "{question:?}");
+            let (_, named, _) = beliefs(question)
+                .find(|(misconception, ..)| *misconception == diagnosis.misconception)
+                .expect("a prediction");
+            let off = named.apart(&held, ray).expect("an angle");
+            assert!(off <= RIGHT_DEG.to_radians());
+        }
+    }
+}
+
+/// As long as the panel beside the picture can take, even spelt out in ASCII.
+fn assert_readable(text: &str, lines: usize) {
+    for stranger in ["NaN", "inf", "-0.0", "  ", " -1", "{", "}"] {
+        assert!(!text.contains(stranger), "{stranger:?} in {text:?}");
+    }
+    let ascii = text.replace('°', " deg");
+    assert!(ascii.is_ascii(), "{text:?}");
+    let taken = wrap(&ascii, 28).len();
+    assert!(taken <= lines, "{taken} lines: {text}");
+}
+
+#[test]
+fn every_text_can_be_read() {
+    let angles = [
+        None,
+        Some(-3.0),
+        Some(-0.4),
+        Some(0.0),
+        Some(0.9),
+        Some(2.0),
+    ];
+    for question in questions().take(2_000) {
+        assert_readable(&question.text, 10);
+        let mut answers: Vec<Rays> = beliefs(question).map(|(_, rays, _)| rays).collect();
+        answers.push(truth(question));
+        for striker in angles {
+            answers.extend(angles.map(|target| Rays { striker, target }));
+        }
+        for rays in answers {
+            let explanation = explain(question, &sure(rays));
+            assert_readable(&explanation.text, 12);
+            assert!(explanation.title.len() <= 28);
+            let sentences = explanation.text.matches(['.', ':']).count();
+            assert!(sentences >= 2);
+        }
+    }
+}
+
+#[test]
+fn a_round_is_ten_different_questions() {
+    let mut left = 0;
+    for (seed, round) in (0..).zip(ROUNDS.iter()) {
+        assert_eq!(round.code().seed, seed);
+        assert_eq!(round.questions().len(), 10);
+        for (i, question) in round.questions().iter().enumerate() {
+            assert!(!round.questions()[..i].contains(question));
+            left += usize::from(side(question) < 0.0);
+        }
+    }
+    // Nine questions in ten have a side; five standard deviations about a half.
+    assert!((8_660..9_340).contains(&left), "{left}");
+}
+
+#[test]
+fn a_code_is_the_same_round_for_ever() {
+    for seed in [0, 1, 7, 42, 999_999, u64::MAX] {
+        let round = Round::hits(seed);
+        let text: Vec<String> = round
+            .questions()
+            .iter()
+            .map(|question| {
+                let direction_deg = question.figures["direction_deg"].as_f64();
+                format!("[{}°] {}", direction_deg.unwrap(), question.text)
+            })
+            .collect();
+        insta::assert_snapshot!(format!("round_{seed}"), text.join("\n"));
+    }
+}
+
+#[test]
+fn a_round_of_one_belief_names_it() {
+    for misconception in ALL {
+        for round in &ROUNDS[..50] {
+            let answers: Vec<Answer> = round
+                .questions()
+                .iter()
+                .map(|question| {
+                    let held = beliefs(question).find(|(held, ..)| *held == misconception);
+                    sure(held.map_or(truth(question), |(_, rays, _)| rays))
+                })
+                .collect();
+            let summary = Summary::new(round.questions().iter().zip(&answers));
+            let met = round.questions().len() - summary.right();
+            if met > 0 {
+                assert_eq!(summary.most_held(), Some((misconception, met)));
+                assert_eq!(summary.advice(), misconception.advice);
+            } else {
+                assert_eq!(summary.most_held(), None);
+            }
+            assert!(summary.points() >= 0.0 && summary.points() <= summary.most());
+        }
+    }
+}
+
+#[test]
+fn the_summary_of_a_perfect_round_and_of_none() {
+    let round = Round::hits(3);
+    let answers: Vec<Answer> = round.questions().iter().map(|q| sure(truth(q))).collect();
+    let summary = Summary::new(round.questions().iter().zip(&answers));
+    assert!((summary.points() - 100.0).abs() < 1e-9);
+    assert_eq!(summary.right(), 10);
+    assert!(summary.mean_error().is_some_and(|error| error < 1e-9));
+    assert_eq!(summary.calibration(Confidence::Sure), (10, 10));
+    assert_eq!(summary.calibration(Confidence::Guess), (0, 0));
+
+    let none = Summary::new([]);
+    assert_eq!(none.mean_error(), None);
+    assert_eq!(none.calibration_words(), "");
+    assert!(none.points().abs() < 1e-12);
+}

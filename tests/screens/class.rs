@@ -1,0 +1,473 @@
+//! A class round on the screen: whole rounds by keys, with a real store.
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::class::{ClassRound, Step, Vote};
+use carrom::cli;
+use carrom::messages::{Done, Input, Request, Wish};
+use carrom::quiz::Code;
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::store::Store;
+use carrom::widgets::Charset;
+
+use crate::folder::Folder;
+use crate::keys::said;
+
+const LONG: Duration = Duration::from_secs(60);
+
+fn app(code: &str, teams: &[&str], charset: Charset) -> App {
+    let settings = Settings {
+        charset,
+        reduced_motion: true,
+        ..Settings::default()
+    };
+    let place = Place::Class {
+        code: Some(Code::parse(code).unwrap()),
+        teams: teams.iter().map(|name| (*name).to_owned()).collect(),
+    };
+    App::new(place, settings, 7)
+}
+
+fn class(folder: &Path, code: &str, teams: &[&str]) -> Headless {
+    let app = app(code, teams, Charset::Ascii);
+    Headless::keeping(app, 80, 24, Store::in_folder(folder))
+}
+
+fn records(text: &str) -> Vec<csv::StringRecord> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    reader.records().map(Result::unwrap).collect()
+}
+
+/// The only file of `folder` whose name begins so.
+fn exported(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join("exports").join(name)).unwrap()
+}
+
+/// The rounds that are kept.
+fn kept(folder: &Path) -> Vec<ClassRound> {
+    let request = Request {
+        ticket: 0,
+        wish: Wish::ListClasses,
+    };
+    match Store::in_folder(folder).answer(&request).done {
+        Done::Classes(Ok(rounds)) => rounds
+            .into_iter()
+            .map(|kept| *kept.round.unwrap())
+            .collect(),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Three teams: one always right; one that follows a misconception and is right after
+/// talking; one that follows it throughout.
+#[test]
+fn three_teams_play_a_round_to_its_tables() {
+    let folder = Folder::new("class-round");
+    let code = "mixed-7";
+    let mut game = class(folder.path(), code, &["Ants", "=Bees()", "Cats"]);
+    let round = ClassRound::new(Code::parse(code).unwrap(), vec!["A".into()]);
+    game.press("<Enter>");
+    for (i, question) in round.questions().iter().enumerate() {
+        let form = &question.form;
+        let (truth, held) = (form.truth(), question.beliefs[0].said);
+        let place = format!("question {} of {}", i + 1, round.questions().len());
+        assert!(game.screen().contains(&place), "{}", game.screen());
+        game.press("<Enter><Enter>");
+        for (team, vote) in [truth, held, held].iter().enumerate() {
+            game.press(&format!("{}{}", team + 1, said(form, vote)));
+        }
+        assert_eq!(
+            game.screen().matches("has voted").count(),
+            3,
+            "{}",
+            game.screen()
+        );
+        game.press("<Enter>");
+        assert!(game.screen().contains("Find someone"), "{}", game.screen());
+        game.press("<Enter>2");
+        game.press(&said(form, &truth));
+        let screen = game.screen();
+        assert_eq!(screen.matches("keeps its vote").count(), 2, "{screen}");
+        assert_eq!(screen.matches("has changed").count(), 1, "{screen}");
+        game.press("<Enter>");
+        assert!(game.settle(LONG));
+        if !game.screen().contains("after talking") {
+            game.press("<Enter>");
+        }
+        let screen = game.screen();
+        assert!(
+            screen.contains("right at first") && screen.contains("1 of 3"),
+            "{screen}"
+        );
+        assert!(screen.contains("2 of 3"), "{screen}");
+        game.press("<Enter><Enter>");
+        assert!(!game.screen().contains("NaN"));
+    }
+    assert!(
+        game.screen().contains("for a spreadsheet"),
+        "{}",
+        game.screen()
+    );
+    assert!(game.screen().contains("100.0"), "{}", game.screen());
+    game.press("e");
+    assert!(
+        game.screen().contains("class-items-1.csv"),
+        "{}",
+        game.screen()
+    );
+
+    let answers = records(&exported(folder.path(), "class-answers-1.csv"));
+    assert_eq!(answers.len(), 3 * round.questions().len());
+    for (i, row) in answers.iter().enumerate() {
+        let (question, team) = (i / 3, i % 3);
+        assert_eq!(&row[0], code);
+        assert_eq!(row[1], (question + 1).to_string());
+        assert_eq!(&row[6], ["Ants", "'=Bees()", "Cats"][team]);
+        let held = round.questions()[question].beliefs[0].misconception.id;
+        // first_right, first_misconception; second_right; points.
+        assert_eq!(&row[8], ["yes", "no", "no"][team]);
+        assert_eq!(&row[11], ["", held, held][team]);
+        assert_eq!(&row[13], ["", "yes", ""][team]);
+        if team < 2 {
+            assert_eq!(&row[17], "10.0");
+        }
+    }
+    let items = records(&exported(folder.path(), "class-items-1.csv"));
+    assert_eq!(items.len(), round.questions().len());
+    for (row, question) in items.iter().zip(round.questions()) {
+        // 3 votes, one of them right; after talking two.
+        assert_eq!((&row[6], &row[7]), ("3", "0.333"));
+        assert_eq!((&row[10], &row[11]), ("3", "0.667"));
+        let held = question.beliefs[0].misconception.id;
+        assert_eq!((&row[15], &row[16]), (held, "2"));
+    }
+    // None of it is a player's own record.
+    assert!(game.attempts().is_empty());
+}
+
+#[test]
+fn going_back_corrects_a_vote_and_the_scores() {
+    let folder = Folder::new("class-back");
+    let mut game = class(folder.path(), "from-angle2-7", &["Ants", "Bees"]);
+    let round = ClassRound::new(Code::parse("from-angle2-7").unwrap(), vec!["A".into()]);
+    let form = &round.questions()[0].form;
+    let truth = said(form, &form.truth());
+    game.press("<Enter><Enter><Enter><Enter>");
+    game.press(&truth);
+    assert!(
+        game.screen().contains("one team without a vote"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Enter>100<Enter>-100<Enter>");
+    // Talk, second vote, shot, scores.
+    game.press("<Enter><Enter><Enter>");
+    if !game.screen().contains("after talking") {
+        game.press("<Enter>");
+    }
+    game.press("<Enter>");
+    let points = |folder: &Path| -> Vec<f64> {
+        let rounds = kept(folder);
+        (0..2).map(|team| rounds[0].points(0, team)).collect()
+    };
+    let before = points(folder.path());
+    assert!(
+        (before[0] - 10.0).abs() < 1e-9 && before[1] < 1.0,
+        "{before:?}"
+    );
+    // From the next question back to the first one, to its first vote.
+    game.press("<Enter>");
+    assert!(game.screen().contains("question 2 of 2"));
+    game.press("[");
+    assert!(game.screen().contains("question 1 of 2"));
+    game.press("<Backspace><Backspace><Backspace><Backspace>");
+    assert!(
+        game.screen().contains("What was said before is hidden"),
+        "{}",
+        game.screen()
+    );
+    game.press("2");
+    assert!(
+        game.screen().contains("100.0"),
+        "its own vote, to be corrected"
+    );
+    game.press(&truth);
+    let after = points(folder.path());
+    assert!((after[1] - 10.0).abs() < 1e-9, "{after:?}");
+    // A vote can be taken back altogether.
+    game.press("<Up>x");
+    assert!(game.screen().contains("not yet"), "{}", game.screen());
+    game.press("]");
+    assert!(
+        game.screen().contains("question 2 of 2"),
+        "{}",
+        game.screen()
+    );
+    // And never to what has not been reached.
+    game.press("]]");
+    assert!(game.screen().contains("question 2 of 2"));
+}
+
+#[test]
+fn a_pause_is_blank_until_someone_goes_on() {
+    let folder = Folder::new("class-pause");
+    let mut game = class(folder.path(), "7", &["Ants"]);
+    game.press("<Enter>");
+    let before = game.screen();
+    game.press("p");
+    let paused = game.screen();
+    assert!(
+        !paused.contains("striker") && !paused.contains("question 1"),
+        "{paused}"
+    );
+    for keys in ["x", "<Down>", "[", "e"] {
+        game.press(keys);
+        assert_eq!(game.screen(), paused, "{keys}");
+    }
+    game.press("p");
+    assert_eq!(game.screen(), before);
+    // In the middle of a vote, too.
+    game.press("<Enter><Enter><Enter>40");
+    let before = game.screen();
+    game.press("pp");
+    assert_eq!(game.screen(), before);
+}
+
+#[test]
+fn a_round_that_is_killed_is_taken_up_where_it_was_left() {
+    let folder = Folder::new("class-killed");
+    let teams = ["Ants", "Bees", "Cats"];
+    let mut game = class(folder.path(), "7", &teams);
+    game.press("<Enter><Enter><Enter>");
+    game.press("<Enter>60<Enter>30<Enter>");
+    // Nothing is done at the end of the process: after each vote it is all there.
+    let rounds = kept(folder.path());
+    assert_eq!(rounds.len(), 1);
+    assert_eq!(rounds[0].voted(0, Vote::First), 1);
+    assert_eq!(rounds[0].place().step, Step::FirstVote);
+    game.press("<Enter>45<Enter>45<Enter>");
+    drop(game);
+    let mut game = class(folder.path(), "quick-1", &[]);
+    game.press("<End><Down><Enter>");
+    assert!(
+        game.screen().contains("7: Ants, Bees, Cats"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Enter>");
+    let screen = game.screen();
+    assert_eq!(screen.matches("has voted").count(), 2, "{screen}");
+    assert!(screen.contains("> 3 Cats"), "{screen}");
+    game.press("<Enter>10<Enter>20<Enter><Enter>");
+    assert!(game.screen().contains("Find someone"));
+    // It goes on in the same file.
+    let rounds = kept(folder.path());
+    assert_eq!((rounds.len(), rounds[0].voted(0, Vote::First)), (1, 3));
+    assert_eq!(rounds[0].place().step, Step::Talk);
+    // And can be removed.
+    let mut game = class(folder.path(), "quick-1", &[]);
+    game.press("<End><Down><Enter>dn");
+    assert_eq!(kept(folder.path()).len(), 1);
+    game.press("dy");
+    assert!(kept(folder.path()).is_empty());
+    assert!(game.screen().contains("There are none yet"));
+}
+
+#[test]
+fn a_damaged_file_is_told_and_left_alone() {
+    let folder = Folder::new("class-damaged");
+    fs::create_dir_all(folder.path().join("classes")).unwrap();
+    let file = folder.path().join("classes/class-1.toml");
+    fs::write(&file, "format = 1\ncode = \"7\"\nteams = []\n").unwrap();
+    let mut game = class(folder.path(), "7", &["Ants"]);
+    game.press("<End><Down><Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("It cannot be read"), "{screen}");
+    game.press("<Enter><Escape><End><Enter><Enter><Enter><Enter>1<Enter>1<Enter>");
+    assert!(fs::read_to_string(&file).unwrap().ends_with("teams = []\n"));
+    assert!(folder.path().join("classes/class-2.toml").exists());
+}
+
+#[test]
+fn hostile_names_break_neither_screen_nor_table() {
+    let endless = "x".repeat(10_000);
+    let names = [
+        "\u{202e}txet \u{5d0}\u{5d1}\u{5d2}",
+        "e\u{301}\u{20d0}\u{a0}\u{1f600}\u{200d}\u{1f468}",
+        &endless,
+        "=cmd()",
+        "+1\t@\"',;",
+        "a\nb\r\nc\x1b[31m\0",
+        "\u{fdfd}\u{fdfd}\u{fdfd}",
+        "蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻蟻",
+    ];
+    for charset in [Charset::Ascii, Charset::Unicode] {
+        let folder = Folder::new("class-hostile");
+        let app = app("from-angle2-7", &names, charset);
+        let mut game = Headless::keeping(app, 80, 24, Store::in_folder(folder.path()));
+        let sizes = [(60, 20), (80, 24), (120, 40), (300, 100)];
+        let look = |game: &mut Headless| {
+            for (columns, rows) in sizes {
+                game.resize(columns, rows);
+                for line in game.screen().lines() {
+                    let width = carrom::widgets::text::width(line);
+                    assert!(width <= columns.into(), "{line}");
+                    assert!(!line.chars().any(|c| c.is_control() || c == '\u{202e}'));
+                    assert!(charset == Charset::Unicode || line.is_ascii(), "{line}");
+                }
+            }
+        };
+        look(&mut game);
+        for key in ["<Enter>"; 3] {
+            game.press(key);
+            look(&mut game);
+        }
+        for team in 1..=8 {
+            game.press(&team.to_string());
+            look(&mut game);
+            game.press("10<Enter>20<Enter>");
+        }
+        for _ in 0..6 {
+            game.press("<Enter>");
+            look(&mut game);
+        }
+        game.press("e");
+        look(&mut game);
+        let rows = records(&exported(folder.path(), "class-answers-1.csv"));
+        assert_eq!(rows.len(), 16);
+        assert!(rows.iter().all(|row| row.len() == 18));
+        for row in &rows {
+            assert!(
+                !row[6].starts_with(['=', '+', '-', '@', '\t', '\r']),
+                "{}",
+                &row[6]
+            );
+            assert!(!row[6].contains('\n') && row[6].chars().count() <= 25);
+        }
+        assert_eq!(kept(folder.path()).len(), 1);
+    }
+}
+
+#[test]
+fn teams_are_added_changed_and_removed() {
+    let mut game = Headless::from(cli::open("class --seed 3").unwrap());
+    game.press("Ants<Enter>Bees<Enter>Cats<Enter><Enter>");
+    game.press("<Home><Down><Backspace>t");
+    assert!(game.screen().contains("2 Beet"), "{}", game.screen());
+    game.press("<Delete>");
+    assert!(!game.screen().contains("Beet"));
+    // Two of the same name are refused, and so is a code that is none.
+    game.press("<Home><Down><Down>ants<End><Enter>");
+    assert!(game.screen().contains("twice"), "{}", game.screen());
+    game.press("<Home><Down><Down>2<End><Up>seven<End><Enter>");
+    assert!(
+        game.screen().contains("expected the code"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Backspace><Backspace><Backspace><Backspace><Backspace>speeds2-5<Enter><Enter>");
+    assert!(
+        game.screen().contains("question 1 of 2  code speeds2-5"),
+        "{}",
+        game.screen()
+    );
+    // Names can be pasted, one a line; more than eight are not.
+    let mut game = Headless::from(cli::open("class").unwrap());
+    game.input(&Input::Paste("A\nB\n\nC\nD\nE\nF\nG\nH\nI\nJ".into()));
+    let screen = game.screen();
+    assert!(
+        screen.contains("8 H") && !screen.contains("9 I"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn arguments_are_checked() {
+    let wrong = |arguments| cli::open(arguments).err().unwrap_or_default();
+    assert!(wrong("class --code nonsense").contains("expected the code of a round"));
+    assert!(wrong("class --teams A,a").contains("found \"a\" twice"));
+    assert!(wrong("class --teams ,").contains("found none"));
+    assert!(wrong("class --palette pink").contains("pink"));
+    let mut game = Headless::from(cli::open("class --teams A,B --code quick-7").unwrap());
+    assert!(game.screen().contains("> Start"), "{}", game.screen());
+    game.press("<Enter>");
+    assert!(game.screen().contains("question 1 of 5  code quick-7"));
+}
+
+#[test]
+fn one_key_makes_it_light_and_dark_again() {
+    use carrom::widgets::Palette;
+    let mut game = Headless::from(cli::open("class --teams A --code 7 --palette light").unwrap());
+    assert_eq!(game.app().settings().palette, Palette::Light);
+    game.press("<Enter>l");
+    assert_eq!(game.app().settings().palette, Palette::Dark);
+    game.press("l");
+    assert_eq!(game.app().settings().palette, Palette::Light);
+}
+
+#[test]
+fn escape_asks_twice_once_there_is_a_vote() {
+    let mut game = Headless::from(cli::open("class --teams A --code 7").unwrap());
+    game.press("<Enter><Enter><Enter><Enter>1<Enter>2<Enter>");
+    game.press("<Escape>");
+    assert!(
+        game.screen().contains("Esc again leaves"),
+        "{}",
+        game.screen()
+    );
+    game.press("<Up>");
+    assert!(!game.screen().contains("Esc again"));
+    game.press("<Escape><Escape>");
+    assert!(game.screen().contains("carrom : home"));
+}
+
+/// A class plays questions of the teacher's own, and takes the round up again; once their
+/// files have changed it is refused, for the votes would be on other questions.
+#[test]
+fn a_round_of_own_questions_is_taken_up_while_they_are_the_same() {
+    let folder = Folder::new("class-own");
+    let mine = folder.path().join("mine");
+    fs::create_dir_all(&mine).unwrap();
+    let from = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/own-concepts/our-marbles.toml"
+    );
+    let text = fs::read_to_string(from).unwrap();
+    fs::write(mine.join("our-marbles.toml"), &text).unwrap();
+    let open = |arguments: &str| {
+        let arguments = format!("class {arguments} --concepts '{}' --seed 3", mine.display());
+        let app = cli::open(&arguments).unwrap();
+        let store = Store::in_folder(folder.path()).with_own(app.own());
+        Headless::keeping(app, 80, 24, store)
+    };
+    let mut game = open("--teams A,B");
+    let screen = game.screen();
+    assert!(screen.contains("your own questions"), "{screen}");
+    game.press("<Down><Down><Down><Down><Enter><Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("question 1 of 2  code own-3"), "{screen}");
+    game.press("<Enter><Enter>1b<Enter>");
+    assert!(game.screen().contains("has voted"), "{}", game.screen());
+    let mut game = open("");
+    game.press("<End><Down><Enter>");
+    assert!(game.screen().contains("own-3: A, B"), "{}", game.screen());
+    game.press("<Enter>");
+    assert!(game.screen().contains("has voted"), "{}", game.screen());
+    let without = text
+        .split("\n[[item]]")
+        .take(2)
+        .collect::<Vec<_>>()
+        .join("\n[[item]]");
+    fs::write(mine.join("our-marbles.toml"), without).unwrap();
+    let mut game = open("");
+    game.press("<End><Down><Enter>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("cannot be read") && screen.contains("as they were"),
+        "{screen}"
+    );
+}

@@ -1,0 +1,226 @@
+//! What holds on every screen, whatever is typed and whatever size it has.
+
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::quiz::{Code, Course, CourseKind};
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::widgets::Charset;
+use proptest::prelude::*;
+
+/// Every place, and a round of the quiz of every kind and about every topic.
+fn places() -> Vec<Place> {
+    let mut places = vec![
+        Place::Home,
+        Place::Lab,
+        Place::Learn,
+        Place::Chapter { number: 2 },
+        Place::Chapter { number: 3 },
+        Place::Quiz { code: None },
+        Place::Class {
+            code: None,
+            teams: Vec::new(),
+        },
+        Place::Foil,
+        Place::Table,
+        Place::Levels,
+        Place::Progress,
+        Place::Level { number: 4 },
+    ];
+    let topics = CourseKind::topics().map(CourseKind::Topic);
+    let review = CourseKind::Review(vec!["equal masses".into(), "both moving".into()]);
+    places.extend(
+        CourseKind::ALWAYS
+            .into_iter()
+            .chain([review])
+            .chain(topics)
+            .map(|kind| Place::Quiz {
+                code: Some(Code {
+                    course: Course::new(kind),
+                    seed: 7,
+                }),
+            }),
+    );
+    places
+}
+
+fn opened(place: Place, charset: Charset, seed: u64) -> Headless {
+    let settings = Settings {
+        charset,
+        ..Settings::default()
+    };
+    Headless::new(App::new(place, settings, seed), 80, 24)
+}
+
+/// One thing that may happen to an app.
+#[derive(Debug, Clone)]
+enum Act {
+    Tell(Input),
+    Resize(u16, u16),
+    Pass(Duration),
+}
+
+fn key() -> impl Strategy<Value = Key> {
+    use Key::*;
+    let named = [
+        Up, Down, Left, Right, Enter, Escape, Tab, BackTab, Backspace, Delete, PageUp, PageDown,
+        Home, End,
+    ];
+    prop_oneof![
+        6 => prop::char::range(' ', '~').prop_map(Char),
+        6 => prop::sample::select(named.to_vec()),
+        1 => any::<char>().prop_map(Char),
+        1 => (1..=12u8).prop_map(F),
+    ]
+}
+
+fn mouse() -> impl Strategy<Value = Mouse> {
+    use MouseKind::*;
+    let kinds = vec![Down, Drag, Up, ScrollUp, ScrollDown];
+    (prop::sample::select(kinds), 0..310u16, 0..110u16).prop_map(|(kind, column, row)| Mouse {
+        kind,
+        column,
+        row,
+    })
+}
+
+fn act() -> impl Strategy<Value = Act> {
+    prop_oneof![
+        12 => key().prop_map(|key| Act::Tell(Input::Key(key))),
+        4 => mouse().prop_map(|mouse| Act::Tell(Input::Mouse(mouse))),
+        1 => any::<String>().prop_map(|text| Act::Tell(Input::Paste(text))),
+        1 => (0..=300u16, 0..=100u16).prop_map(|(columns, rows)| Act::Resize(columns, rows)),
+        1 => Just(Act::Resize(80, 24)),
+        3 => (0..4000u64).prop_map(|ms| Act::Pass(Duration::from_millis(ms))),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn nothing_typed_and_no_size_makes_it_panic(
+        place in prop::sample::select(places()),
+        unicode: bool,
+        seed: u64,
+        acts in prop::collection::vec(act(), 1..60),
+    ) {
+        let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
+        let mut game = opened(place, charset, seed);
+        for act in &acts {
+            match act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(time) => game.pass(*time),
+            }
+            let ascii = game.app().settings().charset == Charset::Ascii;
+            let screen = game.screen();
+            prop_assert!(!ascii || screen.bytes().all(|b| b == b'\n' || (b' '..=b'~').contains(&b)));
+            prop_assert!(!screen.contains("NaN"));
+        }
+    }
+}
+
+#[test]
+fn every_screen_and_its_help_are_printable_ascii() {
+    for place in places() {
+        for (columns, rows) in [(60, 20), (80, 24), (120, 40), (300, 100)] {
+            let mut game = opened(place.clone(), Charset::Ascii, 1);
+            game.resize(columns, rows);
+            for keys in ["", "?", "<Down><Down>"] {
+                game.press(keys);
+                for cell in game.buffer().content() {
+                    let symbol = cell.symbol().as_bytes();
+                    assert!(
+                        matches!(symbol, [b' '..=b'~']),
+                        "{place:?} at {columns}x{rows} after {keys:?}: {symbol:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The keys to each step of a class round of three teams, from one to the next.
+const CLASS: [&str; 12] = [
+    "<Enter>",
+    "z",
+    "z<Enter>",
+    "<Enter>",
+    "1",
+    "<Enter><Enter>a2<Enter>1<Enter>",
+    "<End><Enter>",
+    "<Enter>",
+    "<Enter>",
+    "<Enter>",
+    "<Enter>",
+    "p",
+];
+
+fn class(code: &str, charset: Charset) -> Headless {
+    let place = Place::Class {
+        code: Code::parse(code),
+        teams: ["Ants", "Bees", "Cats"].map(Into::into).into(),
+    };
+    opened(place, charset, 1)
+}
+
+#[test]
+fn every_step_of_a_class_round_is_whole_in_ascii() {
+    for code in ["7", "speeds1-7", "from-picture1-7", "quick-3"] {
+        for (columns, rows) in [(60, 20), (80, 24), (97, 31), (120, 40), (300, 100)] {
+            let mut game = class(code, Charset::Ascii);
+            game.resize(columns, rows);
+            for keys in CLASS {
+                game.press(keys);
+                game.settle(Duration::from_secs(9));
+                let screen = game.screen();
+                let plain = screen
+                    .bytes()
+                    .all(|b| b == b'\n' || (b' '..=b'~').contains(&b));
+                assert!(plain && !screen.contains("NaN"), "{code} {keys}\n{screen}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_step_of_a_class_round_takes_any_key_at_any_size(
+        code in prop::sample::select(vec!["quick-3", "mixed-7", "speeds1-7", "7"]),
+        unicode: bool,
+        steps in 0..CLASS.len(),
+        acts in prop::collection::vec(act(), 1..40),
+    ) {
+        let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
+        let mut game = class(code, charset);
+        for keys in &CLASS[..steps] {
+            game.press(keys);
+        }
+        for act in &acts {
+            match act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(time) => game.pass(*time),
+            }
+            prop_assert!(!game.screen().contains("NaN"));
+        }
+    }
+}
+
+#[test]
+fn escape_leads_home_and_q_out() {
+    for place in places() {
+        let mut game = opened(place.clone(), Charset::Ascii, 1);
+        for _ in 0..5 {
+            game.press("<Escape>");
+        }
+        assert!(game.screen().contains("carrom : home"), "{place:?}");
+        game.press("q");
+        assert!(game.has_quit());
+    }
+}

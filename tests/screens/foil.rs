@@ -1,0 +1,181 @@
+//! The foil on the screen, by keys and by mouse.
+
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::messages::Key;
+use carrom::screens::{Place, Settings};
+use carrom::shells::{FRAME, Headless};
+
+const LONG: Duration = Duration::from_secs(60);
+
+fn foil(predict: bool, seed: u64) -> Headless {
+    let settings = Settings {
+        predict,
+        ..Settings::default()
+    };
+    Headless::new(App::new(Place::Foil, settings, seed), 100, 30)
+}
+
+/// The page of the beam, set to 10 to the power of `exponent` particles.
+fn beam(exponent: u32, predict: bool, seed: u64) -> Headless {
+    let mut game = foil(predict, seed);
+    game.press("<Tab><Down><Down><Down><Down><Down><Left><Left><Left>");
+    for _ in 3..exponent {
+        game.key(Key::Right);
+    }
+    game
+}
+
+/// The number after `name` in the panel.
+fn number(game: &mut Headless, name: &str) -> u64 {
+    let screen = game.screen();
+    let line = screen.lines().find(|line| line.contains(name));
+    let value = line.unwrap().rsplit(name).next().unwrap();
+    let digits: String = value.chars().filter(char::is_ascii_digit).collect();
+    digits.parse().unwrap()
+}
+
+#[test]
+fn a_beam_of_a_hundred_million_runs_to_its_end() {
+    let mut game = beam(8, false, 1);
+    assert!(game.screen().contains("100,000,000"));
+    game.key(Key::Enter);
+    assert_eq!(game.app().wake(), Some(Duration::ZERO));
+    assert!(game.settle(LONG));
+    assert_eq!(number(&mut game, "thrown"), 100_000_000);
+    // 854 are expected; five standard deviations.
+    let back = number(&mut game, "||   counted ");
+    assert!((708..1000).contains(&back), "{back}");
+}
+
+#[test]
+fn escape_stops_a_beam_at_once_and_enter_lets_it_go_on() {
+    let mut game = beam(8, false, 1);
+    game.key(Key::Enter);
+    game.pass(FRAME * 20);
+    game.key(Key::Escape);
+    assert_eq!(game.app().wake(), None);
+    let stopped = number(&mut game, "stopped at");
+    assert!((1_000_000..50_000_000).contains(&stopped), "{stopped}");
+    game.pass(LONG);
+    assert_eq!(number(&mut game, "stopped at"), stopped);
+    game.key(Key::Enter);
+    game.pass(FRAME * 20);
+    assert!(number(&mut game, "thrown so far") > stopped);
+    // Twice: once to stop, once to leave.
+    game.press("<Escape><Escape>");
+    assert!(game.screen().contains("carrom : home"));
+}
+
+#[test]
+fn a_beam_rests_while_another_page_is_looked_at() {
+    let mut game = beam(8, false, 1);
+    game.key(Key::Enter);
+    game.pass(FRAME * 5);
+    game.press("<Tab>");
+    assert_eq!(game.app().wake(), None);
+    game.press("<Shift+Tab>");
+    assert!(game.screen().contains("stopped at"));
+}
+
+#[test]
+fn a_seed_throws_the_same_beam_and_another_seed_another() {
+    let thrown = |seed| {
+        let mut game = beam(4, false, seed);
+        game.key(Key::Enter);
+        assert!(game.settle(LONG));
+        game.screen()
+    };
+    assert_eq!(thrown(7), thrown(7));
+    assert_ne!(thrown(7), thrown(8));
+}
+
+#[test]
+fn a_beam_is_thrown_once_it_has_been_said_what_will_come_back() {
+    let mut game = beam(3, true, 1);
+    game.key(Key::Enter);
+    assert!(game.screen().contains("how many are turned back"));
+    assert_eq!(game.app().wake(), None);
+    // Half of them.
+    game.press("<Up><Up><Enter>");
+    assert!(game.settle(LONG));
+    assert!(game.screen().contains("58,700 times"));
+    // Of the next beam it need not be said again; of another kind it must.
+    game.key(Key::Enter);
+    assert!(game.app().wake().is_some());
+    game.press("<Escape><Down><Left><Enter>");
+    assert!(game.screen().contains("how many are turned back"));
+}
+
+#[test]
+fn hard_targets_send_back_what_the_closed_forms_say() {
+    // Spheres: cos² 45°; discs: cos 45°.
+    let mut game = foil(false, 1);
+    game.press("<Left><Tab><Enter>");
+    assert!(game.settle(LONG));
+    let spheres = number(&mut game, "||   counted ");
+    assert!((497_500..502_500).contains(&spheres), "{spheres}");
+    game.press("<Down><Left><Enter>");
+    assert!(game.settle(LONG));
+    let discs = number(&mut game, "||   counted ");
+    assert!((704_800..709_400).contains(&discs), "{discs}");
+}
+
+#[test]
+fn the_mouse_turns_pages_and_drags_the_particle() {
+    let mut game = foil(true, 1);
+    let at = |game: &mut Headless, text: &str| {
+        let screen = game.screen();
+        let (row, line) = screen
+            .lines()
+            .enumerate()
+            .find(|(_, line)| line.contains(text))
+            .unwrap();
+        (line.find(text).unwrap() as u16 + 1, row as u16)
+    };
+    let before = number(&mut game, "offset b");
+    game.drag((20, 12), (20, 5));
+    assert_ne!(number(&mut game, "offset b"), before);
+    let energy = at(&mut game, "energy");
+    game.click(energy);
+    assert!(game.screen().contains("> energy"));
+    let tab = at(&mut game, "counted in 1913");
+    game.click(tab);
+    assert!(game.screen().contains(">counted in 1913"));
+    game.click((20, 12));
+    assert!(game.screen().contains("how far off the law"));
+    let tab = at(&mut game, "a beam");
+    game.click(tab);
+    game.click((20, 12));
+    let answer = at(&mut game, "1 in 10,000");
+    game.click(answer);
+    assert!(game.screen().contains("> 1 in 10,000"));
+}
+
+/// What was counted in 1913, in full, is on the page.
+#[test]
+fn the_last_page_says_what_was_counted_and_what_was_not() {
+    let mut game = foil(true, 1);
+    game.press("<Tab><Tab>");
+    let mut text = String::new();
+    for _ in 0..8 {
+        let screen = game.screen();
+        let rows = screen.lines().filter_map(|line| line.rsplit_once("||"));
+        let rows: Vec<&str> = rows
+            .map(|(_, side)| side.trim_matches(['|', ' ']))
+            .collect();
+        text += &(rows.join(" ") + " ");
+        game.key(Key::PageDown);
+    }
+    for said in [
+        "-15% and +23%",
+        "3.7x10^-7",
+        "3.2x10^-7",
+        "1909",
+        "thick platinum plate",
+        "1 in 117,000",
+    ] {
+        assert!(text.contains(said), "{said} is not in {text}");
+    }
+}

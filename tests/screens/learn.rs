@@ -1,0 +1,245 @@
+//! The lessons on the screen: every chapter walked by keys, answers, place, figures.
+
+use carrom::app::App;
+use carrom::cli;
+use carrom::lessons::{Chapter, Library, Page};
+use carrom::messages::Key;
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::widgets::Charset;
+
+use crate::reading::answer;
+
+fn open(number: usize, charset: Charset, size: (u16, u16)) -> Headless {
+    let settings = Settings {
+        charset,
+        ..Settings::default()
+    };
+    let app = App::new(Place::Chapter { number }, settings, 1);
+    Headless::new(app, size.0, size.1)
+}
+
+fn chapter(name: &str) -> (usize, &'static Chapter) {
+    let library = Library::embedded_once();
+    let number = library.find(name).unwrap();
+    (number, &library.chapters[number])
+}
+
+#[test]
+fn every_chapter_is_walked_from_first_page_to_last() {
+    for (number, chapter) in Library::embedded_once().chapters.iter().enumerate() {
+        for charset in [Charset::Ascii, Charset::Unicode] {
+            for size in [(80, 24), (120, 40), (60, 20)] {
+                let mut game = open(number, charset, size);
+                for (at, page) in chapter.pages.iter().enumerate() {
+                    let count = format!("page {} of {}", at + 1, chapter.pages.len());
+                    let seen = |game: &mut Headless| {
+                        let screen = game.screen();
+                        assert!(screen.contains(&count), "{}: {count}\n{screen}", chapter.id);
+                        for never in ["NaN", "undefined", "inf "] {
+                            assert!(!screen.contains(never), "{} {count}\n{screen}", chapter.id);
+                        }
+                        assert!(
+                            charset == Charset::Unicode
+                                || !screen.contains('?')
+                                || screen.is_ascii()
+                        );
+                    };
+                    seen(&mut game);
+                    answer(&mut game, page);
+                    seen(&mut game);
+                    game.press("n");
+                }
+                let book = game.app().book();
+                assert!(book.is_done(chapter), "{}", chapter.id);
+                assert!(game.screen().contains("1 of "), "{}", game.screen());
+                let asked = chapter
+                    .pages
+                    .iter()
+                    .filter(|page| page.checkpoint.is_some());
+                assert_eq!(game.attempts().len(), asked.count());
+            }
+        }
+    }
+}
+
+#[test]
+fn an_answer_is_kept_and_explained_at_once() {
+    let (number, chapter) = chapter("the-line-of-impact");
+    let mut game = open(number, Charset::Ascii, (80, 24));
+    assert!(
+        !game.screen().contains("v1 ="),
+        "nothing is shown before the answer"
+    );
+    game.press("2<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("v1 = 2.00 m/s"), "{screen}");
+    assert!(screen.contains("+ Along the line"), "{screen}");
+    let attempt = game.attempts().remove(0);
+    assert!(attempt.right && (attempt.credit - 1.0).abs() < 1e-12);
+    assert_eq!((attempt.topic, attempt.number), (chapter.title.clone(), 1));
+    let question: serde_json::Value = serde_json::from_str(&attempt.question).unwrap();
+    assert_eq!(question["chapter"], chapter.id);
+    assert_eq!(
+        (attempt.answer, attempt.truth),
+        ("{\"choice\":2}".into(), "{\"choice\":2}".into())
+    );
+    // Asked again, and answered wrongly this time.
+    game.press("r1<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("x The way"), "{screen}");
+    assert!(
+        screen.contains("+ Along the line"),
+        "the right one is told too\n{screen}"
+    );
+    assert!(!game.attempts()[1].right);
+}
+
+#[test]
+fn the_place_is_kept_and_can_be_reset() {
+    let (number, chapter) = chapter("the-line-of-impact");
+    let mut game = open(number, Charset::Ascii, (80, 24));
+    game.press("2<Enter>nn<Escape>");
+    let screen = game.screen();
+    assert!(screen.contains("3/5"), "{screen}");
+    assert!(screen.contains("go on at page 3"), "{screen}");
+    game.press("<Enter>");
+    assert!(game.screen().contains("page 3 of 5"));
+    game.press("bb");
+    assert!(
+        game.screen().contains("+ Along the line"),
+        "the answer is still there"
+    );
+    game.press("n");
+    game.press("Rn");
+    assert!(
+        game.screen().contains("page 2 of 5"),
+        "nothing but y forgets"
+    );
+    game.press("Ry");
+    let screen = game.screen();
+    assert!(
+        screen.contains("page 1 of 5") && screen.contains("begins anew"),
+        "{screen}"
+    );
+    let mark = game.app().book().mark(&chapter.id);
+    assert_eq!(mark.unwrap().answered(chapter), 0);
+    game.press("<Escape>R");
+    let screen = game.screen();
+    assert!(
+        screen.contains("Forget chapter 2?") && screen.contains("1/5"),
+        "{screen}"
+    );
+    game.press("<Enter>");
+    assert!(
+        game.app().book().mark(&chapter.id).is_some(),
+        "nothing but y forgets"
+    );
+    game.press("Ry");
+    assert!(game.app().book().mark(&chapter.id).is_none());
+    assert_eq!(game.attempts().len(), 1, "the record of answers stays");
+}
+
+#[test]
+fn a_checkpoint_can_be_skipped() {
+    let (number, _) = chapter("the-line-of-impact");
+    let mut game = open(number, Charset::Ascii, (80, 24));
+    game.press("n");
+    assert!(game.screen().contains("page 2 of 5"));
+    assert_eq!(game.attempts().len(), 0);
+}
+
+/// The page of a chapter with this figure.
+fn page_with(chapter: &Chapter, figure: carrom::lessons::FigureKind) -> usize {
+    let has = |page: &Page| page.figure.is_some_and(|shown| shown.kind == figure);
+    chapter.pages.iter().position(has).unwrap()
+}
+
+#[test]
+fn the_point_on_the_curves_is_moved_by_keys_and_by_mouse() {
+    use carrom::lessons::FigureKind;
+    let (number, chapter) = chapter("speeds-and-angles");
+    let mut game = open(number, Charset::Ascii, (80, 24));
+    for _ in 0..page_with(chapter, FigureKind::Curves) {
+        game.press("n");
+    }
+    game.press("<Home><Right>");
+    for _ in 0..29 {
+        game.key(Key::Right);
+    }
+    let screen = game.screen();
+    // sin 30° and cos 30°.
+    assert!(
+        screen.contains("0.500") && screen.contains("0.866"),
+        "{screen}"
+    );
+    game.drag((20, 6), (38, 6));
+    let dragged = game.screen();
+    assert_ne!(dragged, screen);
+    game.press("<End>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("1.000") && screen.contains("0.000"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn a_shot_of_ones_own_goes_through_the_steps_of_the_proof() {
+    use carrom::lessons::FigureKind;
+    let (number, chapter) = chapter("the-right-angle");
+    let mut game = open(number, Charset::Ascii, (80, 24));
+    for _ in 0..page_with(chapter, FigureKind::Triangle { step: 1 }) {
+        game.press("n");
+    }
+    game.press("<Home><Right><Right><Right>");
+    assert!(game.screen().contains("alpha = 3 deg"), "{}", game.screen());
+    let first = page_with(chapter, FigureKind::Triangle { step: 1 });
+    let last = page_with(chapter, FigureKind::Triangle { step: 3 });
+    for page in &chapter.pages[first..last] {
+        answer(&mut game, page);
+        game.press("n");
+    }
+    answer(&mut game, &chapter.pages[last]);
+    let screen = game.screen();
+    assert!(screen.contains("alpha = 3 deg"), "{screen}");
+    assert!(screen.contains("= 0.00"), "{screen}");
+}
+
+#[test]
+fn a_figure_opens_in_the_lab_and_is_exported() {
+    let (number, _) = chapter("the-line-of-impact");
+    let mut game = open(number, Charset::Unicode, (80, 24));
+    game.press("e");
+    assert!(game.screen().contains("First say"), "nothing is given away");
+    game.press("2<Enter>e");
+    let (name, svg) = &game.exports()[0];
+    assert_eq!(name, "carrom-the-line-of-impact-1.svg");
+    assert!(svg.contains(">2.00<"));
+    assert!(game.screen().contains("The figure is in"));
+    game.press("o");
+    let screen = game.screen();
+    assert!(screen.contains("carrom : lab"), "{screen}");
+    assert!(
+        screen.contains("15.0 mm") && screen.contains("30.0°"),
+        "{screen}"
+    );
+    game.press("<Escape>");
+    assert!(game.screen().contains("page 1 of 5"));
+}
+
+#[test]
+fn a_chapter_is_opened_by_number_or_name() {
+    let title = |arguments: &str| {
+        let mut game = Headless::new(cli::open(arguments).unwrap(), 80, 24);
+        game.screen().lines().next().unwrap().to_owned()
+    };
+    assert!(title("learn").contains("carrom : learn"));
+    assert!(title("learn 2").contains("2 The line of impact"));
+    assert!(title("learn the-line-of-impact").contains("2 The line of impact"));
+    let wrong = cli::open("learn nonsense").err().unwrap();
+    assert!(
+        wrong.contains("expected the number or the name of a chapter"),
+        "{wrong}"
+    );
+}

@@ -1,0 +1,392 @@
+//! The levels on the screen: the list, and each level played by keys and by mouse.
+
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::cli;
+use carrom::levels::Level;
+use carrom::messages::{Key, MouseKind};
+use carrom::screens::{Place, Settings, Shelf};
+use carrom::shells::Headless;
+use carrom::widgets::Charset;
+use proptest::prelude::*;
+
+use crate::folder::Folder;
+
+const LONG: Duration = Duration::from_secs(120);
+
+fn embedded() -> Shelf {
+    Shelf::default()
+}
+
+fn open(place: Place, settings: Settings, size: (u16, u16)) -> Headless {
+    let app = App::with_levels(embedded(), place, settings, 1);
+    Headless::new(app, size.0, size.1)
+}
+
+fn level(number: usize) -> Headless {
+    open(Place::Level { number }, Settings::default(), (80, 24))
+}
+
+fn number(id: &str) -> usize {
+    embedded().find(id).unwrap()
+}
+
+/// Types the stored solution of a level.
+fn set(game: &mut Headless, level: &Level) {
+    for (dial, _) in level.adjust.dials() {
+        game.press(&format!("{}<Enter><Down>", level.solution.get(dial)));
+    }
+}
+
+/// Shoots, with nothing but straight ahead said of what is asked, and waits.
+fn shoot(game: &mut Headless) {
+    game.key(Key::Enter);
+    while game.screen().contains("say it first") {
+        game.key(Key::Enter);
+    }
+    assert!(game.settle(LONG));
+}
+
+/// The panel's text on all its pages, in one line.
+fn all_pages(game: &mut Headless) -> String {
+    let mut text = String::new();
+    for _ in 0..20 {
+        let screen = game.screen();
+        let side = |line: &str| line.rsplit_once("||").map(|(_, side)| side.to_owned());
+        let rows: Vec<_> = screen.lines().filter_map(side).collect();
+        text += &rows.join(" ").replace('|', " ");
+        text.push(' ');
+        game.key(Key::PageDown);
+    }
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
+    let shelf = embedded();
+    for (number, (_, level)) in shelf.levels().enumerate() {
+        for size in [(80, 24), (60, 20)] {
+            let place = Place::Level { number };
+            let mut game = open(place, Settings::default(), size);
+            set(&mut game, level);
+            shoot(&mut game);
+            let screen = game.screen();
+            assert!(screen.contains("Won!"), "{}\n{screen}", level.id);
+            assert!(game.app().shelf().stars(number) >= 2, "{}", level.id);
+            let read = all_pages(&mut game);
+            for word in level.explanation.split_whitespace() {
+                let word = Charset::Ascii.text(word);
+                assert!(read.contains(&*word), "{}: {word}", level.id);
+            }
+            assert!(read.contains("Enter: the next level.") || read.contains("last level"));
+        }
+    }
+}
+
+#[test]
+fn a_level_is_won_by_arrow_keys_alone() {
+    let mut game = level(number("dead-stop"));
+    game.press(&"<Left>".repeat(16));
+    assert!(game.screen().contains("53.0 deg"), "{}", game.screen());
+    shoot(&mut game);
+    assert!(game.screen().contains("Won!"));
+}
+
+#[test]
+fn fine_and_big_steps_and_the_ends_of_the_range() {
+    let mut game = level(number("dead-stop"));
+    game.press(",");
+    assert!(game.screen().contains("45.05 deg"), "{}", game.screen());
+    game.press(".>");
+    assert!(game.screen().contains("40.0 deg"));
+    game.press("-300<Enter>");
+    assert!(game.screen().contains("60.0 deg"), "-300 is 60");
+    game.press("5000<Enter>");
+    assert!(
+        game.screen()
+            .contains("> direction                90.0 deg")
+    );
+    game.press("r");
+    assert!(game.screen().contains("45.0 deg"));
+}
+
+#[test]
+fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
+    let at = number("dead-stop");
+    let mut game = level(at);
+    game.press("53<Enter><Enter><Enter>");
+    game.pass(Duration::from_millis(100));
+    assert!(game.screen().contains("Space: go on"), "{}", game.screen());
+    assert_eq!(game.app().shelf().stars(at), 0);
+    game.key(Key::Escape);
+    assert_eq!(game.app().shelf().stars(at), 3);
+}
+
+#[test]
+fn what_was_said_right_earns_the_third_star() {
+    for (said, stars) in [("0", 3), ("20", 2)] {
+        let at = number("dead-stop");
+        let mut game = level(at);
+        game.press(&format!("53<Enter><Enter>{said}<Enter>"));
+        assert!(game.settle(LONG));
+        assert_eq!(game.app().shelf().stars(at), stars);
+        let screen = game.screen();
+        assert!(screen.contains("you said"), "{screen}");
+        let advice = all_pages(&mut game).contains("say within 4 deg");
+        assert_eq!(advice, stars < 3);
+    }
+}
+
+#[test]
+fn without_predictions_one_just_shoots() {
+    let mut game = level(number("dead-stop"));
+    game.press("p53<Enter><Enter>");
+    assert!(!game.screen().contains("say it first"));
+    assert!(game.settle(LONG));
+    assert!(game.screen().contains("Won!"));
+    assert!(all_pages(&mut game).contains("say first where the discs go"));
+}
+
+#[test]
+fn a_miss_says_what_was_off_and_keeps_the_aim() {
+    let mut game = level(number("dead-stop"));
+    game.press("47<Enter>");
+    shoot(&mut game);
+    let screen = game.screen();
+    assert!(screen.contains("Not yet"), "{screen}");
+    assert!(squeezed(&screen).contains("wanted0to0.15m/s"), "{screen}");
+    assert!(screen.contains("Enter: try again"), "{screen}");
+    game.key(Key::Enter);
+    assert!(game.screen().contains("47.0 deg"));
+    game.press("20<Enter>");
+    shoot(&mut game);
+    assert!(squeezed(&game.screen()).contains("hadnopartinafirsthit"));
+    assert!(game.screen().contains("shot 2"));
+    assert_eq!(game.app().shelf().next(), Some(0));
+}
+
+#[test]
+fn hints_come_one_by_one() {
+    let shelf = embedded();
+    let (_, dead_stop) = shelf.get(number("dead-stop")).unwrap();
+    let mut game = level(number("dead-stop"));
+    assert!(!game.screen().contains("Hint"));
+    for hint in &dead_stop.hints {
+        game.press("h");
+        let screen = game.screen();
+        let first = hint.split_whitespace().next().unwrap();
+        assert!(screen.contains(first), "{screen}");
+    }
+    assert!(all_pages(&mut game).contains("Hint 2 of 2"));
+    assert!(!all_pages(&mut game).contains("another hint"));
+}
+
+#[test]
+fn the_impact_is_shown_enlarged_with_its_layers() {
+    let mut game = level(number("half-ball"));
+    shoot(&mut game);
+    game.press("i");
+    assert!(game.settle(LONG));
+    let screen = game.screen();
+    assert!(screen.contains("impact 1 of"), "{screen}");
+    assert!(screen.contains("separation"), "{screen}");
+    game.press("f");
+    assert!(squeezed(&game.screen()).contains("flybacktoback"));
+    game.key(Key::Escape);
+    assert!(game.screen().contains("shot 1"));
+    game.key(Key::Escape);
+    assert!(game.screen().contains("> direction"));
+    game.key(Key::Escape);
+    assert!(game.screen().contains("n next to win"));
+}
+
+#[test]
+fn the_list_shows_what_is_won_and_the_next_level_follows() {
+    let shelf = embedded();
+    let mut game = open(Place::Levels, Settings::default(), (80, 24));
+    let all = shelf.count();
+    assert!(game.screen().contains(&format!("0 of {all} won")));
+    game.key(Key::Enter);
+    set(&mut game, shelf.get(0).unwrap().1);
+    shoot(&mut game);
+    game.key(Key::Enter);
+    assert!(game.screen().contains(&format!("level 2 of {all}")));
+    game.key(Key::Escape);
+    let screen = game.screen();
+    assert!(screen.contains(&format!("1 of {all} won")), "{screen}");
+    assert!(screen.contains("**"), "{screen}");
+    assert!(screen.contains(">  2"), "{screen}");
+}
+
+#[test]
+fn every_title_fits_the_list_on_a_small_screen() {
+    let shelf = embedded();
+    let mut game = open(Place::Levels, Settings::default(), (60, 20));
+    for (number, (_, level)) in shelf.levels().enumerate() {
+        let line = format!("> {:2}     {}", number + 1, level.title);
+        let screen = game.screen();
+        assert!(screen.contains(&line), "{line}\n{screen}");
+        game.key(Key::Down);
+    }
+}
+
+/// In a level about weighing, the mass of the coin is shown only after the win.
+#[test]
+fn an_unknown_mass_is_told_after_the_win() {
+    let mut game = level(number("two-angles-one-mass"));
+    shoot(&mut game);
+    game.press("i");
+    assert!(game.settle(LONG));
+    let screen = game.screen();
+    assert!(screen.contains("20.0 on ? g"), "{screen}");
+    assert!(!all_pages(&mut game).contains("11"), "{screen}");
+    game.press("<Escape><Enter>11<Enter>");
+    shoot(&mut game);
+    assert!(game.screen().contains("Won!"));
+    game.press("i");
+    assert!(game.settle(LONG));
+    assert!(game.screen().contains("11.0 on 11.0 g"));
+}
+
+#[test]
+fn the_mouse_points_the_shot_and_the_wheel_sets_its_strength() {
+    let mut game = level(number("follow-on"));
+    let before = game.screen();
+    game.drag((20, 5), (20, 3));
+    let pointed = game.screen();
+    assert_ne!(before, pointed);
+    assert!(!pointed.contains("40.0 deg"), "{pointed}");
+    game.mouse(MouseKind::ScrollUp, (20, 5));
+    assert!(game.screen().contains("3.05 m/s"), "{}", game.screen());
+}
+
+#[test]
+fn the_disc_is_dragged_along_its_line() {
+    let mut game = level(number("square-corner"));
+    let screen = game.screen();
+    let (row, line) = screen
+        .lines()
+        .enumerate()
+        .find(|(_, line)| line.contains("(S)"))
+        .unwrap();
+    let column = line.find("(S)").unwrap() as u16 + 1;
+    game.drag((column, row as u16), (column + 4, row as u16));
+    assert!(!game.screen().contains("place                        0 mm"));
+    assert!(game.screen().contains("50.0 deg"), "the direction stays");
+}
+
+/// A folder of a teacher's own: one good level and two that are not.
+fn own_levels() -> Folder {
+    let folder = Folder::new("levels");
+    let good = include_str!("../../levels/first-hits/01-dead-stop.toml");
+    let own = good
+        .replace("dead-stop", "my-own")
+        .replace("Dead stop", "Mine");
+    folder.file("1-good.toml", own);
+    folder.file("2-heavy.toml", good.replace("= 15\n", "= -15\n"));
+    folder.file("3-noise.toml", [0xff; 1000]);
+    folder
+}
+
+#[test]
+fn bad_files_of_a_teacher_are_listed_and_the_rest_plays() {
+    let folder = own_levels();
+    let arguments = format!("levels --levels '{}'", folder.path().display());
+    let mut game = Headless::new(cli::open(&arguments).unwrap(), 80, 40);
+    game.press("<End>");
+    let screen = game.screen();
+    assert!(screen.contains("left out: 2 files"), "{screen}");
+    let number = embedded().count() + 1;
+    assert!(screen.contains(&format!("{number}     Mine")), "{screen}");
+    assert!(squeezed(&game.screen()).contains("expectedUTF-8"));
+    game.press("<Enter><Up>");
+    assert!(squeezed(&game.screen()).contains("disc.mass_g"));
+    game.press("<Up><Enter>");
+    assert!(game.screen().contains("carrom : Mine"));
+    game.press("53<Enter>");
+    shoot(&mut game);
+    assert!(game.screen().contains("Won!"));
+    assert!(all_pages(&mut game).contains("last level"));
+}
+
+/// The panel of a screen without blanks and line breaks.
+fn squeezed(screen: &str) -> String {
+    let side = |line: &str| line.rsplit_once("||").map(|(_, side)| side.to_owned());
+    let rows = screen.lines().filter_map(side);
+    rows.map(|row| row.replace(['|', ' '], "")).collect()
+}
+
+#[test]
+fn a_level_is_opened_by_its_name() {
+    let title = |arguments: &str| {
+        let mut game = Headless::new(cli::open(arguments).unwrap(), 80, 24);
+        game.screen().lines().next().unwrap().to_owned()
+    };
+    assert!(title("levels half-ball").contains("Half a disc"));
+    assert!(title("levels first-hits/half-ball").contains("Half a disc"));
+    let wrong = cli::open("levels nonsense").err().unwrap();
+    assert!(wrong.contains("expected the id of a level"), "{wrong}");
+    let wrong = cli::open("levels --levels /no/such/folder").err().unwrap();
+    assert!(wrong.contains("expected a folder"), "{wrong}");
+}
+
+fn keys() -> impl Strategy<Value = Vec<Key>> {
+    let named = prop::sample::select(vec![
+        Key::Enter,
+        Key::Escape,
+        Key::Tab,
+        Key::BackTab,
+        Key::Up,
+        Key::Down,
+        Key::Left,
+        Key::Right,
+        Key::PageUp,
+        Key::PageDown,
+        Key::Home,
+        Key::End,
+        Key::Backspace,
+        Key::Char(' '),
+        Key::Char('i'),
+        Key::Char('h'),
+        Key::Char('n'),
+        Key::Char('x'),
+    ]);
+    let any = prop::char::range(' ', '~').prop_map(Key::Char);
+    prop::collection::vec(prop_oneof![3 => named, 1 => any], 0..60)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn any_keys_at_any_size_draw(
+        number in 0usize..embedded().count(),
+        keys in keys(),
+        sizes in prop::collection::vec((0u16..300, 0u16..100), 1..4),
+        clicks in prop::collection::vec((0u16..120, 0u16..40), 0..8),
+    ) {
+        let mut game = level(number);
+        let mut clicks = clicks.into_iter();
+        for (i, key) in keys.into_iter().enumerate() {
+            game.key(key);
+            if i % 5 == 0 {
+                game.pass(Duration::from_millis(300));
+                if let Some(at) = clicks.next() {
+                    game.drag(at, (at.0 + 3, at.1));
+                }
+            }
+            let screen = game.screen();
+            prop_assert!(!screen.contains("NaN"));
+        }
+        for (columns, rows) in sizes {
+            game.resize(columns, rows);
+            let screen = game.screen();
+            prop_assert!(!screen.contains("NaN"));
+            // A random U may have switched to Unicode.
+            if game.app().settings().charset == Charset::Ascii {
+                prop_assert!(screen.bytes().all(|b| b == b'\n' || (b' '..=b'~').contains(&b)));
+            }
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! The app driven by keys, by the mouse and by tapes, without a terminal.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod article;
+mod class;
+mod every_screen;
+mod foil;
+mod learn;
+mod levels;
+mod quiz;
+mod quiz_kinds;
+mod reading;
+mod table;
+mod tape;
+mod tapes;
+
+#[path = "../common/folder.rs"]
+mod folder;
+#[path = "../common/keys.rs"]
+mod keys;

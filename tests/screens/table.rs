@@ -1,0 +1,388 @@
+//! The table, driven by keys: a whole board to its end, practice, the computer, and
+//! whatever else may be typed.
+
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::game::{Colour, Game, Move, Piece, Rules, Ruling, Stage, Strike, Team};
+use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::physics::Board;
+use carrom::physics::angle::unit_vector;
+use carrom::screens::Settings;
+use carrom::screens::table::{Aids, Options, Table};
+use carrom::shells::Headless;
+use carrom::widgets::Charset;
+use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+/// The seed of every game here.
+const SEED: u64 = 11;
+
+fn at_the_table(options: Options, settings: Settings) -> Headless {
+    let table = Table::playing(options, SEED);
+    Headless::new(App::on(Box::new(table), settings, 1), 120, 40)
+}
+
+fn still() -> Settings {
+    Settings {
+        reduced_motion: true,
+        ..Settings::default()
+    }
+}
+
+/// A stroke as it can be set with keys: steps of 2 mm along the base line, hundredths
+/// of a degree, tenths of m/s.
+#[derive(Debug, Clone, Copy)]
+struct Keyed {
+    steps: i32,
+    angle: u32,
+    tenths: i32,
+}
+
+impl Keyed {
+    fn random(chance: &mut Pcg64) -> Self {
+        Self {
+            steps: chance.random_range(-80..=80),
+            angle: chance.random_range(1000..17000),
+            tenths: chance.random_range(12..=50),
+        }
+    }
+
+    /// The stroke that these keys set up.
+    fn strike(self, game: &Game) -> Option<Strike> {
+        let board = Board::default();
+        let lines = game.base_lines(&board);
+        let mut place = lines.nearest(lines.at(0.0))?;
+        // On the screen a step goes right; North's right is the other way.
+        let step = 0.002 * f64::from(self.steps.signum()) * lines.along(glam::DVec2::X).signum();
+        for _ in 0..self.steps.abs() {
+            let along = ((lines.along(place) + step) * 10_000.0).round() / 10_000.0;
+            place = lines.at(along);
+        }
+        let direction = game.seat().turn(unit_vector(f64::from(self.angle) / 100.0));
+        Some(Strike {
+            place,
+            velocity: f64::from(self.tenths) / 10.0 * direction,
+            call: None,
+        })
+    }
+
+    /// The keys, when the strength stands at `tenths`.
+    fn keys(self, tenths: i32) -> String {
+        let times = |key: &str, other: &str, count: i32| {
+            let key = if count < 0 { other } else { key };
+            key.repeat(count.unsigned_abs() as usize)
+        };
+        format!(
+            "{}{}{:.2} ",
+            times("]", "[", self.steps),
+            times("+", "-", self.tenths - tenths),
+            f64::from(self.angle) / 100.0
+        )
+    }
+}
+
+/// What became of a stroke.
+struct Tried {
+    keyed: Keyed,
+    after: Game,
+    rulings: Vec<Ruling>,
+    fell: Vec<Piece>,
+}
+
+fn attempt(game: &Game, keyed: Keyed) -> Option<Tried> {
+    let strike = keyed.strike(game)?;
+    let mut after = game.clone();
+    let (shot, rulings) = Move::Strike(strike).make(&mut after).ok()?;
+    let stroke = carrom::game::Stroke::from_shot(game.coins(), &shot?).ok()?;
+    Some(Tried {
+        keyed,
+        after,
+        rulings,
+        fell: stroke.pocketed,
+    })
+}
+
+/// The first of many random strokes that does what is wanted.
+fn seek(game: &Game, chance: &mut Pcg64, wanted: impl Fn(&Tried) -> bool) -> Tried {
+    for _ in 0..20_000 {
+        if let Some(tried) = attempt(game, Keyed::random(chance))
+            && wanted(&tried)
+        {
+            return tried;
+        }
+    }
+    panic!("no such stroke was found");
+}
+
+fn fell(tried: &Tried, piece: Piece) -> usize {
+    tried.fell.iter().filter(|p| **p == piece).count()
+}
+
+/// What South or North shall do next: first a due, then coins, the queen, her cover,
+/// and the rest; North never gets anything.
+fn next_stroke(game: &Game, chance: &mut Pcg64, due_made: bool) -> Tried {
+    let play = game.play();
+    if game.team(game.seat()) == Team::Second {
+        return seek(game, chance, |tried| tried.fell.is_empty());
+    }
+    let own = |tried: &Tried| fell(tried, Piece::White) > 0 && fell(tried, Piece::Striker) == 0;
+    let nothing_else = |tried: &Tried| {
+        fell(tried, Piece::Black) == 0 && fell(tried, Piece::Queen) == 0 && own(tried)
+    };
+    if play.is_unbroken() {
+        seek(game, chance, |tried| tried.fell.is_empty())
+    } else if !due_made {
+        seek(game, chance, |tried| tried.fell == [Piece::Striker])
+    } else if play.queen_to_cover() {
+        seek(game, chance, nothing_else)
+    } else if play.queen_on_board() && play.in_pockets(Colour::White) > 0 {
+        seek(game, chance, |tried| tried.fell == [Piece::Queen])
+    } else {
+        seek(game, chance, nothing_else)
+    }
+}
+
+/// The text of the panel, its lines put together again.
+fn panel(game: &mut Headless) -> String {
+    let screen = game.screen();
+    let rows = screen.lines().filter_map(|row| row.get(74..119));
+    let words: Vec<&str> = rows.flat_map(str::split_whitespace).collect();
+    words.join(" ")
+}
+
+#[test]
+fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
+    let options = Options::two_people();
+    let mut screen = at_the_table(options, still());
+    let mut game = Game::new(options.setup(SEED));
+    let mut chance = Pcg64::seed_from_u64(3);
+    let mut tenths = 40;
+    let mut due_made = false;
+    let mut seen = [false; 3];
+    for _ in 0..100 {
+        let before_turn = game.seat();
+        let tried = next_stroke(&game, &mut chance, due_made);
+        screen.press(&tried.keyed.keys(tenths));
+        tenths = tried.keyed.tenths;
+        let shown = panel(&mut screen);
+        for ruling in &tried.rulings {
+            let law = ruling.law.unwrap();
+            let words = Charset::Ascii.text(&ruling.text).into_owned();
+            assert!(
+                shown.contains(&format!("{words} (law {law})")),
+                "{shown}\n{words}"
+            );
+        }
+        due_made |= tried.fell == [Piece::Striker] && before_turn == game.seat();
+        game = tried.after;
+        seen[0] |= shown.contains("South owes 1");
+        seen[1] |= shown.contains("queen Q to be covered");
+        seen[2] |= shown.contains("queen Q with South");
+        screen.press("<Enter>");
+        if let Stage::BoardOver(won) = game.stage() {
+            assert_eq!(won.winner, Team::First);
+            let text = screen.screen();
+            assert!(
+                text.contains(&format!("South {} : 0 North", won.points)),
+                "{text}"
+            );
+            assert!(text.contains("The board goes to South."), "{text}");
+            assert_eq!(seen, [true; 3]);
+            screen.press("<Enter>");
+            assert!(screen.screen().contains("North breaks, white"));
+            return;
+        }
+    }
+    panic!("the board never ended");
+}
+
+#[test]
+fn practice_lays_out_strikes_and_takes_back() {
+    let options = Options {
+        rules: Rules::Practice,
+        ..Options::default()
+    };
+    let mut game = at_the_table(options, still());
+    let pack = game.screen();
+    game.press("80.5 ");
+    assert!(game.screen().contains("stroke 1 of 1"));
+    game.press("<Enter>");
+    assert_ne!(game.screen(), pack);
+    game.press("z90<Enter>");
+    assert_eq!(game.screen(), pack, "taken back");
+    // A coin goes where the hand goes, but not onto another.
+    game.press("p<Tab> <Right> ");
+    assert!(panel(&mut game).contains("overlap"), "{}", panel(&mut game));
+    game.press("<Up><Up><Up><Up><Up><Up><Up><Up> p");
+    assert_ne!(game.screen(), pack);
+    game.press("z");
+    assert_eq!(game.screen(), pack);
+}
+
+#[test]
+fn a_call_is_graded_beside_the_score_never_in_it() {
+    let options = Options {
+        call: true,
+        ..Options::two_people()
+    };
+    let mut game = at_the_table(options, still());
+    game.press("]] ");
+    assert!(game.screen().contains("call it: where to?"));
+    game.press("6<Enter>6<Enter>");
+    let shown = panel(&mut game);
+    assert!(shown.contains("your call"), "{shown}");
+    assert!(shown.contains("calls South"), "{shown}");
+    game.press("i<Enter>");
+    let closer = game.screen();
+    assert!(closer.contains("the impact, slowed"), "{closer}");
+    assert!(
+        closer.contains("striker on white") && closer.contains("you"),
+        "{closer}"
+    );
+    game.press("<Escape><Escape><Enter>");
+    assert!(game.screen().contains("South 0 : 0 North"));
+}
+
+#[test]
+fn the_rays_that_would_tell_stay_hidden_while_one_calls() {
+    let all = Options::two_people();
+    let without = Options {
+        aids: Aids {
+            rays: false,
+            ..Aids::default()
+        },
+        ..all
+    };
+    let board = |options| {
+        let screen = at_the_table(options, still()).screen();
+        let rows: Vec<String> = screen
+            .lines()
+            .map(|row| row.chars().take(72).collect())
+            .collect();
+        rows
+    };
+    assert_ne!(board(all), board(without));
+    let calling = Options { call: true, ..all };
+    assert_eq!(board(calling), board(without));
+}
+
+#[test]
+fn the_computer_plays_and_says_what_it_saw() {
+    let mut game = at_the_table(Options::default(), still());
+    // A soft break, after which it is the computer's turn.
+    game.press(&"-".repeat(30));
+    game.press(" <Enter>");
+    let mut strokes = 0;
+    for _ in 0..6 {
+        let shown = panel(&mut game);
+        if shown.contains("Computer:") {
+            assert!(shown.contains("My hand"), "{shown}");
+            strokes += 1;
+        }
+        game.press("<Enter>");
+        if game.screen().contains("your stroke") {
+            game.press("h");
+            assert!(
+                panel(&mut game).contains("h: tell me more"),
+                "{}",
+                panel(&mut game)
+            );
+            game.press("h");
+            assert!(panel(&mut game).contains("Place the striker"));
+            break;
+        }
+    }
+    assert!(strokes > 0);
+}
+
+#[test]
+fn leaving_a_running_game_is_asked_about_once() {
+    let mut game = at_the_table(Options::two_people(), still());
+    game.press(" <Enter><Escape>");
+    assert!(game.screen().contains("Leave this game?"));
+    game.press("x");
+    assert!(!game.screen().contains("Leave this game?"));
+    game.press("<Escape><Escape>");
+    assert!(game.screen().contains("a new game"));
+}
+
+#[test]
+fn a_stroke_takes_its_time_and_then_nothing_moves() {
+    let mut game = at_the_table(Options::two_people(), Settings::default());
+    assert_eq!(game.app().wake(), None);
+    game.press(" ");
+    assert!(game.app().wake().is_some());
+    game.pass(Duration::from_millis(500));
+    assert!(game.screen().contains("0.50 s"));
+    game.press(",,");
+    assert_eq!(game.app().wake(), None, "a step halts");
+    game.press(" ");
+    assert!(game.settle(Duration::from_secs(60)));
+    assert!(panel(&mut game).contains("(law"));
+}
+
+/// One thing that may happen at the table.
+#[derive(Debug, Clone)]
+enum Act {
+    Tell(Input),
+    Resize(u16, u16),
+    Pass(u64),
+}
+
+fn act() -> impl Strategy<Value = Act> {
+    use Key::*;
+    let named = vec![
+        Up, Down, Left, Right, Enter, Enter, Escape, Tab, PageUp, PageDown, Home, End,
+    ];
+    let kinds = vec![
+        MouseKind::Down,
+        MouseKind::Drag,
+        MouseKind::Up,
+        MouseKind::ScrollUp,
+        MouseKind::ScrollDown,
+    ];
+    let typed = " []{}+-=,.<>0123456789iaczhplgrobqxwsdM";
+    let typed: Vec<char> = typed.chars().collect();
+    let tell = |key| Act::Tell(Input::Key(key));
+    prop_oneof![
+        8 => prop::sample::select(typed).prop_map(move |c| tell(Char(c))),
+        4 => Just(tell(Char(' '))),
+        6 => prop::sample::select(named).prop_map(tell),
+        4 => (prop::sample::select(kinds), 0..130u16, 0..50u16).prop_map(
+            |(kind, column, row)| Act::Tell(Input::Mouse(Mouse { kind, column, row }))
+        ),
+        1 => (0..=300u16, 0..=100u16).prop_map(|(columns, rows)| Act::Resize(columns, rows)),
+        1 => Just(Act::Resize(80, 24)),
+        2 => (0..3000u64).prop_map(Act::Pass),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn nothing_that_is_typed_at_the_table_makes_it_panic(
+        rules in prop::sample::select(vec![Rules::Tournament, Rules::Friendly, Rules::Practice]),
+        computer: bool,
+        call: bool,
+        unicode: bool,
+        acts in prop::collection::vec(act(), 1..80),
+    ) {
+        let players = if computer { Options::default() } else { Options::two_people() };
+        let options = Options { rules, call, ..players };
+        let charset = if unicode { Charset::Unicode } else { Charset::Ascii };
+        let mut game = at_the_table(options, Settings { charset, ..Settings::default() });
+        for act in &acts {
+            match act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(ms) => game.pass(Duration::from_millis(*ms)),
+            }
+            let screen = game.screen();
+            prop_assert!(unicode || screen.is_ascii());
+            prop_assert!(!screen.contains("NaN"));
+        }
+    }
+}
