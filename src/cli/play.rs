@@ -21,7 +21,8 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
     };
     let seed = options.seed.unwrap_or_else(any_seed);
     let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;
-    Ok(match terminal::run(app, options.store())? {
+    let store = options.store().with_own(app.own());
+    Ok(match terminal::run(app, store)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.
         Ending::Signal(signal) => ExitCode::from(128 + signal as u8),

@@ -135,6 +135,15 @@ impl Watch {
         self.clock.beats() == super::playback::BEATS
     }
 
+    /// What the picture shows, and how: its title.
+    pub fn title(&self) -> String {
+        match self.frame() {
+            Frame::Laboratory => format!("the hit, slowed {:.0}×", self.clock.slowed()),
+            Frame::CentreOfMass => "seen from the centre of mass".into(),
+            Frame::Target => "seen riding with the target".into(),
+        }
+    }
+
     /// What the picture is just showing, before it is told what happened.
     pub fn telling(&self) -> &'static str {
         match self.clock.beats() {
