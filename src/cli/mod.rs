@@ -31,7 +31,7 @@ use crate::class::team_names;
 use crate::lessons::Library;
 use crate::quiz::Code;
 use crate::screens::{Book, Place, Shelf};
-use options::Look;
+use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
 ///
@@ -224,7 +224,7 @@ fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
-fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
+fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Result<App, String> {
     let (shelf, book) = (options.shelf(), options.book());
     let place = screen.map_or(Ok(Place::Home), |screen| {
         screen.place(&shelf, &book, options)
@@ -308,7 +308,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(screen, &options, Look::PLAINEST, seed)?;
+    let app = app(screen, &options, Auto::PLAINEST, seed)?;
     Ok((app, options))
 }
 
