@@ -8,6 +8,7 @@ mod list;
 mod put;
 mod read;
 mod source;
+mod tables;
 
 pub use draft::{Draft, UNFINISHED, settle};
 pub use fault::{Fault, harmless, harmless_lines};
@@ -16,3 +17,4 @@ pub use list::{List, embedded, list, not_a_file};
 pub use put::{Document, Existing, Unwritten, put};
 pub use read::{LARGEST, read, read_stdin};
 pub use source::{BYTE_ORDER_MARK, Source};
+pub use tables::newer;
