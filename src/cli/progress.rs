@@ -1,7 +1,7 @@
 //! `carrom progress`: opens the screen, or prints what was done.
 
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::anyhow;
@@ -45,6 +45,14 @@ enum ReportFile {
     Markdown(PathBuf),
 }
 
+impl ReportFile {
+    fn path(&self) -> &Path {
+        match self {
+            Self::Html(path) | Self::Markdown(path) => path,
+        }
+    }
+}
+
 fn report_file(path: &str) -> Result<ReportFile, String> {
     let path = PathBuf::from(path);
     let ending = path.extension().and_then(OsStr::to_str);
@@ -85,7 +93,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
             levels: shelf.library(),
             lessons: book.library(),
         });
-        written::write(&documents(&report, file), args.force)?;
+        written::write_beside(file.path(), &documents(&report, file), args.force)?;
         return Ok(ExitCode::SUCCESS);
     }
     let text = if args.csv {
