@@ -33,7 +33,7 @@ use crate::class::team_names;
 use crate::lessons::Library;
 use crate::quiz::{Code, concepts};
 use crate::screens::Place;
-use options::Look;
+use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
 ///
@@ -241,7 +241,7 @@ fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
-fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
+fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Result<App, String> {
     let data = Data {
         shelf: options.shelf(),
         book: options.book(),
@@ -322,7 +322,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(screen, &options, Look::PLAINEST, seed)?;
+    let app = app(screen, &options, Auto::PLAINEST, seed)?;
     Ok((app, options))
 }
 

@@ -78,12 +78,12 @@ enum PaletteChoice {
 
 /// What `auto` means for charset and colours.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct Auto {
     pub(super) charset: Charset,
     pub(super) depth: Depth,
 }
 
-impl Look {
+impl Auto {
     /// What shows anywhere.
     pub(super) const PLAINEST: Self = Self {
         charset: Charset::Ascii,
@@ -142,7 +142,7 @@ impl Options {
     }
 
     /// What the player has set, with `auto` standing for the given look.
-    pub(super) fn settings(&self, auto: Look) -> Settings {
+    pub(super) fn settings(&self, auto: Auto) -> Settings {
         let defaults = Settings::default();
         Settings {
             charset: self.charset(auto.charset),

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::options::Look;
+use super::options::Auto;
 use super::{Failure, Options, Screen, app};
 use crate::shells::terminal::{self, Ending};
 
@@ -15,7 +15,7 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
     let env = |name: &str| env::var(name).ok();
     terminal::check(env).map_err(|error| Failure::Input(error.into()))?;
     terminal::report_crashes(options.data_dir());
-    let auto = Look {
+    let auto = Auto {
         charset: terminal::charset(env),
         depth: terminal::depth(),
     };

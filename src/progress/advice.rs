@@ -35,8 +35,8 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         return format!(
-            "You were sure, and it came out otherwise: {}. Set that hit up in the lab and \
-             watch it from the contact on.",
+            "You were sure, and it came out otherwise: {}. Take one of its kind again, and \
+             stay with the why.",
             missed.topic
         );
     }

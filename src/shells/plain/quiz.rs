@@ -16,11 +16,10 @@ use crate::store::Store;
 /// Who plays, and where what is answered is kept.
 pub struct Keeper<'a> {
     /// The name of the player.
-    pub player: &'a str,
-    /// Where it is kept.
-    pub store: &'a mut Store,
+    pub(super) player: &'a str,
+    store: &'a mut Store,
     /// Whether it has been said that nothing can be kept.
-    pub(super) complained: bool,
+    complained: bool,
 }
 
 impl<'a> Keeper<'a> {

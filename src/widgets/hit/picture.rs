@@ -63,6 +63,11 @@ impl Moment<'_> {
         self.layers.shows(layer)
     }
 
+    /// Whether the picture is of the split of u alone, with all its room for that.
+    fn is_split_alone(&self) -> bool {
+        self.shows(Layer::Split) && !self.shows(Layer::Velocities)
+    }
+
     /// Draws it.
     pub(super) fn draw(&self, buf: &mut Buffer, look: &Look) {
         let mut sheet = Sheet::new(self.stage.view, look.charset);
@@ -82,7 +87,11 @@ impl Moment<'_> {
             self.outcome.v1 - self.drift(),
             self.outcome.v2 - self.drift(),
         ];
-        let arrows = Arrows::fit(&self.stage, before, after);
+        let normal = self.outcome.normal.filter(|_| self.is_split_alone());
+        let arrows = match normal {
+            Some(n) => Arrows::fit_split(&self.stage, before[0], n),
+            None => Arrows::fit(&self.stage, before, after),
+        };
         let beats = self.clock.beats();
         if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
             if beats >= 1 && self.shows(Layer::Lines) {
@@ -111,11 +120,11 @@ impl Moment<'_> {
             if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {
                 self.prediction(&mut sheet, &mut labels);
             }
-            if self.shows(Layer::Angles) && self.outcome.hit() {
-                self.angles(&mut sheet, &mut labels, after);
-            }
             if self.shows(Layer::Velocities) {
                 self.outgoing(&mut sheet, &mut labels, &arrows, after, now);
+            }
+            if self.shows(Layer::Angles) && self.outcome.hit() {
+                self.angles(&mut sheet, &mut labels, after);
             }
             // From the centre of mass the triangle is none: the two cancel.
             let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
@@ -163,7 +172,17 @@ impl Moment<'_> {
             self.stage.centres[0] - 1.5 * unit * n,
             self.stage.centres[1] + 1.5 * unit * n,
         ];
-        sheet.line(ends[0], ends[1], self.pen(Role::LineOfImpact).dashed());
+        let pen = self.pen(Role::LineOfImpact).dashed();
+        if self.is_split_alone() {
+            // Within the discs there are arrows to be read.
+            for (body, end) in ends.into_iter().enumerate() {
+                let centre = self.stage.centres[body];
+                let rim = centre + self.stage.radius(body) * (end - centre).normalize_or_zero();
+                sheet.line(rim, end, pen);
+            }
+        } else {
+            sheet.line(ends[0], ends[1], pen);
+        }
         let top = 1.7 * unit * t;
         sheet.line(-top, top, self.pen(Role::TangentLine).dotted());
         labels.add("n", ends[0], Side::towards(-n), Role::LineOfImpact);

@@ -10,7 +10,7 @@ use super::layers::{Layer, Layers};
 use super::mark::Mark;
 use super::picture::Moment;
 use super::playback::{FRAME, Playback};
-use super::stage::Stage;
+use super::stage::{Stage, time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
@@ -219,7 +219,7 @@ impl Watch {
 }
 
 /// When the discs meet and until when they are followed, in the shot's seconds: so
-/// that they come from the picture's edge and go to it, whatever their speeds.
+/// that they come from the picture's edge and go up to it, whatever their speeds.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
@@ -230,7 +230,7 @@ fn times(collision: &Collision) -> (f64, f64) {
         .max(relative);
     let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
     if lead.is_finite() && lead > 0.0 {
-        (lead, 2.1 * lead)
+        (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {
         // They move alike, or not at all: nothing ever happens.
         (1.0, 2.0)

@@ -11,9 +11,9 @@ use crate::screens::recall::Recall;
 use crate::widgets::{Beside, Lines, Look, Role, text};
 
 /// Why rounds are mixed.
-const WHY_MIXED: &str = "Mixed questions feel harder, and you will miss more of them, than many \
-    of one kind in a row. But first you must see what kind it is, and that is what stays with \
-    you: weeks later you know more.";
+const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
+    miss more of them. But each time you must see first what kind it is, and that is what stays \
+    with you: weeks later you know more.";
 
 /// The line of the page at a cell.
 pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Option<usize> {
