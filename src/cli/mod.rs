@@ -17,7 +17,9 @@ mod simulate;
 mod solve;
 mod tape;
 mod worksheet;
+mod written;
 
+use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -30,6 +32,7 @@ pub use options::Options;
 
 use crate::app::{App, Data};
 use crate::class::team_names;
+use crate::files::{harmless_lines, is_invisible};
 use crate::lessons::Library;
 use crate::quiz::{Code, concepts};
 use crate::screens::Place;
@@ -261,7 +264,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Err(message) => {
             // Help asked for goes to standard output, anything else to standard
             // error; if neither can be written there is nobody to tell.
-            let _ = message.print();
+            let _ = say(&message);
             return Ok(match message.exit_code() {
                 0 => ExitCode::SUCCESS,
                 _ => ExitCode::from(2),
@@ -293,6 +296,18 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
     }
+}
+
+/// Says what is wrong with the arguments, or the help that was asked for. It is coloured
+/// unless it quotes what would play tricks on the terminal.
+fn say(message: &clap::Error) -> io::Result<()> {
+    let plain = message.to_string();
+    let harmless = harmless_lines(&plain);
+    let quoted = env::args_os().any(|word| word.to_string_lossy().contains(is_invisible));
+    if quoted && message.use_stderr() {
+        return writeln!(io::stderr(), "{harmless}");
+    }
+    message.print()
 }
 
 /// The app that `carrom` with these arguments opens (in one string, split into

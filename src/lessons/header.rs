@@ -167,6 +167,11 @@ impl Tables<'_> {
 
     fn words(&self, value: &Spanned<DeValue>, name: &str, most: usize) -> Result<String, Fault> {
         let text = value.get_ref().as_str().map(str::trim);
+        if text.is_some_and(|text| text.contains(|c: char| c.is_control() && c != '\n')) {
+            // The text of the file has none, but an escape may stand for one.
+            let message = format!("{name}: expected no control characters");
+            return Err(self.fault(value.span().start, message));
+        }
         let fits = |text: &&str| (1..=most).contains(&text.chars().count());
         match text.filter(fits).filter(|text| !text.contains('\n')) {
             Some(text) => Ok(text.to_owned()),

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::answer::Answer;
 use super::lines::{LONGEST, Line, Lines};
 use super::problem::Problem;
+use crate::files::BYTE_ORDER_MARK;
 
 /// The longest error message, in characters: noise is not echoed at length.
 const LONGEST_MESSAGE: usize = 200;
@@ -28,9 +29,16 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<ExitC
     let mut number = 0;
     while let Some(line) = lines.next(|| out.flush())? {
         number += 1;
+        let is_first = number == 1;
         let answer = match line {
-            Line::Whole(text) if text.trim_ascii().is_empty() => continue,
-            Line::Whole(text) => answer(text),
+            Line::Whole(text) => {
+                let marked = text.strip_prefix(BYTE_ORDER_MARK).filter(|_| is_first);
+                let text = marked.unwrap_or(text);
+                if text.trim_ascii().is_empty() {
+                    continue;
+                }
+                answer(text)
+            }
             Line::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
         match answer {
