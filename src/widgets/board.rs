@@ -74,6 +74,16 @@ pub fn ground(sheet: &mut Sheet, board: &Board) {
     }
 }
 
+/// A disc where it will touch; only its middle where it is too small to be round.
+pub fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64) {
+    let pen = Pen::new(Role::Predicted);
+    if radius > sheet.view().per_row() {
+        sheet.circle(at, radius, pen.dotted());
+    } else {
+        sheet.dot(at, pen);
+    }
+}
+
 /// One pair of base lines, turned by so many quarters from the bottom.
 fn base_lines(sheet: &mut Sheet, half: f64, scale: f64, quarter: f64) {
     let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
