@@ -8,7 +8,7 @@ use crate::quiz::{Ray, Rays};
 use crate::widgets::ink::View;
 
 /// Half of the picture's shorter side, in radii of the larger disc.
-const HALF_HEIGHT: f64 = 3.3;
+pub(super) const HALF_HEIGHT: f64 = 3.3;
 
 /// Rows below which a picture is low.
 const LOW: u16 = 12;
