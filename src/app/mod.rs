@@ -6,12 +6,14 @@
 
 mod chrome;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
@@ -25,6 +27,17 @@ use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
+
+/// What an app has to read, play and answer.
+#[derive(Debug, Clone, Default)]
+pub struct Data {
+    /// The levels.
+    pub shelf: Shelf,
+    /// The chapters.
+    pub book: Book,
+    /// Written questions besides those of the program.
+    pub own: Arc<Library>,
+}
 
 /// The whole game, headless.
 pub struct App {
@@ -57,22 +70,26 @@ impl App {
     /// An app with other levels than those of the program alone, which starts at
     /// `place`, with Home below it.
     pub fn with_levels(shelf: Shelf, place: Place, settings: Settings, seed: u64) -> Self {
-        Self::with_data(shelf, Book::default(), place, settings, seed)
+        let data = Data {
+            shelf,
+            ..Data::default()
+        };
+        Self::with_data(data, place, settings, seed)
     }
 
-    /// The same with other chapters too.
-    pub fn with_data(
-        shelf: Shelf,
-        book: Book,
-        place: Place,
-        settings: Settings,
-        seed: u64,
-    ) -> Self {
+    /// An app with other things to read, play and answer than those of the program alone.
+    pub fn with_data(data: Data, place: Place, settings: Settings, seed: u64) -> Self {
         let mut app = Self::new(Place::Home, settings, seed);
-        app.context.shelf = shelf;
-        app.context.book = book;
+        app.context.shelf = data.shelf;
+        app.context.book = data.book;
+        app.context.own = data.own;
         app.start(place);
         app
+    }
+
+    /// The written questions of a teacher's own.
+    pub fn own(&self) -> &Arc<Library> {
+        &self.context.own
     }
 
     /// The chapters there are to read.
@@ -300,7 +317,9 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
-            Place::Class { code, teams } => Box::new(Class::new(code.as_ref(), teams)),
+            Place::Class { code, teams } => {
+                Box::new(Class::new(code.as_ref(), teams, &self.context))
+            }
             Place::Foil => Box::new(Foil::default()),
             Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),

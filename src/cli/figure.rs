@@ -6,10 +6,10 @@ use std::process::ExitCode;
 
 use anyhow::{Context, anyhow};
 
-use super::options::Look;
+use super::options::Auto;
 use super::{Failure, Options, print};
 use crate::screens::learn::draw_figure;
-use crate::widgets::{self, Charset, Depth, Palette, Theme};
+use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// Draw a figure of the lessons as an SVG picture
 #[derive(Debug, clap::Args)]
@@ -34,7 +34,7 @@ pub(super) struct Args {
 }
 
 /// Draws in Unicode and full colour unless the options say otherwise.
-const AUTO: Look = Look {
+const AUTO: Auto = Auto {
     charset: Charset::Unicode,
     depth: Depth::True,
 };
@@ -46,7 +46,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     } else {
         settings.palette
     };
-    let look = widgets::Look {
+    let look = Look {
         charset: settings.charset,
         theme: Theme::new(palette, settings.depth),
     };

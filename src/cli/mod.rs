@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand.
 
 mod completions;
+mod concept;
 mod failure;
 mod figure;
 mod given;
@@ -20,18 +21,19 @@ mod worksheet;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
 pub use failure::Failure;
 pub use options::Options;
 
-use crate::app::App;
+use crate::app::{App, Data};
 use crate::class::team_names;
 use crate::lessons::Library;
-use crate::quiz::Code;
-use crate::screens::{Book, Place, Shelf};
-use options::Look;
+use crate::quiz::{Code, concepts};
+use crate::screens::Place;
+use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
 ///
@@ -66,6 +68,8 @@ Examples:
   carrom level check mine.toml see whether a level of your own can be won
   carrom replay game.toml      play an exported game again, to the last bit
   carrom lesson check mine     see whether chapters of your own are good
+  carrom concept check mine    see whether written questions of your own are good
+  carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
                                a figure of the lessons as a picture
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
@@ -81,6 +85,7 @@ enum Command {
     Replay(replay::Args),
     Level(level::Args),
     Lesson(lesson::Args),
+    Concept(concept::Args),
     Figure(figure::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
@@ -144,25 +149,25 @@ impl Screen {
         }
     }
 
-    /// Where that is, with these levels, chapters and options.
+    /// Where that is, with these levels, chapters, questions and options.
     ///
     /// # Errors
-    /// If there is no level or chapter of that name, in words.
-    fn place(&self, shelf: &Shelf, book: &Book, options: &Options) -> Result<Place, String> {
+    /// If there is no level or chapter of that name, or no question for a code, in words.
+    fn place(&self, data: &Data, options: &Options) -> Result<Place, String> {
         Ok(match self {
             Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
                 chapter: Some(name),
                 ..
             } => Place::Chapter {
-                number: find_chapter(book.library(), name)?,
+                number: find_chapter(data.book.library(), name)?,
             },
             Self::Lab => Place::Lab,
             Self::Quiz { code, .. } => Place::Quiz {
-                code: round(code.as_ref(), options),
+                code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class { code, teams } => Place::Class {
-                code: code.clone(),
+                code: filled(code.as_ref(), &data.own)?,
                 teams: teams.clone().unwrap_or_default().0,
             },
             Self::Foil => Place::Foil,
@@ -170,7 +175,7 @@ impl Screen {
             Self::Progress(_) => Place::Progress,
             Self::Levels { name: None } => Place::Levels,
             Self::Levels { name: Some(name) } => {
-                let number = shelf.find(name);
+                let number = data.shelf.find(name);
                 let number = number.ok_or_else(|| {
                     format!(
                         "expected the id of a level, such as dead-stop, found \"{}\"",
@@ -203,8 +208,20 @@ fn teams(text: &str) -> Result<Teams, String> {
 }
 
 /// The round that is asked for: by its code, or ten hits by a seed alone.
-fn round(code: Option<&Code>, options: &Options) -> Option<Code> {
-    code.cloned().or_else(|| options.seed.map(Code::hits))
+///
+/// # Errors
+/// If it is of own questions and there are none, in words.
+fn round(
+    code: Option<&Code>,
+    options: &Options,
+    own: &Arc<concepts::Library>,
+) -> Result<Option<Code>, String> {
+    Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
+}
+
+/// A code with the questions of the teacher's own, where it asks for them.
+fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Code>, String> {
+    code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
 /// The place of a chapter by its number or its name, from 0.
@@ -224,18 +241,14 @@ fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
-fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
-    let (shelf, book) = (options.shelf(), options.book());
-    let place = screen.map_or(Ok(Place::Home), |screen| {
-        screen.place(&shelf, &book, options)
-    })?;
-    Ok(App::with_data(
-        shelf,
-        book,
-        place,
-        options.settings(auto),
-        seed,
-    ))
+fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Result<App, String> {
+    let data = Data {
+        shelf: options.shelf(),
+        book: options.book(),
+        own: options.own(),
+    };
+    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&data, options))?;
+    Ok(App::with_data(data, place, options.settings(auto), seed))
 }
 
 /// Does what the arguments (the first is the program's name) ask for.
@@ -261,7 +274,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             progress::run(args, &cli.options)
         }
         Some(Command::Open(Screen::Quiz { code, plain: true })) => {
-            plain::quiz(round(code.as_ref(), &cli.options), &cli.options)
+            plain::quiz(code.as_ref(), &cli.options)
         }
         Some(Command::Open(Screen::Learn {
             chapter,
@@ -273,6 +286,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Replay(args)) => replay::run(args),
         Some(Command::Level(args)) => level::run(args),
         Some(Command::Lesson(args)) => lesson::run(args),
+        Some(Command::Concept(args)) => concept::run(args),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
@@ -308,7 +322,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(screen, &options, Look::PLAINEST, seed)?;
+    let app = app(screen, &options, Auto::PLAINEST, seed)?;
     Ok((app, options))
 }
 

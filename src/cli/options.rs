@@ -1,11 +1,13 @@
 //! Options that every command takes.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
 use crate::game::is_player_name;
+use crate::quiz::concepts::Library;
 use crate::screens::{Book, Settings, Shelf};
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
@@ -38,6 +40,10 @@ pub struct Options {
     /// several times
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     lessons: Vec<PathBuf>,
+    /// Folder with written questions of your own, asked in rounds of their own; may be
+    /// given several times
+    #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
+    concepts: Vec<PathBuf>,
     /// Folder for what carrom keeps, such as saved games and every answer (default: the
     /// system's place for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
@@ -72,12 +78,12 @@ enum PaletteChoice {
 
 /// What `auto` means for charset and colours.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct Auto {
     pub(super) charset: Charset,
     pub(super) depth: Depth,
 }
 
-impl Look {
+impl Auto {
     /// What shows anywhere.
     pub(super) const PLAINEST: Self = Self {
         charset: Charset::Ascii,
@@ -111,6 +117,11 @@ impl Options {
             } else {
                 self.levels
             },
+            concepts: if self.concepts.is_empty() {
+                other.concepts
+            } else {
+                self.concepts
+            },
             data_dir: self.data_dir.or(other.data_dir),
         }
     }
@@ -131,7 +142,7 @@ impl Options {
     }
 
     /// What the player has set, with `auto` standing for the given look.
-    pub(super) fn settings(&self, auto: Look) -> Settings {
+    pub(super) fn settings(&self, auto: Auto) -> Settings {
         let defaults = Settings::default();
         Settings {
             charset: self.charset(auto.charset),
@@ -176,6 +187,16 @@ impl Options {
             library.add_dir(dir);
         }
         Book::new(library)
+    }
+
+    /// The written questions of the folders given. Files that are no good are left out
+    /// and listed where a round of them is chosen.
+    pub(super) fn own(&self) -> Arc<Library> {
+        let mut library = Library::default();
+        for dir in &self.concepts {
+            library.add_dir(dir);
+        }
+        Arc::new(library)
     }
 
     /// The folder for what carrom keeps, if one is given.

@@ -54,7 +54,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
         let (app, options) = super::open_within(arguments, options)?;
         Ok(match options.given_data_dir() {
             Some(folder) => {
-                let store = Store::in_folder(folder).timeless();
+                let store = Store::in_folder(folder).timeless().with_own(app.own());
                 Headless::keeping(app, 80, 24, store)
             }
             None => Headless::from(app),

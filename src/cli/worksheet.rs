@@ -51,7 +51,9 @@ pub(super) struct Args {
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
-    let round = Round::of(code(args, options).map_err(Failure::Input)?);
+    let code = code(args, options).map_err(Failure::Input)?;
+    let code = code.with_own(&options.own());
+    let round = Round::of(code.map_err(|error| Failure::Input(anyhow!(error)))?);
     let worksheet = Worksheet::new(&round, args.title.as_deref());
     let files = files(&worksheet, args.with_key);
     let written = write(args, &files)?;

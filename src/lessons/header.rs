@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::Shot;
 use super::source::{FORMAT, Line, Source};
 use super::words::Words;
-use crate::files::Fault;
+use crate::files::{Fault, newer};
 
 /// What stands before and after a header.
 const FENCE: &str = "+++";
@@ -130,12 +130,13 @@ pub(super) fn read(source: &Source) -> Result<Header, Fault> {
 fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), Fault> {
     let expected = f64::from(FORMAT);
     match format {
-        None => Err(tables.source.fault(1, format!("expected format = {FORMAT}, found none"))),
+        None => Err(tables
+            .source
+            .fault(1, format!("expected format = {FORMAT}, found none"))),
         Some((_, Some(found))) if (found - expected).abs() <= 0.0 => Ok(()),
-        Some((at, Some(found))) if found > expected => Err(tables.fault(
-            at,
-            format!("format: {found} is newer than the {FORMAT} this carrom reads; a newer carrom may open the file"),
-        )),
+        Some((at, Some(found))) if found > expected => {
+            Err(tables.fault(at, format!("format: {}", newer(found, FORMAT))))
+        }
         Some((at, _)) => Err(tables.fault(at, format!("expected format = {FORMAT}"))),
     }
 }

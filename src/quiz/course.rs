@@ -1,11 +1,13 @@
 //! What a round is made of, and the code that fixes it.
 
 use std::fmt;
+use std::sync::Arc;
 
+use super::concepts::Library;
 use super::{Family, families};
 
 /// What a round is made of.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     /// Which questions.
     pub kind: CourseKind,
@@ -14,7 +16,7 @@ pub struct Course {
 }
 
 /// Which questions a round asks.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum CourseKind {
     /// Ten hits to predict: the round a bare number is the code of.
     Hits,
@@ -26,8 +28,11 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
-    /// These families, because they are due.
-    Review(Vec<Family>),
+    /// A question about each of these topics, because they are due.
+    Review(Vec<String>),
+    /// Written questions that are not in the program: a teacher's own. In a code that
+    /// was only just read there are none yet: [`Code::with_own`] gives them.
+    Own(Arc<Library>),
 }
 
 impl CourseKind {
@@ -44,6 +49,7 @@ impl CourseKind {
             Self::Exam => "exam",
             Self::Topic(family) => family.id(),
             Self::Review(_) => "review",
+            Self::Own(_) => "own",
         }
     }
 
@@ -56,16 +62,18 @@ impl CourseKind {
             Self::Exam => "exam",
             Self::Topic(family) => family.name(),
             Self::Review(_) => "review",
+            Self::Own(_) => "your own questions",
         }
     }
 
     /// How many questions it has unless told otherwise.
-    pub const fn length(&self) -> usize {
+    pub fn length(&self) -> usize {
         match self {
-            Self::Quick | Self::Review(_) => 5,
+            Self::Quick => 5,
+            Self::Review(topics) => topics.len(),
             Self::Exam => 15,
             Self::Topic(_) => 6,
-            Self::Hits | Self::Mixed => families::where_to::LENGTH,
+            Self::Hits | Self::Mixed | Self::Own(_) => families::where_to::LENGTH,
         }
     }
 
@@ -74,6 +82,7 @@ impl CourseKind {
         let topic = || Self::topics().find(|family| family.id() == id);
         Self::ALWAYS
             .into_iter()
+            .chain([Self::Own(Arc::default())])
             .find(|kind| kind.id() == id)
             .or_else(|| topic().map(Self::Topic))
     }
@@ -98,10 +107,10 @@ impl Course {
     }
 
     /// A round of so many questions, held from 1 to [`Course::MOST`]; ten hits are
-    /// always ten.
+    /// always ten, and a review has a question a topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
-            CourseKind::Hits => kind.length(),
+            CourseKind::Hits | CourseKind::Review(_) => kind.length(),
             _ => count.clamp(1, Self::MOST),
         };
         Self { kind, count }
@@ -117,8 +126,9 @@ impl Course {
 /// every version.
 ///
 /// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, and `hits-7` or
-/// simply `7` for ten hits.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// simply `7` for ten hits. Only `own-7` hangs on something else: on the files of own
+/// questions being the same.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// What the round is made of.
     pub course: Course,
@@ -158,6 +168,24 @@ impl Code {
     }
 }
 
+impl Code {
+    /// The code with these own questions, where it asks for own ones.
+    ///
+    /// # Errors
+    /// If it does and there are none, in words.
+    pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
+        if let CourseKind::Own(library) = &mut self.course.kind {
+            if own.concepts.is_empty() {
+                return Err(format!(
+                    "expected questions of your own for the code {self}; --concepts gives their folder"
+                ));
+            }
+            *library = Arc::clone(own);
+        }
+        Ok(self)
+    }
+}
+
 impl fmt::Display for Code {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Course { kind, count } = &self.course;
@@ -183,6 +211,8 @@ mod tests {
             "exam-3",
             "speeds-12",
             "from-angle4-12",
+            "own-7",
+            "own3-7",
         ] {
             let code = Code::parse(text).unwrap_or_else(|| panic!("{text}"));
             assert_eq!(code.to_string(), text);

@@ -30,8 +30,10 @@ mod quantity;
 mod question;
 mod rays;
 mod reasoning;
+mod review;
 mod round;
 mod summary;
+mod topics;
 pub mod words;
 
 pub use answer::{Answer, Said};

@@ -133,6 +133,19 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// Text over as many rows as it takes, those after the first set in by `indent`: the
+    /// rest of an equation is no equation of its own.
+    pub fn set_in(&mut self, text: &str, indent: u16, role: Role) {
+        let rows = self.wrapped(text);
+        let Some((first, rest)) = rows.split_first() else {
+            return;
+        };
+        self.line(first, role);
+        if !rest.is_empty() {
+            self.hanging(&" ".repeat(indent.into()), &rest.join(" "), role);
+        }
+    }
+
     /// Text in several styles over as many rows as it takes, the rows after the first
     /// set in by `indent`; the first begins with `mark`.
     pub fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {

@@ -17,3 +17,5 @@ mod tapes;
 
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/keys.rs"]
+mod keys;

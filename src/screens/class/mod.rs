@@ -19,6 +19,7 @@ mod spread_view;
 mod view;
 mod vote_view;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
@@ -53,9 +54,9 @@ enum Scene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub fn new(code: Option<&Code>, teams: Vec<String>) -> Self {
+    pub fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
         Self {
-            scene: Scene::SetUp(SetUp::new(code, teams)),
+            scene: Scene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
             paused: false,
             leaving: false,
         }
@@ -354,14 +355,14 @@ fn play_keys(play: &Play) -> Vec<Hint> {
                 Hint::new("x", "take back"),
             ],
         },
-        (Phase::Shot(shown), _) if !shown.told => vec![
+        (Phase::Shot(shown), _) if !shown.telling.is_told() => vec![
             Hint::new("Enter", "show it"),
             Hint::new("Space", "go on"),
             Hint::new(", .", "step"),
         ],
         (Phase::Shot(shown), _) => {
             let mut keys = vec![Hint::new("Enter", "the scores")];
-            if let Some(watch) = &shown.watch {
+            if let Some(watch) = shown.telling.watch() {
                 let space = if watch.clock().is_over() {
                     "again"
                 } else {

@@ -231,12 +231,12 @@ impl Play {
                 Polled::Ignored => {}
             },
             Phase::Shot(shown) => {
-                if shown.update(key) {
+                if shown.telling.update(key) {
                     return true;
                 }
-                if key == Key::Enter && !shown.told {
+                if key == Key::Enter && !shown.telling.is_told() {
                     // Nobody skips what happened by a key too many.
-                    shown.tell();
+                    shown.telling.tell();
                     return true;
                 }
             }
@@ -272,14 +272,14 @@ impl Play {
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration) {
         if let Phase::Shot(shown) = &mut self.phase {
-            shown.advance(passed);
+            shown.telling.advance(passed);
         }
     }
 
     /// When it next needs time.
     pub(super) fn wake(&self) -> Option<Duration> {
         match &self.phase {
-            Phase::Shot(shown) => shown.watch.as_ref()?.wake(),
+            Phase::Shot(shown) => shown.telling.wake(),
             _ => None,
         }
     }

@@ -2,7 +2,7 @@
 
 use super::words::{brief, degrees, padded, percent};
 use crate::messages::History;
-use crate::progress::{LATELY, Mastery, reviews, topics};
+use crate::progress::{LATELY, Mastery, Review, reviews, topics};
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role};
 
@@ -77,7 +77,8 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         return;
     };
     let mut head = String::new();
-    for review in reviews(&history.attempts).iter().take(LISTED) {
+    let reviews = reviews(&history.attempts).into_iter();
+    for review in reviews.filter(Review::comes_back).take(LISTED) {
         let when = review.when(now_s);
         if when != head {
             lines.line(&when, Role::Title);

@@ -22,7 +22,7 @@ use crate::progress::Attempt;
 use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary,
 };
-use crate::widgets::hit::{Layers, Watch};
+use crate::widgets::hit::{Layers, Telling, Watch};
 use crate::widgets::{AnswerInput, Scroll, Turned};
 
 /// Back to choosing a round.
@@ -68,9 +68,7 @@ struct Watched {
     question: Question,
     answer: Answer,
     /// The hit, where the question is about one.
-    watch: Option<Watch>,
-    /// Whether the outcome has been told; it stays so while the hit is seen again.
-    told: bool,
+    telling: Telling,
     /// The right shot, still to be seen, where the player's own was not it.
     remedy: Option<Watch>,
     /// Its number, from 0, where it was opened from the look back.
@@ -155,7 +153,7 @@ impl Quiz {
         };
         let mut watched = Watched::new(question.clone(), *answer, self.layers, cx);
         watched.opened = Some(at);
-        watched.tell();
+        watched.telling.tell();
         self.enter(Phase::Watch(Box::new(watched)));
     }
 
@@ -214,7 +212,9 @@ impl Quiz {
     /// A look back over the answers whose outcome has been told.
     fn summary(&self) -> Summary {
         let untold = match &self.phase {
-            Phase::Watch(watched) => usize::from(!watched.told && watched.opened.is_none()),
+            Phase::Watch(watched) => {
+                usize::from(!watched.telling.is_told() && watched.opened.is_none())
+            }
             _ => 0,
         };
         let told = self.answers.len().saturating_sub(untold);
@@ -282,20 +282,26 @@ impl Quiz {
         let Phase::Watch(watched) = &mut self.phase else {
             return Next::Ignored;
         };
-        if watched.update(key) {
+        if watched.telling.update(key) {
             return Next::Stay;
         }
         let opened = watched.opened;
         match key {
             // Nobody skips what happened by a key too many.
-            Key::Enter if !watched.told => watched.tell(),
-            Key::Enter if watched.remedy.is_some() => watched.watch = watched.remedy.take(),
+            Key::Enter if !watched.telling.is_told() => watched.telling.tell(),
+            Key::Enter if watched.remedy.is_some() => {
+                watched
+                    .remedy
+                    .take()
+                    .into_iter()
+                    .for_each(|remedy| watched.telling.show(remedy));
+            }
             Key::Enter | Key::Escape if opened.is_some() => {
-                self.layers = watched.layers().unwrap_or(self.layers);
+                self.layers = watched.telling.layers().unwrap_or(self.layers);
                 self.close(opened.unwrap_or(0), cx);
             }
             Key::Enter => {
-                self.layers = watched.layers().unwrap_or(self.layers);
+                self.layers = watched.telling.layers().unwrap_or(self.layers);
                 self.ask();
             }
             Key::Up => return self.scroll_by(-1, cx),
@@ -335,7 +341,9 @@ impl Quiz {
         match (mouse.kind, &mut self.phase) {
             (MouseKind::ScrollUp | MouseKind::ScrollDown, Phase::Watch(watched)) if on_picture => {
                 let later = mouse.kind == MouseKind::ScrollUp;
-                watched.update(Key::Char(if later { '.' } else { ',' }));
+                watched
+                    .telling
+                    .update(Key::Char(if later { '.' } else { ',' }));
             }
             (MouseKind::ScrollUp, _) => return self.scroll_by(-1, cx),
             (MouseKind::ScrollDown, _) => return self.scroll_by(1, cx),
@@ -406,50 +414,13 @@ impl Watched {
             }
             _ => (question.picture.collision().copied().map(watch), None),
         };
-        let told = watch.as_ref().is_none_or(Watch::is_told);
         Self {
             question,
             answer,
-            watch,
-            told,
+            telling: Telling::new(watch),
             remedy,
             opened: None,
         }
-    }
-
-    /// Takes a key of the hit's; says whether it was one.
-    fn update(&mut self, key: Key) -> bool {
-        let Some(watch) = &mut self.watch else {
-            return false;
-        };
-        let key = match key {
-            Key::Char(' ') if watch.clock().is_over() => Key::Char('a'),
-            key => key,
-        };
-        let taken = watch.update(key);
-        self.told |= watch.is_told();
-        taken
-    }
-
-    /// What is drawn on top of the hit, where there is one.
-    fn layers(&self) -> Option<Layers> {
-        self.watch.as_ref().map(Watch::layers)
-    }
-
-    /// Lets time pass.
-    fn advance(&mut self, passed: Duration) {
-        if let Some(watch) = &mut self.watch {
-            watch.advance(passed);
-            self.told |= watch.is_told();
-        }
-    }
-
-    /// Tells what happened at once.
-    fn tell(&mut self) {
-        if let Some(watch) = &mut self.watch {
-            watch.tell();
-        }
-        self.told = true;
     }
 }
 
@@ -498,14 +469,14 @@ impl Screen for Quiz {
 
     fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
         if let Phase::Watch(watched) = &mut self.phase {
-            watched.advance(passed);
+            watched.telling.advance(passed);
         }
         Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.phase {
-            Phase::Watch(watched) => watched.watch.as_ref().and_then(Watch::wake),
+            Phase::Watch(watched) => watched.telling.wake(),
             _ => None,
         }
     }
@@ -561,7 +532,7 @@ impl Screen for Quiz {
                 ),
                 Hint::new("Esc", "change it"),
             ],
-            Phase::Watch(watched) if !watched.told => vec![
+            Phase::Watch(watched) if !watched.telling.is_told() => vec![
                 Hint::new("Enter", "show it"),
                 Hint::new("Space", "go on"),
                 Hint::new(", .", "step"),
@@ -578,7 +549,7 @@ impl Screen for Quiz {
                 } else {
                     "look back"
                 };
-                let Some(watch) = &watched.watch else {
+                let Some(watch) = watched.telling.watch() else {
                     let away = if watched.opened.is_some() {
                         "back"
                     } else {

@@ -53,7 +53,7 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
 /// How a friend gets the same round; a review is its player's alone.
 fn for_a_friend(code: &Code) -> Option<String> {
     match code.course.kind {
-        CourseKind::Review(_) => None,
+        CourseKind::Review(_) | CourseKind::Own(_) => None,
         CourseKind::Hits => Some(format!(
             "The same ten for a friend: carrom quiz --seed {code}"
         )),

@@ -70,7 +70,9 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
         Phase::Confidence(asked, chosen) => {
             panel::confidence(asked, *chosen, quiz.tells_at_end(), lines);
         }
-        Phase::Watch(watched) if watched.told => panel::told(watched, lines, look.charset),
+        Phase::Watch(watched) if watched.telling.is_told() => {
+            panel::told(watched, lines, look.charset);
+        }
         Phase::Watch(watched) => panel::untold(watched, lines),
         Phase::Summary(at) => {
             summary::write(quiz, *at, lines);
@@ -95,9 +97,13 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             );
         }
         Phase::Watch(watched) => {
-            let side = if watched.told { "and why" } else { "watch" };
+            let side = if watched.telling.is_told() {
+                "and why"
+            } else {
+                "watch"
+            };
             draw_frames(&layout, buf, &look, &title(watched), side);
-            match &watched.watch {
+            match watched.telling.watch() {
                 Some(watch) => watch.draw(layout.picture, buf, &look),
                 None => draw_question(layout.picture, buf, &look, &watched.question, None),
             }
@@ -152,11 +158,11 @@ pub(super) fn first_line(quiz: &Quiz, at: usize, text: Rect, look: Look) -> u16 
 }
 
 fn title(watched: &Watched) -> String {
-    let Some(watch) = &watched.watch else {
+    let Some(watch) = watched.telling.watch() else {
         return watched.question.family.name().into();
     };
     if let Form::Shot(aim) = &watched.question.form
-        && watched.told
+        && watched.telling.is_told()
         && watch.frame() == Frame::Laboratory
     {
         let does_it = watch.collision().offset == aim.offset;
@@ -167,11 +173,5 @@ fn title(watched: &Watched) -> String {
         }
         .into();
     }
-    match watch.frame() {
-        Frame::Laboratory => {
-            format!("the hit, slowed {:.0}×", watch.clock().slowed())
-        }
-        Frame::CentreOfMass => "seen from the centre of mass".into(),
-        Frame::Target => "seen riding with the target".into(),
-    }
+    watch.title()
 }

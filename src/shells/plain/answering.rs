@@ -64,8 +64,8 @@ pub(super) fn rays(
     let help = format!(
         "Type an angle in degrees from the striker's old direction, such as 30, or still for a \
          disc that stays where it is. The striker counts to the side away from the {target}, the \
-         {target} to its own side; a minus turns to the other side. Rims are smooth unless the question says \
-         otherwise. Type skip to leave it open."
+         {target} to its own side; a minus turns to the other side. Rims are smooth unless the \
+         question says otherwise. Type skip to leave it open."
     );
     let striker = [
         question,
@@ -126,10 +126,11 @@ fn skipped<T>(heard: &str, read: impl Fn(&str) -> Result<T, String>) -> Result<O
 pub(super) fn number(heard: &str, least: f64, most: f64) -> Result<f64, String> {
     let number = heard.replace(',', ".").replace('−', "-");
     let number = number.trim_start_matches('+');
-    let end = number
-        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-')))
-        .unwrap_or(number.len());
-    let number: Option<f64> = number[..end].parse().ok();
+    // A power of ten as in 1e3 must be read whole; only then may a unit be cut off.
+    let word = number.split_whitespace().next().unwrap_or_default();
+    let not_a_digit = |c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-'));
+    let digits = word.split(not_a_digit).next().unwrap_or_default();
+    let number: Option<f64> = word.parse().or_else(|_| digits.parse()).ok();
     number
         .filter(|number| (least..=most).contains(number))
         .map(|number| number + 0.0)
@@ -185,14 +186,12 @@ mod tests {
             ("+2,5 m/s", 2.5),
             ("-30 degrees", -30.0),
             ("−30", -30.0),
+            ("1.2e-1", 0.12),
         ] {
             assert_eq!(number(heard, -180.0, 180.0), Ok(read), "{heard}");
         }
         for heard in ["", "sixty", "NaN", "inf", "1e3", "181", "--3", "1.2.3", "."] {
-            assert!(
-                number(heard, -180.0, 180.0).is_err() || heard == "1e3",
-                "{heard}"
-            );
+            assert!(number(heard, -180.0, 180.0).is_err(), "{heard}");
         }
     }
 

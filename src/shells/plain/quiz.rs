@@ -1,10 +1,13 @@
 //! A round of the quiz in lines.
 
+use std::sync::Arc;
+
 use super::answering::{answer, confidence};
 use super::picture::describe;
 use super::talk::{Asked, Leave, Talk};
 use crate::messages::{Done, Request, Wish};
-use crate::progress::{Attempt, reviews};
+use crate::progress::{Attempt, Due};
+use crate::quiz::concepts::Library;
 use crate::quiz::{
     Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain,
 };
@@ -13,11 +16,10 @@ use crate::store::Store;
 /// Who plays, and where what is answered is kept.
 pub struct Keeper<'a> {
     /// The name of the player.
-    pub player: &'a str,
-    /// Where it is kept.
-    pub store: &'a mut Store,
+    pub(super) player: &'a str,
+    store: &'a mut Store,
     /// Whether it has been said that nothing can be kept.
-    pub(super) complained: bool,
+    complained: bool,
 }
 
 impl<'a> Keeper<'a> {
@@ -61,17 +63,23 @@ pub fn quiz(
     keeper: &mut Keeper,
     code: Option<Code>,
     seed: u64,
+    own: &Arc<Library>,
 ) -> Result<(), Leave> {
     talk.say("carrom, the quiz. Type help at any question, and quit to leave.")?;
     let round = match code {
         Some(code) => Round::of(code),
-        None => choose(talk, keeper, seed)?,
+        None => choose(talk, keeper, seed, own)?,
     };
     play(talk, keeper, &round)
 }
 
 /// Asks which round it shall be.
-fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leave> {
+fn choose(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    seed: u64,
+    own: &Arc<Library>,
+) -> Result<Round, Leave> {
     let due = due(talk, keeper)?;
     let mut kinds: Vec<(String, CourseKind)> = CourseKind::ALWAYS
         .into_iter()
@@ -80,10 +88,13 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
             (about, kind)
         })
         .collect();
-    if !due.is_empty() {
-        let names: Vec<&str> = due.iter().map(|family| family.name()).collect();
-        let about = format!("review what is due: {}", names.join("; "));
-        kinds.push((about, CourseKind::Review(due)));
+    if let Some(review) = due.course() {
+        let about = format!("review what is due: {}", due.first().join("; "));
+        kinds.push((about, review));
+    }
+    if !own.concepts.is_empty() {
+        let about = format!("your own questions, of {}", own.concepts.len());
+        kinds.push((about, CourseKind::Own(Arc::clone(own))));
     }
     for family in Family::ALL {
         if let Some(kind) = CourseKind::with_id(family.id()) {
@@ -93,6 +104,8 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
     let mut lines = vec!["Which round?".to_owned()];
     let each = (1..).zip(&kinds);
     lines.extend(each.map(|(number, (about, _))| format!("{number}: {about}.")));
+    let left_out = own.problems.iter();
+    lines.extend(left_out.map(|problem| format!("Left out of your own questions: {problem}.")));
     lines.push("Type its number, or the code of a round, such as mixed-7.".into());
     let asked = Asked {
         lines: &lines,
@@ -105,7 +118,7 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
         if let Some((_, kind)) = chosen {
             return Ok(Round::new(Course::new(kind.clone()), seed));
         }
-        match Code::parse(heard) {
+        match Code::parse(heard).and_then(|code| code.with_own(own).ok()) {
             Some(code) if number.is_none() => Ok(Round::of(code)),
             _ => Err(format!(
                 "Please type a number from 1 to {}, or a code such as mixed-7.",
@@ -115,24 +128,13 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
     })
 }
 
-/// The families that are due for this player.
-fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Vec<Family>, Leave> {
+/// What is due for this player.
+fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Due, Leave> {
     let player = keeper.player.to_owned();
-    let Done::Recalled(Ok(history)) = keeper.wish(talk, Wish::Recall(Some(player)))? else {
-        return Ok(Vec::new());
-    };
-    let Some(now_s) = history.now_s else {
-        return Ok(Vec::new());
-    };
-    let mut due: Vec<Family> = Vec::new();
-    for review in reviews(&history.attempts) {
-        if let Some(family) = Family::with_id(&review.family).filter(|_| review.is_due(now_s))
-            && !due.contains(&family)
-        {
-            due.push(family);
-        }
+    match keeper.wish(talk, Wish::Recall(Some(player)))? {
+        Done::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, history.now_s)),
+        _ => Ok(Due::default()),
     }
-    Ok(due)
 }
 
 /// Plays a round to its end.
@@ -246,7 +248,7 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     }
     talk.say(&summary.advice())?;
     match round.course().kind {
-        CourseKind::Review(_) => Ok(()),
+        CourseKind::Review(_) | CourseKind::Own(_) => Ok(()),
         _ => talk.say(&format!(
             "The same round for a friend: the code {}.",
             round.code()

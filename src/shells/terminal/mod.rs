@@ -74,6 +74,9 @@ type Screen = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
 /// Runs `app` in the terminal until it is left, and keeps its games in `store`. The
 /// terminal is afterwards as it was before, however the run ends.
+///
+/// # Errors
+/// If the terminal cannot be used, or no longer.
 pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     #[cfg(unix)]

@@ -24,6 +24,9 @@ pub enum Unusable {
 
 /// Makes sure that there is a terminal to play in. `env` reads a variable of the
 /// environment.
+///
+/// # Errors
+/// Why not, with what to use instead.
 pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
     if !io::stdin().is_terminal() {
         return Err(Unusable::NoTerminal("standard input"));

@@ -9,6 +9,9 @@ use crate::widgets::ink::{Pen, Sheet};
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
 
+/// Longest arrow along n inside the discs, as a share of the way between the centres.
+const SHORT: f64 = 0.85;
+
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
 
@@ -40,6 +43,32 @@ impl Arrows {
             Some(room.max(0.0) * fastest / v.length())
         });
         let longest = room.fold(longest, f64::min);
+        Self {
+            per_speed: if fastest > 0.0 {
+                longest / fastest
+            } else {
+                0.0
+            },
+            fastest,
+        }
+    }
+
+    /// The largest scale at which u and its parts, drawn from the striker's centre, stay
+    /// within the picture, and the part along n short of the coin's letter.
+    pub(super) fn fit_split(stage: &Stage, u: DVec2, n: DVec2) -> Self {
+        let fastest = u.length();
+        let from = stage.centres[0];
+        let along = u.dot(n) * n;
+        let room = |v: DVec2| {
+            let direction = v.try_normalize()?;
+            Some(stage.room(from, direction) * fastest / v.length())
+        };
+        let short = SHORT * stage.collision.reach() * fastest / along.length();
+        let longest = [u, along, u - along]
+            .into_iter()
+            .filter_map(room)
+            .chain([short])
+            .fold(LONGEST * stage.unit(), f64::min);
         Self {
             per_speed: if fastest > 0.0 {
                 longest / fastest

@@ -99,6 +99,11 @@ impl Moment<'_> {
         self.layers.shows(layer)
     }
 
+    /// Whether the picture is of the split of u alone, with all its room for that.
+    fn is_split_alone(&self) -> bool {
+        self.shows(Layer::Split) && !self.shows(Layer::Velocities)
+    }
+
     /// Draws it.
     pub(super) fn draw(&self, buf: &mut Buffer, look: &Look) {
         let mut sheet = Sheet::new(self.stage.view, look.charset);
@@ -115,7 +120,11 @@ impl Moment<'_> {
         let collision = &self.stage.collision;
         let before = [collision.u1 - self.drift(), collision.u2 - self.drift()];
         let after = self.after(time);
-        let arrows = Arrows::fit(&self.stage, before, after);
+        let normal = self.outcome.normal.filter(|_| self.is_split_alone());
+        let arrows = match normal {
+            Some(n) => Arrows::fit_split(&self.stage, before[0], n),
+            None => Arrows::fit(&self.stage, before, after),
+        };
         let beats = self.clock.beats();
         if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
             if beats >= 1 && self.shows(Layer::Lines) {
@@ -144,13 +153,13 @@ impl Moment<'_> {
             if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {
                 self.prediction(&mut sheet, &mut labels);
             }
-            if self.shows(Layer::Angles) && self.outcome.hit() {
-                self.angles(&mut sheet, &mut labels, after);
-            }
             if self.shows(Layer::Velocities) {
                 let turns = self.sticks() && self.frame == Frame::CentreOfMass;
                 let at = if turns { now } else { self.stage.centres };
                 self.outgoing(&mut sheet, &mut labels, &arrows, after, at);
+            }
+            if self.shows(Layer::Angles) && self.outcome.hit() {
+                self.angles(&mut sheet, &mut labels, after);
             }
             // From the centre of mass the triangle is none: the two cancel.
             let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
@@ -194,7 +203,17 @@ impl Moment<'_> {
             self.stage.centres[0] - 1.5 * unit * n,
             self.stage.centres[1] + 1.5 * unit * n,
         ];
-        sheet.line(ends[0], ends[1], self.pen(Role::LineOfImpact).dashed());
+        let pen = self.pen(Role::LineOfImpact).dashed();
+        if self.is_split_alone() {
+            // Within the discs there are arrows to be read.
+            for (body, end) in ends.into_iter().enumerate() {
+                let centre = self.stage.centres[body];
+                let rim = centre + self.stage.radius(body) * (end - centre).normalize_or_zero();
+                sheet.line(rim, end, pen);
+            }
+        } else {
+            sheet.line(ends[0], ends[1], pen);
+        }
         let top = 1.7 * unit * t;
         sheet.line(-top, top, self.pen(Role::TangentLine).dotted());
         labels.add("n", ends[0], Side::towards(-n), Role::LineOfImpact);

@@ -10,7 +10,7 @@ use super::layers::{Layer, Layers};
 use super::mark::Mark;
 use super::picture::Moment;
 use super::playback::{FRAME, Playback};
-use super::stage::{HALF_HEIGHT, Stage};
+use super::stage::{Stage, time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
@@ -20,10 +20,6 @@ use crate::widgets::{Look, Role};
 const STEP: f64 = 1.0 / 96.0;
 /// Share of the whole that `<` and `>` scrub by.
 const SCRUB: f64 = 1.0 / 16.0;
-
-/// Half of the picture's shorter side in which a disc is seen whole, in radii of the
-/// larger disc.
-const SIGHT: f64 = HALF_HEIGHT - 0.1;
 
 /// A hit being watched.
 #[derive(Debug, Clone)]
@@ -139,6 +135,15 @@ impl Watch {
         self.clock.beats() == super::playback::BEATS
     }
 
+    /// What the picture shows, and how: its title.
+    pub fn title(&self) -> String {
+        match self.frame() {
+            Frame::Laboratory => format!("the hit, slowed {:.0}×", self.clock.slowed()),
+            Frame::CentreOfMass => "seen from the centre of mass".into(),
+            Frame::Target => "seen riding with the target".into(),
+        }
+    }
+
     /// What the picture is just showing, before it is told what happened.
     pub fn telling(&self) -> &'static str {
         match self.clock.beats() {
@@ -216,30 +221,8 @@ impl Watch {
     }
 }
 
-/// How long after the contact both discs are whole in the picture, from whichever frame
-/// they are seen, in seconds.
-fn time_in_sight(collision: &Collision) -> f64 {
-    let largest = collision.striker.radius.max(collision.target.radius);
-    let (centre1, centre2) = collision.placed_at_contact();
-    let frames = [Frame::Laboratory, Frame::CentreOfMass, Frame::Target];
-    let ways = frames.into_iter().flat_map(|frame| {
-        let drift = frame.velocity(collision);
-        let [v1, v2] = collision.centres_after();
-        [
-            (centre1, collision.striker.radius, v1 - drift),
-            (centre2, collision.target.radius, v2 - drift),
-        ]
-    });
-    let times = ways.flat_map(|(from, radius, v)| {
-        let half = SIGHT * largest - radius;
-        [(from.x, v.x), (from.y, v.y)]
-            .map(|(from, v)| (half - from * v.signum()).max(0.0) / v.abs())
-    });
-    times.fold(f64::INFINITY, f64::min)
-}
-
 /// When the discs meet and until when they are followed, in the shot's seconds: so
-/// that they come from the picture's edge and go to it, whatever their speeds.
+/// that they come from the picture's edge and go up to it, whatever their speeds.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
@@ -250,7 +233,7 @@ fn times(collision: &Collision) -> (f64, f64) {
         .max(relative);
     let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
     if lead.is_finite() && lead > 0.0 {
-        (lead, lead + (1.1 * lead).min(time_in_sight(collision)))
+        (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {
         // They move alike, or not at all: nothing ever happens.
         (1.0, 2.0)
