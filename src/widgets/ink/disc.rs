@@ -61,6 +61,18 @@ impl Sheet {
         }
     }
 
+    /// A disc as an outline that hides nothing, with its letter at `mark`: where it has
+    /// come to among things that are to be seen.
+    pub fn ring(&mut self, centre: DVec2, radius: f64, role: Role, letter: (char, DVec2)) {
+        if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
+            return self.disc(centre, radius, role, letter.0);
+        }
+        self.circle(centre, radius, Pen::new(role).on(Layer::Disc));
+        let place = self.paper(letter.1);
+        let upon = self.charset == Charset::Ascii;
+        self.stamp(place, &self.charset.text(&letter.0.to_string()), role, upon);
+    }
+
     /// Covers the cells under a disc, span by span; all measures on paper.
     fn cover(&mut self, centre: DVec2, radius: f64, role: Role) {
         if !(centre.is_finite() && radius.is_finite()) {
