@@ -113,6 +113,9 @@ impl Labels {
 
     /// Writes all of them.
     pub(super) fn write(self, sheet: &mut Sheet) {
+        for label in &self.waiting {
+            sheet.expect_label(label.anchor);
+        }
         let mut left = Vec::new();
         for label in self.waiting {
             let mut places = iter::once((label.anchor, label.sides)).chain(label.spare);

@@ -154,6 +154,24 @@ impl Sheet {
         self.label_at(text, anchor, sides, role, &places)
     }
 
+    /// Tells of a point that a label is still to be written for, so that labels written
+    /// before it leave its surroundings to it.
+    pub fn expect_label(&mut self, anchor: DVec2) {
+        let cell = self.view().to_cell(anchor);
+        if cell.is_finite() {
+            self.expected.push(self.counted(cell));
+        }
+    }
+
+    /// A cell counted from the corner of the area.
+    fn counted(&self, cell: DVec2) -> (i32, i32) {
+        let area = self.view().area();
+        (
+            cell.x.floor() as i32 - i32::from(area.x),
+            cell.y.floor() as i32 - i32::from(area.y),
+        )
+    }
+
     /// Writes a label at the first free place: up to so many rows away, beside its own
     /// anchor or not, with blanks at both ends or not, over strokes up to a layer.
     fn label_at(
@@ -171,10 +189,7 @@ impl Sheet {
             return false;
         }
         let area = self.view().area();
-        let at = (
-            cell.x.floor() as i32 - i32::from(area.x),
-            cell.y.floor() as i32 - i32::from(area.y),
-        );
+        let at = self.counted(cell);
         let width = i32::try_from(text.width()).unwrap_or(i32::MAX / 2);
         let spare = i32::from(area.width) - width;
         let margin = i32::from(spare >= 2);
@@ -237,8 +252,10 @@ impl Sheet {
             let aside = (x - column).max(column - (x + width - 1)).max(0);
             aside * aside + 4 * (row - y) * (row - y)
         };
+        let others = self.expected.iter().filter(|anchor| **anchor != own);
+        let others = others.chain(self.labels.iter().map(|label| &label.anchor));
+        let other = others.map(|anchor| apart(*anchor)).min();
         let own = apart(own);
-        let other = self.labels.iter().map(|label| apart(label.anchor)).min();
         other.is_none_or(|other| own <= 3 * other)
     }
 
