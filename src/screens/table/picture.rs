@@ -5,9 +5,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::arrange::Arrange;
+use super::pointer::Pointer;
 use super::preview::FirstHit;
 use super::replay::Replay;
-use super::sitting::Sitting;
+use super::sitting::{Hinted, Sitting};
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::physics::{Board, State, stopping_distance};
@@ -36,6 +37,7 @@ fn body(set: PieceSet, piece: Piece, at: DVec2) -> Body {
         radius: set.disc(piece).radius,
         role: words::role(piece),
         letter: words::letter(piece),
+        pointed_out: false,
     }
 }
 
@@ -59,9 +61,10 @@ pub(super) fn draw_coins(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: 
 pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &Look) {
     let mut sheet = sheet(area, look);
     let seat = sitting.seat();
-    let place = sitting.aim.place;
+    let aim = sitting.aimed();
+    let place = aim.place;
     let radius = sitting.set().striker_radius();
-    let heading = sitting.aim.heading(seat);
+    let heading = aim.heading(seat);
     let aids = sitting.options.aids;
     let hit = sitting
         .preview
@@ -70,6 +73,13 @@ pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &L
     if !sitting.is_practice() {
         own_side(&mut sheet, seat);
     }
+    let pointer = match &sitting.hint {
+        Some(Hinted::Told { pointer, .. }) => pointer.as_ref(),
+        _ => None,
+    };
+    if let Some(pointer) = pointer {
+        point_out(&mut sheet, pointer);
+    }
     if let Some(preview) = sitting.preview.as_ref().filter(|_| aids.line) {
         sheet.polyline(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
     } else {
@@ -77,8 +87,12 @@ pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &L
         sheet.arrow(from, from + STUB * heading, Role::Aim);
     }
     let striker = body(sitting.set(), Piece::Striker, place);
-    let coins = bodies(sitting.set(), sitting.game().coins());
-    sheet.discs(&coins.chain([striker]).collect::<Vec<_>>());
+    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+    if let Some(coin) = pointer.and_then(|pointer| discs.get_mut(pointer.coin)) {
+        coin.pointed_out = true;
+    }
+    discs.push(striker);
+    sheet.discs(&discs);
     if let Some(hit) = hit {
         let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
         if aids.ghost {
@@ -89,6 +103,15 @@ pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &L
         }
     }
     sheet.draw(buf, &look.theme);
+}
+
+/// Draws the coin's way into the pocket that a hint speaks of, and the pocket.
+fn point_out(sheet: &mut Sheet, pointer: &Pointer) {
+    let pen = Pen::new(Role::Good).on(Layer::Trail);
+    sheet.polyline(pointer.way.iter().copied(), pen.dotted());
+    if let Some(pocket) = pointer.pocket {
+        sheet.circle(pocket, Board::default().pocket_diameter / 2.0, pen);
+    }
 }
 
 /// The line of impact of a first hit; it has one, or it would be none.

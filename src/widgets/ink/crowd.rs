@@ -4,10 +4,22 @@ use glam::{DVec2, dvec2};
 
 use super::disc::{token, token_rows};
 use super::sheet::Sheet;
-use crate::widgets::Role;
+use crate::widgets::{Charset, Role};
 
 /// How far from its own cell a token may have to go, in cells.
 const FARTHEST: i32 = 4;
+
+/// The ring round a disc that is pointed out, in its radii.
+const RING: f64 = 1.25;
+
+/// Rows that discs among others must be high to be round. In blocks a disc of one row
+/// and a half is still told from its neighbours, and is where it is.
+const fn fewest_rows(charset: Charset) -> f64 {
+    match charset {
+        Charset::Ascii => token_rows(charset),
+        Charset::Unicode => 1.4,
+    }
+}
 
 /// A disc among others.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +32,8 @@ pub struct Body {
     pub role: Role,
     /// The letter in its middle where it is large; a space for none.
     pub letter: char,
+    /// Whether it is pointed out among the others.
+    pub pointed_out: bool,
 }
 
 /// A cell of the sheet: column and row.
@@ -35,9 +49,12 @@ impl Sheet {
     pub fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
-        if 2.0 * smallest / self.view().per_row() >= token_rows(self.charset) {
+        if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
             for body in bodies.iter().filter(|body| body.radius > 0.0) {
                 self.round(body.at, body.radius, body.role, body.letter);
+            }
+            for body in bodies.iter().filter(|body| body.pointed_out) {
+                self.circle(body.at, RING * body.radius, Role::Good);
             }
         } else {
             self.tokens(bodies);
@@ -45,9 +62,9 @@ impl Sheet {
     }
 
     fn tokens(&mut self, bodies: &[Body]) {
-        let mut crowd: Vec<(DVec2, Role)> = bodies
+        let mut crowd: Vec<(DVec2, &Body)> = bodies
             .iter()
-            .map(|body| (self.paper(body.at), body.role))
+            .map(|body| (self.paper(body.at), body))
             .filter(|(at, _)| self.holds(cell_of(*at)))
             .collect();
         let rank = |role| match role {
@@ -57,12 +74,12 @@ impl Sheet {
         };
         crowd.sort_by(|(a, first), (b, second)| {
             let apart = |at: &DVec2| at.distance(middle(cell_of(*at)));
-            let ranks = rank(*first).cmp(&rank(*second));
+            let ranks = rank(first.role).cmp(&rank(second.role));
             ranks.then_with(|| apart(a).total_cmp(&apart(b)))
         });
         let mut taken: Vec<Place> = Vec::with_capacity(crowd.len() + 2);
-        for (at, role) in crowd {
-            let text = token(role, self.charset);
+        for (at, body) in crowd {
+            let text = token(body.role, self.charset);
             let width = text.chars().count() as i32;
             let beside = width / 2;
             let is_free = |(column, row): Place| {
@@ -72,7 +89,12 @@ impl Sheet {
                 continue;
             };
             taken.extend((place.0 - beside..=place.0 + beside).map(|column| (column, place.1)));
-            self.stamp(middle(place), text, role, false);
+            self.stamp(middle(place), text, body.role, false);
+            if body.pointed_out
+                && let Some(glyph) = self.cell_at(middle(place)).and_then(|cell| cell.glyph.as_mut())
+            {
+                glyph.reversed = true;
+            }
         }
     }
 

@@ -122,6 +122,7 @@ impl Sheet {
                     role,
                     layer: if upon { Layer::Disc } else { Layer::Mark },
                     upon,
+                    reversed: false,
                 });
                 cell.reserved = true;
             }

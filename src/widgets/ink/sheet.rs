@@ -182,6 +182,11 @@ impl Sheet {
             } else {
                 theme.style(glyph.role)
             };
+            let style = if glyph.reversed {
+                style.add_modifier(Modifier::REVERSED)
+            } else {
+                style
+            };
             return (glyph.symbol, style);
         }
         let pen = cell.pen;

@@ -75,6 +75,7 @@ fn discs(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
             radius: piece.disc.radius,
             role: face.role,
             letter: face.letter,
+            pointed_out: false,
         })
     };
     sheet.discs(&discs.iter().filter_map(body).collect::<Vec<_>>());
