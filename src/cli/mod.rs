@@ -25,6 +25,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use anyhow::anyhow;
 use clap::{CommandFactory, Parser, Subcommand};
 
 pub use failure::Failure;
@@ -193,11 +194,7 @@ impl Screen {
 
 /// The code of a round.
 fn code(text: &str) -> Result<Code, String> {
-    Code::parse(text).ok_or_else(|| {
-        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
-         speeds-7, or 7 for ten hits"
-            .into()
-    })
+    Code::read(text).map_err(|error| error.to_string())
 }
 
 /// The names of the teams of a class.
@@ -254,6 +251,25 @@ fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Res
     Ok(App::with_data(data, place, options.settings(auto), seed))
 }
 
+impl Cli {
+    /// Checks what options say together.
+    ///
+    /// # Errors
+    /// What was expected.
+    fn check(&self) -> Result<(), String> {
+        let code = match &self.command {
+            Some(Command::Open(Screen::Quiz { code, .. } | Screen::Class { code, .. })) => code,
+            _ => &None,
+        };
+        match (code, self.options.seed) {
+            (Some(_), Some(_)) => {
+                Err("expected --seed or --code, not both: a code has its seed in it".into())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// Does what the arguments (the first is the program's name) ask for.
 ///
 /// # Errors
@@ -271,6 +287,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             });
         }
     };
+    cli.check()
+        .map_err(|error| Failure::Input(anyhow!(error)))?;
     match &cli.command {
         None => play::run(&cli.options, None),
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
@@ -287,9 +305,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
-        Some(Command::Level(args)) => level::run(args),
-        Some(Command::Lesson(args)) => lesson::run(args),
-        Some(Command::Concept(args)) => concept::run(args),
+        Some(Command::Level(args)) => level::run(args, &cli.options),
+        Some(Command::Lesson(args)) => lesson::run(args, &cli.options),
+        Some(Command::Concept(args)) => concept::run(args, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
@@ -330,6 +348,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
         let first = message.lines().next().unwrap_or_default();
         first.strip_prefix("error: ").unwrap_or(first).to_owned()
     })?;
+    cli.check()?;
     let screen = match &cli.command {
         None => None,
         Some(Command::Open(screen)) if screen.opens() => Some(screen),
@@ -339,6 +358,15 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     let seed = options.seed.unwrap_or(1);
     let app = app(screen, &options, Auto::PLAINEST, seed)?;
     Ok((app, options))
+}
+
+/// Writes words to standard output, in glyphs that it shows. They may quote anything.
+fn print_text(text: &str, options: &Options) -> io::Result<()> {
+    let mut text = harmless_lines(&options.printed().text(text));
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    print(text.as_bytes())
 }
 
 /// Writes to standard output. A reader who has seen enough (`carrom man | head`) is

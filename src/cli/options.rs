@@ -1,5 +1,6 @@
 //! Options that every command takes.
 
+use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -10,6 +11,7 @@ use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::quiz::concepts::Library;
 use crate::screens::{Book, Settings, Shelf};
+use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
 use crate::{lessons, levels};
@@ -135,6 +137,11 @@ impl Options {
             CharsetChoice::Ascii => Charset::Ascii,
             CharsetChoice::Unicode => Charset::Unicode,
         }
+    }
+
+    /// The glyphs to print with.
+    pub(super) fn printed(&self) -> Charset {
+        self.charset(terminal::charset(|name| env::var(name).ok()))
     }
 
     /// The name of the player.

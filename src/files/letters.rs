@@ -53,12 +53,26 @@ mod tests {
 
     #[test]
     fn names_stay_and_what_is_no_letter_goes() {
-        for name in ["Ada", "Zoë Müller-Łukasiewicz", "Zoe\u{308}", "球 さん", "שלום", "=1+1"] {
+        for name in [
+            "Ada",
+            "Zoë Müller-Łukasiewicz",
+            "Zoe\u{308}",
+            "球 さん",
+            "שלום",
+            "=1+1",
+        ] {
             assert_eq!(tidy_name(name), name);
         }
         assert_eq!(tidy_name("  Ada\n\x1b[31m "), "Ada [31m");
         assert_eq!(tidy_name("a\u{202e}b\u{200b}c\u{fffe}\u{200d}"), "abc");
-        for nobody in ["", " \t", "\u{200b}", "\u{fffe}", "\u{301}", "\u{200d}\u{202e}"] {
+        for nobody in [
+            "",
+            " \t",
+            "\u{200b}",
+            "\u{fffe}",
+            "\u{301}",
+            "\u{200d}\u{202e}",
+        ] {
             assert_eq!(tidy_name(nobody), "", "{nobody:?}");
         }
         let pile = format!("e{}", "\u{301}".repeat(1000));

@@ -44,6 +44,7 @@ impl Shots {
             Some(name) => Some(*self.0.get(&name).ok_or_else(|| self.unknown(&name))?),
         };
         let fields = words.fields(Shot::has);
+        Shot::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
         let mut shot = match named.or(usual) {
             None if fields.is_empty() => return Ok(None),
             shot => shot.unwrap_or_default(),
@@ -58,7 +59,9 @@ impl Shots {
     fn unknown(&self, name: &str) -> String {
         let known: Vec<_> = self.0.keys().map(String::as_str).collect();
         match known.as_slice() {
-            [] => format!("expected no shot, as the header has none, found {name}"),
+            [] => format!(
+                "expected fields such as alpha_deg=45, as no shot has a name here, found {name}"
+            ),
             known => format!(
                 "expected a shot of the header ({}), found {name}",
                 known.join(", ")
@@ -198,6 +201,8 @@ impl Tables<'_> {
             let DeValue::Table(fields) = fields.get_ref() else {
                 return Err(self.fault(at, "shot: expected a table of fields"));
             };
+            let names = fields.keys().map(|name| name.get_ref().as_ref());
+            Shot::check_fields(names).map_err(|message| self.fault(at, message))?;
             let mut shot = Shot::default();
             for (field, value) in fields {
                 let at = value.span().start;

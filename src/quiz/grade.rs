@@ -22,6 +22,10 @@ const NO_CREDIT: f64 = 7.5;
 /// no corner at either end. Infinite earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
+    if share >= 1.0 {
+        // The cosine of what is nearly a right angle is only nearly nothing.
+        return 0.0;
+    }
     (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2)
 }
 

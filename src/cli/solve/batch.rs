@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::answer::Answer;
-use super::lines::{LONGEST, Line, Lines};
+use super::lines::{LONGEST, Line, Lines, Trouble};
 use super::problem::Problem;
 use crate::files::BYTE_ORDER_MARK;
 
@@ -21,9 +21,16 @@ struct Refusal<'a> {
     error: &'a str,
 }
 
+impl Refusal<'_> {
+    fn write_line(&self, out: &mut impl Write) -> io::Result<()> {
+        serde_json::to_writer(&mut *out, self)?;
+        out.write_all(b"\n")
+    }
+}
+
 /// Answers every line of `input` that is not blank. A bad line is refused and the
 /// run goes on, to end with exit status 1.
-pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<ExitCode> {
+pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode, Trouble> {
     let mut lines = Lines::new(input);
     let mut status = ExitCode::SUCCESS;
     let mut number = 0;
@@ -42,15 +49,14 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<ExitC
             Line::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
         match answer {
-            Ok(answer) => answer.write_line(out)?,
+            Ok(answer) => answer.write_line(out).map_err(Trouble::Write)?,
             Err(error) => {
                 status = ExitCode::FAILURE;
                 let refusal = Refusal {
                     line: number,
                     error: &error,
                 };
-                serde_json::to_writer(&mut *out, &refusal)?;
-                out.write_all(b"\n")?;
+                refusal.write_line(out).map_err(Trouble::Write)?;
             }
         }
     }

@@ -87,7 +87,5 @@ impl From<Players> for [Player; 4] {
 /// Whether this can be shown as the name of a player: 1 to 40 letters, all of them
 /// visible.
 pub fn is_player_name(name: &str) -> bool {
-    !tidy_name(name).is_empty()
-        && name.chars().count() <= 40
-        && !name.chars().any(is_invisible)
+    !tidy_name(name).is_empty() && name.chars().count() <= 40 && !name.chars().any(is_invisible)
 }
