@@ -4,7 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::ink::{Pen, Sheet, View};
+use super::ink::{Layer, Pen, Sheet, View};
 use crate::levels::pockets;
 use crate::physics::Board;
 
@@ -77,9 +77,10 @@ pub fn ground(sheet: &mut Sheet, board: &Board) {
     }
 }
 
-/// A disc where it will touch; only its middle where it is too small to be round.
-pub fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64) {
-    let pen = Pen::new(Role::Predicted);
+/// A disc where it touches, as a dotted ring; only its middle where it is too small to
+/// be round.
+pub fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64, role: Role) {
+    let pen = Pen::new(role).on(Layer::Trail);
     if radius > sheet.view().per_row() {
         sheet.circle(at, radius, pen.dotted());
     } else {

@@ -96,7 +96,7 @@ pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &L
     if let Some(hit) = hit {
         let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
         if aids.ghost {
-            board::ghost(&mut sheet, ghost, radius);
+            board::ghost(&mut sheet, ghost, radius, Role::Predicted);
         }
         if aids.rays && !sitting.options.call {
             departures(&mut sheet, hit, ghost);
@@ -130,7 +130,9 @@ fn departures(sheet: &mut Sheet, hit: &FirstHit, ghost: DVec2) {
     for (from, v, role) in bodies {
         let way = stopping_distance(v.length(), slowing).min(LONGEST_RAY);
         if way > 1.5 * sheet.view().per_column() {
-            sheet.arrow(from, from + way * v.normalize_or_zero(), role);
+            // Discs run over it: none may be hidden by what is to come.
+            let pen = Pen::new(role).on(Layer::Trail);
+            sheet.arrow(from, from + way * v.normalize_or_zero(), pen);
         }
     }
 }

@@ -12,7 +12,7 @@ pub(super) fn shown(play: &Play, cx: &Context) -> Vec<Hint> {
             let mut hints = vec![
                 Hint::new("Enter", go),
                 Hint::new("Left Right", "set"),
-                Hint::new(", .", "finely"),
+                Hint::new(", . < >", "less, more"),
             ];
             if play.level.adjust.dials().count() > 1 {
                 hints.push(Hint::new("Up Down", "choose"));
