@@ -6,6 +6,7 @@
 
 mod chrome;
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -48,8 +49,12 @@ pub struct App {
     help: Option<usize>,
     /// What the player is to be told, until a key is pressed.
     notice: Option<String>,
-    /// Whether the player was told that nothing can be kept.
-    told_of_trouble: bool,
+    /// The tickets of what is being kept and takes long.
+    saving: BTreeSet<u64>,
+    /// How many things could not be kept.
+    lost: usize,
+    /// Whether the last one could not.
+    losing: bool,
 }
 
 impl App {
@@ -61,7 +66,9 @@ impl App {
             size: Rect::default(),
             help: None,
             notice: None,
-            told_of_trouble: false,
+            saving: BTreeSet::new(),
+            lost: 0,
+            losing: false,
         };
         app.start(place);
         app
@@ -142,6 +149,9 @@ impl App {
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
             Input::Thought(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Saving(ticket) => {
+                self.saving.insert(*ticket);
+            }
             Input::Kept(answer) => {
                 self.note(answer);
                 return self.pass_on(input);
@@ -162,6 +172,7 @@ impl App {
 
     /// Takes what is for no screen alone of what came of a request.
     fn note(&mut self, answer: &Answer) {
+        self.saving.remove(&answer.ticket);
         if answer.notice.is_some() {
             self.notice.clone_from(&answer.notice);
         }
@@ -178,15 +189,27 @@ impl App {
             _ => {}
         }
         match &answer.done {
-            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason))
-                if !self.told_of_trouble =>
-            {
-                self.told_of_trouble = true;
-                self.notice = Some(format!(
-                    "What you do cannot be kept: {reason}. You can go on all the same."
-                ));
+            Done::Noted(Ok(())) => self.losing = false,
+            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason)) => {
+                if !self.losing {
+                    self.notice = Some(format!(
+                        "What you do cannot be kept: {reason}. You can go on all the same."
+                    ));
+                }
+                self.losing = true;
+                self.lost += usize::from(matches!(answer.done, Done::Noted(_)));
             }
             _ => {}
+        }
+    }
+
+    /// What the player should see of keeping while it does not go as it should: empty as
+    /// long as it does.
+    fn keeping(&self) -> String {
+        match self.lost {
+            _ if !self.saving.is_empty() => "saving ..".into(),
+            0 => String::new(),
+            lost => format!("not kept: {lost}"),
         }
     }
 

@@ -17,12 +17,15 @@ mod simulate;
 mod solve;
 mod tape;
 mod worksheet;
+mod written;
 
+use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use anyhow::anyhow;
 use clap::{CommandFactory, Parser, Subcommand};
 
 pub use failure::Failure;
@@ -30,6 +33,7 @@ pub use options::Options;
 
 use crate::app::{App, Data};
 use crate::class::team_names;
+use crate::files::{harmless_lines, is_invisible};
 use crate::lessons::Library;
 use crate::quiz::{Code, concepts};
 use crate::screens::Place;
@@ -190,11 +194,7 @@ impl Screen {
 
 /// The code of a round.
 fn code(text: &str) -> Result<Code, String> {
-    Code::parse(text).ok_or_else(|| {
-        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
-         speeds-7, or 7 for ten hits"
-            .into()
-    })
+    Code::read(text).map_err(|error| error.to_string())
 }
 
 /// The names of the teams of a class.
@@ -251,6 +251,25 @@ fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Res
     Ok(App::with_data(data, place, options.settings(auto), seed))
 }
 
+impl Cli {
+    /// Checks what options say together.
+    ///
+    /// # Errors
+    /// What was expected.
+    fn check(&self) -> Result<(), String> {
+        let code = match &self.command {
+            Some(Command::Open(Screen::Quiz { code, .. } | Screen::Class { code, .. })) => code,
+            _ => &None,
+        };
+        match (code, self.options.seed) {
+            (Some(_), Some(_)) => {
+                Err("expected --seed or --code, not both: a code has its seed in it".into())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// Does what the arguments (the first is the program's name) ask for.
 ///
 /// # Errors
@@ -261,13 +280,15 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Err(message) => {
             // Help asked for goes to standard output, anything else to standard
             // error; if neither can be written there is nobody to tell.
-            let _ = message.print();
+            let _ = say(&message);
             return Ok(match message.exit_code() {
                 0 => ExitCode::SUCCESS,
                 _ => ExitCode::from(2),
             });
         }
     };
+    cli.check()
+        .map_err(|error| Failure::Input(anyhow!(error)))?;
     match &cli.command {
         None => play::run(&cli.options, None),
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
@@ -284,15 +305,27 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
-        Some(Command::Level(args)) => level::run(args),
-        Some(Command::Lesson(args)) => lesson::run(args),
-        Some(Command::Concept(args)) => concept::run(args),
+        Some(Command::Level(args)) => level::run(args, &cli.options),
+        Some(Command::Lesson(args)) => lesson::run(args, &cli.options),
+        Some(Command::Concept(args)) => concept::run(args, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
     }
+}
+
+/// Says what is wrong with the arguments, or the help that was asked for. It is coloured
+/// unless it quotes what would play tricks on the terminal.
+fn say(message: &clap::Error) -> io::Result<()> {
+    let plain = message.to_string();
+    let harmless = harmless_lines(&plain);
+    let quoted = env::args_os().any(|word| word.to_string_lossy().contains(is_invisible));
+    if quoted && message.use_stderr() {
+        return writeln!(io::stderr(), "{harmless}");
+    }
+    message.print()
 }
 
 /// The app that `carrom` with these arguments opens (in one string, split into
@@ -315,6 +348,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
         let first = message.lines().next().unwrap_or_default();
         first.strip_prefix("error: ").unwrap_or(first).to_owned()
     })?;
+    cli.check()?;
     let screen = match &cli.command {
         None => None,
         Some(Command::Open(screen)) if screen.opens() => Some(screen),
@@ -324,6 +358,15 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     let seed = options.seed.unwrap_or(1);
     let app = app(screen, &options, Auto::PLAINEST, seed)?;
     Ok((app, options))
+}
+
+/// Writes words to standard output, in glyphs that it shows. They may quote anything.
+fn print_text(text: &str, options: &Options) -> io::Result<()> {
+    let mut text = harmless_lines(&options.printed().text(text));
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    print(text.as_bytes())
 }
 
 /// Writes to standard output. A reader who has seen enough (`carrom man | head`) is

@@ -1,14 +1,17 @@
 //! Options that every command takes.
 
+use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
+use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::quiz::concepts::Library;
 use crate::screens::{Book, Settings, Shelf};
+use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
 use crate::{lessons, levels};
@@ -27,7 +30,8 @@ pub struct Options {
     #[arg(long, global = true, value_enum, value_name = "PALETTE")]
     palette: Option<PaletteChoice>,
     /// Fix everything that is left to chance, such as the questions of a quiz
-    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, global = true, value_name = "N", value_parser = seed,
+          allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
     /// Name of the player
     #[arg(long, global = true, value_name = "NAME", value_parser = player)]
@@ -135,6 +139,11 @@ impl Options {
         }
     }
 
+    /// The glyphs to print with.
+    pub(super) fn printed(&self) -> Charset {
+        self.charset(terminal::charset(|name| env::var(name).ok()))
+    }
+
     /// The name of the player.
     pub(super) fn player_name(&self) -> String {
         let name = self.player.clone();
@@ -230,11 +239,17 @@ fn folder(path: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// A name that can be shown: not empty, not endless, nothing but visible letters.
+/// A name that can be shown: not empty, not endless, and nothing but its visible letters.
 fn player(name: &str) -> Result<String, String> {
-    let name = name.trim();
-    if !is_player_name(name) {
+    let name = tidy_name(name);
+    if !is_player_name(&name) {
         return Err("expected a name of 1 to 40 visible letters".into());
     }
-    Ok(name.to_owned())
+    Ok(name)
+}
+
+/// A seed. Numbers may be as large as they are anywhere.
+fn seed(text: &str) -> Result<u64, String> {
+    let expected = || format!("expected a whole number from 0 to {}", u64::MAX);
+    text.parse().map_err(|_| expected())
 }

@@ -17,7 +17,7 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
     terminal::report_crashes(options.data_dir());
     let auto = Auto {
         charset: terminal::charset(env),
-        depth: terminal::depth(),
+        depth: terminal::depth(env),
     };
     let seed = options.seed.unwrap_or_else(any_seed);
     let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;

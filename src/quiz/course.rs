@@ -1,7 +1,9 @@
 //! What a round is made of, and the code that fixes it.
 
 use std::fmt;
+
 use std::sync::Arc;
+use thiserror::Error;
 
 use super::concepts::Library;
 use super::{Family, families};
@@ -136,6 +138,32 @@ pub struct Code {
     pub seed: u64,
 }
 
+/// Why a text is no code of a round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NoCode {
+    /// It does not look like one.
+    #[error(
+        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
+         speeds-7, or 7 for ten hits"
+    )]
+    Unlike,
+    /// A round has not so many questions.
+    #[error(
+        "expected 1 to {} questions in the code of a round, as in mixed12-7",
+        Course::MOST
+    )]
+    Count,
+    /// Ten hits are ten.
+    #[error("expected no number of questions for ten hits, as in hits-7")]
+    Hits,
+    /// A review is of what one player has answered.
+    #[error(
+        "a review has no code, as everyone has another; choose it in carrom quiz, or give \
+         a code such as mixed-7"
+    )]
+    Review,
+}
+
 impl Code {
     /// The code of the ten hits of a seed.
     pub fn hits(seed: u64) -> Self {
@@ -147,24 +175,38 @@ impl Code {
 
     /// Reads a code; `None` if it is none. Case and blanks around it do not matter.
     pub fn parse(text: &str) -> Option<Self> {
+        Self::read(text).ok()
+    }
+
+    /// The same.
+    ///
+    /// # Errors
+    /// Why it is none.
+    pub fn read(text: &str) -> Result<Self, NoCode> {
         let text = text.trim().to_ascii_lowercase();
         let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
         if !seed.bytes().all(|b| b.is_ascii_digit()) {
-            return None;
+            return Err(NoCode::Unlike);
         }
-        let seed = seed.parse().ok()?;
+        let seed = seed.parse().map_err(|_| NoCode::Unlike)?;
         let id = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let kind = CourseKind::with_id(id)?;
+        if id == "review" {
+            return Err(NoCode::Review);
+        }
+        let kind = CourseKind::with_id(id).ok_or(NoCode::Unlike)?;
         let course = match &name[id.len()..] {
             "" => Course::new(kind),
             count => {
-                let count = count.parse().ok()?;
-                let course = Course::of(kind, count);
-                // A count that would not be kept is no code of a round.
-                (course.count == count).then_some(course)?
+                let fixed = kind == CourseKind::Hits;
+                let course = (count.parse().ok())
+                    .map(|count| (count, Course::of(kind, count)))
+                    // A count that would not be kept is no code of a round.
+                    .filter(|(count, course)| course.count == *count);
+                let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
+                course.ok_or(no_count)?.1
             }
         };
-        Some(Self { course, seed })
+        Ok(Self { course, seed })
     }
 }
 

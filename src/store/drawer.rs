@@ -16,6 +16,7 @@ pub(super) struct Drawer<T> {
     read: Read<T>,
     /// What was last put or found under which name, by ticket.
     open: BTreeMap<u64, Open>,
+    notice: Option<String>,
 }
 
 /// Makes a thing of the bytes of a file of a name.
@@ -48,6 +49,7 @@ impl<T> Drawer<T> {
             kind,
             read: Box::new(read),
             open: BTreeMap::new(),
+            notice: None,
         }
     }
 
@@ -69,8 +71,20 @@ impl<T> Drawer<T> {
             return Ok(());
         }
         let name = self.shelf.add(self.kind, &text)?;
-        self.open.insert(ticket, Open { name, text });
+        let place = self.shelf.place(&name);
+        if let Some(before) = self.open.insert(ticket, Open { name, text }) {
+            self.notice = Some(format!(
+                "{} is no longer as it was saved here; another carrom may have it open. \
+                 From now on this is saved in {place}.",
+                self.shelf.place(&before.name),
+            ));
+        }
         Ok(())
+    }
+
+    /// What the player should know of it, once.
+    pub(super) fn take_notice(&mut self) -> Option<String> {
+        self.notice.take()
     }
 
     /// All there is, the latest first.

@@ -175,7 +175,9 @@ impl Store {
         Answer {
             ticket,
             done,
-            notice: self.progress.take_notice(),
+            notice: (self.progress.take_notice())
+                .or_else(|| self.games.take_notice())
+                .or_else(|| self.classes.take_notice()),
         }
     }
 

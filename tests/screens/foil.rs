@@ -179,3 +179,13 @@ fn the_last_page_says_what_was_counted_and_what_was_not() {
         assert!(text.contains(said), "{said} is not in {text}");
     }
 }
+
+#[test]
+fn a_number_out_of_range_tells_the_range() {
+    let mut game = foil(true, 1);
+    game.press("<Down><Down>500<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("10.00 MeV") && screen.contains("from 4 to 10 MeV"));
+    game.press("5<Enter>");
+    assert!(!game.screen().contains("from 4 to 10"));
+}

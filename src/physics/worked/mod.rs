@@ -90,8 +90,10 @@ fn knowns(c: &Collision, given: Given) -> Step {
     }
     lines.push(match given {
         Given::Angle => {
-            let alpha = c.alpha().map_or_else(|| "none".to_owned(), degrees);
-            format!("impact angle  α = {alpha}")
+            let none = || "impact angle  none: the target sees no motion of the striker".to_owned();
+            c.alpha().map_or_else(none, |alpha| {
+                format!("impact angle  α = {}", degrees(alpha))
+            })
         }
         Given::Offset => format!("offset   b = {} mm", mm(c.offset)),
     });

@@ -65,7 +65,7 @@ impl Class {
     fn key(&mut self, key: Key, leaving: bool, cx: &mut Context) -> Next {
         if self.paused {
             // Not any key: someone may lean on the table.
-            if matches!(key, Key::Char('p' | 'P' | ' ') | Key::Enter | Key::Escape) {
+            if matches!(key, Key::Char('p' | 'P')) {
                 self.paused = false;
             }
             return Next::Stay;
@@ -130,9 +130,7 @@ impl Class {
             }
             Key::Up => return self.scroll(-1, cx),
             Key::Down => return self.scroll(1, cx),
-            Key::Escape if leaving || play.is_over() || !play.round.is_begun() => {
-                return Next::Back;
-            }
+            Key::Escape if leaving || !play.asks_before_leaving() => return Next::Back,
             Key::Escape => self.leaving = true,
             _ => return Next::Ignored,
         }
@@ -271,6 +269,11 @@ impl Screen for Class {
                 Hint::new("d", "remove"),
                 Hint::new("Esc", "back"),
             ],
+            Scene::Play(play) if self.leaving && play.unsaved => vec![
+                Hint::new("Esc", "leave the round; it is lost"),
+                Hint::new("e", "write its tables"),
+                Hint::new("any other key", "stay"),
+            ],
             Scene::Play(_) if self.leaving => vec![
                 Hint::new("Esc", "leave the round; it is kept"),
                 Hint::new("any other key", "stay"),
@@ -305,7 +308,7 @@ impl Screen for Class {
                 ),
                 Hint::new("Space , . < > a f", "watch the hit, as in the lab"),
                 Hint::new("Up Down", "choose, or scroll"),
-                Hint::new("Esc", "leave; the round is kept"),
+                Hint::new("Esc", "leave; the round is kept where it can be saved"),
             ],
         }
     }

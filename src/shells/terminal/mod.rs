@@ -202,13 +202,18 @@ impl Run {
         Write::flush(self.screen.backend_mut())
     }
 
-    fn carry_out(&self, effects: &[Effect]) -> Flow {
+    fn carry_out(&mut self, effects: &[Effect]) -> Flow {
         let mut flow = Flow::Continue(());
         for effect in effects {
             match effect {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
-                Effect::Keep(request) => self.keeper.ask(request, &self.sender),
+                Effect::Keep(request) => {
+                    if self.keeper.ask(request, &self.sender) {
+                        // It asks for nothing itself.
+                        self.app.update(&Input::Saving(request.ticket));
+                    }
+                }
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export::write(name, content));
                     // Should nobody listen any more, nobody waits for it either.

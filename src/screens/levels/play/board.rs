@@ -9,7 +9,7 @@ use crate::levels::{Level, Scene};
 use crate::physics::{EventKind, Shot, State};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
-use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::ink::{Body, Layer, Pen, Sheet, Side, View};
 use crate::widgets::{Look, Role, board};
 
 /// Length of the arrow of the shot, in metres for each m/s.
@@ -67,12 +67,18 @@ fn labels(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
 }
 
 fn discs(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
-    for (disc, at) in discs {
-        if let Some(piece) = level.scene.pieces.get(*disc) {
-            let face = face(piece.kind);
-            sheet.disc(*at, piece.disc.radius, face.role, face.letter);
-        }
-    }
+    let body = |&(disc, at): &(usize, DVec2)| {
+        let piece = level.scene.pieces.get(disc)?;
+        let face = face(piece.kind);
+        Some(Body {
+            at,
+            radius: piece.disc.radius,
+            role: face.role,
+            letter: face.letter,
+            pointed_out: false,
+        })
+    };
+    sheet.discs(&discs.iter().filter_map(body).collect::<Vec<_>>());
 }
 
 /// The board with the shot as it is aimed, up to the first thing it meets.
@@ -90,7 +96,7 @@ pub(super) fn draw_aim(level: &Level, scene: &Scene, area: Rect, buf: &mut Buffe
         {
             sheet.line(piece.at, end, Pen::new(Role::Aim).dotted());
             if touches {
-                ghost(&mut sheet, end, piece.disc.radius);
+                board::ghost(&mut sheet, end, piece.disc.radius);
             }
         }
         discs(level, &mut sheet, &places);
@@ -115,16 +121,6 @@ fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
         touches.map(|touches| (event.time, touches))
     })?;
     Some((shot.at(aimed, time).position, touches))
-}
-
-/// The disc where it will touch; only its middle where it is too small to be round.
-fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64) {
-    let pen = Pen::new(Role::Predicted);
-    if radius > sheet.view().per_row() {
-        sheet.circle(at, radius, pen.dotted());
-    } else {
-        sheet.dot(at, pen);
-    }
 }
 
 /// A shot at the time its clock shows, with the ways so far.
