@@ -52,7 +52,7 @@ fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
         }
         let screen = game.screen();
         assert!(!screen.contains("back to back"), "{screen}");
-        assert_eq!(screen.contains("turn about it"), offset_mm != 0.0);
+        assert_eq!(screen.contains("do not part"), offset_mm != 0.0);
     }
 }
 

@@ -272,7 +272,10 @@ fn what_is_typed_can_be_seen_on_a_small_screen() {
             }
             let keys = game.screen().lines().last().unwrap_or_default().to_owned();
             assert!(keys.contains("Enter") && keys.contains("Esc"), "{keys}");
-            game.press("<Escape>");
+            if let Some(Asked::Number { .. } | Asked::Rays) = asked {
+                // Gives up what was typed.
+                game.press("<Escape>");
+            }
             answer(&mut game, page);
             let keys = game.screen().lines().last().unwrap_or_default().to_owned();
             assert!(keys.contains("Enter") && keys.contains("Esc"), "{keys}");
@@ -291,6 +294,6 @@ fn the_text_of_a_page_stays_above_its_answer_where_there_is_room() {
         game.press("3<Enter>");
         let screen = game.screen();
         assert_eq!(screen.contains("Call the angles"), stays, "{screen}");
-        assert!(screen.contains("Here is why"), "{screen}");
+        assert!(screen.contains("Not this time"), "{screen}");
     }
 }
