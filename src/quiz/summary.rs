@@ -38,7 +38,8 @@ impl Summary {
     /// Points of the round, never below 0.
     pub fn points(&self) -> f64 {
         let sum: f64 = self.lines.iter().map(|line| line.grade.points()).sum();
-        sum.max(0.0)
+        // Adding 0 turns −0, the sum of none, into 0.
+        sum.max(0.0) + 0.0
     }
 
     /// Points the round could have brought.

@@ -116,10 +116,9 @@ pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<Hint> {
         refinements: 4,
         ..all
     };
-    let plain = seek(game, board, cuts, seed)
-        .filter(|(choice, reason)| {
-            reason.chance.works_mostly() && reason.story.is_plain_cut() && !choice.fouls
-        });
+    let plain = seek(game, board, cuts, seed).filter(|(choice, reason)| {
+        reason.chance.works_mostly() && reason.story.is_plain_cut() && !choice.fouls
+    });
     let (choice, reason) = plain.or_else(|| seek(game, board, all, seed))?;
     Some(Hint {
         stroke: choice.motion,

@@ -178,7 +178,10 @@ impl<'a> Search<'a> {
             .collect();
         if self.skill.on_steps {
             // Whoever sets a stroke by keys strikes it exactly so.
-            slips.iter_mut().take(1).for_each(|slip| *slip = Slip::default());
+            slips
+                .iter_mut()
+                .take(1)
+                .for_each(|slip| *slip = Slip::default());
         }
         let finalists = choices.iter().take(self.skill.finalists);
         let tried = finalists.filter_map(|c| self.tried(c.motion, c.allowance, &slips));

@@ -59,7 +59,8 @@ fn turning(c: &Collision, after: &Outcome) -> Step {
     ];
     if after.energy_rotation > 0.0 {
         let scale = c.u1.length() + c.u2.length();
-        lines.push("right after the contact each centre has V and its share of the turn:".into());
+        lines
+            .push("right after the contact, with r from the centre of mass to each centre:".into());
         for (name, v) in ["striker  v₁", "target   v₂"].iter().zip(c.centres_after()) {
             let length = number(v.length());
             lines.push(format!(

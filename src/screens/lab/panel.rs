@@ -40,7 +40,12 @@ pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Contex
         let name = format!("{mark} {}", field.name(&lab.setup));
         lines.pair(&name, &value, name_role, value_role);
     }
-    lines.gap();
+    if lab.held {
+        let range = lab.field().range(&lab.setup);
+        lines.line(&format!("  {range}"), Role::Warn);
+    } else {
+        lines.gap();
+    }
     geometry(lab, &mut lines);
     lines.gap();
     let next = if cx.settings.predict {

@@ -108,7 +108,10 @@ pub(super) fn help() -> Help {
             Hint::new("mouse", "drag the striker, or point where to aim"),
             Hint::new("Space", "strike; skip to the end; go on"),
             Hint::new("l g r", "aim line, ghost, departures on or off"),
-            Hint::new("h", "hint: where to look; again: the whole stroke; once more: set it"),
+            Hint::new(
+                "h",
+                "hint: where to look; again: the whole stroke; once more: set it",
+            ),
             Hint::new("c", "call it on or off"),
             Hint::new("i", "impacts of the stroke, or the last stroke again"),
             Hint::new(", . < >", "step and scrub; Home and End for the ends"),

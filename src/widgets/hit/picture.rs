@@ -56,9 +56,12 @@ impl Moment<'_> {
         let gone = now - self.stage.centres[body];
         let has_left = self.clock.has_met() && !self.clock.at_contact();
         match gone.try_normalize() {
-            // Its arrow runs through its middle, so the letter stands beside it.
+            // Its arrow runs through its middle, so the letter stands beside it, on the side
+            // further from the line of its old motion.
             Some(way) if has_left && !self.clock.is_running() => {
-                let beside = way.perp() * self.stage.side() * [1.0, -1.0][body];
+                let off = self.stage.heading().perp();
+                let away = way.perp().dot(off) * way.dot(off);
+                let beside = way.perp() * 1.0_f64.copysign(away);
                 let letter = (face.letter, now + 0.55 * radius * beside);
                 sheet.ring(now, radius, face.role, letter);
             }

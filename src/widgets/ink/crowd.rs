@@ -91,7 +91,9 @@ impl Sheet {
             taken.extend((place.0 - beside..=place.0 + beside).map(|column| (column, place.1)));
             self.stamp(middle(place), text, body.role, false);
             if body.pointed_out
-                && let Some(glyph) = self.cell_at(middle(place)).and_then(|cell| cell.glyph.as_mut())
+                && let Some(glyph) = self
+                    .cell_at(middle(place))
+                    .and_then(|cell| cell.glyph.as_mut())
             {
                 glyph.reversed = true;
             }
@@ -101,9 +103,8 @@ impl Sheet {
     /// The cell nearest to a point on paper that is free.
     fn nearest(&self, at: DVec2, is_free: impl Fn(Place) -> bool) -> Option<Place> {
         let (column, row) = cell_of(at);
-        let around = (-FARTHEST..=FARTHEST).flat_map(|down| {
-            (-FARTHEST..=FARTHEST).map(move |along| (column + along, row + down))
-        });
+        let around = (-FARTHEST..=FARTHEST)
+            .flat_map(|down| (-FARTHEST..=FARTHEST).map(move |along| (column + along, row + down)));
         around
             .filter(|place| self.holds(*place) && is_free(*place))
             .min_by(|a, b| {

@@ -140,12 +140,14 @@ impl Screen for Contents {
             keys.extend([
                 Hint::new("Up Down", "choose"),
                 Hint::new("Enter", "read"),
+                Hint::new("Esc", "back"),
                 Hint::new("n", "next"),
                 Hint::new("R", "reset"),
                 Hint::new("A", "reset all"),
             ]);
+        } else {
+            keys.push(Hint::new("Esc", "back"));
         }
-        keys.push(Hint::new("Esc", "back"));
         keys
     }
 
