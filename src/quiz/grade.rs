@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use super::quantity::apart_deg;
 use super::{Answer, Confidence, Form, Question, Ray, Rays, Said};
 
 /// Up to this error an angle counts as right, in degrees.
@@ -114,8 +115,7 @@ impl Grade {
                 (Form::Number { quantity, truth }, Said::Number(said))
                     if *quantity == super::Quantity::Angle =>
                 {
-                    let off = quantity.distance(*said, *truth) * RIGHT_DEG;
-                    Some(rad_from_deg(off))
+                    Some(rad_from_deg(apart_deg(*said, *truth)))
                 }
                 (Form::Shot(aim), Said::Shot(offset)) => aim.error(*offset),
                 _ => rays.and_then(|rays| {

@@ -176,6 +176,14 @@ impl Context {
         self.told = Some(words);
     }
 
+    /// Tells the player where an export is, or why there is none; `what` is exported.
+    pub fn tell_of_export(&mut self, what: &str, exported: &Result<String, String>) {
+        self.tell(match exported {
+            Ok(place) => format!("The {what} is in {place}"),
+            Err(reason) => format!("The {what} could not be written: {reason}"),
+        });
+    }
+
     /// What the player is to be told.
     pub fn take_told(&mut self) -> Option<String> {
         self.told.take()

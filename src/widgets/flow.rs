@@ -34,8 +34,8 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let mut rows = vec![Vec::new()];
     let mut used = 0;
     let words = words(runs).into_iter();
-    let words = words.map(|word| spelt(word, charset)).collect();
-    for word in held(words, columns) {
+    let words: Vec<Word> = words.map(|word| spelt(word, charset)).collect();
+    for word in held(&words, columns) {
         let width = width(&word);
         let gap = usize::from(used > 0);
         if used > 0 && used + gap + width > columns {
@@ -67,7 +67,7 @@ fn width(word: &Word) -> usize {
 }
 
 /// Words that belong together as one, if a row has room for it.
-fn held(words: Vec<Word>, columns: usize) -> Vec<Word> {
+fn held(words: &[Word], columns: usize) -> Vec<Word> {
     let letters = |word: &Word| word.iter().map(|run| run.text.as_str()).collect::<String>();
     let letters: Vec<String> = words.iter().map(letters).collect();
     let joined = |range: Range<usize>| {

@@ -101,11 +101,17 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// One row: a name on the left, its value flush right.
+    /// One row: a name on the left, its value flush right. A name too long for the room
+    /// beside the value is cut, and dots tell of it.
     pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
-        self.put(0, name, name_role);
         let width = self.width_of(value) as u16;
         let column = self.area.width.saturating_sub(width + 1);
+        let name = self.look.charset.text(name);
+        let room = match value {
+            "" => usize::from(self.area.width),
+            _ => usize::from(column.saturating_sub(1)),
+        };
+        self.put(0, &text::clipped(&name, room), name_role);
         self.put(column, value, value_role);
         self.written += 1;
     }
@@ -183,6 +189,20 @@ impl<'a> Lines<'a> {
         let indent = self.width_of(mark) as u16;
         let width = self.area.width.saturating_sub(1 + indent).into();
         text::wrap(&self.look.charset.text(text), width).len() as u16
+    }
+
+    /// Rows that what `write` writes takes, beginning with an empty area.
+    pub fn rows_by(&self, write: impl FnOnce(&mut Lines)) -> u16 {
+        let mut scratch = Buffer::empty(self.area);
+        let mut lines = Lines {
+            area: self.area,
+            written: 0,
+            scrolled: 0,
+            buf: &mut scratch,
+            look: self.look,
+        };
+        write(&mut lines);
+        lines.written
     }
 
     fn wrapped(&self, text: &str) -> Vec<String> {

@@ -244,8 +244,11 @@ mod tests {
         let known = "target   m₂ = 15 g   u₂ = 0, at rest";
         assert_eq!(wrap(known, 40), [known]);
         assert_eq!(wrap(known, 30), ["target   m₂ = 15 g", "u₂ = 0, at rest"]);
-        let impulse = "impulse  J = m₂ v₂ₙ = 52 g m/s";
-        assert_eq!(wrap(impulse, 22), ["impulse  J = m₂ v₂ₙ", "= 52 g m/s"]);
+        let impulse = "impulse  J = m₂ (v₂ₙ − u₂ₙ) = 52 g m/s";
+        assert_eq!(
+            wrap(impulse, 32),
+            ["impulse  J = m₂ (v₂ₙ − u₂ₙ)", "= 52 g m/s"]
+        );
     }
 
     #[test]

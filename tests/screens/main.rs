@@ -7,6 +7,7 @@ mod class;
 mod every_screen;
 mod foil;
 mod keeping;
+mod lab;
 mod learn;
 mod levels;
 mod quiz;

@@ -133,7 +133,7 @@ pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief
         .into_iter()
         .flatten()
         .filter(|belief| can_be_said(&belief.said))
-        .filter(|belief| form.distance(&belief.said, &form.truth()) > SAME)
+        .filter(|belief| form.spacing(&belief.said, &form.truth()) > SAME)
         .collect()
 }
 

@@ -345,7 +345,7 @@ fn play_keys(play: &Play) -> Vec<Hint> {
     let tail = [
         Hint::new("Backspace", "back"),
         Hint::new("p", "pause"),
-        Hint::new("l", "light"),
+        Hint::new("l", "dark or light"),
         Hint::new("[ ]", "questions"),
         Hint::new("Esc", "leave"),
     ];
@@ -353,7 +353,7 @@ fn play_keys(play: &Play) -> Vec<Hint> {
         (Phase::Vote(booths), _) => match &booths.input {
             Some(input) => return input_keys(input),
             None => vec![
-                Hint::new("Enter", "enter"),
+                Hint::new("Enter", "give a vote"),
                 Hint::new("1-8", "a team"),
                 Hint::new("x", "take back"),
             ],

@@ -9,7 +9,7 @@ use crate::files::Draft;
 const MOST: u32 = 1000;
 
 /// Writes a text to a file of this name in the current folder, or, where there is one
-/// already, with a number behind its name: nothing is ever overwritten. Gives the name
+/// already, with a number behind its name: nothing is ever overwritten. Gives the path
 /// of the file, or why there is none.
 pub(super) fn write(name: &str, content: &str) -> Result<String, String> {
     write_beside(name, content)
@@ -27,7 +27,8 @@ fn write_beside(name: &str, content: &str) -> io::Result<Option<String>> {
             number => format!("{stem}-{number}.{ending}"),
         };
         if draft.place(Path::new(&name))? {
-            return Ok(Some(name));
+            let path = std::path::absolute(&name);
+            return Ok(Some(path.map_or(name, |path| path.display().to_string())));
         }
     }
     Ok(None)

@@ -26,7 +26,8 @@ const LINE: u16 = 4;
 /// How large the letters are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Size {
-    /// Letters of strokes.
+    /// Letters of strokes, in ASCII: for a long text, where names and headings are better
+    /// short or plain.
     Strokes,
     /// A cell for a square of four pixels; only where there are quarters of cells.
     Small,
@@ -37,10 +38,18 @@ enum Size {
 }
 
 impl Size {
-    /// The sizes of a charset, the largest first.
-    const fn all(charset: Charset) -> &'static [Self] {
+    /// The sizes of a charset for a long text, the largest first.
+    const fn of_text(charset: Charset) -> &'static [Self] {
         match charset {
             Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
+            Charset::Unicode => Self::of_name(charset),
+        }
+    }
+
+    /// The sizes for a name or a heading.
+    const fn of_name(charset: Charset) -> &'static [Self] {
+        match charset {
+            Charset::Ascii => &[Self::Large, Self::Middle],
             Charset::Unicode => &[Self::Large, Self::Middle, Self::Small],
         }
     }
@@ -84,14 +93,17 @@ pub struct Big {
 }
 
 impl Big {
-    /// The text as large as it fits into so many columns and rows, broken at blanks;
-    /// `None` if it does not fit at all or has letters that there are no large ones of.
+    /// A name or a heading as large as it fits into so many columns and rows, broken at
+    /// blanks; `None` if it does not fit at all or has letters that there are no large ones
+    /// of.
     #[must_use]
     pub fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
-        Self::fit_all(&[text], 0, columns, rows, charset)?.pop()
+        let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
+        let sizes = Size::of_name(charset);
+        Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
     }
 
-    /// Several texts in letters of one size, as large as they fit below each other with
+    /// Long texts in letters of one size, as large as they fit below each other with
     /// `gap` rows between any two; `None` as for one.
     #[must_use]
     pub fn fit_all(
@@ -108,20 +120,21 @@ impl Big {
                 .fold(gaps, |sum, it| sum.saturating_add(it.rows()));
             high <= rows
         };
-        Self::of_one_size(texts, columns, charset, fits)
+        Self::of_one_size(texts, Size::of_text(charset), columns, charset, fits)
     }
 
-    /// Several texts in letters of one size, each in one line of at most four rows;
+    /// Several names in letters of one size, each in one line of at most four rows;
     /// `None` as for one.
     #[must_use]
     pub fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
-        Self::of_one_size(texts, columns, charset, fits)
+        Self::of_one_size(texts, Size::of_name(charset), columns, charset, fits)
     }
 
     /// The texts in the largest letters with which they are narrow enough and `fit`.
     fn of_one_size(
         texts: &[&str],
+        sizes: &[Size],
         columns: u16,
         charset: Charset,
         fit: impl Fn(&[Self]) -> bool,
@@ -136,8 +149,7 @@ impl Big {
             });
             each.collect()
         };
-        let sizes = Size::all(charset).iter();
-        sizes.filter_map(set).find(|all| fit(all))
+        sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
     /// The columns it takes.
@@ -352,8 +364,13 @@ mod tests {
         let size = |columns, rows, charset| Some(Big::fit("Scores", columns, rows, charset)?.size);
         assert_eq!(size(300, 8, Charset::Ascii), Some(Size::Large));
         assert_eq!(size(60, 8, Charset::Ascii), Some(Size::Middle));
-        assert_eq!(size(30, 8, Charset::Ascii), Some(Size::Strokes));
-        assert_eq!(size(15, 8, Charset::Ascii), None);
+        assert_eq!(size(30, 8, Charset::Ascii), None);
+        let text = |columns| {
+            let all = Big::fit_all(&["Scores"], 0, columns, 8, Charset::Ascii)?;
+            Some(all[0].size)
+        };
+        assert_eq!(text(30), Some(Size::Strokes));
+        assert_eq!(text(15), None);
         assert_eq!(size(30, 8, Charset::Unicode), Some(Size::Small));
         assert_eq!(size(300, 3, Charset::Unicode), None);
         assert_eq!(Big::fit("蟻 ants", 300, 100, Charset::Unicode), None);

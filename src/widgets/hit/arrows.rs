@@ -92,9 +92,8 @@ impl Arrows {
         v.try_normalize()
     }
 
-    /// An arrow away from the rim of a disc, and where its tip is. Once the disc has
-    /// moved on it ends at the edge of the picture; where not even its head has room
-    /// the tip is on the rim.
+    /// An arrow away from the rim of a disc, and where its tip is. It ends at the edge of
+    /// the picture; where not even its head has room the tip is on the rim.
     pub(super) fn outwards(
         &self,
         sheet: &mut Sheet,

@@ -12,7 +12,7 @@ use super::picture::Moment;
 use super::playback::{FRAME, Playback};
 use super::stage::{Stage, time_in_sight};
 use crate::messages::Key;
-use crate::physics::{Collision, Frame, Outcome, Shot};
+use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
 use crate::widgets::{Look, Role};
 
@@ -149,6 +149,9 @@ impl Watch {
         match self.clock.beats() {
             1 => {
                 "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
+            }
+            2 if self.collision.bond == Bond::Stick => {
+                "So split u into uₙ along n and uₜ along t. Rims that stick pull along t as well, so here both take part in the hit."
             }
             2 => "So split u: uₙ along n takes part in the hit, uₜ along t does not notice it.",
             _ => "Watch the contact …",

@@ -136,6 +136,52 @@ impl Sheet {
     /// velocity, a reserved cell or an arrow's tip. Rather than stand far away it
     /// covers the weakest lines. Says whether it found a place.
     pub fn label(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
+        // Free paper first, with a blank at both ends; then without the blanks, then
+        // over boards and trails, then over geometry.
+        let places = [
+            (FARTHEST, true, true, None),
+            (FARTHEST, true, false, None),
+            (FARTHEST, false, false, Some(Layer::Trail)),
+            (FARTHEST, false, false, Some(Layer::Construction)),
+        ];
+        self.label_at(text, anchor, sides, role, &places)
+    }
+
+    /// Writes `text` as [`Sheet::label`] does, but farther away: for what has found no
+    /// place near by once all else has its own. It stays clear of what others name.
+    pub fn label_far(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
+        let places = [(2 * FARTHEST, true, false, None)];
+        self.label_at(text, anchor, sides, role, &places)
+    }
+
+    /// Tells of a point that a label is still to be written for, so that labels written
+    /// before it leave its surroundings to it.
+    pub fn expect_label(&mut self, anchor: DVec2) {
+        let cell = self.view().to_cell(anchor);
+        if cell.is_finite() {
+            self.expected.push(self.counted(cell));
+        }
+    }
+
+    /// A cell counted from the corner of the area.
+    fn counted(&self, cell: DVec2) -> (i32, i32) {
+        let area = self.view().area();
+        (
+            cell.x.floor() as i32 - i32::from(area.x),
+            cell.y.floor() as i32 - i32::from(area.y),
+        )
+    }
+
+    /// Writes a label at the first free place: up to so many rows away, beside its own
+    /// anchor or not, with blanks at both ends or not, over strokes up to a layer.
+    fn label_at(
+        &mut self,
+        text: &str,
+        anchor: DVec2,
+        sides: &[Side],
+        role: Role,
+        places: &[(i32, bool, bool, Option<Layer>)],
+    ) -> bool {
         let text = self.charset.text(text).into_owned();
         let cell = self.view().to_cell(anchor);
         let within_reach = cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX);
@@ -143,26 +189,14 @@ impl Sheet {
             return false;
         }
         let area = self.view().area();
-        let at = (
-            cell.x.floor() as i32 - i32::from(area.x),
-            cell.y.floor() as i32 - i32::from(area.y),
-        );
+        let at = self.counted(cell);
         let width = i32::try_from(text.width()).unwrap_or(i32::MAX / 2);
         let spare = i32::from(area.width) - width;
         let margin = i32::from(spare >= 2);
         let last = spare - margin;
         let others = Side::ALL.iter().filter(|side| !sides.contains(side));
         let sides: Vec<Side> = sides.iter().chain(others).copied().collect();
-        // Free paper first, with a blank at both ends; then without the blanks, then
-        // over boards and trails, then over geometry; then farther away.
-        let places = [
-            (FARTHEST, true, true, None),
-            (FARTHEST, true, false, None),
-            (FARTHEST, false, false, Some(Layer::Trail)),
-            (FARTHEST, false, false, Some(Layer::Construction)),
-            (2 * FARTHEST, true, false, None),
-        ];
-        let place = places.into_iter().find_map(|(farthest, own, blank, over)| {
+        let place = places.iter().find_map(|&(farthest, own, blank, over)| {
             let all = (1..=farthest)
                 .flat_map(|away| sides.iter().map(move |side| (*side, away)))
                 .flat_map(|(side, away)| (0..=ASIDE).map(move |aside| (side, away, aside)));
@@ -218,8 +252,10 @@ impl Sheet {
             let aside = (x - column).max(column - (x + width - 1)).max(0);
             aside * aside + 4 * (row - y) * (row - y)
         };
+        let others = self.expected.iter().filter(|anchor| **anchor != own);
+        let others = others.chain(self.labels.iter().map(|label| &label.anchor));
+        let other = others.map(|anchor| apart(*anchor)).min();
         let own = apart(own);
-        let other = self.labels.iter().map(|label| apart(label.anchor)).min();
         other.is_none_or(|other| own <= 3 * other)
     }
 
