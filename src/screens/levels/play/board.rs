@@ -53,7 +53,10 @@ pub(super) fn view(level: &Level, area: Rect) -> View {
     }
     let view = View::fit(area, corners[0], corners[1]);
     let others = scene.pieces.iter().enumerate();
-    match others.into_iter().find(|(disc, _)| *disc != scene.stroke.disc) {
+    match others
+        .into_iter()
+        .find(|(disc, _)| *disc != scene.stroke.disc)
+    {
         Some((_, target)) => view.with_in_a_middle(target.at),
         None => view,
     }
