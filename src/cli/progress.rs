@@ -77,10 +77,15 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
             Done::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
             _ => return Err(anyhow!("the stars could not be looked up").into()),
         };
+        let marks = match ask(&mut store, Wish::Marks(player.clone())) {
+            Done::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
+            _ => return Err(anyhow!("the bookmarks could not be looked up").into()),
+        };
         let (shelf, book) = (options.shelf(), options.book());
         let report = Report::new(&Sources {
             player: &player,
             history: &history,
+            marks: &marks,
             stars: &stars,
             levels: shelf.library(),
             lessons: book.library(),
@@ -91,7 +96,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
-        format!("{}\n", json(&history.attempts, history.now_s))
+        json(&history.attempts, history.now_s).map_err(|reason| anyhow!(reason))? + "\n"
     };
     print(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)

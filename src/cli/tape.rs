@@ -34,6 +34,7 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Set Size 100x30          columns x rows (default 80x24)
   Set Charset ascii        or unicode
   Set Color none           or 16, 256, truecolor
+  Set Day 2026-01-05       the clock stands at noon of this day (default: no clock)
   Type "60"                one key a character
   Right 5                  a key by its name, with how often: Up Down Left Right Enter
                            Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown

@@ -1,6 +1,6 @@
 //! What to do next.
 
-use super::{Attempt, LESSON, Mastery, Trend, beliefs, reviews, topics};
+use super::{Attempt, LESSON, Mastery, beliefs, reviews, topics};
 
 /// How many of the last attempts count as lately.
 const LATELY: usize = 10;
@@ -14,7 +14,7 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
     }
     let held = beliefs(attempts)
         .into_iter()
-        .find(|belief| belief.trend() != Trend::Gone && belief.since >= 2);
+        .find(|belief| !belief.trend().is_good() && belief.since.times >= 2);
     if let Some(belief) = held {
         return belief.misconception.advice.to_owned();
     }

@@ -1,7 +1,7 @@
 //! What is due of the quiz.
 
 use super::{Attempt, LESSON, Review, reviews};
-use crate::quiz::{CourseKind, Family};
+use crate::quiz::{Course, CourseKind, Family};
 
 /// What is due of the quiz, and what comes next. What chapters asked is not of it: they
 /// say themselves what they ask again.
@@ -14,9 +14,6 @@ pub struct Due {
 }
 
 impl Due {
-    /// Most questions of one review; what is left waits for the next.
-    pub const AT_ONCE: usize = 10;
-
     /// What is due at `now_s`, in seconds since 1970 began, of what was answered; nothing
     /// where nobody knows the time.
     pub fn of(attempts: &[Attempt], now_s: Option<i64>) -> Self {
@@ -37,12 +34,12 @@ impl Due {
 
     /// The topics of the next review.
     pub fn first(&self) -> &[String] {
-        &self.now[..self.now.len().min(Self::AT_ONCE)]
+        &self.now[..self.now.len().min(Course::REVIEWED)]
     }
 
-    /// A review of them, if anything is due.
+    /// A review, if anything is due.
     pub fn course(&self) -> Option<CourseKind> {
-        (!self.now.is_empty()).then(|| CourseKind::Review(self.first().to_vec()))
+        (!self.now.is_empty()).then(|| CourseKind::Review(self.now.clone()))
     }
 }
 
@@ -107,8 +104,11 @@ mod tests {
             .map(|(family, days)| attempt(&format!("{}-1", family.id()), false, days))
             .collect();
         let found = due(&attempts);
-        assert!(found.now.len() > Due::AT_ONCE);
-        assert_eq!(found.first().len(), Due::AT_ONCE);
+        assert!(found.now.len() > Course::REVIEWED);
+        assert_eq!(found.first().len(), Course::REVIEWED);
+        let course = Course::new(found.course().unwrap());
+        assert_eq!(course.count, Course::REVIEWED);
+        assert_eq!(Round::new(course, 7).questions().len(), Course::REVIEWED);
         assert_eq!(found.now[0], attempts.last().unwrap().topic);
     }
 

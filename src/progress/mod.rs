@@ -21,7 +21,7 @@ pub mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
-pub use beliefs::{Belief, Trend, beliefs};
+pub use beliefs::{Belief, Shown, Trend, beliefs};
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
 pub use due::Due;
 pub use export::{csv, json, table, utc};

@@ -30,7 +30,8 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
-    /// A question about each of these topics, because they are due.
+    /// A question about each of these topics, because they are due, the longest due
+    /// first; where they are many, about the first of them.
     Review(Vec<String>),
     /// Written questions that are not in the program: a teacher's own. In a code that
     /// was only just read there are none yet: [`Code::with_own`] gives them.
@@ -72,7 +73,7 @@ impl CourseKind {
     pub fn length(&self) -> usize {
         match self {
             Self::Quick => 5,
-            Self::Review(topics) => topics.len(),
+            Self::Review(due) => due.len().min(Course::REVIEWED),
             Self::Exam => 15,
             Self::Topic(_) => 6,
             Self::Hits | Self::Mixed | Self::Own(_) => families::where_to::LENGTH,
@@ -101,6 +102,8 @@ impl CourseKind {
 impl Course {
     /// Most questions of a round.
     pub const MOST: usize = 60;
+    /// Most questions of one review; what is left waits for the next.
+    pub const REVIEWED: usize = 10;
 
     /// A round of the usual length.
     pub fn new(kind: CourseKind) -> Self {

@@ -55,4 +55,4 @@ pub use question::{Belief, CLEAR, Diagnosis, Fit, Question};
 pub use rays::{Ray, Rays};
 pub use reasoning::reasoning;
 pub use round::Round;
-pub use summary::{Summary, SummaryLine};
+pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};

@@ -58,7 +58,8 @@ impl Round {
             }
             CourseKind::Topic(family) => rising(&[*family], &course, seed),
             CourseKind::Own(library) => own(&library.concepts, &course, seed),
-            CourseKind::Review(topics) => {
+            CourseKind::Review(due) => {
+                let topics = &due[..due.len().min(course.count)];
                 review::questions(topics, &mut Dice::new(salted(course.kind.id(), seed)))
             }
         };

@@ -122,11 +122,14 @@ impl Store {
     }
 
     /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
-    pub fn at(self, time_s: i64) -> Self {
-        Self {
-            clock: Clock::Stopped(time_s),
-            ..self
-        }
+    pub fn at(mut self, time_s: i64) -> Self {
+        self.stop_clock(time_s);
+        self
+    }
+
+    /// Stops its clock at `time_s`, in seconds since 1970 began.
+    pub fn stop_clock(&mut self, time_s: i64) {
+        self.clock = Clock::Stopped(time_s);
     }
 
     fn of<S: Shelf + 'static>(shelves: Shelves<S>, progress: Database) -> Self {

@@ -183,6 +183,80 @@ fn an_exam_tells_nothing_before_its_end_and_then_everything() {
     assert!(game.screen().contains("choose a round"));
 }
 
+/// What was answered can be looked at, and is not lost with the exam.
+#[test]
+fn an_exam_that_is_left_shows_what_was_answered() {
+    let mut game = coded("exam6-7");
+    game.press("<Escape>");
+    assert!(game.screen().contains("choose a round"), "nothing to show");
+    let mut game = coded("exam6-7");
+    answer(&mut game, "3");
+    answer(&mut game, "2");
+    game.press("<Escape>");
+    let screen = words(&game.screen());
+    assert!(screen.contains("Esc again ends the exam"), "{screen}");
+    assert!(!screen.contains("of 10 points"), "{screen}");
+    game.press("<Left>");
+    assert_eq!(top(&mut game), "question 3 of 6");
+    game.press("<Escape>");
+    game.press("<Escape>");
+    assert_eq!(top(&mut game), "2 of 6 answered", "{}", game.screen());
+    let screen = game.screen();
+    assert!(screen.contains(" of 20 points"), "{screen}");
+    assert!(screen.lines().next().unwrap().contains(" points  code"));
+    game.press("<Down><Enter>");
+    assert_eq!(top(&mut game), "question 2 of 6");
+    let screen = game.screen();
+    assert!(screen.contains(" of 10 points"), "{screen}");
+    assert!(screen.contains("Enter back to the list") || screen.contains("the right shot"));
+    game.press("<Escape>");
+    assert_eq!(top(&mut game), "2 of 6 answered");
+    game.press("<Escape>");
+    assert!(game.screen().contains("choose a round"));
+}
+
+/// Text without the lines of frames, its blanks put together.
+fn words(screen: &str) -> String {
+    let bare = screen.replace(['|', '+'], " ");
+    bare.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// One number for what is due, wherever it is told; a list that is cut says so.
+#[test]
+fn what_is_due_is_the_same_number_everywhere() {
+    let mut game = coded("exam-7");
+    game.set_time(1_800_000_000);
+    for _ in 0..15 {
+        answer(&mut game, "1");
+    }
+    assert_eq!(top(&mut game), "all answered");
+    game.press("<Escape>");
+    let screen = game.screen();
+    let due: usize = {
+        let (before, _) = screen.split_once(" due").unwrap();
+        before.rsplit(' ').next().unwrap().parse().unwrap()
+    };
+    assert!(due > Course::REVIEWED, "{screen}");
+    game.press("<Down><Down>");
+    let screen = game.screen();
+    let left = format!("and {} more after these", due - Course::REVIEWED);
+    assert!(screen.contains(&left), "{screen}");
+    game.press("<Enter>");
+    let screen = game.screen();
+    let asked = format!("question 1 of {}", Course::REVIEWED);
+    assert!(screen.contains(&asked), "{screen}");
+    let of = format!("review: {} of {due} due", Course::REVIEWED);
+    assert!(screen.contains(&of), "{screen}");
+    game.press("<Escape><Escape>p<Tab>");
+    let screen = game.screen();
+    assert!(screen.contains("carrom : progress"), "{screen}");
+    assert!(screen.contains(&format!("{due} due")), "{screen}");
+    assert!(
+        screen.contains(&format!("and {} more", due - 6)),
+        "{screen}"
+    );
+}
+
 #[test]
 fn a_line_of_the_look_back_is_opened_by_a_click() {
     let mut game = coded("speeds3-7");

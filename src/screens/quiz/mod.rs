@@ -20,7 +20,7 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary, words,
 };
 use crate::widgets::hit::{Layers, Telling, Watch};
 use crate::widgets::{AnswerInput, Scroll, Turned};
@@ -117,6 +117,15 @@ impl Quiz {
         self.answers.len() >= self.round.questions().len()
     }
 
+    /// Whether one looks back over the round, or at one of its questions from there.
+    fn has_ended(&self) -> bool {
+        match &self.phase {
+            Phase::Summary(_) => true,
+            Phase::Watch(watched) => watched.opened.is_some(),
+            Phase::Asked(_) | Phase::Confidence(..) => false,
+        }
+    }
+
     /// Whether one hears only at the end what was right.
     fn tells_at_end(&self) -> bool {
         self.round.course().tells_at_end()
@@ -178,7 +187,7 @@ impl Quiz {
     /// Scrolls a line of the look back into sight.
     fn show_line(&mut self, at: usize, cx: &Context) {
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body);
+        let text = view::text_area(self, cx.body, look);
         let row = view::first_line(self, at, text, look).saturating_add(at as u16);
         let mut scroll = self.scroll;
         scroll.show(row, text, look, |lines| view::write(self, lines, look));
@@ -313,18 +322,33 @@ impl Quiz {
     }
 
     /// Leaves the round: at once while nothing has been answered, else when asked
-    /// twice.
+    /// twice. Whoever leaves an exam has yet to hear of what was answered.
     fn leave(&mut self, asked_before: bool) -> Next {
-        if asked_before || self.answers.is_empty() {
-            return CHOOSE;
+        match asked_before {
+            _ if self.answers.is_empty() => return CHOOSE,
+            true if self.tells_at_end() => self.enter(Phase::Summary(0)),
+            true => return CHOOSE,
+            false => self.leaving = true,
         }
-        self.leaving = true;
         Next::Stay
+    }
+
+    /// What leaving the round now means.
+    fn parting(&self) -> String {
+        let count = self.answers.len();
+        let kept = match count {
+            1 => "Your answer is kept.".to_owned(),
+            _ => format!("Your {count} answers are kept."),
+        };
+        match self.tells_at_end() {
+            true => format!("Esc again ends the exam and shows what you answered. {kept}"),
+            false => format!("Esc again leaves the round. {kept}"),
+        }
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) -> Next {
         let look = cx.settings.look();
-        let area = view::text_area(self, cx.body);
+        let area = view::text_area(self, cx.body, look);
         let mut scroll = self.scroll;
         scroll.by(rows, area, look, |lines| view::write(self, lines, look));
         self.scroll = scroll;
@@ -337,7 +361,7 @@ impl Quiz {
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body);
+        let text = view::text_area(self, cx.body, look);
         match (mouse.kind, &mut self.phase) {
             (MouseKind::ScrollUp | MouseKind::ScrollDown, Phase::Watch(watched)) if on_picture => {
                 let later = mouse.kind == MouseKind::ScrollUp;
@@ -438,7 +462,12 @@ impl Screen for Quiz {
 
     fn status(&self, _cx: &Context) -> String {
         let place = match self.phase {
-            Phase::Summary(_) => "all answered".into(),
+            Phase::Summary(_) if self.is_over() => "all answered".into(),
+            Phase::Summary(_) => format!(
+                "{} of {} answered",
+                self.answers.len(),
+                self.round.questions().len()
+            ),
             _ => format!(
                 "question {} of {}",
                 self.number(),
@@ -446,11 +475,15 @@ impl Screen for Quiz {
             ),
         };
         let mut status = place;
-        if !self.tells_at_end() || self.is_over() {
-            status += &format!("  {:.1} points", self.summary().points());
+        if !self.tells_at_end() || self.has_ended() {
+            status += &format!("  {} points", words::points(self.summary().points()));
         }
-        match self.round.course().kind {
-            CourseKind::Review(_) => status + "  review",
+        match &self.round.course().kind {
+            CourseKind::Review(_) if self.is_over() => status + "  review",
+            CourseKind::Review(due) => {
+                let asked = self.round.questions().len();
+                format!("{status}  review: {asked} of {} due", due.len())
+            }
             _ => format!("{status}  code {}", self.round.code()),
         }
     }
@@ -488,7 +521,14 @@ impl Screen for Quiz {
     fn keys(&self, _cx: &Context) -> Vec<Hint> {
         match &self.phase {
             _ if self.leaving => vec![
-                Hint::new("Esc", "leave the round"),
+                Hint::new(
+                    "Esc",
+                    if self.tells_at_end() {
+                        "end the exam"
+                    } else {
+                        "leave the round"
+                    },
+                ),
                 Hint::new("any other key", "stay"),
             ],
             Phase::Asked(asked) => match &asked.input {
@@ -588,9 +628,10 @@ impl Screen for Quiz {
         Help {
             text: vec![
                 "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end. Rims are smooth unless a question says otherwise.",
-                "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A number is right within a twentieth of the truth. A shot: set the offset that sends the disc along the dashed way to the mark.",
-                "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays.",
-                "After the last question each one can be opened again. The code at the top fixes the questions: with the same code a friend gets the same round.",
+                "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
+                "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
+                "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below nothing: else a wrong \"sure\" would cost nothing there.",
+                "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
             ],
             keys: vec![
                 Hint::new("Left Right", "turn a ray by 1°, or dial a number"),

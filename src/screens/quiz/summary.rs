@@ -69,14 +69,18 @@ fn for_a_friend(code: &Code) -> Option<String> {
 
 fn score(summary: &Summary) -> String {
     let mut text = format!(
-        "{:.1} of {:.0} points, {} of {} right",
-        summary.points(),
+        "{} of {:.0} points, {} of {} right",
+        words::points(summary.points()),
         summary.most(),
         summary.right(),
         summary.lines.len()
     );
     if let Some(error) = summary.mean_error() {
-        text += &format!(", mean error {}", words::degrees(error));
+        text += &format!(
+            ", mean error {} of {} angles",
+            words::degrees(error),
+            summary.angles()
+        );
     }
     text
 }
@@ -154,7 +158,7 @@ impl Table {
         let brief = |said| charset.text(&question.form.brief(said)).into_owned();
         let (said, truth) = (brief(&answer.said), brief(&question.form.truth()));
         let number = (number + 1).to_string();
-        let points = format!("{:.1}", line.grade.points() + 0.0);
+        let points = words::points(line.grade.points());
         let missed = missed_surely(line);
         let chosen_mark = if chosen { ">" } else { " " };
         let mark = if missed { "!" } else { " " };

@@ -41,7 +41,7 @@ fn question(quiz: &Quiz) -> Option<&Question> {
 }
 
 /// Where the text of the phase at hand is.
-pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
+pub(super) fn text_area(quiz: &Quiz, area: Rect, look: Look) -> Rect {
     let panel = match quiz.phase {
         Phase::Summary(_) => {
             let frame = summary_frame(area);
@@ -54,8 +54,15 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
         }
         _ => layout(quiz, area).panel,
     };
-    // The notice has the top row to itself.
-    let notice = u16::from(quiz.leaving).min(panel.height);
+    // The notice has the top rows to itself.
+    let notice = match quiz.leaving {
+        true => {
+            let mut scratch = Buffer::empty(panel);
+            let lines = Lines::new(panel, &mut scratch, look);
+            lines.rows_of(&quiz.parting()).min(panel.height)
+        }
+        false => 0,
+    };
     Rect {
         y: panel.y + notice,
         height: panel.height - notice,
@@ -113,9 +120,9 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             draw_panel(buf, frame, "your round", look.charset, &look.theme);
         }
     }
-    let text = text_area(quiz, area);
+    let text = text_area(quiz, area, look);
     if quiz.leaving {
-        Lines::new(layout.panel, buf, look).line("Esc again leaves the round", Role::Warn);
+        Lines::new(layout.panel, buf, look).paragraph(&quiz.parting(), Role::Warn);
     }
     quiz.scroll
         .draw(text, buf, look, |lines| write(quiz, lines, look));
@@ -139,7 +146,7 @@ pub(super) fn line_at(
     look: Look,
     cell: (u16, u16),
 ) -> Option<usize> {
-    let text = text_area(quiz, area);
+    let text = text_area(quiz, area, look);
     if !text.contains(cell.into()) {
         return None;
     }

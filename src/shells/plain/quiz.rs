@@ -9,7 +9,7 @@ use crate::messages::{Done, Request, Wish};
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain,
+    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain, words,
 };
 use crate::store::Store;
 
@@ -89,7 +89,11 @@ fn choose(
         })
         .collect();
     if let Some(review) = due.course() {
-        let about = format!("review what is due: {}", due.first().join("; "));
+        let (first, all) = (due.first(), due.now.len());
+        let about = match all - first.len() {
+            0 => format!("review what is due: {}", first.join("; ")),
+            _ => format!("review {} of {all} due: {}", first.len(), first.join("; ")),
+        };
         kinds.push((about, review));
     }
     if !own.concepts.is_empty() {
@@ -157,7 +161,8 @@ fn play(talk: &mut Talk, keeper: &mut Keeper, round: &Round) -> Result<(), Leave
                 false => tell(talk, question, &answer),
             }
         });
-    if at_end && outcome.is_ok() {
+    // Whoever leaves an exam hears of what was answered, too.
+    if at_end && !matches!(outcome, Err(Leave::Failed(_))) {
         for (number, (question, answer)) in (1..).zip(&answered) {
             talk.say(&format!("Answer {number}. {}", question.text))?;
             tell(talk, question, answer)?;
@@ -215,8 +220,8 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
     ))?;
     talk.say(&explanation.text)?;
     talk.say(&format!(
-        "{:.1} of {:.0} points.",
-        grade.points() + 0.0,
+        "{} of {:.0} points.",
+        words::points(grade.points()),
         Grade::MOST
     ))
 }
@@ -233,8 +238,8 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
             .map(|(question, answer)| (*question, answer)),
     );
     talk.say(&format!(
-        "Your round: {:.1} of {:.0} points, {} of {} right.",
-        summary.points(),
+        "Your round: {} of {:.0} points, {} of {} right.",
+        words::points(summary.points()),
         summary.most(),
         summary.right(),
         summary.lines.len()

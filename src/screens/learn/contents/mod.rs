@@ -96,9 +96,7 @@ impl Screen for Contents {
         if !cx.book.is_known() {
             return String::new();
         }
-        let chapters = &cx.book.library().chapters;
-        let done = chapters.iter().filter(|chapter| cx.book.is_done(chapter));
-        format!("{} of {} chapters done", done.count(), chapters.len())
+        format!("{} chapters done", cx.book.done())
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Choice, Choosing, Page, Typed};
-use crate::progress::{LATELY, Mastery, Topic};
+use crate::progress::{Mastery, Topic};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::screens::recall::Recall;
@@ -155,7 +155,7 @@ fn questions(kind: &CourseKind) -> String {
 fn about_round(choosing: &Choosing, lines: &mut Lines) {
     let text = match choosing.choice() {
         Choice::Quick => {
-            "Five questions of all kinds, the easy ones first: for a break between two lessons."
+            "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
         }
         Choice::Mixed => {
             "Ten questions of all kinds, in any order. Nobody tells you what kind comes next."
@@ -264,19 +264,13 @@ fn known(choosing: &Choosing, family: Family) -> Option<Topic> {
 
 fn topics(choosing: &Choosing, first: usize, lines: &mut Lines) {
     for (i, family) in CourseKind::topics().enumerate().skip(first) {
-        let (mark, role, value) = match known(choosing, family) {
-            None => (' ', Role::Text, String::new()),
-            Some(topic) => {
-                let (mark, role) = match topic.mastery() {
-                    Mastery::New => (' ', Role::Text),
-                    Mastery::Growing => ('~', Role::Text),
-                    Mastery::Solid => ('*', Role::Good),
-                };
-                (mark, role, topic.mastery().name().to_owned())
-            }
+        let mastery = known(choosing, family).map_or(Mastery::New, |topic| topic.mastery());
+        let role = match mastery {
+            Mastery::Solid => Role::Good,
+            _ => Role::Text,
         };
-        let name = format!("{mark} {}", family.name());
-        line(lines, &name, &value, i == choosing.topic, role);
+        let name = format!("{} {}", mastery.mark(), family.name());
+        line(lines, &name, mastery.name(), i == choosing.topic, role);
     }
 }
 
@@ -300,8 +294,7 @@ fn about_topic(choosing: &Choosing, lines: &mut Lines) {
     lines.gap();
     lines.line("Enter: begin.", Role::Key);
     lines.gap();
-    let legend = format!("* is solid: four of the last {LATELY} right; ~ is growing.");
-    lines.paragraph(&legend, Role::Dim);
+    lines.paragraph(&Mastery::legend(), Role::Dim);
 }
 
 fn code(choosing: &Choosing, typed: &Typed, lines: &mut Lines) {
