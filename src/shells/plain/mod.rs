@@ -8,15 +8,18 @@
 mod answering;
 mod figure;
 mod formula;
+mod keeper;
 mod learn;
+mod number;
 mod picture;
 mod quiz;
 mod solve;
 mod spoken;
 mod talk;
 
+pub use keeper::Keeper;
 pub use learn::learn;
-pub use quiz::{Keeper, quiz};
+pub use quiz::quiz;
 pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};

@@ -1,55 +1,15 @@
 //! A round of the quiz in lines.
 
 use super::answering::{answer, confidence};
+use super::keeper::Keeper;
 use super::picture::describe;
+use super::spoken::{sentence, verbatim};
 use super::talk::{Asked, Leave, Talk};
-use crate::messages::{Done, Request, Wish};
+use crate::messages::{Done, Wish};
 use crate::progress::{Attempt, reviews};
 use crate::quiz::{
     Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain,
 };
-use crate::store::Store;
-
-/// Who plays, and where what is answered is kept.
-pub struct Keeper<'a> {
-    /// The name of the player.
-    pub player: &'a str,
-    /// Where it is kept.
-    pub store: &'a mut Store,
-    /// Whether it has been said that nothing can be kept.
-    pub(super) complained: bool,
-}
-
-impl<'a> Keeper<'a> {
-    /// A keeper of what this player does.
-    pub fn new(player: &'a str, store: &'a mut Store) -> Self {
-        Self {
-            player,
-            store,
-            complained: false,
-        }
-    }
-
-    /// Asks the store, and says once what is wrong with it.
-    pub(super) fn wish(&mut self, talk: &mut Talk, wish: Wish) -> Result<Done, Leave> {
-        let answer = self.store.answer(&Request { ticket: 0, wish });
-        if let Some(notice) = answer.notice {
-            talk.say(&notice)?;
-        }
-        if let Done::Noted(Err(reason)) = &answer.done
-            && !std::mem::replace(&mut self.complained, true)
-        {
-            talk.say(&format!("Answers cannot be kept: {reason}."))?;
-        }
-        Ok(answer.done)
-    }
-
-    /// Keeps an answer, before anything is said about it.
-    pub(super) fn record(&mut self, talk: &mut Talk, attempt: Attempt) -> Result<(), Leave> {
-        self.wish(talk, Wish::Record(Box::new(attempt)))?;
-        Ok(())
-    }
-}
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
 /// to chance then.
@@ -176,20 +136,12 @@ fn asking(round: &Round, number: u32, question: &Question) -> Vec<String> {
     let mut lines = vec![
         format!(
             "Question {number} of {count}: {}",
-            stopped(question.family.name())
+            sentence(question.family.name())
         ),
         question.text.clone(),
     ];
     lines.extend(Some(describe(question)).filter(|seen| !seen.is_empty()));
     lines
-}
-
-/// A name as a sentence of its own.
-fn stopped(name: &str) -> String {
-    match name.ends_with(['?', '.', '!']) {
-        true => name.into(),
-        false => format!("{name}."),
-    }
 }
 
 /// Says how an answer was, and why.
@@ -199,17 +151,20 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
     let form = &question.form;
     let verdict = match explanation.diagnosis {
         None if grade.right => "Right.".to_owned(),
-        Some(_) => format!("Not quite. It looks like this: {}.", explanation.title),
-        None => format!("Not quite: {}.", explanation.title),
+        Some(_) => format!(
+            "Not quite. It looks like this: {}",
+            sentence(&explanation.title)
+        ),
+        None => format!("Not quite: {}", sentence(&explanation.title)),
     };
     talk.say(&verdict)?;
     talk.say(&format!(
-        "You said: {}.",
-        unstopped(&form.words(&answer.said))
+        "You said: {}",
+        sentence(&form.words(&answer.said))
     ))?;
     talk.say(&format!(
-        "It is: {}.",
-        unstopped(&form.words(&form.truth()))
+        "It is: {}",
+        sentence(&form.words(&form.truth()))
     ))?;
     talk.say(&explanation.text)?;
     talk.say(&format!(
@@ -217,10 +172,6 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
         grade.points() + 0.0,
         Grade::MOST
     ))
-}
-
-fn unstopped(text: &str) -> &str {
-    text.trim_end_matches('.')
 }
 
 /// Looks back over what was answered.
@@ -240,8 +191,8 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     talk.say(&summary.calibration_words())?;
     if let Some((misconception, count)) = summary.most_held() {
         talk.say(&match count {
-            1 => format!("Once it looked like this: {}.", misconception.name),
-            _ => format!("Most often, {count} times: {}.", misconception.name),
+            1 => format!("Once it looked like this: {}", sentence(misconception.name)),
+            _ => format!("Most often, {count} times: {}", sentence(misconception.name)),
         })?;
     }
     talk.say(&summary.advice())?;
@@ -249,7 +200,7 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
         CourseKind::Review(_) => Ok(()),
         _ => talk.say(&format!(
             "The same round for a friend: the code {}.",
-            round.code()
+            verbatim(&round.code().to_string())
         )),
     }
 }

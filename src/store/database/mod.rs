@@ -36,6 +36,9 @@ use trouble::Trouble;
 const WAIT: Duration = Duration::from_secs(2);
 /// For how long what is busy is tried again.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// The same once that has been in vain: whoever holds the database may do so for long,
+/// and nobody is to wait for it at every answer.
+const SCANT_PATIENCE: Duration = Duration::from_millis(250);
 /// The file that stands for the right to use the database, or to set it aside.
 const LOCK: &str = ".progress.lock";
 
@@ -44,6 +47,8 @@ pub(super) struct Database {
     place: Place,
     /// Whether it was looked through by this process.
     checked: bool,
+    /// For how long what is busy is tried again.
+    patience: Duration,
     notice: Option<String>,
 }
 
@@ -69,6 +74,7 @@ impl Database {
         Self {
             place,
             checked: false,
+            patience: PATIENCE,
             notice: None,
         }
     }
@@ -158,8 +164,15 @@ impl Database {
         let mut set_aside = false;
         loop {
             match self.try_once(behavior, &act) {
-                Ok(result) => return Ok(result),
-                Err(trouble) if trouble.is_busy() && start.elapsed() < PATIENCE => {
+                Ok(result) => {
+                    self.patience = PATIENCE;
+                    return Ok(result);
+                }
+                Err(trouble) if trouble.is_busy() => {
+                    if start.elapsed() >= self.patience {
+                        self.patience = SCANT_PATIENCE;
+                        return Err(self.told(&trouble));
+                    }
                     thread::sleep(Duration::from_millis(10));
                 }
                 Err(trouble) if trouble.is_damage() && !set_aside => {
@@ -176,6 +189,7 @@ impl Database {
         behavior: TransactionBehavior,
         act: &impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<T, Trouble> {
+        let wait = WAIT.min(self.patience);
         let folder = match &mut self.place {
             Place::Folder(folder) => folder,
             Place::Memory(Some(connection)) => return transact(connection, behavior, act),
@@ -187,7 +201,7 @@ impl Database {
         };
         // Nobody sets it aside meanwhile: what is done must be found again.
         let _turn = Turn::shared(folder, LOCK)?;
-        let mut connection = open(folder)?;
+        let mut connection = open(folder, wait)?;
         if !self.checked {
             schema::check(&connection)?;
             self.checked = true;
@@ -202,7 +216,7 @@ impl Database {
         };
         let _turn = Turn::alone(folder, LOCK)?;
         // Another carrom may have done so before.
-        let opened = open(folder).and_then(|connection| schema::check(&connection));
+        let opened = open(folder, WAIT).and_then(|connection| schema::check(&connection));
         let Err(trouble) = opened else {
             return Ok(());
         };
@@ -249,10 +263,11 @@ fn free_name(folder: &Path) -> String {
     (1..).map(name).find(is_free).unwrap_or_else(|| name(0))
 }
 
-/// Opens the database and brings it to the present version.
-fn open(folder: &Path) -> Result<Connection, Trouble> {
+/// Opens the database and brings it to the present version; SQLite waits this long by
+/// itself for others.
+fn open(folder: &Path, wait: Duration) -> Result<Connection, Trouble> {
     let mut connection = Connection::open(path(folder))?;
-    connection.busy_timeout(WAIT)?;
+    connection.busy_timeout(wait)?;
     schema::prepare(&mut connection)?;
     Ok(connection)
 }
