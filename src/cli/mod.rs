@@ -160,7 +160,9 @@ impl Screen {
                 "carrom solve works a hit out (with --plain in plain lines), carrom figure lab \
                  --svg FILE draws it"
             }
-            Self::Foil => "carrom figure foil --svg FILE draws it, carrom learn 10 --plain tells of it",
+            Self::Foil => {
+                "carrom figure foil --svg FILE draws it, carrom learn 10 --plain tells of it"
+            }
             Self::Table => {
                 "carrom simulate FILE plays a shot, carrom replay FILE an exported game, carrom \
                  tape FILE a script"

@@ -40,7 +40,9 @@ pub(super) fn solve(steps: Option<&[Step]>) -> Result<ExitCode, Failure> {
 
 /// Names the commands that know `--plain` where it was given to another.
 pub(super) fn advise(message: &mut clap::Error) {
-    let unknown = message.get(ContextKind::InvalidArg).map(ToString::to_string);
+    let unknown = message
+        .get(ContextKind::InvalidArg)
+        .map(ToString::to_string);
     if message.kind() == ErrorKind::UnknownArgument && unknown.as_deref() == Some("--plain") {
         message.remove(ContextKind::SuggestedArg);
         let known = "plain lines are known to: carrom learn --plain, carrom quiz --plain, carrom \

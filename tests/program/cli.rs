@@ -58,14 +58,21 @@ fn without_a_terminal_it_says_so() {
             message.starts_with("carrom: a terminal is needed, and standard input is not one"),
             "{message}"
         );
-        assert!(message.contains(&format!("; without one: {instead}")), "{message}");
+        assert!(
+            message.contains(&format!("; without one: {instead}")),
+            "{message}"
+        );
         assert_eq!(message.lines().count(), 1);
     }
 }
 
 #[test]
 fn who_asks_for_plain_lines_is_told_where_they_are() {
-    for arguments in [&["lab", "--plain"][..], &["--plain"], &["worksheet", "--plain"]] {
+    for arguments in [
+        &["lab", "--plain"][..],
+        &["--plain"],
+        &["worksheet", "--plain"],
+    ] {
         let output = carrom(arguments);
         assert_eq!(output.status.code(), Some(2));
         let message = err(&output);

@@ -1,6 +1,6 @@
 //! A formula as it is read aloud.
 
-use super::spoken::{spoken_formula, unit_name};
+use super::spoken::{is_function, spoken_formula, unit_name};
 use crate::lessons::formula::{Formula, Node, subscript, superscript};
 
 /// A formula in words, which [`spoken`](super::spoken()) leaves as they are.
@@ -20,9 +20,20 @@ fn linear(formula: &Formula) -> String {
             () => "",
         };
         line += &of_node(&term.node);
-        after_fraction = matches!(term.node, Node::Fraction(..));
+        after_fraction = matches!(&term.node, Node::Fraction(_, under) if !awaits(under));
     }
     line.trim().to_owned()
+}
+
+/// Whether it ends in a function, whose argument follows.
+fn awaits(formula: &Formula) -> bool {
+    match formula.0.last().map(|term| &term.node) {
+        Some(Node::Word(word)) => is_function(word),
+        Some(Node::Scripts { base, .. }) => {
+            matches!(&**base, Node::Word(word) if is_function(word))
+        }
+        _ => false,
+    }
 }
 
 /// Whether it is multiplied by what stands before it: anything but a sign.
@@ -88,13 +99,23 @@ mod tests {
                 "v 2 n equals (2 m 1) over (m 1 plus m 2) times u 1 n",
             ),
             ("p = 2 m v", "p equals 2 m v"),
-            ("v = 4 \"m/s\" + 15 \"mm\"", "v equals 4 metres per second plus 15 millimetres"),
+            (
+                "v = 4 \"m/s\" + 15 \"mm\"",
+                "v equals 4 metres per second plus 15 millimetres",
+            ),
             ("v_1 = u sin alpha", "v 1 equals u times the sine of alpha"),
             (
                 "b = d/2 cot(Theta/2)",
                 "b equals d over 2 times the cotangent of (capital theta over 2)",
             ),
-            ("cot x = 1/(tan x)", "the cotangent of x equals 1 over (the tangent of x)"),
+            (
+                "cot x = 1/(tan x)",
+                "the cotangent of x equals 1 over (the tangent of x)",
+            ),
+            (
+                "d/2 (1 + 1/sin(Theta/2))",
+                "d over 2 times (1 plus 1 over the sine of (capital theta over 2))",
+            ),
             (
                 "theta_1 = 90 deg - arcsin(b/(2 r))",
                 "theta 1 equals 90 degrees minus the arc sine of (b over (2 r))",
@@ -116,7 +137,10 @@ mod tests {
                 "0 = 2 vec(v_1) dot vec(v_2)",
                 "0 equals 2 vector v 1 dot vector v 2",
             ),
-            ("v_1 dot v_2 = u_1 dot u_2", "v 1 dot v 2 equals u 1 dot u 2"),
+            (
+                "v_1 dot v_2 = u_1 dot u_2",
+                "v 1 dot v 2 equals u 1 dot u 2",
+            ),
             ("10^(-7)", "10 to the power minus 7"),
         ] {
             let formula = Formula::read(written).unwrap();

@@ -56,3 +56,31 @@ impl<'a> Keeper<'a> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quiz::{Answer, Confidence, Round};
+
+    #[test]
+    fn every_lost_answer_is_told_and_the_reason_once() {
+        let round = Round::hits(7);
+        let question = &round.questions()[0];
+        let answer = Answer::new(question.form.truth(), Confidence::Sure);
+        let (mut input, mut output) = (&b""[..], Vec::new());
+        let mut store = Store::nowhere();
+        let mut keeper = Keeper::new("Ada", &mut store);
+        let mut talk = Talk::new(&mut input, &mut output);
+        for number in 1..=3 {
+            let attempt = Attempt::of_quiz("Ada", round.code(), number, question, &answer);
+            keeper.record(&mut talk, attempt).unwrap();
+        }
+        assert_eq!(
+            String::from_utf8(output).unwrap(),
+            "What you do cannot be kept: no folder for data is known; --data-dir gives one.\n\
+             This answer is not kept.\n\
+             This answer is not kept either: 2 are lost by now.\n\
+             This answer is not kept either: 3 are lost by now.\n"
+        );
+    }
+}

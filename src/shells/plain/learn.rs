@@ -262,9 +262,7 @@ fn hear(
             };
             talk.ask_for(&asked, |heard| match heard {
                 heard if skip(heard) => Ok(None),
-                heard => {
-                    number(heard, unit, -1e9, 1e9).map(|number| Some(Answer::Number(number)))
-                }
+                heard => number(heard, unit, -1e9, 1e9).map(|number| Some(Answer::Number(number))),
             })
         }
         Asked::Choice(choices) => {
@@ -364,4 +362,105 @@ fn pieces(pieces: &[Piece], figure: Option<&Collision>) -> String {
             Piece::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spoken;
+    use super::*;
+    use crate::lessons::Formula;
+
+    /// Every text of the chapters: what is read, asked, chosen from and explained.
+    fn every_text(library: &Library) -> Vec<(&[Block], Option<Collision>)> {
+        let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
+        pages
+            .flat_map(|page| {
+                let hit = page.figure.map(|figure| figure.shot.collision());
+                let checkpoint = page.checkpoint.iter();
+                let asked = checkpoint.flat_map(|it| [&it.question[..], &it.after]);
+                std::iter::once(&page.text[..])
+                    .chain(asked)
+                    .map(move |text| (text, hit))
+            })
+            .collect()
+    }
+
+    fn choices(library: &Library) -> impl Iterator<Item = &[Piece]> {
+        let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
+        let asked = pages.filter_map(|page| page.checkpoint.as_ref());
+        let choices = asked.flat_map(|checkpoint| match &checkpoint.asked {
+            Asked::Choice(choices) => &choices[..],
+            _ => &[],
+        });
+        choices.flat_map(|choice| [&choice.text[..], &choice.why])
+    }
+
+    fn formulas(library: &Library) -> Vec<&Formula> {
+        let texts = every_text(library);
+        let blocks = texts.into_iter().flat_map(|(text, _)| text);
+        let mut formulas = Vec::new();
+        let mut lines: Vec<&[Piece]> = choices(library).collect();
+        for block in blocks {
+            match block {
+                Block::Formula(formula) => formulas.push(formula),
+                Block::Paragraph(line) | Block::Item(_, line) => lines.push(line),
+            }
+        }
+        formulas.extend(lines.into_iter().flatten().filter_map(|piece| match piece {
+            Piece::Formula(formula) => Some(formula),
+            _ => None,
+        }));
+        formulas
+    }
+
+    #[test]
+    fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
+        let units = ["metre", "gram", "second", "joule", "volt", "percent"];
+        let formulas = formulas(Library::embedded_once());
+        assert!(formulas.len() > 100, "{}", formulas.len());
+        for formula in formulas {
+            let said = spoken(&formula::aloud(formula));
+            assert!(!units.iter().any(|unit| said.contains(unit)), "{said}");
+            super::super::assert_spoken(&said);
+        }
+    }
+
+    #[test]
+    fn every_text_of_the_chapters_is_spoken_whole() {
+        let library = Library::embedded_once();
+        for (text, hit) in every_text(library) {
+            for line in texts(text, hit.as_ref()) {
+                super::super::assert_spoken(&spoken(&line));
+            }
+        }
+        for text in choices(library) {
+            super::super::assert_spoken(&spoken(&pieces(text, None)));
+        }
+        for chapter in &library.chapters {
+            for at in 0..chapter.pages.len() {
+                for answered in [false, true] {
+                    for line in figure::describe(chapter, at, answered) {
+                        super::super::assert_spoken(&spoken(&line));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_figure_tells_what_a_later_page_of_it_asks() {
+        let library = Library::embedded_once();
+        let chapter = &library.chapters[1];
+        let asks_rays = |page: &Page| {
+            let asked = page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked);
+            matches!(asked, Some(Asked::Rays))
+        };
+        let rays = chapter.pages.iter().position(asks_rays).unwrap();
+        let leaves = |at, answered| {
+            let lines = figure::describe(chapter, at, answered);
+            lines.iter().any(|line| line.contains("leaves at"))
+        };
+        assert!((0..rays).all(|at| !leaves(at, true)));
+        assert!(!leaves(rays, false) && leaves(rays, true));
+    }
 }

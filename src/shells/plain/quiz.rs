@@ -52,7 +52,7 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
     }
     let mut lines = vec!["Which round?".to_owned()];
     let each = (1..).zip(&kinds);
-    lines.extend(each.map(|(number, (about, _))| format!("{number}: {about}.")));
+    lines.extend(each.map(|(number, (about, _))| format!("{number}: {}", sentence(about))));
     lines.push("Type its number, or the code of a round, such as mixed-7.".into());
     let asked = Asked {
         lines: &lines,
@@ -162,10 +162,7 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
         "You said: {}",
         sentence(&form.words(&answer.said))
     ))?;
-    talk.say(&format!(
-        "It is: {}",
-        sentence(&form.words(&form.truth()))
-    ))?;
+    talk.say(&format!("It is: {}", sentence(&form.words(&form.truth()))))?;
     talk.say(&explanation.text)?;
     talk.say(&format!(
         "{:.1} of {:.0} points.",
@@ -192,7 +189,10 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     if let Some((misconception, count)) = summary.most_held() {
         talk.say(&match count {
             1 => format!("Once it looked like this: {}", sentence(misconception.name)),
-            _ => format!("Most often, {count} times: {}", sentence(misconception.name)),
+            _ => format!(
+                "Most often, {count} times: {}",
+                sentence(misconception.name)
+            ),
         })?;
     }
     talk.say(&summary.advice())?;
@@ -202,5 +202,44 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
             "The same round for a friend: the code {}.",
             verbatim(&round.code().to_string())
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{assert_spoken, spoken};
+    use super::*;
+    use crate::quiz::{Form, concepts};
+
+    #[test]
+    fn every_question_is_spoken_whole() {
+        for family in Family::ALL {
+            for seed in 0..20 {
+                let round = Round::new(Course::new(CourseKind::Topic(family)), seed);
+                for (number, question) in (1..).zip(round.questions()) {
+                    let mut lines = asking(&round, number, question);
+                    if let Form::Choice { options, .. } = &question.form {
+                        lines.extend(options.iter().map(ToString::to_string));
+                    }
+                    for said in question.beliefs.iter().map(|belief| belief.said) {
+                        let answer = Answer::new(said, crate::quiz::Confidence::Sure);
+                        let explained = explain(question, &answer);
+                        lines.extend([sentence(&explained.title), explained.text.to_string()]);
+                        lines.push(question.form.words(&said).to_string());
+                    }
+                    lines.iter().for_each(|line| assert_spoken(&spoken(line)));
+                }
+            }
+        }
+        for concept in concepts::all() {
+            let wrongs = concept.wrongs.iter();
+            let choices = wrongs.flat_map(|wrong| [&wrong.choice, &wrong.says]);
+            for text in [&concept.ask, &concept.right, &concept.why]
+                .into_iter()
+                .chain(choices)
+            {
+                assert_spoken(&spoken(text));
+            }
+        }
     }
 }

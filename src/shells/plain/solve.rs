@@ -46,7 +46,13 @@ fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
     };
     let m1_g = one("Mass of the striker in grams", "g", 15.0, 1e-3, 1e6)?;
     let m2_g = one("Mass of the target in grams", "g", 15.0, 1e-3, 1e6)?;
-    let speed = one("Speed of the striker in metres per second", "m/s", 4.0, 1e-3, 1e3)?;
+    let speed = one(
+        "Speed of the striker in metres per second",
+        "m/s",
+        4.0,
+        1e-3,
+        1e3,
+    )?;
     let alpha_deg = one(
         "Impact angle in degrees, positive with the target to the right",
         "°",

@@ -206,7 +206,10 @@ impl Shown {
     fn covers_outcome(&self) -> bool {
         matches!(
             self.figure.kind,
-            FigureKind::Lab | FigureKind::Split { .. } | FigureKind::Triangle { .. } | FigureKind::Frames
+            FigureKind::Lab
+                | FigureKind::Split { .. }
+                | FigureKind::Triangle { .. }
+                | FigureKind::Frames
         )
     }
 

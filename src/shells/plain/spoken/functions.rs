@@ -25,6 +25,9 @@ pub(super) fn at(letters: &[char], place: usize) -> Option<(String, usize)> {
     let rest = &here[written.len()..];
     let (raised, signs) = power(rest).unwrap_or_default();
     let rest = &rest[signs..];
+    if signs == 0 && rest.first().is_some_and(char::is_ascii_alphabetic) {
+        return None;
+    }
     let blanks = rest.iter().take_while(|c| **c == ' ').count();
     let has_argument = starts_argument(&rest[blanks..]);
     if !has_argument && signs == 0 {
@@ -34,6 +37,11 @@ pub(super) fn at(letters: &[char], place: usize) -> Option<(String, usize)> {
     let of = if has_argument { " of " } else { "" };
     let taken = written.len() + signs + if has_argument { blanks } else { 0 };
     Some((format!("{times} the {name}{raised}{of}"), taken))
+}
+
+/// Whether a word is the name of a function.
+pub(in crate::shells::plain) fn is_function(word: &str) -> bool {
+    FUNCTIONS.iter().any(|(written, _)| *written == word)
 }
 
 /// Whether an argument begins here: a number, a bracket, a sign, but no word.

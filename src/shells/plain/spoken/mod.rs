@@ -4,6 +4,7 @@ mod functions;
 mod signs;
 mod units;
 
+pub(super) use functions::is_function;
 pub(super) use units::{means_unit, unit_name};
 
 /// Marks around what is to stay as it is: Unicode's own for text put into other text.
@@ -121,13 +122,17 @@ mod tests {
                 "cos² 30° and cot(Θ/2)",
                 "the cosine squared of 30 degrees and the cotangent of (capital theta over 2)",
             ),
+            ("sin α cos α", "the sine of alpha times the cosine of alpha"),
             (
-                "sin α cos α",
-                "the sine of alpha times the cosine of alpha",
+                "using a tan, its sine is 2√3",
+                "using a tan, its sine is 2 times the square root of 3",
             ),
-            ("using a tan", "using a tan"),
+            ("the 30 g disc, of 30 g", "the 30 gram disc, of 30 grams"),
             ("v₁·v₂ = u₁ · u₂", "v 1 dot v 2 equals u 1 dot u 2"),
-            ("3m·√2 and 2·3", "3m times the square root of 2 and 2 times 3"),
+            (
+                "3m·√2 and 2·3",
+                "3m times the square root of 2 and 2 times 3",
+            ),
             ("dσ/dΩ", "d sigma over d omega"),
             ("E₁ : E₂", "E 1 to E 2"),
             ("yes and/or no: 3 m/s", "yes and/or no: 3 metres per second"),
@@ -145,7 +150,10 @@ mod tests {
     fn what_is_to_stay_stays() {
         let path = "/home/p/run-1=a_2*b/my  files/progress.db: found -1, +++ 2 m";
         let said = spoken(&format!("θ at {}: v = 2 m/s", verbatim(path)));
-        assert_eq!(said, format!("theta at {path}: v equals 2 metres per second"));
+        assert_eq!(
+            said,
+            format!("theta at {path}: v equals 2 metres per second")
+        );
         let twice = verbatim(&format!("a/{}\n/c", verbatim("b=1")));
         assert_eq!(spoken(&twice), "a/b=1 /c");
         assert_eq!(spoken(&format!("x{BEGIN}a=b")), "xa=b");

@@ -20,7 +20,8 @@ pub(super) fn spell(text: &str) -> String {
             plain += &one(*letter, before, after);
             i += 1;
             let ends_quantity = matches!(letter, '₀'..='₉') || is_greek(*letter);
-            let begins_sign = letter.is_ascii_alphabetic() && after.first().is_some_and(|c| is_greek(*c));
+            let begins_sign =
+                letter.is_ascii_alphabetic() && after.first().is_some_and(|c| is_greek(*c));
             if ends_quantity || begins_sign {
                 separate(&mut plain, after.first());
             }
@@ -73,6 +74,7 @@ fn one(letter: char, before: &[char], after: &[char]) -> String {
         '/' if name(last) && name(next) => " over ",
         '*' if name(last) && name(next) => " times ",
         '·' | '∙' if is_quantity(before.iter().rev()) && is_quantity(after.iter()) => " dot ",
+        '√' if digit(last) => " times the square root of ",
         '°' if is_one(before) => " degree",
         'Ω' => "omega",
         'Δ' => "delta",
@@ -151,6 +153,8 @@ const fn spelling(letter: char) -> Option<&'static str> {
         '″' | '“' | '”' => "\"",
         '–' => " to ",
         '—' => ", ",
+        '[' => "(",
+        ']' => ")",
         '*' | '`' => "",
         '\u{a0}' => " ",
         '\u{0}'..='\u{1f}' | '\u{7f}'..='\u{9f}' => " ",

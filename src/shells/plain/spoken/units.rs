@@ -19,6 +19,9 @@ const UNITS: [(&str, &str, &str); 15] = [
     ("times", "time", "times"),
 ];
 
+/// What is called by its mass: "a 15 gram coin".
+const DISCS: [&str; 6] = ["disc", "discs", "coin", "marble", "striker", "target"];
+
 /// How many of a unit there are.
 #[derive(Clone, Copy, PartialEq)]
 enum Count {
@@ -40,6 +43,9 @@ pub(super) fn spell(text: &str) -> String {
                 // The number counts what follows: "gram metres per second".
                 words.extend(name(bare, Count::One).map(str::to_owned));
                 continue;
+            }
+            (Some(_), unit) if next.is_some_and(|next| DISCS.contains(&next)) => {
+                name(unit, Count::One)
             }
             (Some(count), unit) => name(unit, count),
             (None, "m/s") => name("m/s", Count::Many),
@@ -140,7 +146,13 @@ mod tests {
         ] {
             assert!(means_unit(typed, unit), "{typed}");
         }
-        for (typed, unit) in [("cm", "mm"), ("kg", "g"), ("m", ""), ("/2", "°"), ("°", "%")] {
+        for (typed, unit) in [
+            ("cm", "mm"),
+            ("kg", "g"),
+            ("m", ""),
+            ("/2", "°"),
+            ("°", "%"),
+        ] {
             assert!(!means_unit(typed, unit), "{typed}");
         }
     }
