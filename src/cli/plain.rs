@@ -45,6 +45,8 @@ pub(super) fn advise(message: &mut clap::Error) {
         .map(ToString::to_string);
     if message.kind() == ErrorKind::UnknownArgument && unknown.as_deref() == Some("--plain") {
         message.remove(ContextKind::SuggestedArg);
+        // It would be the usage of what was suggested.
+        message.remove(ContextKind::Usage);
         let known = "plain lines are known to: carrom learn --plain, carrom quiz --plain, carrom \
                      solve --plain";
         message.insert(
