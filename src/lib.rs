@@ -43,7 +43,8 @@
 //!   physics/       discs, one impact, closed forms, frames, scattering, the event-
 //!                  driven engine and the exact record of a shot. Knows no game, no
 //!                  terminal, no clock, no random numbers.
-//!   files/         how any file from outside is read, and how its faults are told
+//!   files/         how any file from outside is read, how its faults are told, and how
+//!                  whole files are written
 //! ```
 
 pub mod app;

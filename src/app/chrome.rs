@@ -87,8 +87,8 @@ fn ask_for_room(area: Rect, buf: &mut Buffer, theme: &Theme) {
 fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let charset = app.settings().charset;
     let name = format!(" carrom : {}", screen.title());
-    let status = screen.status(&app.context);
-    let status = charset.text(&status);
+    let status = [app.keeping(), screen.status(&app.context)].join("  ");
+    let status = charset.text(status.trim());
     let (end, _) = buf.set_stringn(
         0,
         0,
@@ -98,8 +98,10 @@ fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, them
     );
     let width = text::width(&status) as u16;
     let start = area.width.saturating_sub(width + 1).max(end + 2);
-    let room = area.width.saturating_sub(start);
-    buf.set_stringn(start, 0, status, room.into(), theme.style(Role::Dim));
+    let room = usize::from(area.width.saturating_sub(start));
+    // Half a code would look like another one.
+    let status = text::clipped(&status, room);
+    buf.set_stringn(start, 0, status, room, theme.style(Role::Dim));
 }
 
 /// Shows as many hints as fit whole; `?` always keeps its place at the end.

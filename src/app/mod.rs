@@ -6,12 +6,15 @@
 
 mod chrome;
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
 use crate::screens::foil::Foil;
 use crate::screens::home::Home;
@@ -26,6 +29,17 @@ use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
 
+/// What an app has to read, play and answer.
+#[derive(Debug, Clone, Default)]
+pub struct Data {
+    /// The levels.
+    pub shelf: Shelf,
+    /// The chapters.
+    pub book: Book,
+    /// Written questions besides those of the program.
+    pub own: Arc<Library>,
+}
+
 /// The whole game, headless.
 pub struct App {
     stack: Vec<Box<dyn Screen>>,
@@ -35,8 +49,12 @@ pub struct App {
     help: Option<usize>,
     /// What the player is to be told, until a key is pressed.
     notice: Option<String>,
-    /// Whether the player was told that nothing can be kept.
-    told_of_trouble: bool,
+    /// The tickets of what is being kept and takes long.
+    saving: BTreeSet<u64>,
+    /// How many things could not be kept.
+    lost: usize,
+    /// Whether the last one could not.
+    losing: bool,
 }
 
 impl App {
@@ -48,7 +66,9 @@ impl App {
             size: Rect::default(),
             help: None,
             notice: None,
-            told_of_trouble: false,
+            saving: BTreeSet::new(),
+            lost: 0,
+            losing: false,
         };
         app.start(place);
         app
@@ -57,22 +77,26 @@ impl App {
     /// An app with other levels than those of the program alone, which starts at
     /// `place`, with Home below it.
     pub fn with_levels(shelf: Shelf, place: Place, settings: Settings, seed: u64) -> Self {
-        Self::with_data(shelf, Book::default(), place, settings, seed)
+        let data = Data {
+            shelf,
+            ..Data::default()
+        };
+        Self::with_data(data, place, settings, seed)
     }
 
-    /// The same with other chapters too.
-    pub fn with_data(
-        shelf: Shelf,
-        book: Book,
-        place: Place,
-        settings: Settings,
-        seed: u64,
-    ) -> Self {
+    /// An app with other things to read, play and answer than those of the program alone.
+    pub fn with_data(data: Data, place: Place, settings: Settings, seed: u64) -> Self {
         let mut app = Self::new(Place::Home, settings, seed);
-        app.context.shelf = shelf;
-        app.context.book = book;
+        app.context.shelf = data.shelf;
+        app.context.book = data.book;
+        app.context.own = data.own;
         app.start(place);
         app
+    }
+
+    /// The written questions of a teacher's own.
+    pub fn own(&self) -> &Arc<Library> {
+        &self.context.own
     }
 
     /// The chapters there are to read.
@@ -125,6 +149,9 @@ impl App {
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
             Input::Thought(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Saving(ticket) => {
+                self.saving.insert(*ticket);
+            }
             Input::Kept(answer) => {
                 self.note(answer);
                 return self.pass_on(input);
@@ -145,6 +172,7 @@ impl App {
 
     /// Takes what is for no screen alone of what came of a request.
     fn note(&mut self, answer: &Answer) {
+        self.saving.remove(&answer.ticket);
         if answer.notice.is_some() {
             self.notice.clone_from(&answer.notice);
         }
@@ -161,15 +189,27 @@ impl App {
             _ => {}
         }
         match &answer.done {
-            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason))
-                if !self.told_of_trouble =>
-            {
-                self.told_of_trouble = true;
-                self.notice = Some(format!(
-                    "What you do cannot be kept: {reason}. You can go on all the same."
-                ));
+            Done::Noted(Ok(())) => self.losing = false,
+            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason)) => {
+                if !self.losing {
+                    self.notice = Some(format!(
+                        "What you do cannot be kept: {reason}. You can go on all the same."
+                    ));
+                }
+                self.losing = true;
+                self.lost += usize::from(matches!(answer.done, Done::Noted(_)));
             }
             _ => {}
+        }
+    }
+
+    /// What the player should see of keeping while it does not go as it should: empty as
+    /// long as it does.
+    fn keeping(&self) -> String {
+        match self.lost {
+            _ if !self.saving.is_empty() => "saving ..".into(),
+            0 => String::new(),
+            lost => format!("not kept: {lost}"),
         }
     }
 
@@ -300,7 +340,9 @@ impl App {
                 Some(play) => Box::new(play),
                 None => return,
             },
-            Place::Class { code, teams } => Box::new(Class::new(code.as_ref(), teams)),
+            Place::Class { code, teams } => {
+                Box::new(Class::new(code.as_ref(), teams, &self.context))
+            }
             Place::Foil => Box::new(Foil::default()),
             Place::FoilAt { page } => Box::new(Foil::at(page)),
             Place::Table => Box::new(Table::default()),

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::files::tidy_name;
+
 /// Most teams that play.
 pub const MOST_TEAMS: usize = 8;
 
@@ -22,8 +24,8 @@ pub enum NameTrouble {
     Twice(String),
 }
 
-/// Names as they are shown and kept: no letters that would disturb a screen, no blanks
-/// at the ends, no more than [`LONGEST_NAME`] letters; empty ones are left out.
+/// Names as they are shown and kept: visible letters alone, no blanks at the ends, no more
+/// than [`LONGEST_NAME`] letters; empty ones are left out.
 ///
 /// # Errors
 /// If no team is left, if there are more than [`MOST_TEAMS`], or if two are alike but
@@ -51,22 +53,10 @@ pub fn team_names<'a>(
     Ok(names)
 }
 
-/// A name without what would disturb a screen.
+/// A name of at most so many letters.
 fn tidy(name: &str) -> String {
-    let visible: String = name.chars().filter(|c| !is_disturbing(*c)).collect();
-    let words: Vec<&str> = visible.split_whitespace().collect();
-    let short: String = words.join(" ").chars().take(LONGEST_NAME).collect();
+    let short: String = tidy_name(name).chars().take(LONGEST_NAME).collect();
     short.trim_end().to_owned()
-}
-
-/// Whether a letter moves the cursor, turns the direction of writing or takes no room of
-/// its own.
-fn is_disturbing(c: char) -> bool {
-    (c.is_control() && !c.is_whitespace())
-        || matches!(c,
-            '\u{300}'..='\u{36f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
-            | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fe00}'..='\u{fe0f}'
-            | '\u{e0000}'..='\u{e007f}')
 }
 
 #[cfg(test)]

@@ -1,11 +1,14 @@
 //! A class round as it is kept in a file, so that it can be taken up again.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use super::{Ballot, ClassRound, Place, Step, Vote, team_names};
 use crate::files::{Fault, Source};
-use crate::quiz::{Code, Said};
+use crate::quiz::concepts::Library;
+use crate::quiz::{Code, CourseKind, Question, Said};
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -22,6 +25,9 @@ struct Written<'a> {
     /// The question the class is at, counted from 1.
     number: usize,
     step: &'a str,
+    /// The ids of questions of the teacher's own, whose files may change.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    asked: Vec<&'a str>,
     question: Vec<Votes>,
 }
 
@@ -33,11 +39,6 @@ struct Votes {
 }
 
 #[derive(Deserialize)]
-struct AnyFormat {
-    format: Option<Spanned<toml::Value>>,
-}
-
-#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Read {
     #[serde(rename = "format")]
@@ -46,6 +47,8 @@ struct Read {
     teams: Spanned<Vec<String>>,
     number: Option<Spanned<usize>>,
     step: Option<Spanned<String>>,
+    #[serde(default)]
+    asked: Option<Spanned<Vec<String>>>,
     #[serde(default)]
     question: Vec<ReadVotes>,
 }
@@ -77,6 +80,7 @@ impl ClassRound {
             teams: self.teams(),
             number: self.place().question + 1,
             step: self.place().step.id(),
+            asked: self.own_ids(),
             question: (0..self.questions().len())
                 .map(|question| Votes {
                     first: votes(question, Vote::First),
@@ -87,20 +91,32 @@ impl ClassRound {
         toml::to_string(&written).map_err(|error| error.to_string())
     }
 
-    /// Reads such a file; `name` stands for it in messages.
+    /// The ids of the questions, if they are a teacher's own.
+    fn own_ids(&self) -> Vec<&str> {
+        let own = matches!(self.code().course.kind, CourseKind::Own(_));
+        let questions: &[Question] = if own { self.questions() } else { &[] };
+        let ids = questions.iter().map(|question| question.figures.get("id"));
+        ids.filter_map(|id| id?.as_str()).collect()
+    }
+
+    /// Reads such a file; `name` stands for it in messages, and `own` are the questions of
+    /// the teacher's own there are.
     ///
     /// # Errors
     /// The first thing that is wrong with it: that it is no such file, or a newer one;
-    /// that its code or its teams are none; that a vote says nothing, or something else
+    /// that its code or its teams are none; that it asks questions of the teacher's own
+    /// that are not there or have changed; that a vote says nothing, or something else
     /// than was asked for.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, Fault> {
         let source = Source::of_bytes(name, bytes, LARGEST)?;
-        check_format(source)?;
-        let read: Read = parse(source)?;
+        let read: Read = source.tables("a class round", FORMAT)?;
         let Some(code) = Code::parse(read.code.get_ref()) else {
             let message = "expected the code of a round, such as mixed-7";
             return Err(source.fault(read.code.span().start, "code", message));
         };
+        let code = code
+            .with_own(own)
+            .map_err(|message| source.fault(read.code.span().start, "code", message))?;
         let at = read.teams.span().start;
         let teams = team_names(read.teams.get_ref().iter().map(String::as_str))
             .map_err(|trouble| source.fault(at, "teams", trouble.to_string()))?;
@@ -109,6 +125,13 @@ impl ClassRound {
             return Err(source.fault(at, "teams", message));
         }
         let mut round = Self::new(code, teams);
+        if let Some(asked) = &read.asked
+            && round.own_ids() != *asked.get_ref()
+        {
+            let message =
+                "expected the questions of your own as they were; their files have changed";
+            return Err(source.fault(asked.span().start, "asked", message));
+        }
         for (question, votes) in read.question.iter().enumerate() {
             for (vote, field, said) in [
                 (Vote::First, "first", &votes.first),
@@ -191,32 +214,4 @@ impl ClassRound {
             .flat_map(|question| (0..self.teams().len()).map(move |team| (question, team)))
             .any(|(question, team)| voted(self.ballot(question, team)))
     }
-}
-
-fn check_format(source: Source) -> Result<(), Fault> {
-    let expected = format!("expected a class round with `format = {FORMAT}`");
-    let any: AnyFormat = parse(source)?;
-    let Some(format) = any.format else {
-        return Err(source.fault(0, "format", format!("{expected}, found none")));
-    };
-    match format.get_ref().as_integer() {
-        Some(found) if found == i64::from(FORMAT) => Ok(()),
-        Some(found) if found > i64::from(FORMAT) => Err(source.fault(
-            format.span().start,
-            "format",
-            format!("{found} is newer than the {FORMAT} this carrom reads"),
-        )),
-        _ => Err(source.fault(
-            format.span().start,
-            "format",
-            format!("{expected}, found {}", format.get_ref()),
-        )),
-    }
-}
-
-fn parse<'a, T: Deserialize<'a>>(source: Source<'a>) -> Result<T, Fault> {
-    toml::from_str(source.text()).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        source.fault(at, source.key_near(at), error.message().trim())
-    })
 }

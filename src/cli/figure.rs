@@ -1,15 +1,14 @@
 //! `carrom figure`: a figure of the lessons as a picture, without a terminal.
 
-use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 
-use super::options::Look;
-use super::{Failure, Options, print};
+use super::options::Auto;
+use super::{Failure, Options, print, written};
 use crate::screens::learn::draw_figure;
-use crate::widgets::{self, Charset, Depth, Palette, Theme};
+use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// Draw a figure of the lessons as an SVG picture
 #[derive(Debug, clap::Args)]
@@ -28,13 +27,16 @@ pub(super) struct Args {
     /// The file to write (default: standard output)
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    /// Replace a file of this name that is there already
+    #[arg(long, requires = "svg")]
+    force: bool,
     /// Dark on light, for paper and slides
     #[arg(long)]
     light: bool,
 }
 
 /// Draws in Unicode and full colour unless the options say otherwise.
-const AUTO: Look = Look {
+const AUTO: Auto = Auto {
     charset: Charset::Unicode,
     depth: Depth::True,
 };
@@ -46,7 +48,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     } else {
         settings.palette
     };
-    let look = widgets::Look {
+    let look = Look {
         charset: settings.charset,
         theme: Theme::new(palette, settings.depth),
     };
@@ -54,7 +56,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let words = words.map_err(|error| Failure::Input(anyhow!(error)))?;
     let picture = draw_figure(&words, &look).map_err(|error| Failure::Input(anyhow!(error)))?;
     match &args.svg {
-        Some(path) => fs::write(path, picture).with_context(|| path.display().to_string())?,
+        Some(path) => written::write(&[(path.clone(), picture)], args.force)?,
         None => print(picture.as_bytes())?,
     }
     Ok(ExitCode::SUCCESS)

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, given, print};
+use super::{Failure, Options, given, print_text};
 use crate::lessons::Library;
 
 /// Check chapters: every directive, every number, every page
@@ -32,7 +32,7 @@ struct Check {
     paths: Vec<PathBuf>,
 }
 
-pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,
@@ -53,7 +53,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
         )?;
         faults.extend(found);
     }
-    print(&report)?;
+    print_text(&String::from_utf8_lossy(&report), options)?;
     given::refuse(&faults)?;
     if library.chapters.is_empty() {
         return Err(Failure::Input(anyhow!("no chapters found")));

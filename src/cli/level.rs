@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, given, print};
+use super::{Failure, Options, given, print_text};
 use crate::levels::{Level, Library, Trial, Verdict, winning_share};
 
 /// How many aims the measure of difficulty tries.
@@ -39,7 +39,7 @@ struct Check {
     verbose: bool,
 }
 
-pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,
@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
             lost += usize::from(!won);
         }
     }
-    print(&report)?;
+    print_text(&String::from_utf8_lossy(&report), options)?;
     given::refuse(&library.problems)?;
     match lost {
         _ if library.packs.is_empty() => Err(Failure::Input(anyhow!("no levels found"))),

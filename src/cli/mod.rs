@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand.
 
 mod completions;
+mod concept;
 mod failure;
 mod figure;
 mod given;
@@ -16,22 +17,27 @@ mod simulate;
 mod solve;
 mod tape;
 mod worksheet;
+mod written;
 
+use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::sync::Arc;
 
+use anyhow::anyhow;
 use clap::{CommandFactory, Parser, Subcommand};
 
 pub use failure::Failure;
 pub use options::Options;
 
-use crate::app::App;
+use crate::app::{App, Data};
 use crate::class::team_names;
+use crate::files::{harmless_lines, is_invisible};
 use crate::lessons::Library;
-use crate::quiz::Code;
-use crate::screens::{Book, Place, Shelf};
-use options::Look;
+use crate::quiz::{Code, concepts};
+use crate::screens::Place;
+use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
 ///
@@ -66,6 +72,8 @@ Examples:
   carrom level check mine.toml see whether a level of your own can be won
   carrom replay game.toml      play an exported game again, to the last bit
   carrom lesson check mine     see whether chapters of your own are good
+  carrom concept check mine    see whether written questions of your own are good
+  carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
                                a figure of the lessons as a picture
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
@@ -81,6 +89,7 @@ enum Command {
     Replay(replay::Args),
     Level(level::Args),
     Lesson(lesson::Args),
+    Concept(concept::Args),
     Figure(figure::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
@@ -177,25 +186,25 @@ impl Screen {
         }
     }
 
-    /// Where that is, with these levels, chapters and options.
+    /// Where that is, with these levels, chapters, questions and options.
     ///
     /// # Errors
-    /// If there is no level or chapter of that name, in words.
-    fn place(&self, shelf: &Shelf, book: &Book, options: &Options) -> Result<Place, String> {
+    /// If there is no level or chapter of that name, or no question for a code, in words.
+    fn place(&self, data: &Data, options: &Options) -> Result<Place, String> {
         Ok(match self {
             Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
                 chapter: Some(name),
                 ..
             } => Place::Chapter {
-                number: find_chapter(book.library(), name)?,
+                number: find_chapter(data.book.library(), name)?,
             },
             Self::Lab => Place::Lab,
             Self::Quiz { code, .. } => Place::Quiz {
-                code: round(code.as_ref(), options),
+                code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class { code, teams } => Place::Class {
-                code: code.clone(),
+                code: filled(code.as_ref(), &data.own)?,
                 teams: teams.clone().unwrap_or_default().0,
             },
             Self::Foil => Place::Foil,
@@ -203,7 +212,7 @@ impl Screen {
             Self::Progress(_) => Place::Progress,
             Self::Levels { name: None } => Place::Levels,
             Self::Levels { name: Some(name) } => {
-                let number = shelf.find(name);
+                let number = data.shelf.find(name);
                 let number = number.ok_or_else(|| {
                     format!(
                         "expected the id of a level, such as dead-stop, found \"{}\"",
@@ -218,11 +227,7 @@ impl Screen {
 
 /// The code of a round.
 fn code(text: &str) -> Result<Code, String> {
-    Code::parse(text).ok_or_else(|| {
-        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
-         speeds-7, or 7 for ten hits"
-            .into()
-    })
+    Code::read(text).map_err(|error| error.to_string())
 }
 
 /// The names of the teams of a class.
@@ -236,8 +241,20 @@ fn teams(text: &str) -> Result<Teams, String> {
 }
 
 /// The round that is asked for: by its code, or ten hits by a seed alone.
-fn round(code: Option<&Code>, options: &Options) -> Option<Code> {
-    code.cloned().or_else(|| options.seed.map(Code::hits))
+///
+/// # Errors
+/// If it is of own questions and there are none, in words.
+fn round(
+    code: Option<&Code>,
+    options: &Options,
+    own: &Arc<concepts::Library>,
+) -> Result<Option<Code>, String> {
+    Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
+}
+
+/// A code with the questions of the teacher's own, where it asks for them.
+fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Code>, String> {
+    code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
 /// The place of a chapter by its number or its name, from 0.
@@ -257,18 +274,33 @@ fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
-fn app(screen: Option<&Screen>, options: &Options, auto: Look, seed: u64) -> Result<App, String> {
-    let (shelf, book) = (options.shelf(), options.book());
-    let place = screen.map_or(Ok(Place::Home), |screen| {
-        screen.place(&shelf, &book, options)
-    })?;
-    Ok(App::with_data(
-        shelf,
-        book,
-        place,
-        options.settings(auto),
-        seed,
-    ))
+fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Result<App, String> {
+    let data = Data {
+        shelf: options.shelf(),
+        book: options.book(),
+        own: options.own(),
+    };
+    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&data, options))?;
+    Ok(App::with_data(data, place, options.settings(auto), seed))
+}
+
+impl Cli {
+    /// Checks what options say together.
+    ///
+    /// # Errors
+    /// What was expected.
+    fn check(&self) -> Result<(), String> {
+        let code = match &self.command {
+            Some(Command::Open(Screen::Quiz { code, .. } | Screen::Class { code, .. })) => code,
+            _ => &None,
+        };
+        match (code, self.options.seed) {
+            (Some(_), Some(_)) => {
+                Err("expected --seed or --code, not both: a code has its seed in it".into())
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// Does what the arguments (the first is the program's name) ask for.
@@ -282,20 +314,22 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             plain::advise(&mut message);
             // Help asked for goes to standard output, anything else to standard
             // error; if neither can be written there is nobody to tell.
-            let _ = message.print();
+            let _ = say(&message);
             return Ok(match message.exit_code() {
                 0 => ExitCode::SUCCESS,
                 _ => ExitCode::from(2),
             });
         }
     };
+    cli.check()
+        .map_err(|error| Failure::Input(anyhow!(error)))?;
     match &cli.command {
         None => play::run(&cli.options, None),
         Some(Command::Open(Screen::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
         Some(Command::Open(Screen::Quiz { code, plain: true })) => {
-            plain::quiz(round(code.as_ref(), &cli.options), &cli.options)
+            plain::quiz(code.as_ref(), &cli.options)
         }
         Some(Command::Open(Screen::Learn {
             chapter,
@@ -305,14 +339,27 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Solve(args)) => solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
-        Some(Command::Level(args)) => level::run(args),
-        Some(Command::Lesson(args)) => lesson::run(args),
+        Some(Command::Level(args)) => level::run(args, &cli.options),
+        Some(Command::Lesson(args)) => lesson::run(args, &cli.options),
+        Some(Command::Concept(args)) => concept::run(args, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
     }
+}
+
+/// Says what is wrong with the arguments, or the help that was asked for. It is coloured
+/// unless it quotes what would play tricks on the terminal.
+fn say(message: &clap::Error) -> io::Result<()> {
+    let plain = message.to_string();
+    let harmless = harmless_lines(&plain);
+    let quoted = env::args_os().any(|word| word.to_string_lossy().contains(is_invisible));
+    if quoted && message.use_stderr() {
+        return writeln!(io::stderr(), "{harmless}");
+    }
+    message.print()
 }
 
 /// The app that `carrom` with these arguments opens (in one string, split into
@@ -335,6 +382,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
         let first = message.lines().next().unwrap_or_default();
         first.strip_prefix("error: ").unwrap_or(first).to_owned()
     })?;
+    cli.check()?;
     let screen = match &cli.command {
         None => None,
         Some(Command::Open(screen)) if screen.opens() => Some(screen),
@@ -342,8 +390,17 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(screen, &options, Look::PLAINEST, seed)?;
+    let app = app(screen, &options, Auto::PLAINEST, seed)?;
     Ok((app, options))
+}
+
+/// Writes words to standard output, in glyphs that it shows. They may quote anything.
+fn print_text(text: &str, options: &Options) -> io::Result<()> {
+    let mut text = harmless_lines(&options.printed().text(text));
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    print(text.as_bytes())
 }
 
 /// Writes to standard output. A reader who has seen enough (`carrom man | head`) is

@@ -1,12 +1,17 @@
 //! Options that every command takes.
 
+use std::env;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use etcetera::BaseStrategy;
 
+use crate::files::tidy_name;
 use crate::game::is_player_name;
+use crate::quiz::concepts::Library;
 use crate::screens::{Book, Settings, Shelf};
+use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
 use crate::{lessons, levels};
@@ -25,7 +30,8 @@ pub struct Options {
     #[arg(long, global = true, value_enum, value_name = "PALETTE")]
     palette: Option<PaletteChoice>,
     /// Fix everything that is left to chance, such as the questions of a quiz
-    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, global = true, value_name = "N", value_parser = seed,
+          allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
     /// Name of the player
     #[arg(long, global = true, value_name = "NAME", value_parser = player)]
@@ -38,6 +44,10 @@ pub struct Options {
     /// several times
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     lessons: Vec<PathBuf>,
+    /// Folder with written questions of your own, asked in rounds of their own; may be
+    /// given several times
+    #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
+    concepts: Vec<PathBuf>,
     /// Folder for what carrom keeps, such as saved games and every answer (default: the
     /// system's place for a program's data)
     #[arg(long, global = true, value_name = "DIR")]
@@ -72,12 +82,12 @@ enum PaletteChoice {
 
 /// What `auto` means for charset and colours.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct Auto {
     pub(super) charset: Charset,
     pub(super) depth: Depth,
 }
 
-impl Look {
+impl Auto {
     /// What shows anywhere.
     pub(super) const PLAINEST: Self = Self {
         charset: Charset::Ascii,
@@ -111,6 +121,11 @@ impl Options {
             } else {
                 self.levels
             },
+            concepts: if self.concepts.is_empty() {
+                other.concepts
+            } else {
+                self.concepts
+            },
             data_dir: self.data_dir.or(other.data_dir),
         }
     }
@@ -124,6 +139,11 @@ impl Options {
         }
     }
 
+    /// The glyphs to print with.
+    pub(super) fn printed(&self) -> Charset {
+        self.charset(terminal::charset(|name| env::var(name).ok()))
+    }
+
     /// The name of the player.
     pub(super) fn player_name(&self) -> String {
         let name = self.player.clone();
@@ -131,7 +151,7 @@ impl Options {
     }
 
     /// What the player has set, with `auto` standing for the given look.
-    pub(super) fn settings(&self, auto: Look) -> Settings {
+    pub(super) fn settings(&self, auto: Auto) -> Settings {
         let defaults = Settings::default();
         Settings {
             charset: self.charset(auto.charset),
@@ -178,6 +198,16 @@ impl Options {
         Book::new(library)
     }
 
+    /// The written questions of the folders given. Files that are no good are left out
+    /// and listed where a round of them is chosen.
+    pub(super) fn own(&self) -> Arc<Library> {
+        let mut library = Library::default();
+        for dir in &self.concepts {
+            library.add_dir(dir);
+        }
+        Arc::new(library)
+    }
+
     /// The folder for what carrom keeps, if one is given.
     pub(super) fn given_data_dir(&self) -> Option<&Path> {
         self.data_dir.as_deref()
@@ -209,11 +239,17 @@ fn folder(path: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// A name that can be shown: not empty, not endless, nothing but visible letters.
+/// A name that can be shown: not empty, not endless, and nothing but its visible letters.
 fn player(name: &str) -> Result<String, String> {
-    let name = name.trim();
-    if !is_player_name(name) {
+    let name = tidy_name(name);
+    if !is_player_name(&name) {
         return Err("expected a name of 1 to 40 visible letters".into());
     }
-    Ok(name.to_owned())
+    Ok(name)
+}
+
+/// A seed. Numbers may be as large as they are anywhere.
+fn seed(text: &str) -> Result<u64, String> {
+    let expected = || format!("expected a whole number from 0 to {}", u64::MAX);
+    text.parse().map_err(|_| expected())
 }

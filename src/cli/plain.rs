@@ -13,10 +13,12 @@ use crate::quiz::Code;
 use crate::shells::plain::{self, Keeper, Leave, Talk};
 
 /// A round of the quiz.
-pub(super) fn quiz(code: Option<Code>, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn quiz(code: Option<&Code>, options: &Options) -> Result<ExitCode, Failure> {
+    let own = options.own();
+    let code = super::round(code, options, &own).map_err(|error| Failure::Input(anyhow!(error)))?;
     let seed = options.seed.unwrap_or_else(any_seed);
     with_keeper(options, |talk, keeper| {
-        plain::quiz(talk, keeper, code, seed)
+        plain::quiz(talk, keeper, code, seed, &own)
     })
 }
 

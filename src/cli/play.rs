@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::options::Look;
+use super::options::Auto;
 use super::{Failure, Options, Screen, app};
 use crate::shells::terminal::{self, Ending};
 
@@ -18,13 +18,14 @@ pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode
         Failure::Input(anyhow!("{error}; without one: {instead}"))
     })?;
     terminal::report_crashes(options.data_dir());
-    let auto = Look {
+    let auto = Auto {
         charset: terminal::charset(env),
-        depth: terminal::depth(),
+        depth: terminal::depth(env),
     };
     let seed = options.seed.unwrap_or_else(any_seed);
     let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;
-    Ok(match terminal::run(app, options.store())? {
+    let store = options.store().with_own(app.own());
+    Ok(match terminal::run(app, store)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.
         Ending::Signal(signal) => ExitCode::from(128 + signal as u8),

@@ -1,13 +1,13 @@
 //! `carrom progress`: opens the screen, or prints what was done.
 
 use std::ffi::OsStr;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 
-use super::{Failure, Options, print};
+use super::{Failure, Options, print, written};
+use crate::files::{Document, harmless_lines};
 use crate::messages::{Done, Request, Wish};
 use crate::paper::report::{Report, Sources};
 use crate::progress::{csv, json};
@@ -33,6 +33,9 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE", value_parser = report_file,
           conflicts_with_all = ["json", "csv", "everyone"])]
     report: Option<ReportFile>,
+    /// Replace a report that is there already, with its pictures
+    #[arg(long, requires = "report")]
+    force: bool,
 }
 
 /// Where a report is written; its ending says what it is written as.
@@ -74,21 +77,26 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
             Done::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
             _ => return Err(anyhow!("the stars could not be looked up").into()),
         };
+        let marks = match ask(&mut store, Wish::Marks(player.clone())) {
+            Done::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
+            _ => return Err(anyhow!("the bookmarks could not be looked up").into()),
+        };
         let (shelf, book) = (options.shelf(), options.book());
         let report = Report::new(&Sources {
             player: &player,
             history: &history,
+            marks: &marks,
             stars: &stars,
             levels: shelf.library(),
             lessons: book.library(),
         });
-        write(&report, file)?;
+        written::write(&documents(&report, file), args.force)?;
         return Ok(ExitCode::SUCCESS);
     }
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
-        format!("{}\n", json(&history.attempts, history.now_s))
+        json(&history.attempts, history.now_s).map_err(|reason| anyhow!(reason))? + "\n"
     };
     print(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
@@ -98,31 +106,26 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
 fn ask(store: &mut Store, wish: Wish) -> Done {
     let answer = store.answer(&Request { ticket: 0, wish });
     if let Some(notice) = answer.notice {
-        eprintln!("carrom: {notice}");
+        eprintln!("carrom: {}", harmless_lines(&notice));
     }
     answer.done
 }
 
-/// Writes the report; the pictures of one in Markdown go into a folder beside it, which
-/// has its name.
-fn write(report: &Report, file: &ReportFile) -> Result<(), anyhow::Error> {
-    let put = |path: &Path, text: &str| {
-        fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
-    };
+/// The report in its file; the pictures of one in Markdown go into a folder beside it,
+/// which has its name.
+fn documents(report: &Report, file: &ReportFile) -> Vec<Document> {
     let path = match file {
-        ReportFile::Html(path) => return put(path, &report.html()),
+        ReportFile::Html(path) => return vec![(path.clone(), report.html())],
         ReportFile::Markdown(path) => path,
     };
     let stem = path.file_stem().and_then(OsStr::to_str);
     let folder = format!("{}-pictures", stem.unwrap_or("report"));
-    let pictures = report.pictures();
-    if !pictures.is_empty() {
-        let folder = path.with_file_name(&folder);
-        fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        for picture in pictures {
-            let name = format!("{}.svg", picture.name);
-            put(&folder.join(name), &picture.svg.file())?;
-        }
+    let mut documents = vec![(path.clone(), report.markdown(&folder))];
+    for picture in report.pictures() {
+        let picture_path = path
+            .with_file_name(&folder)
+            .join(format!("{}.svg", picture.name));
+        documents.push((picture_path, picture.svg.file()));
     }
-    put(path, &report.markdown(&folder))
+    documents
 }

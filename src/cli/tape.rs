@@ -1,13 +1,12 @@
 //! `carrom tape`: plays a script without a terminal.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 
 use super::{Failure, Options};
-use crate::files::{self, Source};
+use crate::files::{self, Existing, Source};
 use crate::shells::Headless;
 use crate::shells::tape::{PlayError, Tape, play};
 use crate::store::Store;
@@ -35,6 +34,7 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Set Size 100x30          columns x rows (default 80x24)
   Set Charset ascii        or unicode
   Set Color none           or 16, 256, truecolor
+  Set Day 2026-01-05       the clock stands at noon of this day (default: no clock)
   Type "60"                one key a character
   Right 5                  a key by its name, with how often: Up Down Left Right Enter
                            Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown
@@ -54,7 +54,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
         let (app, options) = super::open_within(arguments, options)?;
         Ok(match options.given_data_dir() {
             Some(folder) => {
-                let store = Store::in_folder(folder).timeless();
+                let store = Store::in_folder(folder).timeless().with_own(app.own());
                 Headless::keeping(app, 80, 24, store)
             }
             None => Headless::from(app),
@@ -70,20 +70,22 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     if screenshots.is_empty() {
         return Ok(ExitCode::SUCCESS);
     }
-    fs::create_dir_all(&args.out).with_context(|| args.out.display().to_string())?;
-    let mut written = String::new();
+    let mut documents = Vec::new();
     for screenshot in &screenshots {
-        let mut keep = |kind: &str, content: &str| -> anyhow::Result<()> {
+        let mut keep = |kind: &str, content: String| {
             let path = args.out.join(format!("{}.{kind}", screenshot.name));
-            fs::write(&path, content).with_context(|| path.display().to_string())?;
-            written += &format!("{}\n", path.display());
-            Ok(())
+            documents.push((path, content));
         };
-        keep("txt", &screenshot.text())?;
+        keep("txt", screenshot.text());
         if args.svg {
-            keep("svg", &screenshot.svg())?;
+            keep("svg", screenshot.svg());
         }
     }
+    files::put(&documents, Existing::Go)?;
+    let names = documents.iter();
+    let written: String = names
+        .map(|(path, _)| format!("{}\n", path.display()))
+        .collect();
     super::print(written.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }

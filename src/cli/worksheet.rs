@@ -1,14 +1,14 @@
 //! `carrom worksheet`: a round of the quiz on paper.
 
-use std::fs::{self, OpenOptions};
-use std::io::{ErrorKind, Write};
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::{Context, anyhow};
 
-use super::{Failure, Options, print};
-use crate::paper::worksheet::Worksheet;
+use super::{Failure, Options, print, written};
+use crate::files::Document;
+use crate::paper::worksheet::{Picture, Worksheet};
 use crate::quiz::{Code, Course, CourseKind, Round};
 
 /// Write a round of the quiz as a worksheet, with its key
@@ -42,7 +42,7 @@ pub(super) struct Args {
     /// One document: the key in worksheet.html and worksheet.md too, behind the questions
     #[arg(long)]
     with_key: bool,
-    /// Replace files of these names that are there already
+    /// Replace the worksheet that is there already, with its key and its pictures
     #[arg(long)]
     force: bool,
 }
@@ -51,11 +51,20 @@ pub(super) struct Args {
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
-    let round = Round::of(code(args, options).map_err(Failure::Input)?);
+    let code = code(args, options).map_err(Failure::Input)?;
+    let code = code.with_own(&options.own());
+    let round = Round::of(code.map_err(|error| Failure::Input(anyhow!(error)))?);
     let worksheet = Worksheet::new(&round, args.title.as_deref());
-    let files = files(&worksheet, args.with_key);
-    let written = write(args, &files)?;
-    print(written.as_bytes())?;
+    let files = files(&worksheet, args);
+    written::write(&files, args.force)?;
+    if args.force {
+        remove_others(&args.out, &files)?;
+    }
+    let documents = files.iter().filter(|(path, _)| !is_picture(path));
+    let names: String = documents
+        .map(|(path, _)| format!("{}\n", path.display()))
+        .collect();
+    print(names.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -80,13 +89,13 @@ fn code(args: &Args, options: &Options) -> anyhow::Result<Code> {
     }
 }
 
-/// What is to be written: names below the folder, with content.
-fn files(worksheet: &Worksheet, with_key: bool) -> Vec<(String, String)> {
+/// What is to be written.
+fn files(worksheet: &Worksheet, args: &Args) -> Vec<Document> {
     let mut files = Vec::new();
-    let mut file = |name: &str, content: String| files.push((name.to_owned(), content));
+    let mut file = |name: &str, content: String| files.push((args.out.join(name), content));
     let sheet = worksheet.sheet_markdown(PICTURES);
     let key = worksheet.key_markdown(PICTURES);
-    if with_key {
+    if args.with_key {
         file("worksheet.html", worksheet.html_with_key());
         file("worksheet.md", format!("{sheet}\n---\n\n{key}"));
     } else {
@@ -102,47 +111,27 @@ fn files(worksheet: &Worksheet, with_key: bool) -> Vec<(String, String)> {
     files
 }
 
-/// Writes all files, or none where one is there already and may not be replaced; gives
-/// the names of the documents.
-fn write(args: &Args, files: &[(String, String)]) -> anyhow::Result<String> {
-    let there =
-        |path: PathBuf| anyhow!("{}: is there already (--force replaces it)", path.display());
-    if !args.force {
-        for (name, _) in files {
-            let path = args.out.join(name);
-            // A link that leads nowhere is there too.
-            if fs::symlink_metadata(&path).is_ok() {
-                return Err(there(path));
-            }
+fn is_picture(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "svg")
+}
+
+/// Removes what a worksheet of another round has left in the folder: a key that is not of
+/// these questions, and pictures that no question has.
+fn remove_others(out: &Path, files: &[Document]) -> anyhow::Result<()> {
+    let keys = ["key.html", "key.md"].map(|name| out.join(name));
+    let mut others: Vec<_> = keys.into_iter().filter(|path| path.is_file()).collect();
+    if let Ok(entries) = fs::read_dir(out.join(PICTURES)) {
+        let names = entries.flatten().map(|entry| entry.file_name());
+        let pictures = names.filter(|name| name.to_str().is_some_and(Picture::is_file_name));
+        others.extend(pictures.map(|name| out.join(PICTURES).join(name)));
+    }
+    for path in others {
+        if !files.iter().any(|(written, _)| *written == path) {
+            let removed = fs::remove_file(&path);
+            removed.with_context(|| format!("cannot remove {}", path.display()))?;
         }
     }
-    let has_pictures = files.iter().any(|(name, _)| name.starts_with(PICTURES));
-    let folder = match has_pictures {
-        true => args.out.join(PICTURES),
-        false => args.out.clone(),
-    };
-    fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
-    let mut written = String::new();
-    for (name, content) in files {
-        let path = args.out.join(name);
-        let mut options = OpenOptions::new();
-        options.write(true);
-        if args.force {
-            options.create(true).truncate(true);
-        } else {
-            options.create_new(true);
-        }
-        let mut file = match options.open(&path) {
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => return Err(there(path)),
-            opened => opened.with_context(|| path.display().to_string())?,
-        };
-        file.write_all(content.as_bytes())
-            .with_context(|| path.display().to_string())?;
-        if !name.starts_with(PICTURES) {
-            written += &format!("{}\n", path.display());
-        }
-    }
-    Ok(written)
+    Ok(())
 }
 
 fn count(text: &str) -> Result<usize, String> {

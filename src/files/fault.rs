@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::is_invisible;
+
 /// The first thing that is wrong with a file.
 ///
 /// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
@@ -55,13 +57,20 @@ impl fmt::Display for Fault {
     }
 }
 
+/// A message of one or more lines that may quote anything, likewise without control
+/// characters: what is written to the terminal outside of its screen goes through this.
+pub fn harmless_lines(text: &str) -> String {
+    let lines = text.lines().map(|line| harmless(line, usize::MAX));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
 /// Text from outside on one line, without control characters and not endless, so
 /// that a message cannot play tricks on the terminal that shows it.
 pub fn harmless(text: &str, most: usize) -> String {
     let mut kept = String::new();
     let mut characters = text.chars();
     for c in characters.by_ref().take(most) {
-        if c.is_control() {
+        if is_invisible(c) {
             kept.extend(c.escape_default());
         } else {
             kept.push(c);

@@ -16,6 +16,8 @@ pub struct List {
     /// The plain files whose names have the ending that was asked for: opening a pipe
     /// would wait for whoever writes to it.
     pub files: Vec<PathBuf>,
+    /// What else has such a name and is no folder: pipes, devices, links that lead nowhere.
+    pub odd: Vec<Fault>,
 }
 
 /// The folders in a folder, and at most so many files there with this ending (without
@@ -32,14 +34,20 @@ pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, Fault> {
     let mut paths = paths.map_err(|error| fault(format!("cannot be read: {error}")))?;
     paths.sort();
     let (folders, mut files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
-    files.retain(|path| has_ending(path, ending) && path.is_file());
+    files.retain(|path| has_ending(path, ending));
+    let (files, odd): (Vec<_>, Vec<_>) = files.into_iter().partition(|path| path.is_file());
+    let odd = odd.iter().map(|path| not_a_file(path)).collect();
     if files.len() > most {
         let found = files.len();
         return Err(fault(format!(
             "expected at most {most} files, found {found}"
         )));
     }
-    Ok(List { folders, files })
+    Ok(List {
+        folders,
+        files,
+        odd,
+    })
 }
 
 /// The files with this ending in a folder of the program, in the order of their names.
@@ -50,6 +58,17 @@ pub fn embedded<'a>(folder: &'a Dir<'a>, ending: &str) -> Vec<&'a File<'a>> {
         .collect();
     files.sort_by_key(|file| file.path());
     files
+}
+
+/// The fault of what should be a file and is none.
+pub fn not_a_file(path: &Path) -> Fault {
+    let found = match fs::metadata(path) {
+        Ok(about) if about.is_dir() => "a folder",
+        Ok(_) => "something else",
+        Err(_) => "a link that leads nowhere",
+    };
+    let message = format!("expected a file, found {found}");
+    Fault::of_file(&path.display().to_string(), message)
 }
 
 fn has_ending(path: &Path, ending: &str) -> bool {

@@ -1,12 +1,20 @@
-//! What all files have in common that come from outside: how they are read, and how
-//! one says what is wrong with them.
+//! What all files have in common: how those from outside are read, how one says what is
+//! wrong with them, and how whole ones are written.
 
+mod draft;
 mod fault;
+mod letters;
 mod list;
+mod put;
 mod read;
 mod source;
+mod tables;
 
-pub use fault::{Fault, harmless};
-pub use list::{List, embedded, list};
+pub use draft::{Draft, UNFINISHED, settle};
+pub use fault::{Fault, harmless, harmless_lines};
+pub use letters::{is_invisible, tidy_name};
+pub use list::{List, embedded, list, not_a_file};
+pub use put::{Document, Existing, Unwritten, put};
 pub use read::{LARGEST, read, read_stdin};
-pub use source::Source;
+pub use source::{BYTE_ORDER_MARK, Source};
+pub use tables::newer;

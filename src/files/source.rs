@@ -2,6 +2,9 @@
 
 use super::fault::Fault;
 
+/// U+FEFF in UTF-8.
+pub const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// A file's text and its name, for messages.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
@@ -20,6 +23,8 @@ impl<'a> Source<'a> {
             let message = format!("expected a file of at most {} MiB, found more", most >> 20);
             return Err(empty.fault(0, "", message));
         }
+        // Some editors begin with a mark that says nothing about UTF-8.
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         std::str::from_utf8(bytes)
             .map(|text| Source { name, text })
             .map_err(|error| {

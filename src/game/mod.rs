@@ -11,6 +11,7 @@
 //! | `pack` | the opening pack |
 //! | `seat` | seats, teams, the order of turns |
 //! | `placing` | where the striker may stand |
+//! | `steps` | the steps in which a stroke is set |
 //! | `free_place` | where a coin that comes back is laid |
 //! | `stroke` | what the laws need to know of a stroke |
 //! | `laws` | the referee's decisions |
@@ -33,6 +34,7 @@ mod record;
 mod saved;
 mod score;
 mod seat;
+pub mod steps;
 mod stroke;
 mod table;
 mod validity;

@@ -81,6 +81,16 @@ impl Bookmark {
         self.seen(chapter) == chapter.pages.len() && self.answered(chapter) == chapter.checkpoints()
     }
 
+    /// How far the chapter has been read and answered, in words: "read 7 of 7, right 2
+    /// of 6".
+    pub fn words(&self, chapter: &Chapter) -> String {
+        let read = format!("read {} of {}", self.seen(chapter), chapter.pages.len());
+        match chapter.checkpoints() {
+            0 => read,
+            asked => format!("{read}, right {} of {asked}", self.right(chapter)),
+        }
+    }
+
     /// Adds what was done later: its place and angle, if it has any, take the place of
     /// those before; a page stays seen, and answered until it is answered anew.
     pub fn merge(&mut self, later: Self) {
@@ -148,6 +158,7 @@ mod tests {
         mark.merge(Bookmark::at(&chapter.pages[2]));
         assert_eq!(standing(&mark, &chapter), [2, 3, 1, 0]);
         assert!(mark.is_done(&chapter));
+        assert_eq!(mark.words(&chapter), "read 3 of 3, right 0 of 1");
     }
 
     #[test]

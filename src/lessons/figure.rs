@@ -113,7 +113,7 @@ impl Figure {
         let Some(&(_, mut kind)) = known else {
             let names: Vec<_> = FigureKind::names().collect();
             return Err(format!(
-                "expected a figure ({}), found {name}",
+                "expected a figure ({}), found \"{name}\"",
                 names.join(", ")
             ));
         };

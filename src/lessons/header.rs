@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::Shot;
 use super::source::{FORMAT, Line, Source};
 use super::words::Words;
-use crate::files::Fault;
+use crate::files::{Fault, newer};
 
 /// What stands before and after a header.
 const FENCE: &str = "+++";
@@ -44,6 +44,7 @@ impl Shots {
             Some(name) => Some(*self.0.get(&name).ok_or_else(|| self.unknown(&name))?),
         };
         let fields = words.fields(Shot::has);
+        Shot::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
         let mut shot = match named.or(usual) {
             None if fields.is_empty() => return Ok(None),
             shot => shot.unwrap_or_default(),
@@ -58,7 +59,9 @@ impl Shots {
     fn unknown(&self, name: &str) -> String {
         let known: Vec<_> = self.0.keys().map(String::as_str).collect();
         match known.as_slice() {
-            [] => format!("expected no shot, as the header has none, found {name}"),
+            [] => format!(
+                "expected fields such as alpha_deg=45, as no shot has a name here, found {name}"
+            ),
             known => format!(
                 "expected a shot of the header ({}), found {name}",
                 known.join(", ")
@@ -130,12 +133,13 @@ pub(super) fn read(source: &Source) -> Result<Header, Fault> {
 fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), Fault> {
     let expected = f64::from(FORMAT);
     match format {
-        None => Err(tables.source.fault(1, format!("expected format = {FORMAT}, found none"))),
+        None => Err(tables
+            .source
+            .fault(1, format!("expected format = {FORMAT}, found none"))),
         Some((_, Some(found))) if (found - expected).abs() <= 0.0 => Ok(()),
-        Some((at, Some(found))) if found > expected => Err(tables.fault(
-            at,
-            format!("format: {found} is newer than the {FORMAT} this carrom reads; a newer carrom may open the file"),
-        )),
+        Some((at, Some(found))) if found > expected => {
+            Err(tables.fault(at, format!("format: {}", newer(found, FORMAT))))
+        }
         Some((at, _)) => Err(tables.fault(at, format!("expected format = {FORMAT}"))),
     }
 }
@@ -166,6 +170,11 @@ impl Tables<'_> {
 
     fn words(&self, value: &Spanned<DeValue>, name: &str, most: usize) -> Result<String, Fault> {
         let text = value.get_ref().as_str().map(str::trim);
+        if text.is_some_and(|text| text.contains(|c: char| c.is_control() && c != '\n')) {
+            // The text of the file has none, but an escape may stand for one.
+            let message = format!("{name}: expected no control characters");
+            return Err(self.fault(value.span().start, message));
+        }
         let fits = |text: &&str| (1..=most).contains(&text.chars().count());
         match text.filter(fits).filter(|text| !text.contains('\n')) {
             Some(text) => Ok(text.to_owned()),
@@ -192,6 +201,8 @@ impl Tables<'_> {
             let DeValue::Table(fields) = fields.get_ref() else {
                 return Err(self.fault(at, "shot: expected a table of fields"));
             };
+            let names = fields.keys().map(|name| name.get_ref().as_ref());
+            Shot::check_fields(names).map_err(|message| self.fault(at, message))?;
             let mut shot = Shot::default();
             for (field, value) in fields {
                 let at = value.span().start;

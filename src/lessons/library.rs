@@ -1,6 +1,6 @@
 //! The chapters there are: those in the program, and a teacher's own.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
@@ -46,7 +46,14 @@ impl Library {
     /// in [`Library::problems`].
     pub fn add_dir(&mut self, dir: &Path) {
         match files::list(dir, ENDING, MOST_FILES) {
-            Ok(list) => list.files.iter().for_each(|file| self.add_file(file)),
+            Ok(list) => {
+                list.files.iter().for_each(|file| self.add_file(file));
+                self.problems.extend(list.odd);
+                let named = |path: &&PathBuf| path.extension().is_some_and(|it| it == ENDING);
+                let folders = list.folders.iter().filter(named);
+                self.problems
+                    .extend(folders.map(|path| files::not_a_file(path)));
+            }
             Err(fault) => self.problems.push(fault),
         }
     }

@@ -22,6 +22,11 @@ impl Words {
         let parts = shlex::split(text).ok_or("expected a closing quote")?;
         for part in parts {
             match part.split_once('=') {
+                Some(("", _)) => {
+                    return Err(format!(
+                        "expected a field such as alpha_deg=45, found {part}"
+                    ));
+                }
                 Some((name, value)) => {
                     if words.fields.iter().any(|(known, _)| known == name) {
                         return Err(format!("expected {name} once, found it twice"));

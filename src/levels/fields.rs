@@ -240,7 +240,7 @@ impl<'a> Fields<'a> {
     pub(super) fn text(&mut self, name: &'static str, most: usize) -> Result<&'a str, Fault> {
         let expected = format!("text of 1 to {most} characters");
         let value = self.require(name, &expected)?;
-        text(value.get_ref(), most).ok_or_else(|| self.unlike(name, &expected, value.get_ref()))
+        text(value.get_ref(), most).ok_or_else(|| self.no_text(name, &expected, value.get_ref()))
     }
 
     /// A list of at most `items` texts of 1 to `most` characters each.
@@ -262,9 +262,19 @@ impl<'a> Fields<'a> {
             .map(|item| {
                 text(item.get_ref(), most)
                     .map(|text| text.trim().to_owned())
-                    .ok_or_else(|| self.unlike(name, &expected, item.get_ref()))
+                    .ok_or_else(|| self.no_text(name, &expected, item.get_ref()))
             })
             .collect()
+    }
+
+    fn no_text(&self, name: &str, expected: &str, found: &DeValue) -> Fault {
+        match found.as_str() {
+            Some(text) if !text.chars().all(is_printable) => {
+                let expected = format!("{expected}, none of them a control character");
+                self.unlike(name, &expected, found)
+            }
+            _ => self.unlike(name, expected, found),
+        }
     }
 
     /// One of some words, with what it stands for.
@@ -331,10 +341,14 @@ fn pair(value: &DeValue) -> Option<(f64, f64)> {
 
 fn text<'a>(value: &'a DeValue, most: usize) -> Option<&'a str> {
     let text = value.as_str()?;
-    let printable = |c: char| !c.is_control() || c == '\n' || c == '\r';
     let good =
-        !text.trim().is_empty() && text.chars().count() <= most && text.chars().all(printable);
+        !text.trim().is_empty() && text.chars().count() <= most && text.chars().all(is_printable);
     good.then_some(text)
+}
+
+/// Line breaks are laid out anew.
+fn is_printable(c: char) -> bool {
+    !c.is_control() || c == '\n' || c == '\r'
 }
 
 /// A value as a message shows it.

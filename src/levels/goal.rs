@@ -99,6 +99,26 @@ pub enum Goal {
     },
 }
 
+impl Goal {
+    /// Whether it is decided by the first hit alone.
+    pub fn is_of_the_first_hit(&self) -> bool {
+        match self {
+            Self::Speed { .. }
+            | Self::Turn { .. }
+            | Self::Separation { .. }
+            | Self::Energy { .. } => true,
+            Self::Pocket { .. }
+            | Self::Keep { .. }
+            | Self::Untouched { .. }
+            | Self::Hit { .. }
+            | Self::Rest { .. }
+            | Self::Pass { .. }
+            | Self::Bank { .. }
+            | Self::Cushions { .. } => false,
+        }
+    }
+}
+
 /// A circle marked on the board.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {

@@ -104,6 +104,12 @@ impl Level {
         start(&self.scene)
     }
 
+    /// Whether nothing counts but the first hit: neither cushions nor pockets matter.
+    pub fn is_of_the_first_hit(&self) -> bool {
+        let no_pockets = self.scene.board.pocket_diameter <= 0.0;
+        no_pockets && self.goals.iter().all(Goal::is_of_the_first_hit)
+    }
+
     /// The scene with an aim, which is first brought within what the player may set.
     pub fn aimed(&self, aim: &Aim) -> Scene {
         let mut within = self.start();

@@ -86,6 +86,7 @@ impl Library {
             List::default()
         });
         list.files.iter().for_each(|file| self.add_file(file));
+        self.problems.extend(list.odd);
         list.folders
     }
 

@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::fields::Fields;
-use crate::files::{self, Fault, Source};
+use crate::files::{self, Fault, Source, newer};
 
 /// The format that this program reads and writes.
 pub const FORMAT: u32 = 1;
@@ -30,10 +30,7 @@ pub(super) fn read_document<T>(
 }
 
 fn parse<'a>(source: Source<'a>) -> Result<Spanned<DeTable<'a>>, Fault> {
-    DeTable::parse(source.text()).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        source.fault(at, source.key_near(at), error.message().trim())
-    })
+    DeTable::parse(source.text()).map_err(|error| source.fault_of(&error))
 }
 
 fn check_format(fields: &mut Fields, source: Source) -> Result<(), Fault> {
@@ -45,10 +42,7 @@ fn check_format(fields: &mut Fields, source: Source) -> Result<(), Fault> {
     let found = fields.whole("format", &expected, u32::MAX as usize)?;
     match found.checked_sub(FORMAT as usize) {
         Some(0) => Ok(()),
-        Some(_) => Err(fields.fault_at(
-            "format",
-            format!("{found} is newer than the {FORMAT} this carrom reads; a newer carrom may open the file"),
-        )),
+        Some(_) => Err(fields.fault_at("format", newer(found, FORMAT))),
         None => Err(fields.fault_at("format", format!("expected {expected}, found {found}"))),
     }
 }

@@ -12,8 +12,10 @@ pub enum Effect {
     /// Do something with what is kept, and hand the
     /// [`Answer`](super::Answer) back as an input.
     Keep(Request),
-    /// Write a text to a file of this name where the player will find it, and hand
-    /// back as an [`Input::Exported`](super::Input::Exported) where it is.
+    /// Write a text to a file of this name where the player is, in a terminal the folder
+    /// it was started in, and hand back as an [`Input::Exported`](super::Input::Exported)
+    /// where it is. (What a [`Wish`](super::Wish) exports goes to the folder for data
+    /// instead, with whatever else is kept.)
     Export {
         /// The name: letters, digits, hyphens and an ending.
         name: String,

@@ -15,6 +15,9 @@ pub enum Input {
     Resize(u16, u16),
     /// What came of an [`Effect::Think`](super::Effect::Think).
     Thought(Box<Thought>),
+    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; what comes of
+    /// it is still to come.
+    Saving(u64),
     /// What came of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<Answer>),
     /// What came of an [`Effect::Export`](super::Effect::Export): where the file is,

@@ -44,8 +44,8 @@ pub enum Wish {
     RemoveClass(String),
     /// Write the tables of a class's round where its teacher finds them.
     ExportClass(Box<ClassRound>),
-    /// Keep an answer, with the time. It must be safe before the explanation is shown,
-    /// so nothing is drawn before it is done.
+    /// Keep an answer, with the time. It should be safe before the explanation is shown,
+    /// so nothing is drawn before it is done, unless that takes long.
     Record(Box<Attempt>),
     /// Keep the stars of a level that this player won.
     Star(String, Starred),

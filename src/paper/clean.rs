@@ -2,6 +2,8 @@
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
+use crate::files::is_invisible;
+
 /// The most signs without a width of their own that may stand upon one letter. A flag
 /// made of tags has six.
 const MOST_UPON: usize = 6;
@@ -46,17 +48,6 @@ fn cut(mut line: String, columns: usize) -> String {
     line.truncate(kept);
     line.push('…');
     line
-}
-
-/// Whether a character is no letter but an order to whoever shows it, or nothing at
-/// all.
-fn is_invisible(letter: char) -> bool {
-    letter.is_control()
-        || matches!(letter,
-            '\u{00ad}' | '\u{061c}' | '\u{180e}' | '\u{200b}' | '\u{200e}' | '\u{200f}'
-            | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}'
-            | '\u{fff9}'..='\u{fffb}')
-        || u32::from(letter) & 0xfffe == 0xfffe
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Capture: two discs that stick where they touch and go on as one body.
 //!
 //! This is not e = 0. Smooth discs with e = 0 ("slip") keep their different
-//! tangential velocities; discs that stick share one velocity and, met off-centre,
-//! turn about their common centre of mass.
+//! tangential velocities; discs that stick go on as one body with their centre
+//! of mass and, met off-centre, turn about it.
 
 use super::Disc;
 use super::impact::reduced_mass;

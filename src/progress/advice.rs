@@ -1,6 +1,6 @@
 //! What to do next.
 
-use super::{Attempt, LESSON, Mastery, Trend, beliefs, reviews, topics};
+use super::{Attempt, LESSON, Mastery, beliefs, reviews, topics};
 
 /// How many of the last attempts count as lately.
 const LATELY: usize = 10;
@@ -14,12 +14,15 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
     }
     let held = beliefs(attempts)
         .into_iter()
-        .find(|belief| belief.trend() != Trend::Gone && belief.since >= 2);
+        .find(|belief| !belief.trend().is_good() && belief.since.times >= 2);
     if let Some(belief) = held {
         return belief.misconception.advice.to_owned();
     }
     let reviews = reviews(attempts);
-    let due = |now_s| reviews.iter().find(|review| review.is_due(now_s));
+    let due = |now_s| {
+        let mut due = reviews.iter().filter(|review| review.is_due(now_s));
+        due.find(|review| review.comes_back())
+    };
     if let Some(review) = now_s.and_then(due) {
         return match review.family.as_str() {
             LESSON => format!("Due again, among the chapters: {}.", review.topic),
@@ -32,8 +35,8 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         return format!(
-            "You were sure, and it came out otherwise: {}. Set that hit up in the lab and \
-             watch it from the contact on.",
+            "You were sure, and it came out otherwise: {}. Take one of its kind again, and \
+             stay with the why.",
             missed.topic
         );
     }
@@ -69,13 +72,13 @@ mod tests {
         let sure = Attempt {
             confidence: Some(Confidence::Sure),
             time_s: Some(1000),
-            ..attempt("b", 9.0)
+            ..attempt("equal masses", 9.0)
         };
-        assert!(says(Some(sure), None).contains("came out otherwise: b"));
-        assert!(says(None, Some(1000)).contains("Due again: b"));
+        assert!(says(Some(sure), None).contains("came out otherwise: equal masses"));
+        assert!(says(None, Some(1000)).contains("Due again: equal masses"));
         let held = Attempt {
             misconception: Some("swapped".into()),
-            ..attempt("b", 9.0)
+            ..attempt("equal masses", 9.0)
         };
         says(Some(held.clone()), None);
         let swapped = Misconception::with_id("swapped").unwrap();

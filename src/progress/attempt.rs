@@ -1,5 +1,6 @@
 //! One answer, with all that is known of it.
 
+use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
@@ -25,7 +26,9 @@ pub struct Attempt {
     pub seed: u64,
     /// Its place in the round, or the page of the chapter, from 1.
     pub number: u32,
-    /// The figures of the question: a JSON object, with the units in the names.
+    /// The figures of the question: a JSON object, with the units in the names. With
+    /// those of the quiz stand the `misconceptions` that an answer could have shown, by
+    /// their names in files.
     pub question: String,
     /// What was answered, likewise.
     pub answer: String,
@@ -57,6 +60,8 @@ impl Attempt {
         let mut figures = question.figures.clone();
         figures.insert("round".into(), code.to_string().into());
         figures.insert("difficulty".into(), question.difficulty.id().into());
+        let beliefs = question.beliefs.iter().map(|it| it.misconception.id);
+        figures.insert(MISCONCEPTIONS.into(), beliefs.collect());
         Self {
             time_s: None,
             player: player.to_owned(),
@@ -77,10 +82,27 @@ impl Attempt {
         }
     }
 
+    /// The misconceptions that an answer to this question could have shown, by their
+    /// names in files; none where that was not noted.
+    pub(super) fn could_show(&self) -> Vec<&str> {
+        serde_json::from_str(&self.question)
+            .map_or_else(|_| Vec::new(), |it: Figures| it.misconceptions)
+    }
+
     /// Whether the player was sure, and wrong: what is worth most attention.
     pub fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
     }
+}
+
+/// Where [`Attempt::question`] says what an answer could have shown.
+const MISCONCEPTIONS: &str = "misconceptions";
+
+/// What of the figures of a question is read again.
+#[derive(Deserialize)]
+struct Figures<'a> {
+    #[serde(borrow, default)]
+    misconceptions: Vec<&'a str>,
 }
 
 /// What is said to a question, with the units in the names.
@@ -131,6 +153,8 @@ mod tests {
         let figures: Value = serde_json::from_str(&right.question).unwrap();
         assert_eq!(figures["alpha_deg"].as_f64(), Some(30.0));
         assert_eq!(figures["direction_deg"].as_f64(), Some(90.0));
+        let could_show = right.could_show();
+        assert!(could_show.contains(&"copied-angle") && !could_show.contains(&"lossless"));
     }
 
     #[test]

@@ -73,22 +73,31 @@ pub fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize,
     })
 }
 
-/// What to make of it, in a sentence or two.
+/// What to make of it, in a sentence or two: the confidence that lies furthest from what
+/// it is for is what is spoken of, of two alike the surer one.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
-    let [guess, think_so, sure] = calibration;
-    if sure.beyond() < 0.0 {
-        "You are sure a little too often. Before you say \"sure\", ask what would have to \
-         be true for you to be wrong."
-    } else if guess.beyond() > 0.0 || think_so.beyond() > 0.0 {
-        "You know more than you trust yourself to: you are right more often than you \
-         expect."
-    } else if think_so.beyond() < 0.0 {
-        "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
-         and it is where learning starts."
-    } else if calibration.iter().any(|it| it.tally.attempts >= ENOUGH) {
-        "You judge well what you know. That is a skill of its own."
-    } else {
-        "A few more answers, and this will say how well you judge what you know."
+    let gap = |it: &&Calibrated| it.beyond().abs();
+    let widest = calibration
+        .iter()
+        .max_by(|a, b| gap(a).total_cmp(&gap(b)))
+        .map_or((Confidence::Sure, 0.0), |it| (it.confidence, it.beyond()));
+    match widest {
+        (Confidence::Sure, beyond) if beyond < 0.0 => {
+            "You are sure too often. Before you say \"sure\", ask what would have to be true \
+             for you to be wrong."
+        }
+        (_, beyond) if beyond < 0.0 => {
+            "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
+             and it is where learning starts."
+        }
+        (_, beyond) if beyond > 0.0 => {
+            "You know more than you trust yourself to: you are right more often than you \
+             expect."
+        }
+        _ if calibration.iter().any(|it| it.tally.attempts >= ENOUGH) => {
+            "You judge well what you know. That is a skill of its own."
+        }
+        _ => "A few more answers, and this will say how well you judge what you know.",
     }
 }
 
@@ -136,6 +145,21 @@ mod tests {
         assert!(guess.is_empty() && think_so.is_empty());
         assert_eq!(sure, [(4, 1.0 / 3.0), (5, 2.0 / 3.0)]);
         assert_eq!(calibration_over_time(&all[..3], 3)[2], []);
+    }
+
+    #[test]
+    fn the_widest_gap_is_spoken_of() {
+        use Confidence::{Guess, Sure, ThinkSo};
+        let answers = |counts: [(Confidence, usize, usize); 3]| {
+            let [a, b, c] = counts.map(|(sure, right, wrong)| calibrated(sure, right, wrong));
+            calibration_words(&[a[0], b[1], c[2]])
+        };
+        let think_so = answers([(Guess, 0, 2), (ThinkSo, 1, 8), (Sure, 3, 1)]);
+        assert!(think_so.contains("less than half"), "{think_so}");
+        let sure = answers([(Guess, 0, 2), (ThinkSo, 4, 6), (Sure, 1, 4)]);
+        assert!(sure.contains("sure too often"), "{sure}");
+        let guess = answers([(Guess, 5, 0), (ThinkSo, 4, 6), (Sure, 4, 1)]);
+        assert!(guess.contains("more than you trust"), "{guess}");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::time::{Duration, UNIX_EPOCH};
 
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use unicode_width::UnicodeWidthChar;
 
@@ -116,12 +117,81 @@ pub fn utc(time_s: i64) -> Option<String> {
     Some(humantime::format_rfc3339_seconds(time).to_string())
 }
 
-/// The attempts as one JSON object, with what follows from them.
-pub fn json(attempts: &[Attempt], now_s: Option<i64>) -> Value {
+/// The attempts as the text of one JSON object, with what follows from them.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should something not be writable.
+pub fn json(attempts: &[Attempt], now_s: Option<i64>) -> Result<String, String> {
+    let all = All {
+        summary: summary(attempts, now_s),
+        attempts: Rows(attempts),
+    };
+    serde_json::to_string(&all).map_err(|error| error.to_string())
+}
+
+#[derive(Serialize)]
+struct All<'a> {
+    summary: Value,
+    attempts: Rows<'a>,
+}
+
+/// Attempts, each made ready only when it is written: there may be very many.
+struct Rows<'a>(&'a [Attempt]);
+
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(Row::from))
+    }
+}
+
+/// An attempt as it is written.
+#[derive(Serialize)]
+struct Row<'a> {
+    time: Option<String>,
+    player: &'a str,
+    family: &'a str,
+    topic: &'a str,
+    seed: u64,
+    number: u32,
+    question: Value,
+    answer: Value,
+    truth: Value,
+    error_deg: Option<f64>,
+    credit: f64,
+    right: bool,
+    confidence: Option<&'static str>,
+    misconception: Option<&'a str>,
+}
+
+impl<'a> From<&'a Attempt> for Row<'a> {
+    fn from(attempt: &'a Attempt) -> Self {
+        let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
+        Self {
+            time: attempt.time_s.and_then(utc),
+            player: &attempt.player,
+            family: &attempt.family,
+            topic: &attempt.topic,
+            seed: attempt.seed,
+            number: attempt.number,
+            question: figures(&attempt.question),
+            answer: figures(&attempt.answer),
+            truth: figures(&attempt.truth),
+            error_deg: attempt.error_deg,
+            credit: attempt.credit,
+            right: attempt.right,
+            confidence: attempt.confidence.map(Confidence::id),
+            misconception: attempt.misconception.as_deref(),
+        }
+    }
+}
+
+/// What follows from the attempts.
+fn summary(attempts: &[Attempt], now_s: Option<i64>) -> Value {
     let tally = |tally: &Tally| {
         json!({
             "attempts": tally.attempts,
             "right": tally.right,
+            "angles": tally.angles(),
             "mean_error_deg": tally.mean_error_deg(),
         })
     };
@@ -151,41 +221,20 @@ pub fn json(attempts: &[Attempt], now_s: Option<i64>) -> Value {
         .map(|belief| {
             json!({
                 "misconception": belief.misconception.id,
-                "before": belief.before,
-                "since": belief.since,
+                "before": belief.before.times,
+                "before_asked": belief.before.asked,
+                "since": belief.since.times,
+                "since_asked": belief.since.asked,
                 "trend": belief.trend().name(),
             })
         })
         .collect();
     json!({
-        "summary": {
-            "all": tally(&Tally::of(attempts)),
-            "topics": topics,
-            "calibration": calibration,
-            "misconceptions": beliefs,
-            "next": advice(attempts, now_s),
-        },
-        "attempts": attempts.iter().map(attempt).collect::<Vec<_>>(),
-    })
-}
-
-fn attempt(attempt: &Attempt) -> Value {
-    let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
-    json!({
-        "time": attempt.time_s.and_then(utc),
-        "player": attempt.player,
-        "family": attempt.family,
-        "topic": attempt.topic,
-        "seed": attempt.seed,
-        "number": attempt.number,
-        "question": figures(&attempt.question),
-        "answer": figures(&attempt.answer),
-        "truth": figures(&attempt.truth),
-        "error_deg": attempt.error_deg,
-        "credit": attempt.credit,
-        "right": attempt.right,
-        "confidence": attempt.confidence.map(Confidence::id),
-        "misconception": attempt.misconception,
+        "all": tally(&Tally::of(attempts)),
+        "topics": topics,
+        "calibration": calibration,
+        "misconceptions": beliefs,
+        "next": advice(attempts, now_s),
     })
 }
 
@@ -193,6 +242,10 @@ fn attempt(attempt: &Attempt) -> Value {
 mod tests {
     use super::super::tally::tests::attempt;
     use super::*;
+
+    fn read(attempts: &[Attempt]) -> Value {
+        serde_json::from_str(&json(attempts, None).unwrap()).unwrap()
+    }
 
     #[test]
     fn no_name_breaks_the_table_or_becomes_a_formula() {
@@ -237,7 +290,7 @@ mod tests {
             }
             assert_eq!(&row[9], "3");
         }
-        let read: Value = serde_json::from_str(&json(&attempts, None).to_string()).unwrap();
+        let read = read(&attempts);
         for (i, name) in names.iter().enumerate() {
             assert_eq!(read["attempts"][i]["player"], *name);
         }
@@ -267,12 +320,13 @@ mod tests {
 
     #[test]
     fn the_summary_counts_the_attempts() {
-        let attempts = [attempt("a", 2.0), attempt("b", 10.0)];
-        let read = json(&attempts, None);
-        assert_eq!(read["summary"]["all"]["attempts"], 2);
+        let attempts = [attempt("a", 2.0), attempt("b", 10.0), attempt("b", 6.0)];
+        let read = read(&attempts);
+        assert_eq!(read["summary"]["all"]["attempts"], 3);
+        assert_eq!(read["summary"]["all"]["angles"], 3);
         assert_eq!(read["summary"]["all"]["right"], 1);
         assert_eq!(read["summary"]["all"]["mean_error_deg"], 6.0);
         assert_eq!(read["summary"]["topics"][1]["topic"], "b");
-        assert!(json(&[], None)["summary"]["all"]["mean_error_deg"].is_null());
+        assert!(self::read(&[])["summary"]["all"]["mean_error_deg"].is_null());
     }
 }

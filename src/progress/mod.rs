@@ -4,13 +4,14 @@
 //! Everything else here is worked out from the attempts of a player, in the order in
 //! which they were made, and never stored: a [`Tally`] of any of them, how each
 //! [`Topic`] stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
-//! together, which [`Belief`]s were held and whether they fade, what is due for
+//! together, which [`Belief`]s were held and whether they fade, what is [`Due`] for
 //! [`review`](reviews), and what to do next.
 
 mod advice;
 mod attempt;
 mod beliefs;
 mod calibration;
+mod due;
 mod export;
 mod schedule;
 mod star;
@@ -20,8 +21,9 @@ pub mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
-pub use beliefs::{Belief, Trend, beliefs};
+pub use beliefs::{Belief, Shown, Trend, beliefs};
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
+pub use due::Due;
 pub use export::{csv, json, table, utc};
 pub use schedule::{DAY_S, Review, reviews};
 pub use star::Starred;

@@ -1,5 +1,10 @@
 //! When to come back to what.
 //!
+//! The schedule runs by topic, not by family: a topic is what one can know and forget,
+//! and several families ask about the same one, each in its own way. To be asked by
+//! another family next time shows whether the idea has been understood, and not only
+//! the kind of question. A review asks once about each topic that is due.
+//!
 //! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due when
 //! the interval of its step has passed since it came there.
 //!
@@ -24,7 +29,7 @@ const LAST: u32 = 5;
 /// A topic and when to come back to it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
-    /// The family of its questions.
+    /// The family that asked about it last.
     pub family: String,
     /// The topic.
     pub topic: String,

@@ -1,6 +1,7 @@
 //! Attempts counted.
 
 use super::Attempt;
+use crate::quiz::ENOUGH_ANGLES;
 
 /// Attempts counted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,10 +34,16 @@ impl Tally {
         (self.attempts > 0).then(|| self.right as f64 / self.attempts as f64)
     }
 
-    /// The mean angle error in degrees; `None` if no answer had one.
+    /// How many of them had an angle to be off.
+    pub fn angles(&self) -> usize {
+        self.errors.1
+    }
+
+    /// The mean angle error in degrees; `None` where fewer than [`ENOUGH_ANGLES`] answers
+    /// had one.
     pub fn mean_error_deg(&self) -> Option<f64> {
         let (sum, count) = self.errors;
-        (count > 0).then(|| sum / count as f64)
+        (count >= ENOUGH_ANGLES).then(|| sum / count as f64)
     }
 }
 
@@ -54,19 +61,17 @@ pub fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f6
     (0..errors.len()).map(smoothed).collect()
 }
 
-/// How many answers at both ends [`ends_deg`] compares.
+/// How many angles at both ends [`ends_deg`] compares.
 const ENDS: usize = 10;
 
-/// The mean errors in degrees of the first ten attempts and of the last ten; `None` where
-/// they are not different ones or had no angle.
+/// The mean errors in degrees of the first ten angles that were asked for and of the last
+/// ten; `None` where they are not different ones.
 pub fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
-    let (first, _) = attempts.split_at_checked(2 * ENDS)?;
-    let (first, _) = first.split_at(ENDS);
-    let last = &attempts[attempts.len() - ENDS..];
-    Some((
-        Tally::of(first).mean_error_deg()?,
-        Tally::of(last).mean_error_deg()?,
-    ))
+    let errors: Vec<f64> = attempts.iter().filter_map(|it| it.error_deg).collect();
+    let mean = |errors: &[f64]| errors.iter().sum::<f64>() / ENDS as f64;
+    let (first, rest) = errors.split_first_chunk::<ENDS>()?;
+    let (_, last) = rest.split_last_chunk::<ENDS>()?;
+    Some((mean(first), mean(last)))
 }
 
 #[cfg(test)]
@@ -110,9 +115,27 @@ pub(super) mod tests {
         let mut still = attempt("a", 0.0);
         still.error_deg = None;
         let all = [attempt("a", 6.0), still, attempt("a", 8.0)];
-        assert!((Tally::of(&all).mean_error_deg().unwrap() - 7.0).abs() < 1e-12);
+        let tally = Tally::of(&all);
+        assert_eq!((tally.attempts, tally.angles()), (3, 2));
+        assert_eq!(tally.mean_error_deg(), None, "two angles say nothing");
+        let more = Tally::of(all.iter().chain([&attempt("a", 10.0)]));
+        assert!((more.mean_error_deg().unwrap() - 8.0).abs() < 1e-12);
         let smoothed = smoothed_errors_deg(&all, 5);
         assert_eq!(smoothed, [(1, 6.0, 6.0), (3, 8.0, 7.0)]);
         assert_eq!(smoothed_errors_deg(&all, 0)[1], (3, 8.0, 8.0));
+    }
+
+    #[test]
+    fn the_ends_are_those_of_angles() {
+        let mut all: Vec<_> = (0..10).map(|_| attempt("a", 20.0)).collect();
+        // Answers without an angle come between, and count for neither end.
+        all.extend((0..30).map(|_| Attempt {
+            error_deg: None,
+            ..attempt("a", 0.0)
+        }));
+        all.extend((0..9).map(|_| attempt("a", 10.0)));
+        assert_eq!(ends_deg(&all), None);
+        all.push(attempt("a", 0.0));
+        assert_eq!(ends_deg(&all), Some((20.0, 9.0)));
     }
 }

@@ -1,5 +1,7 @@
 //! How each topic stands.
 
+use std::collections::HashMap;
+
 use super::{Attempt, Tally};
 
 /// How many of the last attempts at a topic say how it stands now.
@@ -16,14 +18,17 @@ pub struct Topic {
     pub lately: Tally,
 }
 
-/// How well a topic is known.
+/// How well a topic is known, by how the last [`LATELY`] answers about it went, or as
+/// many as there are. It is the same wherever it is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mastery {
-    /// Met less than three times: nobody can say yet.
+    /// Not answered yet.
     New,
-    /// On the way.
+    /// Less than half of them were right.
+    NotYet,
+    /// Half of them or more were right.
     Growing,
-    /// Met [`LATELY`] times at least, and four of the last five were right.
+    /// There are [`LATELY`], and four of five were right.
     Solid,
 }
 
@@ -32,9 +37,30 @@ impl Mastery {
     pub const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
+            Self::NotYet => "not yet",
             Self::Growing => "growing",
             Self::Solid => "solid",
         }
+    }
+
+    /// Its mark in a list.
+    pub const fn mark(self) -> char {
+        match self {
+            Self::New => ' ',
+            Self::NotYet => '-',
+            Self::Growing => '~',
+            Self::Solid => '*',
+        }
+    }
+
+    /// What the marks mean.
+    pub fn legend() -> String {
+        format!(
+            "{} solid: four of the last five right; {} growing: half or more; {} not yet: fewer.",
+            Self::Solid.mark(),
+            Self::Growing.mark(),
+            Self::NotYet.mark()
+        )
     }
 }
 
@@ -52,26 +78,33 @@ impl Topic {
 
     /// How well it is known.
     pub fn mastery(&self) -> Mastery {
-        match self.all.attempts {
-            0..3 => Mastery::New,
-            _ if self.lately.attempts >= LATELY && 5 * self.lately.right >= 4 * LATELY => {
-                Mastery::Solid
-            }
-            _ => Mastery::Growing,
+        let Tally {
+            attempts, right, ..
+        } = self.lately;
+        match attempts {
+            0 => Mastery::New,
+            _ if attempts >= LATELY && 5 * right >= 4 * attempts => Mastery::Solid,
+            _ if 2 * right >= attempts => Mastery::Growing,
+            _ => Mastery::NotYet,
         }
     }
 }
 
 /// All topics that were ever met, in the order in which they first were.
-pub fn topics(attempts: &[Attempt]) -> Vec<Topic> {
-    let mut names: Vec<&str> = Vec::new();
+pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<Topic> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut met: Vec<(&str, Vec<&Attempt>)> = Vec::new();
     for attempt in attempts {
-        if !names.contains(&attempt.topic.as_str()) {
-            names.push(&attempt.topic);
+        let name = attempt.topic.as_str();
+        let at = *places.entry(name).or_insert(met.len());
+        match met.get_mut(at) {
+            Some((_, of_it)) => of_it.push(attempt),
+            None => met.push((name, vec![attempt])),
         }
     }
-    let topic = |name: &str| Topic::of(name, attempts.iter().filter(|it| it.topic == name));
-    names.into_iter().map(topic).collect()
+    met.into_iter()
+        .map(|(name, of_it)| Topic::of(name, of_it))
+        .collect()
 }
 
 #[cfg(test)]
@@ -82,13 +115,8 @@ mod tests {
     #[test]
     fn topics_come_as_they_were_met_and_stand_as_they_do_lately() {
         let mut all = vec![attempt("b", 20.0), attempt("a", 1.0)];
-        assert!(
-            topics(&all)
-                .iter()
-                .all(|topic| topic.mastery() == Mastery::New)
-        );
         all.extend((0..3).map(|_| attempt("b", 20.0)));
-        assert_eq!(topics(&all)[0].mastery(), Mastery::Growing);
+        assert_eq!(topics(&all)[0].mastery(), Mastery::NotYet);
         all.extend((0..4).map(|_| attempt("b", 1.0)));
         let topics = topics(&all);
         assert_eq!(topics.len(), 2);
@@ -98,6 +126,26 @@ mod tests {
         );
         assert_eq!((topics[0].all.attempts, topics[0].lately.right), (8, 4));
         assert_eq!(topics[0].mastery(), Mastery::Solid);
-        assert_eq!(topics[1].mastery(), Mastery::New);
+        assert_eq!(topics[1].mastery(), Mastery::Growing);
+    }
+
+    #[test]
+    fn how_well_it_is_known_follows_from_what_was_right() {
+        for (right, wrong, mastery) in [
+            (0, 0, Mastery::New),
+            (0, 1, Mastery::NotYet),
+            (1, 0, Mastery::Growing),
+            (0, 3, Mastery::NotYet),
+            (1, 1, Mastery::Growing),
+            (2, 3, Mastery::NotYet),
+            (3, 2, Mastery::Growing),
+            (4, 0, Mastery::Growing),
+            (4, 1, Mastery::Solid),
+        ] {
+            let errors = std::iter::repeat_n(0.0, right).chain(std::iter::repeat_n(20.0, wrong));
+            let attempts: Vec<_> = errors.map(|error| attempt("a", error)).collect();
+            let found = Topic::of("a", &attempts).mastery();
+            assert_eq!(found, mastery, "{right} right, {wrong} wrong");
+        }
     }
 }

@@ -8,6 +8,14 @@ pub fn answers(count: usize) -> String {
     }
 }
 
+/// "1 angle", "7 angles".
+pub fn angles(count: usize) -> String {
+    match count {
+        1 => "1 angle".into(),
+        _ => format!("{count} angles"),
+    }
+}
+
 /// A share as a percentage; "-" where there is none.
 pub fn percent(share: Option<f64>) -> String {
     share.map_or("-".into(), |share| format!("{:.0} %", 100.0 * share))

@@ -2,10 +2,14 @@
 
 use std::fmt;
 
+use std::sync::Arc;
+use thiserror::Error;
+
+use super::concepts::Library;
 use super::{Family, families};
 
 /// What a round is made of.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     /// Which questions.
     pub kind: CourseKind,
@@ -14,7 +18,7 @@ pub struct Course {
 }
 
 /// Which questions a round asks.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum CourseKind {
     /// Ten hits to predict: the round a bare number is the code of.
     Hits,
@@ -26,8 +30,12 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
-    /// These families, because they are due.
-    Review(Vec<Family>),
+    /// A question about each of these topics, because they are due, the longest due
+    /// first; where they are many, about the first of them.
+    Review(Vec<String>),
+    /// Written questions that are not in the program: a teacher's own. In a code that
+    /// was only just read there are none yet: [`Code::with_own`] gives them.
+    Own(Arc<Library>),
 }
 
 impl CourseKind {
@@ -44,6 +52,7 @@ impl CourseKind {
             Self::Exam => "exam",
             Self::Topic(family) => family.id(),
             Self::Review(_) => "review",
+            Self::Own(_) => "own",
         }
     }
 
@@ -56,16 +65,18 @@ impl CourseKind {
             Self::Exam => "exam",
             Self::Topic(family) => family.name(),
             Self::Review(_) => "review",
+            Self::Own(_) => "your own questions",
         }
     }
 
     /// How many questions it has unless told otherwise.
-    pub const fn length(&self) -> usize {
+    pub fn length(&self) -> usize {
         match self {
-            Self::Quick | Self::Review(_) => 5,
+            Self::Quick => 5,
+            Self::Review(due) => due.len().min(Course::REVIEWED),
             Self::Exam => 15,
             Self::Topic(_) => 6,
-            Self::Hits | Self::Mixed => families::where_to::LENGTH,
+            Self::Hits | Self::Mixed | Self::Own(_) => families::where_to::LENGTH,
         }
     }
 
@@ -74,6 +85,7 @@ impl CourseKind {
         let topic = || Self::topics().find(|family| family.id() == id);
         Self::ALWAYS
             .into_iter()
+            .chain([Self::Own(Arc::default())])
             .find(|kind| kind.id() == id)
             .or_else(|| topic().map(Self::Topic))
     }
@@ -90,6 +102,8 @@ impl CourseKind {
 impl Course {
     /// Most questions of a round.
     pub const MOST: usize = 60;
+    /// Most questions of one review; what is left waits for the next.
+    pub const REVIEWED: usize = 10;
 
     /// A round of the usual length.
     pub fn new(kind: CourseKind) -> Self {
@@ -98,10 +112,10 @@ impl Course {
     }
 
     /// A round of so many questions, held from 1 to [`Course::MOST`]; ten hits are
-    /// always ten.
+    /// always ten, and a review has a question a topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
-            CourseKind::Hits => kind.length(),
+            CourseKind::Hits | CourseKind::Review(_) => kind.length(),
             _ => count.clamp(1, Self::MOST),
         };
         Self { kind, count }
@@ -117,13 +131,40 @@ impl Course {
 /// every version.
 ///
 /// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, and `hits-7` or
-/// simply `7` for ten hits.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// simply `7` for ten hits. Only `own-7` hangs on something else: on the files of own
+/// questions being the same.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// What the round is made of.
     pub course: Course,
     /// What is left to chance.
     pub seed: u64,
+}
+
+/// Why a text is no code of a round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NoCode {
+    /// It does not look like one.
+    #[error(
+        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
+         speeds-7, or 7 for ten hits"
+    )]
+    Unlike,
+    /// A round has not so many questions.
+    #[error(
+        "expected 1 to {} questions in the code of a round, as in mixed12-7",
+        Course::MOST
+    )]
+    Count,
+    /// Ten hits are ten.
+    #[error("expected no number of questions for ten hits, as in hits-7")]
+    Hits,
+    /// A review is of what one player has answered.
+    #[error(
+        "a review has no code, as everyone has another; choose it in carrom quiz, or give \
+         a code such as mixed-7"
+    )]
+    Review,
 }
 
 impl Code {
@@ -137,24 +178,56 @@ impl Code {
 
     /// Reads a code; `None` if it is none. Case and blanks around it do not matter.
     pub fn parse(text: &str) -> Option<Self> {
+        Self::read(text).ok()
+    }
+
+    /// The same.
+    ///
+    /// # Errors
+    /// Why it is none.
+    pub fn read(text: &str) -> Result<Self, NoCode> {
         let text = text.trim().to_ascii_lowercase();
         let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
         if !seed.bytes().all(|b| b.is_ascii_digit()) {
-            return None;
+            return Err(NoCode::Unlike);
         }
-        let seed = seed.parse().ok()?;
+        let seed = seed.parse().map_err(|_| NoCode::Unlike)?;
         let id = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let kind = CourseKind::with_id(id)?;
+        if id == "review" {
+            return Err(NoCode::Review);
+        }
+        let kind = CourseKind::with_id(id).ok_or(NoCode::Unlike)?;
         let course = match &name[id.len()..] {
             "" => Course::new(kind),
             count => {
-                let count = count.parse().ok()?;
-                let course = Course::of(kind, count);
-                // A count that would not be kept is no code of a round.
-                (course.count == count).then_some(course)?
+                let fixed = kind == CourseKind::Hits;
+                let course = (count.parse().ok())
+                    .map(|count| (count, Course::of(kind, count)))
+                    // A count that would not be kept is no code of a round.
+                    .filter(|(count, course)| course.count == *count);
+                let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
+                course.ok_or(no_count)?.1
             }
         };
-        Some(Self { course, seed })
+        Ok(Self { course, seed })
+    }
+}
+
+impl Code {
+    /// The code with these own questions, where it asks for own ones.
+    ///
+    /// # Errors
+    /// If it does and there are none, in words.
+    pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
+        if let CourseKind::Own(library) = &mut self.course.kind {
+            if own.concepts.is_empty() {
+                return Err(format!(
+                    "expected questions of your own for the code {self}; --concepts gives their folder"
+                ));
+            }
+            *library = Arc::clone(own);
+        }
+        Ok(self)
     }
 }
 
@@ -183,6 +256,8 @@ mod tests {
             "exam-3",
             "speeds-12",
             "from-angle4-12",
+            "own-7",
+            "own3-7",
         ] {
             let code = Code::parse(text).unwrap_or_else(|| panic!("{text}"));
             assert_eq!(code.to_string(), text);

@@ -86,14 +86,26 @@ impl Form {
         }
     }
 
-    /// How far apart two answers are, counted in what still counts as right: 1 is the
-    /// edge, 0 is the same answer. Infinite where they are of different kinds.
-    pub fn distance(&self, a: &Said, b: &Said) -> f64 {
+    /// How far an answer is from `truth`, or from what somebody believes, counted in what
+    /// still counts as right: 1 is the edge, 0 is the same answer. Infinite where they
+    /// are of different kinds.
+    pub fn distance(&self, said: &Said, truth: &Said) -> f64 {
+        match (self, said, truth) {
+            (Self::Number { quantity, .. }, Said::Number(said), Said::Number(truth)) => {
+                quantity.distance(*said, *truth)
+            }
+            _ => self.spacing(said, truth),
+        }
+    }
+
+    /// How far apart two answers are, counted in the widest that can count as right: see
+    /// [`Quantity::spacing`].
+    pub fn spacing(&self, a: &Said, b: &Said) -> f64 {
         let angle = |angle: f64| deg_from_rad(angle) / super::grade::RIGHT_DEG;
         match (self, a, b) {
             (Self::Rays { .. }, Said::Rays(a), Said::Rays(b)) => angle(a.gap(b)),
             (Self::Number { quantity, .. }, Said::Number(a), Said::Number(b)) => {
-                quantity.distance(*a, *b)
+                quantity.spacing(*a, *b)
             }
             (Self::Choice { .. }, Said::Choice(a), Said::Choice(b)) if a == b => 0.0,
             (Self::Shot(aim), Said::Shot(a), Said::Shot(b)) => {

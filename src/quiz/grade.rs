@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use super::quantity::apart_deg;
 use super::{Answer, Confidence, Form, Question, Ray, Rays, Said};
 
 /// Up to this error an angle counts as right, in degrees.
@@ -22,6 +23,10 @@ const NO_CREDIT: f64 = 7.5;
 /// no corner at either end. Infinite earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
+    if share >= 1.0 {
+        // The cosine of what is nearly a right angle is only nearly nothing.
+        return 0.0;
+    }
     (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2)
 }
 
@@ -112,8 +117,7 @@ impl Grade {
                 (Form::Number { quantity, truth }, Said::Number(said))
                     if *quantity == super::Quantity::Angle =>
                 {
-                    let off = quantity.distance(*said, *truth) * RIGHT_DEG;
-                    Some(rad_from_deg(off))
+                    Some(rad_from_deg(apart_deg(*said, *truth)))
                 }
                 (Form::Shot(aim), Said::Shot(offset)) => aim.error(*offset),
                 _ => rays.and_then(|rays| {

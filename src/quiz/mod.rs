@@ -30,8 +30,10 @@ mod quantity;
 mod question;
 mod rays;
 mod reasoning;
+mod review;
 mod round;
 mod summary;
+mod topics;
 pub mod words;
 
 pub use answer::{Answer, Said};
@@ -53,4 +55,4 @@ pub use question::{Belief, CLEAR, Diagnosis, Fit, Question};
 pub use rays::{Ray, Rays};
 pub use reasoning::reasoning;
 pub use round::Round;
-pub use summary::{Summary, SummaryLine};
+pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};

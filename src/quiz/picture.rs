@@ -1,5 +1,6 @@
 //! What is seen beside a question.
 
+use super::{Given, Hit};
 use crate::physics::Collision;
 use crate::physics::rutherford::Rutherford;
 
@@ -40,6 +41,18 @@ pub struct Shown {
     /// Figures: speeds, and those of what is drawn in. Without them the picture is all
     /// there is to go by.
     pub figures: bool,
+}
+
+impl Shown {
+    /// What a hit is given by, with all figures.
+    pub const fn given(hit: &Hit) -> Self {
+        let by_angle = matches!(hit.given, Given::Angle { .. });
+        Self {
+            offset: !by_angle,
+            angle: by_angle,
+            figures: true,
+        }
+    }
 }
 
 impl Picture {

@@ -1,6 +1,12 @@
 //! What a number that is asked for measures.
 
+use super::grade::RIGHT_DEG;
 use super::words;
+
+/// The furthest off that a share can be right, in percentage points.
+const MOST_SHARE: f64 = 4.0;
+/// The furthest off that a coefficient of restitution can be right.
+const MOST_RESTITUTION: f64 = 0.04;
 
 /// What a number that is asked for measures: its unit, how it is printed, and how near
 /// is near enough.
@@ -23,6 +29,10 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// In words what counts as right: see [`distance`](Self::distance).
+    pub const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
+        further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
+
     /// The unit behind a number, as typed beside it; empty for a pure number.
     pub const fn unit(self) -> &'static str {
         match self {
@@ -69,20 +79,35 @@ impl Quantity {
     }
 
     /// How far `said` is from `truth`, counted in what still counts as right: 1 is the
-    /// edge. Angles count by 4°, shares by 4 percentage points, e by 0.04, all others
-    /// by a twentieth of the truth either way, as a ratio; infinite where a ratio says
-    /// nothing.
+    /// edge.
+    ///
+    /// An angle, a share or e counts as right within a tenth of the truth, but never
+    /// further off than 4°, 4 percentage points or 0.04, for it can be seen or reckoned
+    /// better than that; nor need it be nearer than 1°, a fifth of a point or 0.01. All
+    /// others count by a twentieth of the truth either way, as a ratio; infinite where a
+    /// ratio says nothing.
     pub fn distance(self, said: f64, truth: f64) -> f64 {
+        let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most);
         match self {
-            Self::Angle => {
-                let turn = (said - truth).rem_euclid(360.0);
-                turn.min(360.0 - turn) / super::grade::RIGHT_DEG
-            }
-            Self::Share => (said - truth).abs() / 4.0,
-            Self::Restitution => (said - truth).abs() / 0.04,
+            Self::Angle => apart_deg(said, truth) / near(1.0, RIGHT_DEG),
+            Self::Share => (said - truth).abs() / near(0.2, MOST_SHARE),
+            Self::Restitution => (said - truth).abs() / near(0.01, MOST_RESTITUTION),
+            _ => self.spacing(said, truth),
+        }
+    }
+
+    /// How far apart two numbers are, counted in the widest that can count as right
+    /// about either: never more than [`distance`](Self::distance). By it questions are
+    /// chosen whose truth and beliefs lie apart, so it is part of what a round's code
+    /// fixes, and may not change.
+    pub fn spacing(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Angle => apart_deg(a, b) / RIGHT_DEG,
+            Self::Share => (a - b).abs() / MOST_SHARE,
+            Self::Restitution => (a - b).abs() / MOST_RESTITUTION,
             Self::Speed | Self::Mass | Self::Length | Self::Times => {
-                let ratio = said / truth;
-                if said == truth {
+                let ratio = a / b;
+                if a == b {
                     0.0
                 } else if ratio > 0.0 && ratio.is_finite() {
                     ratio.ln().abs() / 1.05_f64.ln()
@@ -111,6 +136,12 @@ impl Quantity {
             _ => 0.0,
         }
     }
+}
+
+/// The angle between two directions in degrees, 0 to 180.
+pub(super) fn apart_deg(a: f64, b: f64) -> f64 {
+    let turn = (a - b).rem_euclid(360.0);
+    turn.min(360.0 - turn)
 }
 
 #[cfg(test)]
@@ -145,5 +176,42 @@ mod tests {
         assert!(Quantity::Mass.distance(0.0, 15.0).is_infinite());
         assert!(Quantity::Mass.distance(-1.0, 15.0).is_infinite());
         assert!(Quantity::Speed.distance(0.0, 0.0) <= 0.0);
+    }
+
+    #[test]
+    fn small_numbers_count_by_themselves_and_large_ones_by_points() {
+        for (quantity, said, truth, right) in [
+            (Quantity::Angle, 14.0, 10.2, false),
+            (Quantity::Angle, 11.0, 10.2, true),
+            (Quantity::Angle, -177.0, 180.0, true),
+            (Quantity::Share, 4.0, 6.7, false),
+            (Quantity::Share, 7.0, 6.7, true),
+            (Quantity::Share, 6.0, 6.7, false),
+            (Quantity::Share, 22.0, 25.0, false),
+            (Quantity::Share, 72.0, 75.0, true),
+            (Quantity::Share, 90.0, 93.3, true),
+            (Quantity::Share, 70.5, 75.0, false),
+            (Quantity::Share, 0.1, 0.0, true),
+            (Quantity::Restitution, 0.22, 0.2, true),
+            (Quantity::Restitution, 0.24, 0.2, false),
+            (Quantity::Restitution, 0.77, 0.8, true),
+            (Quantity::Restitution, 0.75, 0.8, false),
+        ] {
+            let distance = quantity.distance(said, truth);
+            assert_eq!(distance < 1.0 + 1e-9, right, "{quantity:?} {said} {truth}");
+        }
+    }
+
+    /// So an answer that fits the truth or a belief fits nothing else, as long as they
+    /// are spaced.
+    #[test]
+    fn nothing_is_right_that_is_wide_of_the_spacing() {
+        for quantity in [Quantity::Angle, Quantity::Share, Quantity::Restitution] {
+            for (said, truth) in (0..=100).flat_map(|a| (0..=100).map(move |b| (a, b))) {
+                let scale = quantity.largest().min(100.0) / 100.0;
+                let (said, truth) = (scale * f64::from(said), scale * f64::from(truth));
+                assert!(quantity.distance(said, truth) >= quantity.spacing(said, truth));
+            }
+        }
     }
 }

@@ -7,8 +7,8 @@ use serde_json::{Map, Value};
 
 use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said};
 
-/// Answers nearer to each other than this cannot be told apart, counted in what still
-/// counts as right; more than 2, so that no answer fits two.
+/// Answers nearer to each other than this cannot be told apart, counted in the widest
+/// that can count as right; more than 2, so that no answer fits two.
 pub const CLEAR: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -86,14 +86,14 @@ pub enum Fit {
 
 impl Question {
     /// How far apart the two nearest of the true answer and all that misconceptions
-    /// would answer are, counted in what still counts as right. Choices are 0 or
+    /// would answer are, counted in the widest that can count as right. Choices are 0 or
     /// infinitely far apart.
     pub fn clearance(&self) -> f64 {
         let mut answers: Vec<Said> = self.beliefs.iter().map(|belief| belief.said).collect();
         answers.push(self.form.truth());
         let pairs = answers.iter().enumerate().flat_map(|(i, a)| {
             let later = answers.iter().skip(i + 1);
-            later.map(move |b| self.form.distance(a, b))
+            later.map(move |b| self.form.spacing(a, b))
         });
         pairs.fold(f64::INFINITY, f64::min)
     }

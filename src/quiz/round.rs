@@ -1,8 +1,9 @@
 //! A round: questions fixed by a code.
 
+use super::concepts::Concept;
 use super::dice::Dice;
-use super::families::where_to;
-use super::{Code, Course, CourseKind, Difficulty, Family, Question};
+use super::families::{concept, where_to};
+use super::{Code, Course, CourseKind, Difficulty, Family, Question, review};
 
 /// The questions of a round.
 ///
@@ -56,7 +57,11 @@ impl Round {
                 rising(MIXED, &course, seed)
             }
             CourseKind::Topic(family) => rising(&[*family], &course, seed),
-            CourseKind::Review(families) => rising(families, &course, seed),
+            CourseKind::Own(library) => own(&library.concepts, &course, seed),
+            CourseKind::Review(due) => {
+                let topics = &due[..due.len().min(course.count)];
+                review::questions(topics, &mut Dice::new(salted(course.kind.id(), seed)))
+            }
         };
         Self {
             code: Code { course, seed },
@@ -99,11 +104,6 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     while order.len() < course.count && !families.is_empty() {
         let mut all = families.to_vec();
         dice.shuffle(&mut all);
-        // Coming back works best when something else has come between.
-        let reviews = matches!(course.kind, CourseKind::Review(_));
-        if reviews && order.last() == all.first() {
-            all.rotate_left(1);
-        }
         order.extend(all);
     }
     let mut questions: Vec<Question> = Vec::with_capacity(course.count);
@@ -122,6 +122,19 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     questions
 }
 
+/// Written questions, each once, rising in difficulty and otherwise in any order.
+fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
+    let mut dice = Dice::new(salted(course.kind.id(), seed));
+    let mut concepts: Vec<&Concept> = concepts.iter().collect();
+    dice.shuffle(&mut concepts);
+    concepts.truncate(course.count);
+    concepts.sort_by_key(|concept| concept.difficulty);
+    let questions = concepts.into_iter();
+    questions
+        .filter_map(|it| concept::question(it, &mut dice))
+        .collect()
+}
+
 /// A seed of each kind of course's own, so that the quick five of a seed are not the
 /// first half of its mixed ten: the seed and the FNV-1a hash of the name.
 fn salted(id: &str, seed: u64) -> u64 {
@@ -130,25 +143,4 @@ fn salted(id: &str, seed: u64) -> u64 {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
     seed ^ hash
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_review_asks_no_family_twice_in_a_row() {
-        let families = [Family::FromAngle, Family::Speeds, Family::WhereTo];
-        for count in 2..=3 {
-            let due = &families[..count];
-            for seed in 0..200 {
-                let course = Course::of(CourseKind::Review(due.to_vec()), 12);
-                let round = Round::new(course, seed);
-                let asked: Vec<_> = round.questions().iter().map(|it| it.family).collect();
-                assert_eq!(asked.len(), 12);
-                assert!(asked.windows(2).all(|pair| pair[0] != pair[1]), "{asked:?}");
-                assert!(due.iter().all(|family| asked.contains(family)));
-            }
-        }
-    }
 }

@@ -3,6 +3,9 @@
 use super::misconceptions::all;
 use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question};
 
+/// Fewest angles whose mean error says something.
+pub const ENOUGH_ANGLES: usize = 3;
+
 /// A round that has been answered, or as much of it as has.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
@@ -35,10 +38,14 @@ impl Summary {
         Self { lines }
     }
 
-    /// Points of the round, never below 0.
+    /// Points of the round: the sum of those of its questions, each to a tenth, as they
+    /// are shown. It may fall below 0: were it held there, whoever has none could say
+    /// "sure" of anything at no cost, and honesty would not pay.
     pub fn points(&self) -> f64 {
-        let sum: f64 = self.lines.iter().map(|line| line.grade.points()).sum();
-        sum.max(0.0)
+        // Adding 0 turns −0, the sum of none, into 0.
+        let tenths = |line: &SummaryLine| (10.0 * line.grade.points()).round();
+        let sum: f64 = self.lines.iter().map(tenths).sum();
+        sum / 10.0 + 0.0
     }
 
     /// Points the round could have brought.
@@ -51,19 +58,25 @@ impl Summary {
         self.lines.iter().filter(|line| line.grade.right).count()
     }
 
-    /// Mean error of all angles, in radians: each of two rays counts for itself; `None`
-    /// if there were none.
+    /// The errors of all angles in radians: each of two rays counts for itself.
+    fn errors(&self) -> impl Iterator<Item = f64> {
+        let errors = self.lines.iter().flat_map(|line| match line.grade.rays {
+            Some(rays) => [rays.striker.error, rays.target.error],
+            None => [line.grade.angle_error, None],
+        });
+        errors.flatten()
+    }
+
+    /// How many angles there were to be off.
+    pub fn angles(&self) -> usize {
+        self.errors().count()
+    }
+
+    /// Mean error of all angles, in radians; `None` where there were fewer than
+    /// [`ENOUGH_ANGLES`].
     pub fn mean_error(&self) -> Option<f64> {
-        let errors: Vec<f64> = self
-            .lines
-            .iter()
-            .flat_map(|line| match line.grade.rays {
-                Some(rays) => [rays.striker.error, rays.target.error],
-                None => [line.grade.angle_error, None],
-            })
-            .flatten()
-            .collect();
-        (!errors.is_empty()).then(|| errors.iter().sum::<f64>() / errors.len() as f64)
+        let count = self.angles();
+        (count >= ENOUGH_ANGLES).then(|| self.errors().sum::<f64>() / count as f64)
     }
 
     /// How many answers had this confidence, and how many of those were right.
@@ -224,10 +237,23 @@ mod tests {
     }
 
     #[test]
-    fn points_never_fall_below_zero() {
-        let summary = summary(&[(Confidence::Sure, false); 3]);
-        assert!(summary.points().abs() < 1e-12);
-        assert!((summary.most() - 30.0).abs() < 1e-12);
-        assert_eq!(summary.right(), 0);
+    fn the_points_are_the_sum_even_below_zero() {
+        let missed = summary(&[(Confidence::Sure, false); 3]);
+        assert!((missed.points() + 18.0).abs() < 1e-12);
+        assert!((missed.most() - 30.0).abs() < 1e-12);
+        assert_eq!(missed.right(), 0);
+        let caught_up = summary(&[(Confidence::ThinkSo, false), (Confidence::Sure, true)]);
+        assert!((caught_up.points() - 8.0).abs() < 1e-12);
+        // No minus before a sum of nothing.
+        assert!(summary(&[]).points().is_sign_positive());
+    }
+
+    #[test]
+    fn a_mean_error_needs_some_angles() {
+        let one = summary(&[(Confidence::Sure, true)]);
+        assert_eq!((one.angles(), one.mean_error()), (2, None));
+        let two = summary(&[(Confidence::Sure, true); 2]);
+        assert_eq!(two.angles(), 4);
+        assert!(two.mean_error().is_some_and(|error| error < 1e-12));
     }
 }

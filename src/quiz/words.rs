@@ -16,6 +16,12 @@ pub fn bare_degrees(angle: f64) -> String {
     format!("{:.1}", tenths(angle) as f64 / 10.0)
 }
 
+/// Points to a tenth: "8.0", "-2.0".
+pub fn points(points: f64) -> String {
+    // By way of a whole number, for "-0.0" is no figure to show.
+    format!("{:.1}", (10.0 * points).round() / 10.0 + 0.0)
+}
+
 /// `x` to three significant figures, trailing zeros kept: "15.0", "5.50", "0.707".
 pub fn significant(x: f64) -> String {
     // The exponent is taken after rounding: 9.999 is 10.0, not 10.00.
@@ -63,6 +69,13 @@ mod tests {
             (-3.4641, "-3.46"),
         ] {
             assert_eq!(significant(x), text);
+        }
+    }
+
+    #[test]
+    fn points_to_a_tenth() {
+        for (x, text) in [(8.0, "8.0"), (-2.0, "-2.0"), (-0.04, "0.0"), (9.96, "10.0")] {
+            assert_eq!(points(x), text);
         }
     }
 

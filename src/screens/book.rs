@@ -88,6 +88,13 @@ impl Book {
         mark.is_some_and(|mark| mark.is_done(chapter))
     }
 
+    /// How many chapters are done, and how many there are, in words: "2 of 12".
+    pub fn done(&self) -> String {
+        let chapters = &self.library().chapters;
+        let done = chapters.iter().filter(|chapter| self.is_done(chapter));
+        format!("{} of {}", done.count(), chapters.len())
+    }
+
     /// The first chapter that is not done; `None` if all are.
     pub fn next(&self) -> Option<usize> {
         let chapters = &self.library().chapters;

@@ -1,5 +1,7 @@
 //! What all screens share: settings, the seed, the room there is to draw in.
 
+use std::sync::Arc;
+
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
@@ -10,6 +12,7 @@ use crate::lessons::Bookmark;
 use crate::levels::Win;
 use crate::messages::{Effect, Forget, Request, Task, Wanted, Wish};
 use crate::progress::Attempt;
+use crate::quiz::concepts::Library;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -69,6 +72,8 @@ pub struct Context {
     pub shelf: Shelf,
     /// The chapters.
     pub book: Book,
+    /// Written questions of a teacher's own.
+    pub own: Arc<Library>,
     seed: u64,
     rounds: u64,
     tickets: u64,
@@ -84,6 +89,7 @@ impl Context {
             body: Rect::default(),
             shelf: Shelf::default(),
             book: Book::default(),
+            own: Arc::default(),
             seed,
             rounds: 0,
             tickets: 0,
@@ -168,6 +174,14 @@ impl Context {
     /// Tells the player something, over whatever the screen shows, until a key is pressed.
     pub fn tell(&mut self, words: String) {
         self.told = Some(words);
+    }
+
+    /// Tells the player where an export is, or why there is none; `what` is exported.
+    pub fn tell_of_export(&mut self, what: &str, exported: &Result<String, String>) {
+        self.tell(match exported {
+            Ok(place) => format!("The {what} is in {place}"),
+            Err(reason) => format!("The {what} could not be written: {reason}"),
+        });
     }
 
     /// What the player is to be told.

@@ -70,6 +70,12 @@ impl Headless {
         self.quit
     }
 
+    /// Stops the clock of what keeps everything at this time, in seconds since 1970
+    /// began.
+    pub fn set_time(&mut self, time_s: i64) {
+        self.store.stop_clock(time_s);
+    }
+
     /// The answers that are kept, in order; none where they cannot be looked up.
     pub fn attempts(&mut self) -> Vec<Attempt> {
         let wish = Wish::Recall(None);

@@ -1,17 +1,14 @@
 //! Texts as files in a folder.
 
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
-use std::process;
 use std::time::{Duration, SystemTime};
 
 use super::shelf::{Shelf, free_number, number};
 use super::turn::Turn;
-use crate::files::{self, Fault};
+use crate::files::{self, Draft, Fault, UNFINISHED, settle};
 
-/// How the names of files begin that are still being written.
-const UNFINISHED: &str = ".new-";
 /// The file that stands for the right to write to a folder.
 const LOCK: &str = ".lock";
 
@@ -44,43 +41,18 @@ impl Disk {
         Turn::alone(&self.folder, LOCK)
     }
 
-    /// Writes a text to a file beside its place, and brings it to the disk.
-    fn write_beside(&self, text: &str) -> io::Result<PathBuf> {
-        let path = self.folder.join(format!("{UNFINISHED}{}", process::id()));
-        let mut file = File::create(&path)?;
-        let written = file
-            .write_all(text.as_bytes())
-            .and_then(|()| file.sync_all());
-        match written {
-            Ok(()) => Ok(path),
-            Err(error) => {
-                // It is of no use, and the disk may be full.
-                let _ = fs::remove_file(&path);
-                Err(error)
-            }
-        }
-    }
-
-    /// Brings to the disk which files there are.
-    fn settle(&self) -> io::Result<()> {
-        // Only Unix lets a folder be opened; elsewhere the rename has to do.
-        #[cfg(unix)]
-        File::open(&self.folder)?.sync_all()?;
-        Ok(())
-    }
-
     fn add(&self, kind: &str, text: &str) -> io::Result<String> {
         let turn = self.turn()?;
         if turn.is_certain() {
             self.clear_up();
         }
-        let beside = self.write_beside(text)?;
+        let mut draft = Draft::write(&self.folder, text)?;
         let mut names = self.names()?;
         loop {
             let free = free_number(names.iter().map(String::as_str), kind);
             let name = format!("{kind}-{free}");
-            if place_new(&beside, &self.path(&name))? {
-                self.settle()?;
+            if draft.place(&self.path(&name))? {
+                settle(&self.folder)?;
                 return Ok(name);
             }
             names.push(name);
@@ -93,8 +65,8 @@ impl Disk {
         if !holds(&path, old)? {
             return Ok(false);
         }
-        fs::rename(self.write_beside(text)?, &path)?;
-        self.settle()?;
+        Draft::write(&self.folder, text)?.replace(&path)?;
+        settle(&self.folder)?;
         Ok(true)
     }
 
@@ -174,7 +146,7 @@ impl Shelf for Disk {
     fn remove(&mut self, name: &str) -> Result<(), String> {
         let removed = self.turn().and_then(|_turn| {
             fs::remove_file(self.path(name))?;
-            self.settle()
+            settle(&self.folder)
         });
         match removed {
             Err(error) if error.kind() != ErrorKind::NotFound => Err(self.told(&error)),
@@ -191,20 +163,5 @@ fn holds(path: &Path, text: &str) -> io::Result<bool> {
         }
         Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
         _ => Ok(false),
-    }
-}
-
-/// Gives a finished file its name; says `false` if something else has it.
-fn place_new(beside: &Path, path: &Path) -> io::Result<bool> {
-    // A link is refused where there is something; a rename would replace it.
-    match fs::hard_link(beside, path) {
-        Ok(()) => {
-            fs::remove_file(beside)?;
-            Ok(true)
-        }
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
-        // Not every file system has links.
-        Err(_) if path.try_exists()? => Ok(false),
-        Err(_) => fs::rename(beside, path).map(|()| true),
     }
 }

@@ -13,10 +13,14 @@ pub(super) struct Drawer<T> {
     /// What names begin with.
     kind: &'static str,
     /// Makes a thing of the bytes of a file of this name.
-    read: fn(&str, &[u8]) -> Result<T, Fault>,
+    read: Read<T>,
     /// What was last put or found under which name, by ticket.
     open: BTreeMap<u64, Open>,
+    notice: Option<String>,
 }
+
+/// Makes a thing of the bytes of a file of a name.
+type Read<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, Fault> + Send>;
 
 /// A thing being worked on.
 struct Open {
@@ -38,14 +42,23 @@ impl<T> Drawer<T> {
     pub(super) fn new(
         shelf: impl Shelf + 'static,
         kind: &'static str,
-        read: fn(&str, &[u8]) -> Result<T, Fault>,
+        read: impl Fn(&str, &[u8]) -> Result<T, Fault> + Send + 'static,
     ) -> Self {
         Self {
             shelf: Box::new(shelf),
             kind,
-            read,
+            read: Box::new(read),
             open: BTreeMap::new(),
+            notice: None,
         }
+    }
+
+    /// Has the things made of bytes in another way from now on.
+    pub(super) fn read_by(
+        &mut self,
+        read: impl Fn(&str, &[u8]) -> Result<T, Fault> + Send + 'static,
+    ) {
+        self.read = Box::new(read);
     }
 
     /// Saves a text in the place of what was saved or loaded with this ticket before; in
@@ -58,8 +71,20 @@ impl<T> Drawer<T> {
             return Ok(());
         }
         let name = self.shelf.add(self.kind, &text)?;
-        self.open.insert(ticket, Open { name, text });
+        let place = self.shelf.place(&name);
+        if let Some(before) = self.open.insert(ticket, Open { name, text }) {
+            self.notice = Some(format!(
+                "{} is no longer as it was saved here; another carrom may have it open. \
+                 From now on this is saved in {place}.",
+                self.shelf.place(&before.name),
+            ));
+        }
         Ok(())
+    }
+
+    /// What the player should know of it, once.
+    pub(super) fn take_notice(&mut self) -> Option<String> {
+        self.notice.take()
     }
 
     /// All there is, the latest first.

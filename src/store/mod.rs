@@ -18,12 +18,14 @@ mod shelf;
 mod turn;
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::class::{ClassRound, answers_csv, items_csv};
 use crate::game::{Game, SavedGame};
 use crate::messages::{Answer, Done, History, Kept, KeptRound, Request, Wish};
 use crate::progress::Attempt;
+use crate::quiz::concepts::Library;
 use database::Database;
 use disk::Disk;
 use drawer::Drawer;
@@ -43,8 +45,19 @@ pub struct Store {
     exports: Box<dyn Shelf>,
     tables: Box<dyn Shelf>,
     progress: Database,
-    knows_time: bool,
+    clock: Clock,
     closed: bool,
+}
+
+/// What a store knows of the time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Clock {
+    /// What the computer says.
+    Computer,
+    /// Always the same, in seconds since 1970 began.
+    Stopped(i64),
+    /// Nothing.
+    None,
 }
 
 /// The shelves of a store.
@@ -94,19 +107,41 @@ impl Store {
     /// whenever they are made.
     pub fn timeless(self) -> Self {
         Self {
-            knows_time: false,
+            clock: Clock::None,
             ..self
         }
+    }
+
+    /// The same store, which knows the questions of a teacher's own, so that rounds of
+    /// them can be taken up again.
+    pub fn with_own(mut self, own: &Arc<Library>) -> Self {
+        let own = Arc::clone(own);
+        self.classes
+            .read_by(move |name, bytes| ClassRound::read(name, bytes, &own));
+        self
+    }
+
+    /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
+    pub fn at(mut self, time_s: i64) -> Self {
+        self.stop_clock(time_s);
+        self
+    }
+
+    /// Stops its clock at `time_s`, in seconds since 1970 began.
+    pub fn stop_clock(&mut self, time_s: i64) {
+        self.clock = Clock::Stopped(time_s);
     }
 
     fn of<S: Shelf + 'static>(shelves: Shelves<S>, progress: Database) -> Self {
         Self {
             games: Drawer::new(shelves.games, "game", SavedGame::read),
-            classes: Drawer::new(shelves.classes, "class", ClassRound::read),
+            classes: Drawer::new(shelves.classes, "class", |name, bytes| {
+                ClassRound::read(name, bytes, &Arc::default())
+            }),
             exports: Box::new(shelves.exports),
             tables: Box::new(shelves.tables),
             progress,
-            knows_time: true,
+            clock: Clock::Computer,
             closed: false,
         }
     }
@@ -143,7 +178,9 @@ impl Store {
         Answer {
             ticket,
             done,
-            notice: self.progress.take_notice(),
+            notice: (self.progress.take_notice())
+                .or_else(|| self.games.take_notice())
+                .or_else(|| self.classes.take_notice()),
         }
     }
 
@@ -156,7 +193,7 @@ impl Store {
         let found = self.games.list()?.into_iter();
         let kept = found.map(|found| Kept {
             name: found.name,
-            age: found.age.filter(|_| self.knows_time),
+            age: found.age.filter(|_| self.clock == Clock::Computer),
             game: found.thing.map(Box::new),
         });
         Ok(kept.collect())
@@ -181,7 +218,7 @@ impl Store {
         let found = self.classes.list()?.into_iter();
         let kept = found.map(|found| KeptRound {
             name: found.name,
-            age: found.age.filter(|_| self.knows_time),
+            age: found.age.filter(|_| self.clock == Clock::Computer),
             round: found.thing.map(Box::new),
         });
         Ok(kept.collect())
@@ -218,9 +255,13 @@ impl Store {
 
     /// The time in seconds since 1970 began; `None` where it is not to be known.
     fn now_s(&self) -> Option<i64> {
-        let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
-        i64::try_from(now.as_secs())
-            .ok()
-            .filter(|_| self.knows_time)
+        match self.clock {
+            Clock::None => None,
+            Clock::Stopped(time_s) => Some(time_s),
+            Clock::Computer => {
+                let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
+                i64::try_from(now.as_secs()).ok()
+            }
+        }
     }
 }

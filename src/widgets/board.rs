@@ -4,7 +4,8 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::ink::{Pen, Sheet, View};
+use super::ink::{Layer, Pen, Sheet, View};
+use crate::levels::pockets;
 use crate::physics::Board;
 
 /// Length of a base line in metres.
@@ -48,6 +49,13 @@ fn side(board: &Board) -> f64 {
     }
 }
 
+/// The middle of the pocket in a corner, numbered as the engine does: lower left, lower
+/// right, upper left, upper right. `None` if there is no such corner or no pocket.
+pub fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
+    let middle = pockets(board).nth(corner)?;
+    middle.is_finite().then_some(middle)
+}
+
 /// Draws pockets and lines.
 pub fn ground(sheet: &mut Sheet, board: &Board) {
     let half = side(board) / 2.0;
@@ -55,13 +63,8 @@ pub fn ground(sheet: &mut Sheet, board: &Board) {
     if radius <= 0.0 || !board.side.is_finite() {
         return;
     }
-    for corner in [
-        DVec2::ONE,
-        DVec2::NEG_ONE,
-        DVec2::new(1.0, -1.0),
-        DVec2::new(-1.0, 1.0),
-    ] {
-        sheet.circle(corner * (half - radius), radius, Role::Pocket);
+    for pocket in (0..4).filter_map(|corner| pocket(board, corner)) {
+        sheet.circle(pocket, radius, Role::Pocket);
     }
     // Lines belong to a board of carrom's own size; on another they scale with it.
     let scale = board.side / Board::default().side;
@@ -71,6 +74,17 @@ pub fn ground(sheet: &mut Sheet, board: &Board) {
     sheet.circle(DVec2::ZERO, OUTER_CIRCLE * scale, Role::BoardLine);
     if CENTRE_CIRCLE * scale > 1.5 * sheet.view().per_column() {
         sheet.circle(DVec2::ZERO, CENTRE_CIRCLE * scale, Role::BoardLine);
+    }
+}
+
+/// A disc where it touches, as a dotted ring; only its middle where it is too small to
+/// be round.
+pub fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64, role: Role) {
+    let pen = Pen::new(role).on(Layer::Trail);
+    if radius > sheet.view().per_row() {
+        sheet.circle(at, radius, pen.dotted());
+    } else {
+        sheet.dot(at, pen);
     }
 }
 
@@ -84,7 +98,7 @@ fn base_lines(sheet: &mut Sheet, half: f64, scale: f64, quarter: f64) {
     let middle = BASE_FROM_FRAME + BASE_WIDTH / 2.0;
     let pen = Pen::new(Role::BoardLine);
     // Too near to each other to be told apart, the two lines become one.
-    if BASE_WIDTH * scale < 1.6 * sheet.view().per_row() {
+    if BASE_WIDTH * scale < 1.2 * sheet.view().per_row() {
         sheet.line(place(-end, middle), place(end, middle), pen);
         return;
     }

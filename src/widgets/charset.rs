@@ -26,7 +26,8 @@ impl Charset {
 
     /// `text` as this charset writes it.
     ///
-    /// In Unicode that is the text itself. In ASCII each letter and sign of
+    /// In Unicode that is the text itself, with minus signs for the hyphens before and
+    /// between numbers. In ASCII each letter and sign of
     /// physics is spelt out, and what has no spelling becomes `?`, so every
     /// character of the answer is printable ASCII. Line breaks are kept.
     ///
@@ -37,7 +38,10 @@ impl Charset {
     /// ```
     #[must_use]
     pub fn text(self, text: &str) -> Cow<'_, str> {
-        if self == Self::Unicode || text.bytes().all(is_plain) {
+        if self == Self::Unicode {
+            return with_minus_signs(text);
+        }
+        if text.bytes().all(is_plain) {
             return Cow::Borrowed(text);
         }
         let mut plain = String::with_capacity(text.len());
@@ -66,6 +70,41 @@ impl Charset {
         }
         Cow::Owned(plain)
     }
+}
+
+/// `text` with minus signs for hyphens that are minuses: before a number, as in `-2`, and
+/// alone between two terms, as in `90 - 30`. Ranges, names and dates keep their hyphens.
+fn with_minus_signs(text: &str) -> Cow<'_, str> {
+    if !text.contains('-') {
+        return Cow::Borrowed(text);
+    }
+    let mut written = String::with_capacity(text.len() + 4);
+    for (at, letter) in text.char_indices() {
+        let before = text.get(..at).unwrap_or_default();
+        let after = text.get(at + letter.len_utf8()..).unwrap_or_default();
+        let minus = letter == '-' && (is_sign(before, after) || is_difference(before, after));
+        written.push(if minus { '−' } else { letter });
+    }
+    Cow::Owned(written)
+}
+
+/// Whether a hyphen here is the sign of a number.
+fn is_sign(before: &str, after: &str) -> bool {
+    let opens = before.is_empty() || before.ends_with([' ', '(', '[', '=', '\n', '\u{a0}']);
+    opens && after.starts_with(|first: char| first.is_ascii_digit())
+}
+
+/// Whether a hyphen here takes one term from another.
+fn is_difference(before: &str, after: &str) -> bool {
+    let term = |last: char| last.is_numeric() || matches!(last, '°' | ')' | ']');
+    let next = |first: char| first.is_numeric() || matches!(first, '(' | '[' | '√' | 'α'..='ω');
+    let blank = [' ', '\u{a0}'];
+    before
+        .strip_suffix(blank)
+        .is_some_and(|rest| rest.ends_with(term))
+        && after
+            .strip_prefix(blank)
+            .is_some_and(|rest| rest.starts_with(next))
 }
 
 /// Whether a byte may stand in an ASCII text: printable, or a line break.
@@ -169,6 +208,24 @@ mod tests {
         ] {
             assert_eq!(Charset::Ascii.text(written), spelt);
             assert_eq!(Charset::Unicode.text(written), written);
+        }
+    }
+
+    #[test]
+    fn a_hyphen_that_is_a_minus_is_written_as_one() {
+        for (written, shown) in [
+            ("90 - 25.0 = 65.0", "90 − 25.0 = 65.0"),
+            ("-2.0 of 10", "−2.0 of 10"),
+            ("(-1, 180° - 2α)", "(−1, 180° − 2α)"),
+            (
+                "1e-5, 0-9, mixed-7, 2026-01-05",
+                "1e-5, 0-9, mixed-7, 2026-01-05",
+            ),
+            ("0-9 . -", "0-9 . -"),
+            ("--code a-1 - yes", "--code a-1 - yes"),
+        ] {
+            assert_eq!(Charset::Unicode.text(written), shown);
+            assert_eq!(Charset::Ascii.text(shown), Charset::Ascii.text(written));
         }
     }
 

@@ -1,5 +1,7 @@
 //! Running text in more than one style, broken into rows.
 
+use std::ops::Range;
+
 use super::{Charset, Role, text};
 
 /// A stretch of text in one style. No-break blanks hold words together.
@@ -31,8 +33,9 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let columns = columns.max(1);
     let mut rows = vec![Vec::new()];
     let mut used = 0;
-    let words = words(runs).into_iter().map(|word| spelt(word, charset));
-    for word in held(words, columns) {
+    let words = words(runs).into_iter();
+    let words: Vec<Word> = words.map(|word| spelt(word, charset)).collect();
+    for word in held(&words, columns) {
         let width = width(&word);
         let gap = usize::from(used > 0);
         if used > 0 && used + gap + width > columns {
@@ -59,39 +62,26 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     rows
 }
 
-/// Whether a word is a sign of physics, as `α`, that stays with what it equals.
-fn is_sign(word: &str) -> bool {
-    const LONGEST: usize = 6;
-    word.starts_with(char::is_alphabetic)
-        && word.ends_with(char::is_alphanumeric)
-        && word.chars().count() <= LONGEST
-}
-
 fn width(word: &Word) -> usize {
     word.iter().map(|run| text::width(&run.text)).sum()
 }
 
 /// Words that belong together as one, if a row has room for it.
-fn held(words: impl Iterator<Item = Word>, columns: usize) -> Vec<Word> {
-    let mut held: Vec<Word> = Vec::new();
+fn held(words: &[Word], columns: usize) -> Vec<Word> {
     let letters = |word: &Word| word.iter().map(|run| run.text.as_str()).collect::<String>();
-    let mut before = String::new();
-    for word in words {
-        let after = letters(&word);
-        match held.last_mut() {
-            Some(last)
-                if (text::belong_together(&before, &after) || after == "=" && is_sign(&before))
-                    && width(last) + 1 + width(&word) <= columns =>
-            {
-                let role = word.first().map_or(Role::Text, |run| run.role);
-                last.push(Run::new(" ", role));
-                last.extend(word);
+    let letters: Vec<String> = words.iter().map(letters).collect();
+    let joined = |range: Range<usize>| {
+        let mut group = Word::new();
+        for word in words.get(range).unwrap_or_default() {
+            if let (false, Some(first)) = (group.is_empty(), word.first()) {
+                group.push(Run::new(" ", first.role));
             }
-            _ => held.push(word),
+            group.extend(word.iter().cloned());
         }
-        before = after;
-    }
-    held
+        group
+    };
+    let held = text::held(&letters, columns);
+    held.into_iter().map(joined).collect()
 }
 
 fn push(rows: &mut [Vec<Run>], text: &str, role: Role) {

@@ -101,11 +101,17 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// One row: a name on the left, its value flush right.
+    /// One row: a name on the left, its value flush right. A name too long for the room
+    /// beside the value is cut, and dots tell of it.
     pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
-        self.put(0, name, name_role);
         let width = self.width_of(value) as u16;
         let column = self.area.width.saturating_sub(width + 1);
+        let name = self.look.charset.text(name);
+        let room = match value {
+            "" => usize::from(self.area.width),
+            _ => usize::from(column.saturating_sub(1)),
+        };
+        self.put(0, &text::clipped(&name, room), name_role);
         self.put(column, value, value_role);
         self.written += 1;
     }
@@ -130,6 +136,19 @@ impl<'a> Lines<'a> {
     pub fn paragraph(&mut self, text: &str, role: Role) {
         for line in self.wrapped(text) {
             self.line(&line, role);
+        }
+    }
+
+    /// Text over as many rows as it takes, those after the first set in by `indent`: the
+    /// rest of an equation is no equation of its own.
+    pub fn set_in(&mut self, text: &str, indent: u16, role: Role) {
+        let rows = self.wrapped(text);
+        let Some((first, rest)) = rows.split_first() else {
+            return;
+        };
+        self.line(first, role);
+        if !rest.is_empty() {
+            self.hanging(&" ".repeat(indent.into()), &rest.join(" "), role);
         }
     }
 
@@ -170,6 +189,20 @@ impl<'a> Lines<'a> {
         let indent = self.width_of(mark) as u16;
         let width = self.area.width.saturating_sub(1 + indent).into();
         text::wrap(&self.look.charset.text(text), width).len() as u16
+    }
+
+    /// Rows that what `write` writes takes, beginning with an empty area.
+    pub fn rows_by(&self, write: impl FnOnce(&mut Lines)) -> u16 {
+        let mut scratch = Buffer::empty(self.area);
+        let mut lines = Lines {
+            area: self.area,
+            written: 0,
+            scrolled: 0,
+            buf: &mut scratch,
+            look: self.look,
+        };
+        write(&mut lines);
+        lines.written
     }
 
     fn wrapped(&self, text: &str) -> Vec<String> {

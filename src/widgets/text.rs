@@ -1,5 +1,6 @@
 //! Plain text in columns.
 
+use std::ops::Range;
 use std::time::Duration;
 
 use unicode_width::UnicodeWidthStr;
@@ -17,10 +18,12 @@ const UNITS: [&str; 21] = [
 
 /// Whether a blank between two words is no place to break a row: it parts a number
 /// from its unit (`2 m/s`), a unit from the rest of it (`g m/s`), the two numbers of
-/// a vector (`(60, 0)`) or of a difference (`90 - 30`), a sign of equality from what
-/// it equals, a sine from its angle.
+/// a vector (`(60, 0)`) or of a difference (`90 - 30`), the factors of a product
+/// (`2 × 15`, `m₂ u₂`), a sign of equality from what stands on either side, an operator
+/// from what follows it, a sine from its angle and its factor.
 pub fn belong_together(before: &str, after: &str) -> bool {
     let minus = ["-", "−"];
+    let operators = ["=", "+", "/"];
     let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
     let number = before
         .trim_end_matches([')', ']'])
@@ -28,56 +31,138 @@ pub fn belong_together(before: &str, after: &str) -> bool {
     let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
     let vector = before.starts_with('(') && before.ends_with(',') && after.contains(')');
     let difference = number && minus.contains(&after) || minus.contains(&before);
-    let function = before.trim_start_matches(['(', '-', '−']);
-    let function = ["sin", "cos", "tan"].contains(&function);
-    measured || vector || difference || function || before == "="
+    let is_function = |word: &str| {
+        let word = word.trim_start_matches(['(', '-', '−']);
+        ["sin", "cos", "tan", "sqrt", "√"].contains(&word)
+    };
+    let function = is_function(before) || number && is_function(after);
+    let equality = after == "=" && is_sign(before);
+    let operation = operators.contains(&before);
+    measured
+        || vector
+        || difference
+        || function
+        || equality
+        || operation
+        || is_product(before, after)
+}
+
+/// Whether a word is a sign of physics, as `α`, that stays with what it equals.
+fn is_sign(word: &str) -> bool {
+    const LONGEST: usize = 6;
+    word.starts_with(char::is_alphabetic)
+        && word.ends_with(char::is_alphanumeric)
+        && word.chars().count() <= LONGEST
+}
+
+/// Whether two words stand beside each other in a product, a times sign being a word.
+fn is_product(before: &str, after: &str) -> bool {
+    let dots = ["·", "×", "."];
+    // In ASCII a times sign is the letter that is also a coordinate.
+    let digit_last = before.ends_with(|last: char| last.is_ascii_digit());
+    let digit_first = after
+        .trim_start_matches(['(', '-'])
+        .starts_with(|first: char| first.is_ascii_digit());
+    let times = after == "x" && digit_last || before == "x" && digit_first;
+    let brackets = ['(', '[', ')', ']'];
+    let is_indexed = |word: &str| {
+        word.starts_with(char::is_alphabetic) && word.ends_with(char::is_numeric)
+            || word.contains(['₁', '₂', '_'])
+    };
+    let is_letter = |word: &str| word.chars().count() == 1 && word.starts_with(char::is_alphabetic);
+    let factor = before.trim_start_matches(brackets);
+    let factors =
+        (is_indexed(factor) || is_letter(factor)) && is_indexed(after.trim_matches(brackets));
+    dots.contains(&before) || dots.contains(&after) || times || factors
 }
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
 /// keeps its unit beside it, and a word longer than a line is broken where it must
-/// be. Line breaks in it are kept.
+/// be. Line breaks in it are kept, and so are gaps of more than one blank, as between
+/// columns: where not all fits, a line breaks first between two equations.
 pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     let columns = columns.max(1);
     let mut lines = Vec::new();
     for paragraph in text.split('\n') {
         let mut line = String::new();
-        for word in held(paragraph, columns) {
-            let word = word.as_str();
-            let gap = usize::from(!line.is_empty());
-            if width(&line) + gap + width(word) > columns && !line.is_empty() {
+        for (gap, entry) in entries(paragraph) {
+            // A name stays with what it names; one equation may part from the next.
+            let fits = width(&line) + gap + width(entry) <= columns;
+            if !fits && line.contains('=') {
                 lines.push(std::mem::take(&mut line));
-            } else if gap == 1 {
-                line.push(' ');
+            } else if !line.is_empty() {
+                line.extend(std::iter::repeat_n(' ', gap - 1));
             }
-            for c in word.chars() {
-                if width(&line) + c.to_string().width() > columns && !line.is_empty() {
-                    lines.push(std::mem::take(&mut line));
-                }
-                line.push(c);
-            }
+            fill(&mut lines, &mut line, entry, columns);
         }
         lines.push(line);
     }
     lines
 }
 
-/// The words of `text`; those that belong together are one, if a line has room for it.
-fn held(text: &str, columns: usize) -> Vec<String> {
-    let mut words: Vec<String> = Vec::new();
-    let mut before = "";
-    for word in text.split(' ').filter(|word| !word.is_empty()) {
-        match words.last_mut() {
-            Some(last)
-                if belong_together(before, word) && width(last) + 1 + width(word) <= columns =>
-            {
-                last.push(' ');
-                last.push_str(word);
-            }
-            _ => words.push(word.to_owned()),
+/// The entries of a text set in columns, each with the width of the gap before it: gaps
+/// are of two blanks or more.
+fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut gap = 0;
+    text.split("  ").filter_map(move |piece| {
+        // Of three blanks the third begins the next piece, or ends this one.
+        let entry = piece.trim_matches(' ');
+        gap += 2 + piece.len() - entry.len();
+        let here = (!entry.is_empty()).then_some((gap, entry))?;
+        gap = 0;
+        Some(here)
+    })
+}
+
+/// Goes on from `line` with the words of `text`.
+fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) {
+    let words: Vec<&str> = text.split(' ').filter(|word| !word.is_empty()).collect();
+    for range in held(&words, columns) {
+        let word = words.get(range).unwrap_or_default().join(" ");
+        let gap = usize::from(!line.is_empty());
+        if width(line) + gap + width(&word) > columns && !line.is_empty() {
+            lines.push(line.trim_end().to_owned());
+            line.clear();
+        } else if gap == 1 {
+            line.push(' ');
         }
-        before = word;
+        for c in word.chars() {
+            if width(line) + c.to_string().width() > columns && !line.is_empty() {
+                lines.push(std::mem::take(line));
+            }
+            line.push(c);
+        }
     }
-    words
+}
+
+/// Words that belong together as one, as ranges of `words`, wherever a row of `columns`
+/// has room for them. Rather than anything else a sign is parted from what it equals.
+pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
+    let of = |range: Range<usize>| words.get(range).unwrap_or_default();
+    let fits = |range: Range<usize>| {
+        let taken: usize = of(range).iter().map(|word| width(word.as_ref()) + 1).sum();
+        taken <= columns + 1
+    };
+    let mut held: Vec<Range<usize>> = Vec::new();
+    let mut before = "";
+    for (i, word) in words.iter().enumerate() {
+        let word = word.as_ref();
+        let belongs = i > 0 && belong_together(before, word);
+        before = word;
+        match held.last_mut() {
+            Some(last) if belongs && fits(last.start..i + 1) => last.end = i + 1,
+            Some(last) if belongs => {
+                let group = of(last.clone()).iter();
+                let equality = group.map(AsRef::as_ref).rposition(|word| word == "=");
+                let start = equality.map(|at| last.start + at);
+                let start = start.filter(|&start| start > last.start && fits(start..i + 1));
+                last.end = start.unwrap_or(last.end);
+                held.push(start.unwrap_or(i)..i + 1);
+            }
+            _ => held.push(i..i + 1),
+        }
+    }
+    held
 }
 
 /// A time that has passed, in few letters.
@@ -134,6 +219,36 @@ mod tests {
         // Words that are no unit, and lines too short for both.
         assert_eq!(wrap("1 and m", 5), ["1 and", "m"]);
         assert_eq!(wrap("200 m/s", 5), ["200", "m/s"]);
+    }
+
+    #[test]
+    fn a_formula_breaks_where_it_can_be_read() {
+        assert_eq!(wrap("and so with Z = 79", 13), ["and so with", "Z = 79"]);
+        assert_eq!(wrap("= 3.46 + 2 × 15 × 0", 16), ["= 3.46", "+ 2 × 15 × 0"]);
+        assert_eq!(
+            wrap("= 3 x 4 along x and y", 15),
+            ["= 3 x 4 along x", "and y"]
+        );
+        assert_eq!(
+            wrap("(1 + e) m₂ u₂ₙ] / m", 10),
+            ["(1 + e)", "m₂ u₂ₙ]", "/ m"]
+        );
+        assert_eq!(
+            wrap("too: 30 mm · sin 45° =", 17),
+            ["too:", "30 mm · sin 45° ="]
+        );
+    }
+
+    #[test]
+    fn columns_stay_apart_and_break_between_equations() {
+        let known = "target   m₂ = 15 g   u₂ = 0, at rest";
+        assert_eq!(wrap(known, 40), [known]);
+        assert_eq!(wrap(known, 30), ["target   m₂ = 15 g", "u₂ = 0, at rest"]);
+        let impulse = "impulse  J = m₂ (v₂ₙ − u₂ₙ) = 52 g m/s";
+        assert_eq!(
+            wrap(impulse, 32),
+            ["impulse  J = m₂ (v₂ₙ − u₂ₙ)", "= 52 g m/s"]
+        );
     }
 
     #[test]

@@ -5,10 +5,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use carrom::app::App;
+use carrom::app::{App, Data};
 use carrom::lessons::Library;
 use carrom::messages::{Done, Effect, Input, Key, Request, Wish};
-use carrom::screens::{Book, Place, Settings, Shelf};
+use carrom::screens::{Book, Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};
@@ -178,7 +178,11 @@ fn own(folder: &Path, pages: &str) -> Headless {
     assert_eq!(library.problems, []);
     let place = Place::Chapter { number: 0 };
     let book = Book::new(library);
-    let app = App::with_data(Shelf::default(), book, place, settings("Ada"), 1);
+    let data = Data {
+        book,
+        ..Data::default()
+    };
+    let app = App::with_data(data, place, settings("Ada"), 1);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 

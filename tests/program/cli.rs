@@ -327,3 +327,87 @@ fn a_tape_keeps_its_games_only_where_it_is_told_to() {
     let twin = fs::read_to_string(folder.path().join("again/games/game-1.toml")).unwrap();
     assert_eq!(saved, twin);
 }
+
+/// A folder with two good questions in one file and a file with a belief nobody holds.
+const OWN_CONCEPTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
+
+#[test]
+fn written_questions_of_ones_own_are_checked() {
+    let output = carrom(&["concept", "check", OWN_CONCEPTS]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(
+        out(&output),
+        "our-marbles-twice-as-heavy: good: our marbles, middle\n\
+         our-marbles-head-on: good: our marbles, easy\n"
+    );
+    let message = err(&output);
+    assert!(
+        message.contains("wrong-belief.toml:12: misconception: expected the id of a misconception, found flat-earth"),
+        "{message}"
+    );
+    let good = format!("{OWN_CONCEPTS}/our-marbles.toml");
+    let output = carrom(&["concept", "check", &good]);
+    assert_eq!((output.status.code(), err(&output).as_str()), (Some(0), ""));
+    // What is in the program is good, too.
+    let output = carrom(&["concept", "check"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert_eq!(out(&output).lines().count(), 97);
+}
+
+#[test]
+fn a_right_choice_that_gives_itself_away_is_told_with_its_place() {
+    let folder = Folder::new("cli-concepts");
+    let path = within(&folder, "mine.toml");
+    let good = fs::read_to_string(format!("{OWN_CONCEPTS}/our-marbles.toml")).unwrap();
+    let long = "It stops, for it gives all of its momentum away, as equal masses do";
+    fs::write(&path, good.replace("It stops", long)).unwrap();
+    let output = carrom(&["concept", "check", &path]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(out(&output).contains("our-marbles-head-on: NOT GOOD: mine, easy"));
+    let message = err(&output);
+    let wanted = format!("{path}:22: our-marbles-head-on.right: expected a choice of the length");
+    assert!(message.contains(&wanted), "{message}");
+    // The id of a question in the program is taken.
+    fs::write(
+        &path,
+        good.replace("our-marbles-head-on", "sideways-balances"),
+    )
+    .unwrap();
+    let message = err(&carrom(&["concept", "check", &path]));
+    assert!(
+        message.contains("mine.toml:22: ") && message.contains("expected an id of its own"),
+        "{message}"
+    );
+}
+
+#[test]
+fn the_code_of_own_questions_needs_their_folder() {
+    let folder = Folder::new("cli-own");
+    let to = within(&folder, "sheets");
+    let output = carrom(&["worksheet", "--code", "own-7", "--out", &to]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = err(&output);
+    assert!(
+        message.contains(
+            "expected questions of your own for the code own-7; --concepts gives their folder"
+        ),
+        "{message}"
+    );
+    let output = carrom(&[
+        "worksheet",
+        "--code",
+        "own-7",
+        "--out",
+        &to,
+        "--concepts",
+        OWN_CONCEPTS,
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let sheet = fs::read_to_string(format!("{to}/worksheet.md")).unwrap();
+    assert!(
+        sheet.contains("own-7") && sheet.contains("A marble of 40 g"),
+        "{sheet}"
+    );
+    let easy = sheet.find("Two equal marbles").unwrap();
+    assert!(easy < sheet.find("A marble of 40 g").unwrap());
+}

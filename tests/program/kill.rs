@@ -1,4 +1,5 @@
-//! Carrom is killed at any moment of a game, and loses at most the stroke in motion.
+//! Carrom is killed at any moment of a game, and loses at most the stroke in motion; of a
+//! round of a class, and loses no vote that was seen.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,8 +7,10 @@ use std::thread;
 use std::time::Duration;
 
 use carrom::app::App;
+use carrom::class::ClassRound;
 use carrom::game::SavedGame;
 use carrom::messages::{Done, Request, Wish};
+use carrom::quiz::{Form, Said};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -190,4 +193,98 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
         );
         before = kept;
     }
+}
+
+/// The angle of the striker that each team said first, in degrees as it was typed.
+fn first_votes(folder: &Path) -> Vec<Option<u32>> {
+    let request = Request {
+        ticket: 0,
+        wish: Wish::ListClasses,
+    };
+    let Done::Classes(Ok(rounds)) = Store::in_folder(folder).answer(&request).done else {
+        panic!("the rounds cannot be listed");
+    };
+    let rounds: Vec<ClassRound> = rounds
+        .into_iter()
+        .map(|kept| *kept.round.unwrap())
+        .collect();
+    let [round] = &rounds[..] else {
+        assert!(rounds.is_empty(), "the round has lost its file");
+        return Vec::new();
+    };
+    let form = &round.questions()[0].form;
+    let typed = |vote| match (form, vote) {
+        (Form::Rays { side, .. }, Some(Said::Rays(rays))) => {
+            Some((side * rays.striker?.to_degrees()).round() as u32)
+        }
+        _ => None,
+    };
+    let teams = 0..round.teams().len();
+    teams
+        .map(|team| typed(round.ballot(0, team).first))
+        .collect()
+}
+
+/// Killed while votes come in, the program has kept every vote after which the screen
+/// showed the list of the teams again: new ones and changed ones alike.
+#[test]
+fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
+    const TEAMS: usize = 4;
+    let folder = Folder::new("class-killed-pty");
+    let data = folder.path().to_str().unwrap();
+    let start = |arguments: &[&str]| {
+        let arguments = [&["class", "--data-dir", data], arguments].concat();
+        Pty::start(carrom(&arguments))
+    };
+    let mut chance = Pcg64::seed_from_u64(11);
+    let mut safe: Vec<Option<u32>> = vec![None; TEAMS];
+    let mut angle = 0;
+    for kill in 0..20 {
+        let mut pty = if safe.iter().any(Option::is_some) {
+            let mut pty = start(&[]);
+            pty.wait_for("Start");
+            pty.press("\x1b[F\x1b[B\r");
+            pty.wait_for("7: A, B, C, D");
+            pty.press("\r");
+            pty
+        } else {
+            let mut pty = start(&["--teams", "A,B,C,D", "--code", "7"]);
+            pty.wait_for("> Start");
+            pty.press("\r\r\r");
+            pty
+        };
+        let voted = safe.iter().flatten().count();
+        pty.wait_until("the votes so far", |screen| {
+            screen.contains("Each team in turn") && screen.matches("has voted").count() >= voted
+        });
+        let mut last = None;
+        for vote in 0..=chance.random_range(1..4) {
+            let team = chance.random_range(0..TEAMS);
+            angle += 1;
+            pty.press(&(team + 1).to_string());
+            pty.wait_until("a booth", |screen| !screen.contains("Each team in turn"));
+            pty.press(&format!("{angle}\r30\r"));
+            if vote > 0 && kill % 3 > 0 && chance.random_bool(0.3) {
+                // In the middle of this one.
+                last = Some((team, angle));
+                break;
+            }
+            pty.wait_for("Each team in turn");
+            safe[team] = Some(angle);
+        }
+        if last.is_some() {
+            thread::sleep(Duration::from_micros(chance.random_range(0..6_000)));
+        }
+        pty.signal(Signal::KILL);
+        pty.wait();
+        let now = first_votes(folder.path());
+        // What was not told to be safe may be so all the same.
+        if let Some((team, angle)) = last
+            && now[team] == Some(angle)
+        {
+            safe[team] = Some(angle);
+        }
+        assert_eq!(now, safe, "kill {kill}");
+    }
+    assert!(angle > 40);
 }

@@ -24,6 +24,8 @@ mod worksheet;
 
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/keys.rs"]
+mod keys;
 #[cfg(unix)]
 #[path = "../common/pty.rs"]
 mod pty;

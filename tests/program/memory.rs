@@ -7,8 +7,8 @@ use std::process::{Command, Output, Stdio};
 
 use carrom::app::App;
 use carrom::messages::{Done, Request, Wish};
-use carrom::progress::{Attempt, Starred};
-use carrom::quiz::Code;
+use carrom::progress::{Attempt, DAY_S, Due, Starred};
+use carrom::quiz::{Code, Course, Round};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -19,6 +19,7 @@ use rustix::process::Signal;
 
 use crate::child::{self, Player};
 use crate::folder::Folder;
+use crate::keys::said;
 #[cfg(unix)]
 use crate::pty::{Pty, carrom as carrom_in_terminal};
 
@@ -130,6 +131,53 @@ fn an_answer_is_kept_before_its_explanation_is_seen() {
     assert!(attempts[0].time_s.is_some());
     let answer: serde_json::Value = serde_json::from_str(&attempts[0].answer).unwrap();
     assert!((answer["theta1_deg"].as_f64().unwrap().abs() - 60.0).abs() < 1e-9);
+}
+
+/// Plays a round rightly at a time, sure of every other answer and guessing the rest if
+/// so wished.
+fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
+    let round = Round::of(code.clone());
+    let place = Place::Quiz { code: Some(code) };
+    let store = Store::in_folder(folder).at(time_s);
+    let mut game = Headless::keeping(app(place, "Ada"), 80, 24, store);
+    for (i, question) in round.questions().iter().enumerate() {
+        game.press(&said(&question.form, &question.form.truth()));
+        game.press(if guessing && i % 2 == 0 { "1" } else { "3" });
+        let screen = game.screen();
+        assert!(screen.contains(" of 10 points"), "{screen}");
+        game.press("<Enter>");
+        assert!(game.screen().contains("carrom : quiz"));
+    }
+    assert!(game.screen().contains("all answered"), "{}", game.screen());
+}
+
+#[test]
+fn what_was_due_is_due_no_more_after_a_right_review() {
+    const START_S: i64 = 1_800_000_000;
+    let folder = Folder::new("memory-review");
+    let due = |time_s| Due::of(&kept(folder.path(), Some("Ada")), Some(time_s));
+    for (day, code) in [(0, "mixed-7"), (1, "mixed-2")] {
+        let code = Code::parse(code).unwrap();
+        play_rightly(folder.path(), code, START_S + day * DAY_S, true);
+    }
+    // What was guessed is due at once; what was known, when it has rested for a day.
+    let now_s = START_S + 3 * DAY_S;
+    assert!(!due(START_S + DAY_S).now.is_empty());
+    let mut before = due(now_s).now;
+    assert!(before.len() > Course::REVIEWED, "{before:?}");
+    for seed in 0.. {
+        let Some(kind) = due(now_s).course() else {
+            break;
+        };
+        let asked = due(now_s).first().to_vec();
+        let course = Course::new(kind);
+        play_rightly(folder.path(), Code { course, seed }, now_s, false);
+        before.retain(|topic| !asked.contains(topic));
+        assert_eq!(due(now_s).now, before);
+    }
+    assert!(before.is_empty());
+    // They are back when they have rested.
+    assert!(!due(now_s + 2 * DAY_S).now.is_empty());
 }
 
 #[cfg(unix)]

@@ -1,11 +1,14 @@
 //! The report of what a player has done, whoever the player is and whatever was done:
 //! read back by real parsers.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
 use carrom::app::App;
+use carrom::lessons::{self, Answer, Bookmark, Chapter, Given};
+use carrom::levels;
 use carrom::messages::{Done, History, Request, Wish};
 use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
@@ -15,7 +18,6 @@ use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::Charset;
-use carrom::{lessons, levels};
 use pulldown_cmark::{Event, Options, Parser, Tag};
 use scraper::{Html, Node, Selector};
 
@@ -108,9 +110,20 @@ fn first_level() -> (String, String) {
 }
 
 fn report<'a>(player: &'a str, history: &'a History, stars: &'a [Starred]) -> Report<'a> {
+    static UNREAD: BTreeMap<String, Bookmark> = BTreeMap::new();
+    with_marks(player, history, stars, &UNREAD)
+}
+
+fn with_marks<'a>(
+    player: &'a str,
+    history: &'a History,
+    stars: &'a [Starred],
+    marks: &'a BTreeMap<String, Bookmark>,
+) -> Report<'a> {
     Report::new(&Sources {
         player,
         history,
+        marks,
         stars,
         levels: levels::Library::embedded_once(),
         lessons: lessons::Library::embedded_once(),
@@ -204,7 +217,7 @@ fn no_name_breaks_the_table_or_the_json() {
             );
             assert_eq!(row[1].replace('\'', ""), name.replace('\'', ""));
         }
-        let json = json(&history.attempts, history.now_s).to_string();
+        let json = json(&history.attempts, history.now_s).unwrap();
         let read: serde_json::Value = serde_json::from_str(&json).unwrap();
         assert_eq!(read["attempts"][5]["player"], *name);
         assert_eq!(read["summary"]["topics"][0]["topic"], *name);
@@ -245,6 +258,69 @@ fn no_name_breaks_a_screen() {
             }
         }
     }
+}
+
+/// All pages of a chapter seen and answered, the first so many questions rightly.
+fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
+    let mut mark = Bookmark::default();
+    let mut asked = 0;
+    for page in &chapter.pages {
+        let given = page.checkpoint.as_ref().map(|checkpoint| {
+            asked += 1;
+            Given {
+                asked: checkpoint.written.clone(),
+                answer: Answer::Choice(0),
+                right: asked <= right,
+            }
+        });
+        mark.pages.insert(page.title.clone(), given);
+    }
+    mark
+}
+
+#[test]
+fn chapters_stand_in_the_report_as_they_do_in_learn() {
+    let chapters = &lessons::Library::embedded_once().chapters;
+    let (first, second) = (&chapters[0], &chapters[1]);
+    let marks = BTreeMap::from([
+        (first.id.clone(), read_through(first, 2)),
+        (second.id.clone(), Bookmark::at(&second.pages[0])),
+    ]);
+    let history = History {
+        attempts: vec![attempt("Ada", 1)],
+        now_s: None,
+    };
+    let report = with_marks("Ada", &history, &[], &marks);
+    let html = report.html();
+    let text: String = Html::parse_document(&html).root_element().text().collect();
+    // Done is what has been read and answered, whether right or not, as Learn counts it.
+    assert!(text.contains(&format!("1 of {}chapters done", chapters.len())));
+    let (pages, asked) = (first.pages.len(), first.checkpoints());
+    let row = format!("{}{pages} of {pages}2 of {asked}", first.title);
+    assert!(text.contains(&row), "{text}");
+    let row = format!("{}1 of {}0 of", second.title, second.pages.len());
+    assert!(text.contains(&row), "{text}");
+    let markdown = report.markdown("pictures");
+    let row = format!("| {} | {pages} of {pages} | 2 of {asked} |", first.title);
+    assert!(markdown.contains(&row), "{markdown}");
+}
+
+#[test]
+fn a_mean_error_is_told_of_three_angles_and_more() {
+    let of = |angles: u32| {
+        let attempts = (1..=5).map(|i| Attempt {
+            error_deg: (i <= angles).then_some(12.0),
+            ..attempt("Ada", i)
+        });
+        History {
+            attempts: attempts.collect(),
+            now_s: None,
+        }
+    };
+    assert!(!report("Ada", &of(2), &[]).html().contains("mean error"));
+    let (history, told) = (of(3), "12.0°</strong>");
+    let html = report("Ada", &history, &[]).html();
+    assert!(html.contains(told) && html.contains("mean error of 3 angles"));
 }
 
 #[test]
@@ -290,13 +366,11 @@ fn thousands_of_answers_fit_the_page_too() {
     let library = lessons::Library::embedded_once();
     let attempts: Vec<_> = (0..5_000_u32)
         .map(|i| {
-            let chapter = &library.chapters[i as usize % library.chapters.len()];
             let read = i % 5 == 0;
             Attempt {
                 time_s: Some(1_700_000_000 + i64::from(i) * 9_000),
                 family: if read { LESSON } else { "where-to" }.into(),
                 topic: format!("topic {}", i % 70),
-                question: format!("{{\"chapter\":\"{}\"}}", chapter.id),
                 error_deg: Some(40.0 / (1.0 + f64::from(i) / 500.0)),
                 right: i > 4_000,
                 confidence: Some(Confidence::ALL[i as usize % 3]),
@@ -311,7 +385,11 @@ fn thousands_of_answers_fit_the_page_too() {
         attempts,
         now_s: Some(1_795_000_000),
     };
-    let report = report("Ada", &history, &[]);
+    let chapters = library.chapters.iter();
+    let marks: BTreeMap<_, _> = chapters
+        .map(|chapter| (chapter.id.clone(), read_through(chapter, 3)))
+        .collect();
+    let report = with_marks("Ada", &history, &[], &marks);
     let html = report.html();
     let (elements, _) = read_html(&html);
     // What is cut keeps the page one page, and its file small.

@@ -172,7 +172,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "newer",
             b"format = 2\nwhatever = true\n".to_vec(),
-            "line 1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the game",
+            "line 1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
         ),
         (
             "format-text",

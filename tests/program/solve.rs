@@ -154,6 +154,12 @@ fn discs_that_stick_share_a_velocity_and_turn() {
     assert_eq!(stuck["v1"], json!([1.5, 0.0]));
     assert_eq!(stuck["v1"], stuck["v2"]);
     close(&stuck["spin_rad_s"], 50.0);
+    // The centres go round with ω r = 0.5 m/s, across the line that joins them, which
+    // lies at 30° to the motion: 0.25 m/s along it and 0.25 √3 m/s across.
+    close(&stuck["centre_v1"][0], 1.75);
+    close(&stuck["centre_v2"][0], 1.25);
+    close(&stuck["centre_v1"][1], 0.25 * 3.0_f64.sqrt());
+    close(&stuck["centre_v2"][1], -0.25 * 3.0_f64.sqrt());
     close(&stuck["energy_rotation_j"], 0.00375);
     close(&stuck["energy_after_j"], 0.0225 + 0.00375);
     assert_eq!(answer(MARBLES).get("spin_rad_s"), None);

@@ -1,5 +1,7 @@
 //! A class round without a screen: votes, scores, what is kept and what is taken home.
 
+use std::sync::Arc;
+
 use carrom::class::{ClassRound, Vote, answers_csv, items, items_csv, standings, team_names};
 use carrom::quiz::{Code, Form, Said};
 
@@ -47,7 +49,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
 fn what_is_kept_is_taken_up_again() {
     let round = played();
     let text = round.text().unwrap();
-    let again = ClassRound::read("round", text.as_bytes()).unwrap();
+    let again = ClassRound::read("round", text.as_bytes(), &Arc::default()).unwrap();
     assert_eq!(again.teams(), round.teams());
     assert_eq!(again.code(), round.code());
     for i in 0..round.questions().len() {
@@ -69,7 +71,7 @@ fn what_is_kept_is_taken_up_again() {
 fn a_file_of_the_first_format_still_opens() {
     let text = "format = 1\ncode = \"7\"\nteams = [\"Ants\", \"Bees\"]\n\n\
                 [[question]]\nfirst = [\"rays 60 30\", \"rays still 0\"]\nsecond = [\"\", \"rays 45 45\"]\n";
-    let round = ClassRound::read("old", text.as_bytes()).unwrap();
+    let round = ClassRound::read("old", text.as_bytes(), &Arc::default()).unwrap();
     assert_eq!(
         (
             round.begun(),
@@ -105,7 +107,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
             "found more",
         ),
     ] {
-        let fault = ClassRound::read("bad", text.as_bytes())
+        let fault = ClassRound::read("bad", text.as_bytes(), &Arc::default())
             .unwrap_err()
             .to_string();
         assert!(fault.contains(complaint), "{complaint}: {fault}\n{text}");
@@ -114,7 +116,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
     let noise: Vec<u8> = (0..10_000_000_u64)
         .map(|i| (i * 7919 % 251) as u8)
         .collect();
-    assert!(ClassRound::read("noise", &noise).is_err());
+    assert!(ClassRound::read("noise", &noise, &Arc::default()).is_err());
 }
 
 #[test]

@@ -8,13 +8,14 @@ use carrom::app::App;
 use carrom::class::{ClassRound, Step, Vote};
 use carrom::cli;
 use carrom::messages::{Done, Input, Request, Wish};
-use carrom::quiz::{Code, Form, Said};
+use carrom::quiz::Code;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::Charset;
 
 use crate::folder::Folder;
+use crate::keys::said;
 
 const LONG: Duration = Duration::from_secs(60);
 
@@ -34,22 +35,6 @@ fn app(code: &str, teams: &[&str], charset: Charset) -> App {
 fn class(folder: &Path, code: &str, teams: &[&str]) -> Headless {
     let app = app(code, teams, Charset::Ascii);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
-}
-
-/// The keys with which a team says this in its booth.
-fn said(form: &Form, said: &Said) -> String {
-    match (form, said) {
-        (Form::Rays { side, .. }, Said::Rays(rays)) => [rays.striker, rays.target]
-            .map(|angle| match angle {
-                Some(angle) => format!("{:.1}<Enter>", side * angle.to_degrees() + 0.0),
-                None => "x<Enter>".into(),
-            })
-            .concat(),
-        (_, Said::Number(x)) => format!("{x:.3}<Enter>"),
-        (_, Said::Choice(i)) => format!("{}<Enter>", char::from(b'a' + *i as u8)),
-        (_, Said::Shot(offset)) => format!("{:.2}<Enter>", offset * 1000.0),
-        _ => unreachable!("another kind than is asked for"),
-    }
 }
 
 fn records(text: &str) -> Vec<csv::StringRecord> {
@@ -438,4 +423,51 @@ fn escape_asks_twice_once_there_is_a_vote() {
     assert!(!game.screen().contains("Esc again"));
     game.press("<Escape><Escape>");
     assert!(game.screen().contains("carrom : home"));
+}
+
+/// A class plays questions of the teacher's own, and takes the round up again; once their
+/// files have changed it is refused, for the votes would be on other questions.
+#[test]
+fn a_round_of_own_questions_is_taken_up_while_they_are_the_same() {
+    let folder = Folder::new("class-own");
+    let mine = folder.path().join("mine");
+    fs::create_dir_all(&mine).unwrap();
+    let from = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/own-concepts/our-marbles.toml"
+    );
+    let text = fs::read_to_string(from).unwrap();
+    fs::write(mine.join("our-marbles.toml"), &text).unwrap();
+    let open = |arguments: &str| {
+        let arguments = format!("class {arguments} --concepts '{}' --seed 3", mine.display());
+        let app = cli::open(&arguments).unwrap();
+        let store = Store::in_folder(folder.path()).with_own(app.own());
+        Headless::keeping(app, 80, 24, store)
+    };
+    let mut game = open("--teams A,B");
+    let screen = game.screen();
+    assert!(screen.contains("your own questions"), "{screen}");
+    game.press("<Down><Down><Down><Down><Enter><Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("question 1 of 2  code own-3"), "{screen}");
+    game.press("<Enter><Enter>1b<Enter>");
+    assert!(game.screen().contains("has voted"), "{}", game.screen());
+    let mut game = open("");
+    game.press("<End><Down><Enter>");
+    assert!(game.screen().contains("own-3: A, B"), "{}", game.screen());
+    game.press("<Enter>");
+    assert!(game.screen().contains("has voted"), "{}", game.screen());
+    let without = text
+        .split("\n[[item]]")
+        .take(2)
+        .collect::<Vec<_>>()
+        .join("\n[[item]]");
+    fs::write(mine.join("our-marbles.toml"), without).unwrap();
+    let mut game = open("");
+    game.press("<End><Down><Enter>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("cannot be read") && screen.contains("files have changed"),
+        "{screen}"
+    );
 }

@@ -100,7 +100,7 @@ fn a_beam_is_thrown_once_it_has_been_said_what_will_come_back() {
     // Half of them.
     game.press("<Up><Up><Enter>");
     assert!(game.settle(LONG));
-    assert!(game.screen().contains("58,700 times"));
+    assert!(game.screen().contains("59,000"));
     // Of the next beam it need not be said again; of another kind it must.
     game.key(Key::Enter);
     assert!(game.app().wake().is_some());
@@ -178,4 +178,14 @@ fn the_last_page_says_what_was_counted_and_what_was_not() {
     ] {
         assert!(text.contains(said), "{said} is not in {text}");
     }
+}
+
+#[test]
+fn a_number_out_of_range_tells_the_range() {
+    let mut game = foil(true, 1);
+    game.press("<Down><Down>500<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("10.00 MeV") && screen.contains("from 4 to 10 MeV"));
+    game.press("5<Enter>");
+    assert!(!game.screen().contains("from 4 to 10"));
 }

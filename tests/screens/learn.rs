@@ -2,7 +2,7 @@
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::lessons::{Chapter, Library, Page};
+use carrom::lessons::{Asked, Chapter, Library, Page};
 use carrom::messages::Key;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -219,8 +219,12 @@ fn a_figure_opens_in_the_lab_and_is_exported() {
     let (name, svg) = &game.exports()[0];
     assert_eq!(name, "carrom-the-line-of-impact-1.svg");
     assert!(svg.contains(">n<") && svg.contains(">t<"));
-    assert!(game.screen().contains("The figure is in"));
-    game.press("o");
+    // Told in a box that the next key closes.
+    assert!(
+        game.screen()
+            .contains("The figure is in carrom-the-line-of-impact-1.svg")
+    );
+    game.press("<Enter>o");
     let screen = game.screen();
     assert!(screen.contains("carrom : lab"), "{screen}");
     assert!(
@@ -245,4 +249,54 @@ fn a_chapter_is_opened_by_number_or_name() {
         wrong.contains("expected the number or the name of a chapter"),
         "{wrong}"
     );
+}
+
+#[test]
+fn what_is_typed_can_be_seen_on_a_small_screen() {
+    for (number, chapter) in Library::embedded_once().chapters.iter().enumerate() {
+        let mut game = open(number, Charset::Ascii, (60, 20));
+        for page in &chapter.pages {
+            let asked = page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked);
+            match asked {
+                Some(Asked::Number { .. }) => {
+                    game.press("48");
+                    assert!(game.screen().contains("48_"), "{}", game.screen());
+                }
+                Some(Asked::Choice(_)) => {
+                    game.key(Key::Up);
+                    let screen = game.screen();
+                    assert!(screen.contains("|>") || screen.contains(" >"), "{screen}");
+                }
+                Some(Asked::Rays) => {
+                    game.press("48");
+                    assert!(game.screen().contains("48_"), "{}", game.screen());
+                }
+                None => {}
+            }
+            let keys = game.screen().lines().last().unwrap_or_default().to_owned();
+            assert!(keys.contains("Enter") && keys.contains("Esc"), "{keys}");
+            if let Some(Asked::Number { .. } | Asked::Rays) = asked {
+                // Gives up what was typed.
+                game.press("<Escape>");
+            }
+            answer(&mut game, page);
+            let keys = game.screen().lines().last().unwrap_or_default().to_owned();
+            assert!(keys.contains("Enter") && keys.contains("Esc"), "{keys}");
+            game.press("n");
+        }
+    }
+}
+
+#[test]
+fn the_text_of_a_page_stays_above_its_answer_where_there_is_room() {
+    let (number, _) = chapter("momentum-is-a-vector");
+    for (size, stays) in [((120, 40), true), ((60, 20), false)] {
+        let mut game = open(number, Charset::Ascii, size);
+        game.press("nn");
+        assert!(game.screen().contains("Call the angles"));
+        game.press("3<Enter>");
+        let screen = game.screen();
+        assert_eq!(screen.contains("Call the angles"), stays, "{screen}");
+        assert!(screen.contains("Not this time"), "{screen}");
+    }
 }

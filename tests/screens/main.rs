@@ -6,6 +6,7 @@ mod article;
 mod class;
 mod every_screen;
 mod foil;
+mod lab;
 mod learn;
 mod levels;
 mod quiz;
@@ -17,3 +18,5 @@ mod tapes;
 
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/keys.rs"]
+mod keys;

@@ -292,15 +292,31 @@ fn escape_goes_back_a_step_and_asks_twice_before_a_round_is_lost() {
     assert!(game.settle(LONG));
     for _ in 0..2 {
         game.press("<Escape>");
-        assert!(game.screen().contains("Esc again leaves the round"));
+        assert!(game.screen().contains("Esc again leaves the"));
         game.press("<Left>");
         assert!(!game.screen().contains("Esc again"));
     }
     game.press("<Enter><Escape>");
     assert!(game.screen().contains("question 2"));
-    assert!(game.screen().contains("Esc again leaves the round"));
+    assert!(game.screen().contains("Esc again leaves the"));
     game.press("<Escape>");
     assert!(game.screen().contains("choose a round"));
+}
+
+#[test]
+fn points_are_lost_where_it_is_seen() {
+    let mut game = plain(7);
+    let round = Round::hits(7);
+    let questions = round.questions();
+    // Both ways straight back: none is nearly right.
+    answer(&mut game, &questions[0], &Rays::new(-3.0, -3.0), "2");
+    let screen = game.screen();
+    assert!(screen.contains("question 1 of 10  -2.0 points"), "{screen}");
+    game.press("<Enter>");
+    let right = truth(&questions[1]);
+    answer(&mut game, &questions[1], &right, "3");
+    let screen = game.screen();
+    assert!(screen.contains("question 2 of 10  8.0 points"), "{screen}");
 }
 
 #[test]

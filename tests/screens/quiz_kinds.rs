@@ -4,6 +4,7 @@
 use std::time::Duration;
 
 use carrom::app::App;
+use carrom::cli;
 use carrom::quiz::{Code, Course, CourseKind, Round};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -182,6 +183,80 @@ fn an_exam_tells_nothing_before_its_end_and_then_everything() {
     assert!(game.screen().contains("choose a round"));
 }
 
+/// What was answered can be looked at, and is not lost with the exam.
+#[test]
+fn an_exam_that_is_left_shows_what_was_answered() {
+    let mut game = coded("exam6-7");
+    game.press("<Escape>");
+    assert!(game.screen().contains("choose a round"), "nothing to show");
+    let mut game = coded("exam6-7");
+    answer(&mut game, "3");
+    answer(&mut game, "2");
+    game.press("<Escape>");
+    let screen = words(&game.screen());
+    assert!(screen.contains("Esc again ends the exam"), "{screen}");
+    assert!(!screen.contains("of 10 points"), "{screen}");
+    game.press("<Left>");
+    assert_eq!(top(&mut game), "question 3 of 6");
+    game.press("<Escape>");
+    game.press("<Escape>");
+    assert_eq!(top(&mut game), "2 of 6 answered", "{}", game.screen());
+    let screen = game.screen();
+    assert!(screen.contains(" of 20 points"), "{screen}");
+    assert!(screen.lines().next().unwrap().contains(" points  code"));
+    game.press("<Down><Enter>");
+    assert_eq!(top(&mut game), "question 2 of 6");
+    let screen = game.screen();
+    assert!(screen.contains(" of 10 points"), "{screen}");
+    assert!(screen.contains("Enter back to the list") || screen.contains("the right shot"));
+    game.press("<Escape>");
+    assert_eq!(top(&mut game), "2 of 6 answered");
+    game.press("<Escape>");
+    assert!(game.screen().contains("choose a round"));
+}
+
+/// Text without the lines of frames, its blanks put together.
+fn words(screen: &str) -> String {
+    let bare = screen.replace(['|', '+'], " ");
+    bare.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// One number for what is due, wherever it is told; a list that is cut says so.
+#[test]
+fn what_is_due_is_the_same_number_everywhere() {
+    let mut game = coded("exam-7");
+    game.set_time(1_800_000_000);
+    for _ in 0..15 {
+        answer(&mut game, "1");
+    }
+    assert_eq!(top(&mut game), "all answered");
+    game.press("<Escape>");
+    let screen = game.screen();
+    let due: usize = {
+        let (before, _) = screen.split_once(" due").unwrap();
+        before.rsplit(' ').next().unwrap().parse().unwrap()
+    };
+    assert!(due > Course::REVIEWED, "{screen}");
+    game.press("<Down><Down>");
+    let screen = game.screen();
+    let left = format!("and {} more after these", due - Course::REVIEWED);
+    assert!(screen.contains(&left), "{screen}");
+    game.press("<Enter>");
+    let screen = game.screen();
+    let asked = format!("question 1 of {}", Course::REVIEWED);
+    assert!(screen.contains(&asked), "{screen}");
+    let of = format!("review: {} of {due} due", Course::REVIEWED);
+    assert!(screen.contains(&of), "{screen}");
+    game.press("<Escape><Escape>p<Tab>");
+    let screen = game.screen();
+    assert!(screen.contains("carrom : progress"), "{screen}");
+    assert!(screen.contains(&format!("{due} due")), "{screen}");
+    assert!(
+        screen.contains(&format!("and {} more", due - 6)),
+        "{screen}"
+    );
+}
+
 #[test]
 fn a_line_of_the_look_back_is_opened_by_a_click() {
     let mut game = coded("speeds3-7");
@@ -207,8 +282,8 @@ fn a_line_of_the_look_back_is_opened_by_a_click() {
     );
 }
 
-/// What was guessed is due at once; a review asks it, no family twice in a row, and has
-/// no code to be given away.
+/// What was guessed is due at once; a review asks each such topic once, and has no code to
+/// be given away.
 #[test]
 fn a_review_asks_what_is_due() {
     let mut game = choosing();
@@ -225,29 +300,25 @@ fn a_review_asks_what_is_due() {
     assert!(screen.contains("choose a round  2 due"), "{screen}");
     game.press("<Down><Down>");
     let screen = game.screen();
-    for due in [
-        "2 due",
-        "Come back to what you",
-        "speeds after the hit",
-        "angles from the angle",
-    ] {
+    for due in ["2 due", "Come back to what you", "equal masses", "speed"] {
         assert!(screen.contains(due), "{due}\n{screen}");
     }
     game.press("<Enter>");
-    let mut families = Vec::new();
-    for number in 1..=5 {
-        assert_eq!(top(&mut game), format!("question {number} of 5"));
+    let mut asked = Vec::new();
+    for number in 1..=2 {
+        assert_eq!(top(&mut game), format!("question {number} of 2"));
         assert!(!game.screen().contains("code "), "{}", game.screen());
         answer(&mut game, "1");
         go_on(&mut game);
-        families.push(game.attempts().last().unwrap().family.clone());
+        asked.push(game.attempts().last().unwrap().topic.clone());
     }
-    assert!(families.windows(2).all(|pair| pair[0] != pair[1]));
-    assert!(
-        families
-            .iter()
-            .all(|it| ["speeds", "from-angle"].contains(&it.as_str()))
-    );
+    let mut due: Vec<_> = game.attempts()[..2]
+        .iter()
+        .map(|it| it.topic.clone())
+        .collect();
+    due.sort();
+    asked.sort();
+    assert_eq!(asked, due);
     let screen = game.screen();
     assert!(!screen.contains("for a friend"), "{screen}");
     game.press("n");
@@ -284,4 +355,62 @@ fn every_family_is_played_on_every_screen() {
             assert_eq!(top(&mut game), "all answered");
         }
     }
+}
+
+/// Questions of a teacher's own have a line of their own, with what was left out and why;
+/// the rounds of the program stay as they are.
+#[test]
+fn own_questions_make_a_round_of_their_own() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
+    let open = |arguments: &str| {
+        let app = cli::open(&format!("{arguments} --concepts '{folder}' --seed 7")).unwrap();
+        Headless::from(app)
+    };
+    let mut game = open("quiz --code mixed-7");
+    game.press("<Escape>");
+    let screen = game.screen();
+    assert!(screen.contains("8 your own questions"), "{screen}");
+    assert!(screen.contains("of 2, 1 left out"), "{screen}");
+    game.press("<End>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("Left out:") && screen.contains("flat-earth"),
+        "{screen}"
+    );
+    game.press("o");
+    assert_eq!(top(&mut game), "question 1 of 2");
+    let screen = game.screen();
+    assert!(
+        screen.contains("code own-") && screen.contains("Two equal"),
+        "{screen}"
+    );
+    game.press("a<Enter>2");
+    assert!(game.settle(Duration::from_secs(60)));
+    assert_eq!(game.attempts()[0].topic, "our marbles");
+    // By its code, and without the folder not at all.
+    let mut game = open("quiz --code own-7");
+    assert_eq!(top(&mut game), "question 1 of 2");
+    assert!(
+        cli::open("quiz --code own-7")
+            .err()
+            .unwrap()
+            .contains("--concepts gives their folder")
+    );
+    let mut game = choosing();
+    game.press("cown-7<Enter>");
+    assert!(
+        game.screen().contains("not the code of a round yet"),
+        "{}",
+        game.screen()
+    );
+    // What the program asks is the same with and without.
+    let mixed = Round::of(Code::parse("mixed-7").unwrap());
+    let text = &mixed.questions()[0].text;
+    let mut game = open("quiz --code mixed-7");
+    let first: Vec<_> = text.split(' ').take(4).collect();
+    assert!(
+        game.screen().contains(&first.join(" ")),
+        "{}",
+        game.screen()
+    );
 }

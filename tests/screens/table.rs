@@ -31,8 +31,8 @@ fn still() -> Settings {
     }
 }
 
-/// A stroke as it can be set with keys: steps of 2 mm along the base line, hundredths
-/// of a degree, tenths of m/s.
+/// A stroke as it can be set with keys: steps of 2 mm from the middle of the base line,
+/// hundredths of a degree, tenths of m/s.
 #[derive(Debug, Clone, Copy)]
 struct Keyed {
     steps: i32,
@@ -53,13 +53,9 @@ impl Keyed {
     fn strike(self, game: &Game) -> Option<Strike> {
         let board = Board::default();
         let lines = game.base_lines(&board);
-        let mut place = lines.nearest(lines.at(0.0))?;
         // On the screen a step goes right; North's right is the other way.
-        let step = 0.002 * f64::from(self.steps.signum()) * lines.along(glam::DVec2::X).signum();
-        for _ in 0..self.steps.abs() {
-            let along = ((lines.along(place) + step) * 10_000.0).round() / 10_000.0;
-            place = lines.at(along);
-        }
+        let right = lines.along(glam::DVec2::X).signum();
+        let place = lines.at(right * f64::from(self.steps * 20) / 10_000.0);
         let direction = game.seat().turn(unit_vector(f64::from(self.angle) / 100.0));
         Some(Strike {
             place,
@@ -75,8 +71,9 @@ impl Keyed {
             key.repeat(count.unsigned_abs() as usize)
         };
         format!(
-            "{}{}{:.2} ",
-            times("]", "[", self.steps),
+            "{}{}{}{:.2} ",
+            2 * self.steps.abs(),
+            if self.steps < 0 { "[" } else { "]" },
             times("+", "-", self.tenths - tenths),
             f64::from(self.angle) / 100.0
         )

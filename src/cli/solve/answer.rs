@@ -32,11 +32,16 @@ pub(super) struct Answer {
 struct Turning {
     energy_rotation_j: f64,
     spin_rad_s: f64,
+    /// Velocities of the two centres right after the contact; `v1` and `v2` are that
+    /// of the centre of mass.
+    centre_v1: [f64; 2],
+    centre_v2: [f64; 2],
 }
 
 impl Answer {
     pub(super) fn of(collision: &Collision) -> Self {
         let after = collision.outcome();
+        let [centre_v1, centre_v2] = collision.centres_after().map(components);
         Self {
             hit: after.hit(),
             v1: components(after.v1),
@@ -51,6 +56,8 @@ impl Answer {
             turning: (collision.bond == Bond::Stick).then_some(Turning {
                 energy_rotation_j: after.energy_rotation,
                 spin_rad_s: after.spin,
+                centre_v1,
+                centre_v2,
             }),
         }
     }

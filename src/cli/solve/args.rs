@@ -1,6 +1,6 @@
 //! The options of `carrom solve`, and the problem they describe.
 
-use super::problem::{Fault, Problem};
+use super::problem::{Fault, Problem, speed};
 use crate::physics::Collision;
 use crate::physics::worked::Given;
 
@@ -40,12 +40,7 @@ pub(in crate::cli) struct Args {
     speed: f64,
 
     /// Impact angle in degrees, -90 to 90
-    #[arg(
-        long,
-        value_name = "DEG",
-        allow_negative_numbers = true,
-        required_unless_present_any = ["offset_mm", "batch", "plain"]
-    )]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     alpha_deg: Option<f64>,
 
     /// Offset of the target's centre to the right of the striker's path in mm,
@@ -122,10 +117,19 @@ impl Args {
 
     /// The collision that is asked for, and which way it was given.
     pub(super) fn collision(&self) -> Result<(Collision, Given), Fault> {
+        if !self.is_complete() {
+            return Err(Fault {
+                field: "--alpha-deg".into(),
+                message: "missing: expected this, or --offset-mm with --r1-mm and --r2-mm; \
+                          --plain asks for it"
+                    .into(),
+            });
+        }
+        let speed = speed(self.speed).map_err(as_option)?;
         let problem = Problem {
             m1_g: Some(self.m1_g),
             m2_g: Some(self.m2_g),
-            u1: Some([self.speed, 0.0]),
+            u1: Some([speed, 0.0]),
             u2: Some(self.u2),
             alpha_deg: self.alpha_deg,
             offset_mm: self.offset_mm,
@@ -140,12 +144,8 @@ impl Args {
 
 /// A fault of a field as a fault of the option that set it.
 fn as_option(fault: Fault) -> Fault {
-    let option = match fault.field.as_str() {
-        "u1" => "speed".to_owned(),
-        field => field.replace('_', "-"),
-    };
     Fault {
-        field: format!("--{option}"),
+        field: format!("--{}", fault.field.replace('_', "-")),
         ..fault
     }
 }

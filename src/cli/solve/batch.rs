@@ -7,8 +7,9 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::answer::Answer;
-use super::lines::{LONGEST, Line, Lines};
+use super::lines::{LONGEST, Line, Lines, Trouble};
 use super::problem::Problem;
+use crate::files::BYTE_ORDER_MARK;
 
 /// The longest error message, in characters: noise is not echoed at length.
 const LONGEST_MESSAGE: usize = 200;
@@ -20,29 +21,42 @@ struct Refusal<'a> {
     error: &'a str,
 }
 
+impl Refusal<'_> {
+    fn write_line(&self, out: &mut impl Write) -> io::Result<()> {
+        serde_json::to_writer(&mut *out, self)?;
+        out.write_all(b"\n")
+    }
+}
+
 /// Answers every line of `input` that is not blank. A bad line is refused and the
 /// run goes on, to end with exit status 1.
-pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> io::Result<ExitCode> {
+pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode, Trouble> {
     let mut lines = Lines::new(input);
     let mut status = ExitCode::SUCCESS;
     let mut number = 0;
     while let Some(line) = lines.next(|| out.flush())? {
         number += 1;
+        let is_first = number == 1;
         let answer = match line {
-            Line::Whole(text) if text.trim_ascii().is_empty() => continue,
-            Line::Whole(text) => answer(text),
+            Line::Whole(text) => {
+                let marked = text.strip_prefix(BYTE_ORDER_MARK).filter(|_| is_first);
+                let text = marked.unwrap_or(text);
+                if text.trim_ascii().is_empty() {
+                    continue;
+                }
+                answer(text)
+            }
             Line::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
         match answer {
-            Ok(answer) => answer.write_line(out)?,
+            Ok(answer) => answer.write_line(out).map_err(Trouble::Write)?,
             Err(error) => {
                 status = ExitCode::FAILURE;
                 let refusal = Refusal {
                     line: number,
                     error: &error,
                 };
-                serde_json::to_writer(&mut *out, &refusal)?;
-                out.write_all(b"\n")?;
+                refusal.write_line(out).map_err(Trouble::Write)?;
             }
         }
     }

@@ -2,6 +2,8 @@
 
 use std::io::{self, BufRead};
 
+use thiserror::Error;
+
 /// The longest line that is kept; a problem takes a few hundred bytes.
 pub(super) const LONGEST: usize = 64 * 1024;
 
@@ -11,6 +13,15 @@ pub(super) enum Line<'a> {
     Whole(&'a [u8]),
     /// It was longer than [`LONGEST`] and was passed over.
     TooLong,
+}
+
+/// What went wrong between the problems and the answers.
+#[derive(Debug, Error)]
+pub(super) enum Trouble {
+    #[error("cannot read the problems: {0}")]
+    Read(#[source] io::Error),
+    #[error("cannot write to standard output: {0}")]
+    Write(#[source] io::Error),
 }
 
 /// Reads one line after another into one buffer.
@@ -35,17 +46,17 @@ impl<R: BufRead> Lines<R> {
     pub(super) fn next(
         &mut self,
         mut before_waiting: impl FnMut() -> io::Result<()>,
-    ) -> io::Result<Option<Line<'_>>> {
+    ) -> Result<Option<Line<'_>>, Trouble> {
         self.line.clear();
         let mut too_long = false;
         let mut any = false;
         loop {
             if self.may_wait {
-                before_waiting()?;
+                before_waiting().map_err(Trouble::Write)?;
             }
             let arrived = match self.input.fill_buf() {
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                arrived => arrived?,
+                arrived => arrived.map_err(Trouble::Read)?,
             };
             if arrived.is_empty() {
                 break;

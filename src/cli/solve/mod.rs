@@ -9,18 +9,15 @@ mod problem;
 mod record;
 mod text;
 
-use std::env;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
-use anyhow::Context;
-
 use super::{Failure, Options, plain};
 use crate::physics::worked;
-use crate::shells::terminal;
 use crate::widgets::Charset;
 use answer::Answer;
 pub(super) use args::Args;
+use lines::Trouble;
 
 /// Room for some hundreds of answers.
 const BUFFER: usize = 1 << 16;
@@ -36,15 +33,17 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
         batch::run(io::stdin().lock(), &mut out)
     } else {
         let text = one(args, options)?;
-        out.write_all(&text).map(|()| ExitCode::SUCCESS)
+        let written = out.write_all(&text).map_err(Trouble::Write);
+        written.map(|()| ExitCode::SUCCESS)
     };
-    match written.and_then(|status| out.flush().map(|()| status)) {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+    let flushed = |status| out.flush().map(|()| status).map_err(Trouble::Write);
+    match written.and_then(flushed) {
+        Err(Trouble::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
             // What is left over has nowhere to go.
             let _ = out.into_parts();
             Ok(ExitCode::SUCCESS)
         }
-        written => Ok(written.context("cannot read the problems or write the answers")?),
+        written => Ok(written?),
     }
 }
 
@@ -69,7 +68,6 @@ fn one(args: &Args, options: &Options) -> Result<Vec<u8>, Failure> {
         Answer::of(&collision).write_line(&mut line)?;
         return Ok(line);
     }
-    let auto = terminal::charset(|name| env::var(name).ok());
-    let unicode = options.charset(auto) == Charset::Unicode;
+    let unicode = options.printed() == Charset::Unicode;
     Ok(text::render(&worked::steps(&collision, given), unicode).into_bytes())
 }

@@ -52,6 +52,12 @@ pub(super) struct Problem {
 impl Problem {
     /// The collision that is asked for, and which way it was given.
     pub(super) fn collision(&self) -> Result<(Collision, Given), Fault> {
+        if self.alpha_deg.is_some() && self.offset_mm.is_some() {
+            return Err(fault(
+                "alpha_deg",
+                "expected this or offset_mm, found both: each says where the two meet",
+            ));
+        }
         let mass = |field, value| number(field, required(field, value)?, SIZE, "grams");
         let radius = |field, value| number(field, value, SIZE, "millimetres");
         let (m1, m2) = (mass("m1_g", self.m1_g)?, mass("m2_g", self.m2_g)?);
@@ -87,11 +93,7 @@ impl Problem {
                 let offset = m_from_mm(number("offset_mm", offset, OFFSET, "millimetres")?);
                 Ok((Collision { offset, ..head_on }, Given::Offset))
             }
-            (Some(_), Some(_)) => Err(fault(
-                "alpha_deg",
-                "expected either this or offset_mm, found both",
-            )),
-            (None, None) => Err(fault(
+            _ => Err(fault(
                 "alpha_deg",
                 "missing: expected this, or offset_mm with r1_mm and r2_mm",
             )),
@@ -108,6 +110,11 @@ fn disc(mass_g: f64, radius_mm: f64) -> Disc {
 
 fn required<T>(field: &str, value: Option<T>) -> Result<T, Fault> {
     value.ok_or_else(|| fault(field, "missing"))
+}
+
+/// A speed along a line, in m/s.
+pub(super) fn speed(value: f64) -> Result<f64, Fault> {
+    number("speed", value, SPEED, "a speed in m/s")
 }
 
 fn velocity(field: &str, components: [f64; 2]) -> Result<DVec2, Fault> {

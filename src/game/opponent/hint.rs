@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::reason::Reason;
 use super::words::{self, Teller, pocket_seen_from};
-use crate::game::Piece;
+use crate::game::{BaseLines, Piece};
 use crate::physics::Motion;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
@@ -15,6 +15,9 @@ pub struct Hint {
     pub stroke: Motion,
     /// What it does.
     pub reason: Reason,
+    /// Whether the striker falls in it all the same, because no stroke was found in
+    /// which it does not.
+    pub fouls: bool,
 }
 
 impl Hint {
@@ -60,17 +63,27 @@ impl Hint {
     /// The second step: where to stand, where to aim and how hard, and why.
     pub fn how(&self) -> String {
         let along = mm_from_m(self.along());
+        let side = if along > 0.0 { "right" } else { "left" };
+        let circle = mm_from_m(BaseLines::base_circle_along());
         let place = if along.abs() < 0.5 {
             "in the middle".to_owned()
+        } else if (along.abs() - circle).abs() < 0.05 {
+            format!("on the {side} circle")
         } else {
-            let side = if along > 0.0 { "right" } else { "left" };
             format!("{:.0} mm {side} of the middle", along.abs())
         };
         let aim = deg_from_rad(self.direction());
         let speed = self.stroke.velocity.length();
         let why = words::capital(&words::met(&self.reason.story, Teller::You));
-        format!("Place the striker {place}, aim at {aim:.1}° and strike with {speed:.2} m/s. {why}")
-            .trim_end()
-            .to_owned()
+        let warning = if self.fouls {
+            "Mind: the striker will fall too. No stroke without that was found."
+        } else {
+            ""
+        };
+        let stroke =
+            format!("Place the striker {place}, aim at {aim:.1}° and strike with {speed:.1} m/s.");
+        let told = [stroke.as_str(), &why, warning].into_iter();
+        let told: Vec<_> = told.filter(|part| !part.is_empty()).collect();
+        told.join(" ")
     }
 }

@@ -83,11 +83,11 @@ impl Decision {
 /// striker: then [`Game::no_place`] is called for.
 pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Option<Decision> {
     let skill = strength.skill();
-    let (meant, reason) = seek(game, board, skill, seed)?;
+    let (choice, reason) = seek(game, board, skill, seed)?;
     // A generator of its own, so that the slip does not hang on how long the search was.
     let mut hand = Pcg64::seed_from_u64(!seed);
     Some(Decision {
-        meant,
+        meant: choice.motion,
         slip: skill.hand.slip(&mut hand),
         reason,
     })
@@ -98,9 +98,14 @@ pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Optio
 ///
 /// A plain cut comes first, for it is what one can learn from; other shots only
 /// where no cut works every other time.
+///
+/// Place, direction and speed are on the [steps](super::steps) in which a player sets
+/// them, and struck exactly so the striker does not fall, wherever there is such a
+/// stroke.
 pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<Hint> {
     let all = Skill {
         hand: Strength::Club.hand(),
+        on_steps: true,
         ..Strength::Champion.skill()
     };
     let cuts = Skill {
@@ -111,13 +116,18 @@ pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<Hint> {
         refinements: 4,
         ..all
     };
-    let plain = seek(game, board, cuts, seed)
-        .filter(|(_, reason)| reason.chance.works_mostly() && reason.story.is_plain_cut());
-    let (stroke, reason) = plain.or_else(|| seek(game, board, all, seed))?;
-    Some(Hint { stroke, reason })
+    let plain = seek(game, board, cuts, seed).filter(|(choice, reason)| {
+        reason.chance.works_mostly() && reason.story.is_plain_cut() && !choice.fouls
+    });
+    let (choice, reason) = plain.or_else(|| seek(game, board, all, seed))?;
+    Some(Hint {
+        stroke: choice.motion,
+        reason,
+        fouls: choice.fouls,
+    })
 }
 
-fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Motion, Reason)> {
+fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Choice, Reason)> {
     if game.play().won().is_some() {
         return None;
     }
@@ -134,17 +144,17 @@ fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Motion, 
         rehearsal: Rehearsal::new(game, board),
         chance: Pcg64::seed_from_u64(seed),
     };
-    let Choice { motion, chance, .. } = search.best()?;
+    let choice = search.best()?;
     // Once more as it is meant, for the record.
-    let story = match search.rehearsal.play(motion) {
+    let story = match search.rehearsal.play(choice.motion) {
         Some(_) => Story::of(game, search.rehearsal.shot()),
         None => Story::default(),
     };
     let reason = Reason {
         seat: game.seat(),
         breaking: game.play().is_unbroken(),
-        chance,
+        chance: choice.chance,
         story,
     };
-    Some((motion, reason))
+    Some((choice, reason))
 }

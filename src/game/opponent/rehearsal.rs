@@ -20,6 +20,8 @@ pub(super) struct Tried {
     pub(super) after: Game,
     /// Whether it brought down what the player wanted, and not the striker.
     pub(super) pocketed: bool,
+    /// Whether the striker fell.
+    pub(super) fouled: bool,
 }
 
 impl<'a> Rehearsal<'a> {
@@ -54,9 +56,13 @@ impl<'a> Rehearsal<'a> {
         let mut after = self.game.clone();
         after.apply(&stroke).ok()?;
         let fallen = &stroke.pocketed;
-        let pocketed = fallen.iter().any(|piece| wants(self.game, *piece))
-            && !fallen.contains(&Piece::Striker);
-        Some(Tried { after, pocketed })
+        let fouled = fallen.contains(&Piece::Striker);
+        let pocketed = !fouled && fallen.iter().any(|piece| wants(self.game, *piece));
+        Some(Tried {
+            after,
+            pocketed,
+            fouled,
+        })
     }
 
     /// The record of the last stroke.

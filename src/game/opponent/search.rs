@@ -14,6 +14,7 @@ use super::story::Chance;
 use super::strength::Skill;
 use super::wants::wants;
 use super::worth::Judge;
+use crate::game::steps::on_steps;
 use crate::game::{BaseLines, Game};
 use crate::physics::{Board, Motion};
 
@@ -32,6 +33,8 @@ pub(super) struct Choice {
     pub(super) motion: Motion,
     worth: f64,
     pub(super) chance: Chance,
+    /// Whether the striker falls when it is struck exactly so.
+    pub(super) fouls: bool,
     /// How far the direction may be changed in looking for a better one.
     allowance: f64,
 }
@@ -56,10 +59,14 @@ impl<'a> Search<'a> {
         };
         let mut choices = self.first_look(&places);
         choices.sort_by(|a, b| b.worth.total_cmp(&a.worth));
+        if self.skill.on_steps && choices.iter().any(|choice| !choice.fouls) {
+            choices.retain(|choice| !choice.fouls);
+        }
         Some(self.finalist(&choices).unwrap_or(Choice {
             motion: resort,
             worth: f64::NEG_INFINITY,
             chance: Chance::default(),
+            fouls: false,
             allowance: 0.0,
         }))
     }
@@ -69,6 +76,11 @@ impl<'a> Search<'a> {
     fn places(&self) -> Vec<DVec2> {
         let lines = self.lines();
         let mut places = lines.candidates(self.skill.places);
+        if self.skill.on_steps {
+            let on_steps = places.iter().filter_map(|at| lines.nearest_on_steps(*at));
+            places = on_steps.collect();
+            places.dedup();
+        }
         if places.is_empty() {
             places.extend(lines.nearest(lines.at(0.0)));
         }
@@ -149,16 +161,28 @@ impl<'a> Search<'a> {
         let way = seat.turn_back(course.toward);
         let back = (coin.y - seat.turn_back(lines.at(0.0)).y) / way.y;
         let along = coin.x - way.x * back;
-        (back > 0.0 && along.is_finite()).then(|| lines.nearest(lines.at(along)))?
+        let there = (back > 0.0 && along.is_finite()).then(|| lines.at(along))?;
+        if self.skill.on_steps {
+            lines.nearest_on_steps(there)
+        } else {
+            lines.nearest(there)
+        }
     }
 
     /// The best of the choices, which come best first, if the hand is unsteady: the
     /// same slips for all, so that they differ by what they are and not by luck.
     fn finalist(&mut self, choices: &[Choice]) -> Option<Choice> {
         let count = self.skill.slips;
-        let slips: Vec<Slip> = (0..count)
+        let mut slips: Vec<Slip> = (0..count)
             .map(|_| self.skill.hand.slip(&mut self.chance))
             .collect();
+        if self.skill.on_steps {
+            // Whoever sets a stroke by keys strikes it exactly so.
+            slips
+                .iter_mut()
+                .take(1)
+                .for_each(|slip| *slip = Slip::default());
+        }
         let finalists = choices.iter().take(self.skill.finalists);
         let tried = finalists.filter_map(|c| self.tried(c.motion, c.allowance, &slips));
         let best = tried.max_by(|a, b| a.worth.total_cmp(&b.worth));
@@ -170,7 +194,10 @@ impl<'a> Search<'a> {
                 push: 0.5 * (self.chance.random::<f64>() - 0.4),
             };
             let changed = self.tried(change.applied_to(best.motion), best.allowance, &slips);
-            if let Some(better) = changed.filter(|changed| changed.worth > best.worth) {
+            let is_better = |changed: &Choice| {
+                changed.worth > best.worth && !(self.skill.on_steps && changed.fouls)
+            };
+            if let Some(better) = changed.filter(is_better) {
                 best = better;
             }
         }
@@ -179,17 +206,25 @@ impl<'a> Search<'a> {
 
     /// A stroke as often as there are slips, and what it is worth on average.
     fn tried(&mut self, motion: Motion, allowance: f64, slips: &[Slip]) -> Option<Choice> {
+        let motion = if self.skill.on_steps {
+            on_steps(motion, self.game.seat())?
+        } else {
+            motion
+        };
         let mut sum = 0.0;
         let mut chance = Chance::default();
+        let mut fouls = false;
         for slip in slips {
             let tried = self.rehearsal.play(slip.applied_to(motion))?;
             sum += self.judge.worth(&tried.after);
             chance.count(tried.pocketed);
+            fouls |= tried.fouled && *slip == Slip::default();
         }
         (chance.of > 0).then(|| Choice {
             motion,
             worth: sum / f64::from(chance.of),
             chance,
+            fouls,
             allowance,
         })
     }

@@ -60,6 +60,9 @@ pub(super) struct Skill {
     pub(super) refinements: usize,
     /// Whether the position after the stroke counts.
     pub(super) looks_ahead: bool,
+    /// Whether strokes are held to the [steps](crate::game::steps) in which a player
+    /// sets them, and to what does not foul when it is struck exactly so.
+    pub(super) on_steps: bool,
 }
 
 impl Strength {
@@ -99,6 +102,7 @@ impl Strength {
                 slips: 0,
                 refinements: 0,
                 looks_ahead: false,
+                on_steps: false,
             },
             Self::Regular => Skill {
                 hand: Hand {

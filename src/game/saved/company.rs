@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::files::{is_invisible, tidy_name};
 use crate::game::opponent::Strength;
 use crate::game::seat::Seat;
 
@@ -86,5 +87,5 @@ impl From<Players> for [Player; 4] {
 /// Whether this can be shown as the name of a player: 1 to 40 letters, all of them
 /// visible.
 pub fn is_player_name(name: &str) -> bool {
-    !name.trim().is_empty() && name.chars().count() <= 40 && !name.chars().any(char::is_control)
+    !tidy_name(name).is_empty() && name.chars().count() <= 40 && !name.chars().any(is_invisible)
 }

@@ -10,12 +10,6 @@ use crate::game::opponent::Strength;
 use crate::game::record::{Move, Record};
 use crate::game::table::{Game, Setup};
 
-/// What stands in a file of any format.
-#[derive(Debug, Deserialize)]
-struct AnyFormat {
-    format: Option<Spanned<toml::Value>>,
-}
-
 /// A file of the present format.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -34,8 +28,7 @@ struct File {
 
 pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), Fault> {
     let source = Source::of_bytes(name, bytes, SavedGame::LARGEST_FILE)?;
-    check_format(source)?;
-    let file: File = parse(source)?;
+    let file: File = source.tables("a saved game", FORMAT)?;
     if !is_player_name(file.player.get_ref()) {
         let message = "expected a name of 1 to 40 visible letters";
         return Err(source.fault(file.player.span().start, "player", message));
@@ -68,32 +61,4 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), Fault>
         end,
     };
     Ok((saved, game))
-}
-
-fn check_format(source: Source) -> Result<(), Fault> {
-    let expected = format!("expected a saved game with `format = {FORMAT}`");
-    if source.text().trim().is_empty() {
-        return Err(source.fault(0, "", format!("{expected}, found an empty file")));
-    }
-    let any: AnyFormat = parse(source)?;
-    let Some(format) = any.format else {
-        return Err(source.fault(0, "format", format!("{expected}, found none")));
-    };
-    let at = format.span().start;
-    match format.get_ref().as_integer() {
-        Some(found) if found == i64::from(FORMAT) => Ok(()),
-        Some(found) if found > i64::from(FORMAT) => Err(source.fault(
-            at,
-            "format",
-            format!("{found} is newer than the {FORMAT} this carrom reads; a newer carrom may open the game"),
-        )),
-        _ => Err(source.fault(at, "format", format!("{expected}, found {}", format.get_ref()))),
-    }
-}
-
-fn parse<'a, T: Deserialize<'a>>(source: Source<'a>) -> Result<T, Fault> {
-    toml::from_str(source.text()).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        source.fault(at, source.key_near(at), error.message().trim())
-    })
 }

@@ -2,10 +2,10 @@
 
 use maud::{Markup, Render, html};
 
-use super::rows::Cut;
+use super::rows::{Cut, of};
 use super::{Picture, Report};
 use crate::paper::{Page, clean};
-use crate::progress::words::{degrees, percent};
+use crate::progress::words::{angles, degrees, percent};
 use crate::progress::{LATELY, Mastery, Trend};
 
 /// Columns of a topic's name.
@@ -46,23 +46,27 @@ fn head(report: &Report) -> Markup {
 
 /// The few figures that say most.
 fn figures(report: &Report) -> Markup {
-    let (won, most) = report.stars;
     let figure = |value: String, name: &str| {
         html! { div { strong { (value) } span.dim { (name) } } }
     };
+    let angles = angles(report.all.angles());
     html! {
         div.figures {
             (figure(report.all.attempts.to_string(), "answered"))
             (figure(percent(report.all.share_right()), "right"))
             @match report.ends() {
                 Some((first, last)) => {
-                    (figure(format!("{first:.1}° → {last:.1}°"), "mean error, first and last ten"))
+                    (figure(format!("{first:.1}° → {last:.1}°"), &format!("mean error, first and last ten of {angles}")))
                 }
-                None => (figure(degrees(report.all.mean_error_deg()), "mean error")),
+                None => {
+                    @if let Some(error) = report.all.mean_error_deg() {
+                        (figure(degrees(Some(error)), &format!("mean error of {angles}")))
+                    }
+                }
             }
             (figure(report.solid.to_string(), "topics solid"))
-            (figure(report.complete.to_string(), "chapters complete"))
-            (figure(format!("{won} of {most}"), "stars"))
+            (figure(of(report.done), "chapters done"))
+            (figure(of(report.stars), "stars"))
         }
     }
 }
@@ -153,18 +157,19 @@ fn beliefs(report: &Report) -> Markup {
                 tbody {
                     @for belief in &report.beliefs.rows { tr {
                         td { (belief.misconception.name) }
-                        td.n { (belief.before) }
-                        td.n { (belief.since) }
+                        td.n { (belief.before.to_string()) }
+                        td.n { (belief.since.to_string()) }
                         td { @match belief.trend() {
-                            Trend::Held => b { "still there" },
-                            faded => (faded.name()),
+                            held @ (Trend::New | Trend::Held) => b { (held.name()) },
+                            trend => (trend.name()),
                         } }
                     } }
                 }
             }
             p.dim {
                 @if let Some(more) = report.beliefs.and_more() { (more) ". " }
-                "Counted in the first half of all answers and in the second."
+                "Of how many questions could have shown it, before the middle of all answers and "
+                "since."
             }
         }
     }
@@ -175,12 +180,16 @@ fn chapters(report: &Report) -> Markup {
         h2 { "Chapters" }
         @if report.chapters.rows.is_empty() { p.dim { "None begun yet." } }
         @else {
-            table { tbody {
-                @for chapter in &report.chapters.rows { tr {
-                    td.name { (chapter.title) }
-                    td.n { (chapter.right) " of " (chapter.questions) }
-                } }
-            } }
+            table {
+                thead { tr { th {} th.n { "read" } th.n { "right" } } }
+                tbody {
+                    @for chapter in &report.chapters.rows { tr {
+                        td.name { (chapter.title) }
+                        td.n { (of(chapter.read)) }
+                        td.n { (of(chapter.right)) }
+                    } }
+                }
+            }
             (more(&report.chapters))
         }
     }

@@ -1,8 +1,9 @@
 //! The report as Markdown.
 
 use super::Report;
+use super::rows::of;
 use crate::paper::{Markdown, clean};
-use crate::progress::words::{degrees, percent};
+use crate::progress::words::{angles, degrees, percent};
 
 /// Columns of a topic's name.
 const TOPIC: usize = 60;
@@ -30,28 +31,27 @@ pub(super) fn document(report: &Report, folder: &str) -> String {
 }
 
 fn figures(report: &Report, document: &mut Markdown) {
-    let (won, most) = report.stars;
     let mut rows = vec![
         vec!["answered".to_owned(), report.all.attempts.to_string()],
         vec!["right".to_owned(), percent(report.all.share_right())],
-        vec![
-            "mean error".to_owned(),
-            degrees(report.all.mean_error_deg()),
-        ],
     ];
+    if let Some(error) = report.all.mean_error_deg() {
+        let of = format!("mean error of {}", angles(report.all.angles()));
+        rows.push(vec![of, degrees(Some(error))]);
+    }
     if let Some((first, last)) = report.ends() {
         rows.push(vec![
-            "mean error, first ten".to_owned(),
+            "mean error of the first ten".to_owned(),
             degrees(Some(first)),
         ]);
-        rows.push(vec!["mean error, last ten".to_owned(), degrees(Some(last))]);
+        rows.push(vec![
+            "mean error of the last ten".to_owned(),
+            degrees(Some(last)),
+        ]);
     }
     rows.push(vec!["topics solid".to_owned(), report.solid.to_string()]);
-    rows.push(vec![
-        "chapters complete".to_owned(),
-        report.complete.to_string(),
-    ]);
-    rows.push(vec!["stars".to_owned(), format!("{won} of {most}")]);
+    rows.push(vec!["chapters done".to_owned(), of(report.done)]);
+    rows.push(vec!["stars".to_owned(), of(report.stars)]);
     document.table(&["all in all", ""], rows);
 }
 
@@ -93,15 +93,19 @@ fn tables(report: &Report, document: &mut Markdown) {
         let heads = ["what wrong answers had in common", "before", "since", ""];
         document.table(&heads, rows);
         more(document, report.beliefs.and_more());
-        document.paragraph("Counted in the first half of all answers and in the second.");
+        document.paragraph(
+            "Of how many questions could have shown it, before the middle of all answers and \
+             since.",
+        );
     }
     if !report.chapters.rows.is_empty() {
         document.heading(2, "Chapters");
-        let rows = report.chapters.rows.iter().map(|chapter| {
-            let right = format!("{} of {}", chapter.right, chapter.questions);
-            vec![chapter.title.clone(), right]
-        });
-        document.table(&["chapter", "questions right"], rows);
+        let rows = report
+            .chapters
+            .rows
+            .iter()
+            .map(|chapter| vec![chapter.title.clone(), of(chapter.read), of(chapter.right)]);
+        document.table(&["chapter", "pages read", "questions right"], rows);
         more(document, report.chapters.and_more());
     }
     if !report.packs.rows.is_empty() {

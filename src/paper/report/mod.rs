@@ -7,8 +7,10 @@ mod rows;
 
 pub use pictures::Picture;
 
+use std::collections::BTreeMap;
+
 use super::clean;
-use crate::lessons;
+use crate::lessons::{self, Bookmark};
 use crate::levels;
 use crate::messages::History;
 use crate::progress::words::answers;
@@ -16,6 +18,7 @@ use crate::progress::{
     Attempt, Belief, Calibrated, LESSON, Mastery, Starred, Tally, Topic, advice, beliefs,
     calibration, ends_deg, topics, utc,
 };
+use crate::quiz::{Quantity, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
 
 /// Columns of the player's name.
@@ -33,6 +36,8 @@ pub struct Sources<'a> {
     pub player: &'a str,
     /// All answers of that player.
     pub history: &'a History,
+    /// How far that player has read the chapters, by their ids.
+    pub marks: &'a BTreeMap<String, Bookmark>,
     /// The levels that player has won.
     pub stars: &'a [Starred],
     /// The levels there are.
@@ -58,8 +63,8 @@ pub struct Report<'a> {
     packs: Cut<PackRow>,
     /// How many topics are solid.
     solid: usize,
-    /// How many chapters have all their questions answered right.
-    complete: usize,
+    /// How many chapters have been read and answered, and how many there are.
+    done: (usize, usize),
     /// Stars won, and all there are.
     stars: (usize, usize),
 }
@@ -70,18 +75,12 @@ impl<'a> Report<'a> {
     pub fn new(sources: &Sources<'a>) -> Self {
         let attempts = &sources.history.attempts;
         // The chapters have a table of their own.
-        let asked: Vec<_> = attempts
-            .iter()
-            .filter(|it| it.family != LESSON)
-            .cloned()
-            .collect();
-        let mut met = topics(&asked);
+        let mut met = topics(attempts.iter().filter(|it| it.family != LESSON));
         met.sort_by_key(|topic| std::cmp::Reverse(topic.all.attempts));
         let solid = met.iter().filter(|it| it.mastery() == Mastery::Solid);
         let solid = solid.count();
-        let chapters = rows::chapters(sources.lessons, attempts);
-        let complete = chapters.iter().filter(|it| it.right >= it.questions);
-        let complete = complete.count();
+        let chapters = rows::chapters(sources.lessons, sources.marks);
+        let done = chapters.iter().filter(|it| it.done).count();
         let packs = rows::packs(sources.levels, sources.stars);
         let won = packs.iter().map(|pack| pack.stars).sum();
         let most = packs.iter().map(|pack| pack.most).sum();
@@ -102,7 +101,7 @@ impl<'a> Report<'a> {
             chapters: Cut::new(chapters, MOST_CHAPTERS),
             packs: Cut::new(begun, MOST_PACKS),
             solid,
-            complete,
+            done: (done, sources.lessons.chapters.len()),
             stars: (won, most),
         }
     }
@@ -157,7 +156,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The mean errors of the first ten answers and of the last ten.
+    /// The mean errors of the first ten angles and of the last ten.
     fn ends(&self) -> Option<(f64, f64)> {
         ends_deg(self.attempts)
     }
@@ -173,8 +172,10 @@ impl<'a> Report<'a> {
         let when = when.map_or(String::new(), |day| format!(" on {day}"));
         format!(
             "Written by carrom{when} from the answers kept on this computer. Days are those of \
-             UTC. Right: the angle within {}° of the truth, or the right one chosen.",
-            crate::quiz::RIGHT_DEG
+             UTC. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
+             {} A chapter is done when all of it has been read and answered.",
+            Quantity::RIGHT,
+            Mastery::legend(),
         )
     }
 }

@@ -2,12 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::Value;
-
-use crate::lessons;
+use crate::lessons::{self, Bookmark};
 use crate::levels::{self, MOST_STARS};
 use crate::paper::clean;
-use crate::progress::{Attempt, LESSON, Starred};
+use crate::progress::Starred;
 
 /// Columns of a name in a table.
 const NAME: usize = 34;
@@ -36,44 +34,35 @@ impl<T> Cut<T> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ChapterRow {
     pub(super) title: String,
-    /// How many of its questions were answered right at least once.
-    pub(super) right: usize,
-    /// How many questions it has.
-    pub(super) questions: usize,
+    /// How many of its pages have been seen, and how many there are.
+    pub(super) read: (usize, usize),
+    /// How many of its questions were answered right when they were answered last, and
+    /// how many there are.
+    pub(super) right: (usize, usize),
+    /// Whether all of it has been read and answered.
+    pub(super) done: bool,
 }
 
-/// The chapters that were begun, in their order.
-pub(super) fn chapters(library: &lessons::Library, attempts: &[Attempt]) -> Vec<ChapterRow> {
-    // By chapter the pages that were answered, and whether ever right.
-    let mut answered: BTreeMap<String, BTreeMap<u32, bool>> = BTreeMap::new();
-    for attempt in attempts.iter().filter(|it| it.family == LESSON) {
-        let question: Value = serde_json::from_str(&attempt.question).unwrap_or_default();
-        if let Some(id) = question["chapter"].as_str() {
-            let pages = answered.entry(id.to_owned()).or_default();
-            *pages.entry(attempt.number).or_default() |= attempt.right;
-        }
-    }
+/// The chapters that were begun, in their order, as they stand in the contents.
+pub(super) fn chapters(
+    library: &lessons::Library,
+    marks: &BTreeMap<String, Bookmark>,
+) -> Vec<ChapterRow> {
     let row = |chapter: &lessons::Chapter| {
-        let pages = answered.get(&chapter.id)?;
-        let asks = |number: u32| {
-            let at = usize::try_from(number).ok()?.checked_sub(1)?;
-            chapter.pages.get(at)?.checkpoint.as_ref()
-        };
-        // A chapter may have changed since it was read.
-        let right = pages
-            .iter()
-            .filter(|(page, right)| **right && asks(**page).is_some());
-        let questions = chapter
-            .pages
-            .iter()
-            .filter(|page| page.checkpoint.is_some());
+        let mark = marks.get(&chapter.id)?;
         Some(ChapterRow {
             title: clean(&chapter.title, NAME),
-            right: right.count(),
-            questions: questions.count(),
+            read: (mark.seen(chapter), chapter.pages.len()),
+            right: (mark.right(chapter), chapter.checkpoints()),
+            done: mark.is_done(chapter),
         })
     };
     library.chapters.iter().filter_map(row).collect()
+}
+
+/// "2 of 6".
+pub(super) fn of((some, all): (usize, usize)) -> String {
+    format!("{some} of {all}")
 }
 
 /// A pack of levels.

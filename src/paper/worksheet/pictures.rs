@@ -12,14 +12,27 @@ pub struct Picture {
     pub svg: Svg,
 }
 
+impl Picture {
+    /// Whether a file of this name is a picture of some worksheet: `answer-07.svg`.
+    #[must_use]
+    pub fn is_file_name(name: &str) -> bool {
+        let name = name.strip_suffix(".svg");
+        let number = name.and_then(|it| it.strip_prefix(QUESTION).or(it.strip_prefix(ANSWER)));
+        number.is_some_and(|it| it.len() >= 2 && it.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+}
+
+const QUESTION: &str = "question-";
+const ANSWER: &str = "answer-";
+
 /// The name of the picture of the question of this number, counted from 1.
 pub(super) fn question_name(number: usize) -> String {
-    format!("question-{number:02}")
+    format!("{QUESTION}{number:02}")
 }
 
 /// The name of the picture of an answer.
 pub(super) fn answer_name(number: usize) -> String {
-    format!("answer-{number:02}")
+    format!("{ANSWER}{number:02}")
 }
 
 pub(super) fn all(round: &Round) -> Vec<Picture> {

@@ -1,6 +1,6 @@
 //! What stands on sheet and key, whatever they are written in.
 
-use crate::quiz::{Code, Confidence, Form, Picture, Question, RIGHT_DEG, Round, letter};
+use crate::quiz::{Code, Confidence, Form, Picture, Quantity, Question, RIGHT_DEG, Round, letter};
 
 /// What a student is to know before the first question.
 pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
@@ -28,9 +28,9 @@ pub(super) fn command(code: &Code) -> String {
 /// What counts as right.
 pub(super) fn tolerance() -> String {
     format!(
-        "Counts as right: an angle within {RIGHT_DEG}° (both of them, where both ways are \
-         asked), a share within 4 percentage points, e within 0.04, any other number within \
-         5 %, an offset that sends the disc within {RIGHT_DEG}° of its way."
+        "Counts as right: both ways within {RIGHT_DEG}°, where ways are drawn; {}; an offset \
+         that sends the disc within {RIGHT_DEG}° of its way.",
+        Quantity::RIGHT
     )
 }
 

@@ -122,6 +122,20 @@ impl Shot {
         matches!(self.place, Place::Offset(_))
     }
 
+    /// Checks the names of fields that are written together.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub fn check_fields<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), String> {
+        let places = |name: &&str| ["alpha_deg", "offset_mm"].contains(name);
+        match names.into_iter().filter(places).count() {
+            0 | 1 => Ok(()),
+            _ => Err("expected alpha_deg or offset_mm, found both: \
+                      each says where the two meet"
+                .into()),
+        }
+    }
+
     /// Checks what no field can tell alone.
     ///
     /// # Errors

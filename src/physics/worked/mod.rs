@@ -53,7 +53,10 @@ pub fn steps(collision: &Collision, given: Given) -> Vec<Step> {
             Bond::Slip => steps.extend(slip::steps(collision, &outcome)),
             Bond::Stick => steps.extend(stick::steps(collision, &outcome)),
         }
-        steps.push(directions(collision, &outcome));
+        steps.push(match collision.bond {
+            Bond::Slip => directions(collision, &outcome),
+            Bond::Stick => stick::direction(collision, &outcome),
+        });
         steps.push(check(collision, &outcome));
     }
     steps.push(Step {
@@ -87,8 +90,10 @@ fn knowns(c: &Collision, given: Given) -> Step {
     }
     lines.push(match given {
         Given::Angle => {
-            let alpha = c.alpha().map_or_else(|| "none".to_owned(), degrees);
-            format!("impact angle  α = {alpha}")
+            let none = || "impact angle  none: the target sees no motion of the striker".to_owned();
+            c.alpha().map_or_else(none, |alpha| {
+                format!("impact angle  α = {}", degrees(alpha))
+            })
         }
         Given::Offset => format!("offset   b = {} mm", mm(c.offset)),
     });
@@ -181,7 +186,8 @@ fn angle_line(
 ) -> String {
     let (body, speed) = match name {
         "θ₁" => ("striker", "v₁"),
-        _ => ("target", "v₂"),
+        "θ₂" => ("target", "v₂"),
+        _ => ("pair", "V"),
     };
     match angle {
         Some(angle) => {
@@ -212,13 +218,19 @@ fn check(c: &Collision, after: &Outcome) -> Step {
     let scale = m1 * c.u1.length() + m2 * c.u2.length();
     let before_p = m1 * c.u1 + m2 * c.u2;
     let after_p = m1 * after.v1 + m2 * after.v2;
+    let sticks = c.bond == Bond::Stick;
+    let carried = if sticks {
+        "(m₁ + m₂) V"
+    } else {
+        "m₁v₁ + m₂v₂"
+    };
     let mut lines = vec![
         format!(
             "momentum before  m₁u₁ + m₂u₂ = {} g m/s",
             vector(before_p, scale)
         ),
         format!(
-            "momentum after   m₁v₁ + m₂v₂ = {} g m/s",
+            "momentum after   {carried} = {} g m/s",
             vector(after_p, scale)
         ),
         format!(
@@ -228,16 +240,18 @@ fn check(c: &Collision, after: &Outcome) -> Step {
     ];
     lines.push(if after.energy_rotation > 0.0 {
         format!(
-            "energy after     ½ (m₁ + m₂) v² + ½ I ω² = {} + {} = {} J",
+            "energy after     ½ (m₁ + m₂) V² + ½ I ω² = {} + {} = {} J",
             number(after.energy_after - after.energy_rotation),
             number(after.energy_rotation),
             number(after.energy_after)
         )
     } else {
-        format!(
-            "energy after     ½ m₁v₁² + ½ m₂v₂² = {} J",
-            number(after.energy_after)
-        )
+        let kept = if sticks {
+            "½ (m₁ + m₂) V²"
+        } else {
+            "½ m₁v₁² + ½ m₂v₂²"
+        };
+        format!("energy after     {kept} = {} J", number(after.energy_after))
     });
     let share = after.energy_lost / after.energy_before;
     let lost = share > 1e-12;

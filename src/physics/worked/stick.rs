@@ -1,27 +1,28 @@
-//! The working for discs that stick: one velocity, and a turn about the middle.
+//! The working for discs that stick: the velocity of their centre of mass, and a
+//! turn about it.
 
 use super::number::{beside, number, vector};
-use super::{Step, grams, mm};
+use super::{Step, angle_line, grams, mm};
 use crate::physics::capture::moment_of_inertia;
 use crate::physics::impact::reduced_mass;
 use crate::physics::units::g_from_kg;
 use crate::physics::{Collision, Outcome};
 
 pub(super) fn steps(c: &Collision, after: &Outcome) -> Vec<Step> {
-    vec![shared_velocity(c, after), turning(c, after)]
+    vec![centre_of_mass(c, after), turning(c, after)]
 }
 
-fn shared_velocity(c: &Collision, after: &Outcome) -> Step {
+fn centre_of_mass(c: &Collision, after: &Outcome) -> Step {
     let scale = c.u1.length() + c.u2.length();
     let (m1, m2) = (grams(c.striker.mass), grams(c.target.mass));
     let total = number(g_from_kg(c.striker.mass + c.target.mass));
     Step {
-        title: "One velocity for both",
+        title: "The centre of mass",
         why: "Stuck together the two are one body. Its centre of mass takes all the momentum \
               along; there is nothing to split."
             .to_owned(),
         lines: vec![
-            "v = (m₁u₁ + m₂u₂) / (m₁ + m₂)".to_owned(),
+            "V = (m₁u₁ + m₂u₂) / (m₁ + m₂)".to_owned(),
             format!(
                 "  = [{m1} × {} + {m2} × {}] / {total} = {} m/s",
                 vector(c.u1, 0.0),
@@ -43,6 +44,31 @@ fn turning(c: &Collision, after: &Outcome) -> Step {
         spin if spin < 0.0 => ", anticlockwise",
         _ => ": a hit through the middle turns nothing",
     };
+    let mut lines = vec![
+        format!(
+            "μ = {} g,  b = {} mm,  w = {} m/s",
+            grams(mu),
+            mm(c.offset),
+            number(speed)
+        ),
+        format!(
+            "I = ½ m₁r₁² + ½ m₂r₂² + μ (r₁ + r₂)² = {} g mm²",
+            number(inertia)
+        ),
+        format!("ω = μ b w / I = {} rad/s{sense}", beside(after.spin, 1e-9)),
+    ];
+    if after.energy_rotation > 0.0 {
+        let scale = c.u1.length() + c.u2.length();
+        lines
+            .push("right after the contact, with r from the centre of mass to each centre:".into());
+        for (name, v) in ["striker  v₁", "target   v₂"].iter().zip(c.centres_after()) {
+            let length = number(v.length());
+            lines.push(format!(
+                "{name} = V + ω × r = {} m/s, speed {length} m/s",
+                vector(v, scale)
+            ));
+        }
+    }
     Step {
         title: "And a turn",
         why: "The striker comes in beside the common centre of mass, so there is angular \
@@ -50,18 +76,18 @@ fn turning(c: &Collision, after: &Outcome) -> Step {
               kept, and the pair turns with it. I counts each disc about its own centre and \
               both centres about the common one."
             .to_owned(),
-        lines: vec![
-            format!(
-                "μ = {} g,  b = {} mm,  w = {} m/s",
-                grams(mu),
-                mm(c.offset),
-                number(speed)
-            ),
-            format!(
-                "I = ½ m₁r₁² + ½ m₂r₂² + μ (r₁ + r₂)² = {} g mm²",
-                number(inertia)
-            ),
-            format!("ω = μ b w / I = {} rad/s{sense}", beside(after.spin, 1e-9)),
-        ],
+        lines,
+    }
+}
+
+/// Where the pair goes, for the two stay together.
+pub(super) fn direction(c: &Collision, after: &Outcome) -> Step {
+    let (left, right) = ("anticlockwise", "clockwise");
+    Step {
+        title: "Read off the direction",
+        why: "It is that of the centre of mass, measured from the striker's old direction u₁. \
+              The two stay together, so there is no angle between them."
+            .to_owned(),
+        lines: vec![angle_line("θ", after.theta1, left, right, c.u1, after.v1)],
     }
 }

@@ -1,5 +1,7 @@
 //! The result of a collision in plain words.
 
+use std::f64::consts::TAU;
+
 use super::number::{beside, degrees, number};
 use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
 
@@ -25,19 +27,20 @@ pub(super) fn result(c: &Collision, after: &Outcome) -> String {
 fn stuck(after: &Outcome) -> String {
     let speed = after.v1.length();
     let going = if speed > 0.0 {
-        format!("go on as one at {} m/s", number(speed))
+        format!("goes on at {} m/s", number(speed))
     } else {
-        "come to a stop".to_owned()
+        "comes to rest".to_owned()
     };
     let turning = if after.energy_rotation > 0.0 {
         format!(
-            ", turning about their middle at {} rad/s",
-            number(after.spin.abs())
+            ", and they turn about it at {} rad/s, {} times a second",
+            number(after.spin.abs()),
+            number(after.spin.abs() / TAU)
         )
     } else {
         String::new()
     };
-    format!("The two {going}{turning}.")
+    format!("The two stay together: their centre of mass {going}{turning}.")
 }
 
 fn target(c: &Collision, after: &Outcome) -> String {

@@ -1,12 +1,14 @@
 //! Concept questions: one idea of glancing collisions each, in words, with choices that
 //! somebody is known to believe.
 //!
-//! They are data: the files of `assets/concepts/`, one a subject. `docs/concepts.md`
-//! describes the format. No figure that physics gives is typed there: a text says
+//! They are data: the files of `assets/concepts/`, one a subject, and a teacher's own in a
+//! [`Library`]. `docs/concepts.md` describes the format. No figure that physics gives is typed there: a text says
 //! `{theta1_deg}`, and the engine fills it in from the question's own hit while the
 //! file is read.
 
+mod check;
 mod figures;
+mod library;
 mod read;
 #[cfg(test)]
 mod tests;
@@ -18,6 +20,9 @@ use include_dir::{Dir, include_dir};
 use super::{Difficulty, Misconception};
 use crate::files::Fault;
 use crate::physics::Collision;
+
+pub use check::check;
+pub use library::Library;
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");
 
@@ -46,6 +51,10 @@ pub struct Concept {
     pub ordered: bool,
     /// A hit that is shown beside the question, and watched after it.
     pub hit: Option<Collision>,
+    /// The file it is from.
+    pub file: String,
+    /// The line it begins at there.
+    pub line: usize,
     /// How many of the wrong choices stand before the right one when not shuffled.
     before_right: usize,
 }
@@ -86,6 +95,26 @@ impl<'a> Choice<'a> {
 }
 
 impl Concept {
+    /// What it is about, in words: "right angle".
+    pub fn topic(&self) -> String {
+        self.subject.replace('-', " ")
+    }
+
+    /// What is wrong with a field of it, with its place.
+    fn fault(&self, field: &str, message: impl Into<String>) -> Fault {
+        Fault {
+            file: self.file.clone(),
+            line: Some(self.line),
+            field: Some(format!("{}.{field}", self.id)),
+            message: message.into(),
+        }
+    }
+
+    /// Whether a fault is one of this question.
+    pub fn is_at(&self, fault: &Fault) -> bool {
+        fault.file == self.file && fault.line == Some(self.line)
+    }
+
     /// All choices. Those of an [ordered](Self::ordered) question stand as they are to
     /// be shown; of any other the right one is first, and they have to be shuffled.
     pub fn choices(&self) -> Vec<Choice<'_>> {

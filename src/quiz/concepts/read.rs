@@ -27,7 +27,8 @@ const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    format: Spanned<u32>,
+    #[serde(rename = "format")]
+    _format: u32,
     item: Vec<Item>,
 }
 
@@ -80,14 +81,7 @@ pub(super) fn file(
     concepts: &mut Vec<Concept>,
 ) -> Result<(), Fault> {
     let source = Source::of_bytes(name, bytes, files::LARGEST)?;
-    let file: File = toml::from_str(source.text()).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        source.fault(at, source.key_near(at), error.message().trim())
-    })?;
-    if *file.format.get_ref() != FORMAT {
-        let message = format!("expected {FORMAT}, found {}", file.format.get_ref());
-        return Err(source.fault(file.format.span().start, "format", message));
-    }
+    let file: File = source.tables("a file of questions", FORMAT)?;
     for item in &file.item {
         let reader = Reader {
             source,
@@ -145,6 +139,7 @@ impl Reader<'_> {
             );
             return Err(self.fault(&item.wrong, "wrong", message));
         }
+        let place = self.fault(&item.id, "id", "");
         let concept = Concept {
             id: self.id(&item.id)?,
             subject: subject.into(),
@@ -162,6 +157,8 @@ impl Reader<'_> {
             why: self.text(&item.why, "why", WHY)?,
             ordered: item.right_place.is_some(),
             hit: self.hit.map(|shot| shot.collision()),
+            file: place.file,
+            line: place.line.unwrap_or(1),
             before_right: self.before_right(item)?,
         };
         for (place, wrong) in concept.wrongs.iter().enumerate() {

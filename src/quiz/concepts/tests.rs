@@ -8,11 +8,6 @@ use crate::physics::units::deg_from_rad;
 use crate::physics::{RestingTarget, resting_target::LargestDeflection};
 use crate::quiz::misconceptions;
 
-/// Letters of a text.
-fn letters(text: &str) -> usize {
-    text.chars().count()
-}
-
 #[test]
 fn nothing_is_wrong_with_the_files() {
     if let Err(fault) = embedded() {
@@ -64,137 +59,81 @@ fn every_misconception_is_met_twice() {
     }
 }
 
-/// The share of questions whose right choice would win by a rule of thumb.
-fn won_by(rule: impl Fn(usize, &[usize]) -> bool) -> f64 {
-    let won = all().iter().filter(|concept| {
-        let others: Vec<_> = concept
+#[test]
+fn nothing_gives_a_right_choice_away_and_all_is_set_alike() {
+    let faults: Vec<String> = check(all()).iter().map(ToString::to_string).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    for text in all()
+        .iter()
+        .flat_map(|concept| [&concept.ask, &concept.why])
+    {
+        assert!(!text.contains("--") && !text.contains("  "), "{text}");
+    }
+}
+
+/// The first question of the program so often, each time changed so.
+fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
+    let mut concepts: Vec<Concept> = all()[..count].to_vec();
+    concepts.iter_mut().for_each(change);
+    check(&concepts).iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn what_gives_a_right_choice_away_is_found() {
+    let faults = |count, change: fn(&mut Concept)| spoilt(count, change).join("\n");
+    assert_eq!(faults(1, |_| {}), "");
+    let long = faults(1, |it| it.right = "x".repeat(90));
+    assert!(
+        long.contains("the right one longest by far: 90 letters"),
+        "{long}"
+    );
+    assert!(long.contains(&format!("{}.right", all()[0].id)), "{long}");
+    let short = faults(1, |it| {
+        it.right = "no".into();
+        it.wrongs
+            .iter_mut()
+            .for_each(|wrong| wrong.choice += " and so on");
+    });
+    assert!(short.contains("shortest by far"), "{short}");
+    let stop = faults(1, |it| it.right += ".");
+    assert!(stop.contains("expected no full stop"), "{stop}");
+    let open = faults(1, |it| it.why = "Because".into());
+    assert!(open.contains("expected whole sentences"), "{open}");
+    let near = faults(1, |it| {
+        it.right = "90°".into();
+        it.wrongs[0].choice = "88°".into();
+    });
+    assert!(
+        near.contains("figures well apart, found 90 and 88"),
+        "{near}"
+    );
+    // A rule of thumb needs some questions to be seen.
+    let longer = |it: &mut Concept| {
+        let most = it
             .wrongs
             .iter()
-            .map(|wrong| letters(&wrong.choice))
-            .collect();
-        rule(letters(&concept.right), &others)
-    });
-    won.count() as f64 / all().len() as f64
-}
-
-/// The share that blind guessing would win.
-fn fair_share() -> f64 {
-    let sum: f64 = all()
-        .iter()
-        .map(|concept| 1.0 / concept.choices().len() as f64)
-        .sum();
-    sum / all().len() as f64
-}
-
-#[test]
-fn no_length_gives_the_right_choice_away() {
-    let fair = fair_share();
-    let longest = won_by(|right, others| others.iter().all(|other| right > *other));
-    let shortest = won_by(|right, others| others.iter().all(|other| right < *other));
-    assert!(longest <= fair, "the longest: {longest}, fair: {fair}");
-    assert!(shortest <= fair, "the shortest: {shortest}, fair: {fair}");
-    let (mut right, mut others) = (0.0, 0.0);
-    for concept in all() {
-        right += letters(&concept.right) as f64;
-        let sum: usize = concept.wrongs.iter().map(|w| letters(&w.choice)).sum();
-        others += sum as f64 / concept.wrongs.len() as f64;
-    }
-    assert!((right / others - 1.0).abs() <= 0.1, "{right} to {others}");
-}
-
-#[test]
-fn no_place_gives_the_right_choice_away() {
-    let mut places: BTreeMap<usize, usize> = BTreeMap::new();
-    let ordered: Vec<_> = all().iter().filter(|concept| concept.ordered).collect();
-    for concept in &ordered {
-        let place = concept
-            .choices()
-            .iter()
-            .position(|choice| choice.is_right());
-        *places.entry(place.unwrap()).or_default() += 1;
-    }
-    for (place, count) in places {
-        assert!(2 * count <= ordered.len(), "place {place}: {count} times");
-    }
-}
-
-/// A first word that mostly right choices have, or "always" and "never" that only wrong
-/// ones have, would tell them from afar.
-#[test]
-fn no_word_gives_the_right_choice_away() {
-    let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
-    for choice in all().iter().flat_map(Concept::choices) {
-        let first = choice.text().split_whitespace().next().unwrap_or_default();
-        let (right, of) = begin.entry(first).or_default();
-        *right += usize::from(choice.is_right());
-        *of += 1;
-    }
-    for (word, (right, of)) in begin {
-        assert!(
-            of < 4 || 2 * right <= of,
-            "{word}: {right} of {of} are right"
-        );
-    }
-    let broad = ["always", "never", "nothing can"];
-    let tells = |text: &str| broad.iter().any(|word| text.to_lowercase().contains(word));
-    let wrongs = all().iter().flat_map(|c| &c.wrongs);
-    let told = wrongs.filter(|w| tells(&w.choice)).count();
+            .map(|wrong| wrong.choice.chars().count())
+            .max();
+        it.right = "x".repeat(most.unwrap() + 1);
+    };
+    assert!(spoilt(7, longer).is_empty());
     assert!(
-        told <= all().len() / 10,
-        "{told} wrong choices say always or never"
+        spoilt(8, longer)
+            .join("\n")
+            .contains("is the longest in 8 of 8")
     );
-    let right = all().iter().filter(|c| tells(&c.right)).count();
-    assert!(right >= 2, "{right} right choices say always or never");
-}
-
-#[test]
-fn texts_are_whole_and_set_as_the_others_are() {
-    for concept in all() {
-        let mut sentences = vec![&concept.ask, &concept.why];
-        let mut choices = vec![&concept.right];
-        for wrong in &concept.wrongs {
-            sentences.push(&wrong.says);
-            choices.push(&wrong.choice);
-        }
-        for text in sentences {
-            let end = text.trim_end_matches(['”', '"']);
-            assert!(end.ends_with(['.', '?']), "{}: {text}", concept.id);
-        }
-        for choice in choices {
-            assert!(!choice.ends_with('.'), "{}: {choice}", concept.id);
-        }
-        for text in [&concept.ask, &concept.why] {
-            assert!(!text.contains("--") && !text.contains("  "), "{text}");
-        }
-    }
-}
-
-/// The only number in a text, if it has just one.
-fn only_number(text: &str) -> Option<f64> {
-    let apart = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
-    let numbers: Vec<f64> = apart.filter_map(|part| part.parse().ok()).collect();
-    match numbers[..] {
-        [number] => Some(number),
-        _ => None,
-    }
-}
-
-/// A figure that is merely rounded otherwise would be no other choice.
-#[test]
-fn figures_among_the_choices_are_well_apart() {
-    for concept in all() {
-        let Some(right) = only_number(&concept.right) else {
-            continue;
-        };
-        let words = |text: &str| text.replace(|c: char| c.is_ascii_digit() || c == '.', "");
-        for wrong in &concept.wrongs {
-            let same_words = words(&wrong.choice) == words(&concept.right);
-            if let Some(other) = only_number(&wrong.choice).filter(|_| same_words) {
-                let apart = (right - other).abs() / right.max(other);
-                assert!(apart > 0.1, "{}: {right} and {other}", concept.id);
-            }
-        }
-    }
+    let placed = faults(10, |it| (it.ordered, it.before_right) = (true, 1));
+    assert!(placed.contains("at place 2 in 10 of 10"), "{placed}");
+    let begun = faults(8, |it| it.right = format!("Exactly {}", it.right));
+    assert!(
+        begun.contains("that begin with \"Exactly\" 8 are right"),
+        "{begun}"
+    );
+    let broad = faults(8, |it| it.wrongs[0].choice += ", always");
+    assert!(
+        broad.contains("8 wrong choices say always or never"),
+        "{broad}"
+    );
 }
 
 /// Figures in words that no placeholder can give.
@@ -278,7 +217,7 @@ fn faults_name_line_and_field() {
         (
             "format = 1",
             "format = 2",
-            "my.toml:1: format: expected 1, found 2",
+            "my.toml:1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
         ),
         (
             "\"easy\"",

@@ -137,6 +137,20 @@ fn turned(alpha: f64, outcome: &Outcome) -> [Option<Belief>; 2] {
     ]
 }
 
+/// Θ asked for.
+fn turn_question(hit: &Hit, turn: f64, beliefs: Vec<Option<Belief>>, why: String) -> Question {
+    let asked = Asked {
+        id: "turn",
+        text: format!("{} No energy is lost. {TURN}", in_short(hit)),
+        quantity: Quantity::Angle,
+        truth: deg_from_rad(turn),
+        beliefs,
+        why,
+        more: Map::new(),
+    };
+    question(hit, DVec2::ZERO, Shown::given(hit), asked)
+}
+
 /// Θ from α.
 fn turn_from_angle(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
@@ -147,21 +161,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
         deg_from_rad(alpha),
         "You took α itself. It says where they touch, not by how much they turn.".into(),
     ));
-    let asked = Asked {
-        id: "turn",
-        text: format!("{} No energy is lost. {TURN}", in_short(hit)),
-        quantity: Quantity::Angle,
-        truth: deg_from_rad(turn),
-        beliefs,
-        why: why_turn(alpha, turn),
-        more: Map::new(),
-    };
-    let shown = Shown {
-        offset: false,
-        angle: true,
-        figures: true,
-    };
-    Some(question(hit, DVec2::ZERO, shown, asked))
+    Some(turn_question(hit, turn, beliefs, why_turn(alpha, turn)))
 }
 
 /// Θ from the offset.
@@ -186,21 +186,8 @@ fn turn_from_offset(hit: &Hit) -> Option<Question> {
         bare_millimetres(hit.reach_mm()),
         degrees(alpha)
     );
-    let asked = Asked {
-        id: "turn",
-        text: format!("{} No energy is lost. {TURN}", in_short(hit)),
-        quantity: Quantity::Angle,
-        truth: deg_from_rad(turn),
-        beliefs,
-        why: format!("{sine} {}", why_turn(alpha, turn)),
-        more: Map::new(),
-    };
-    let shown = Shown {
-        offset: true,
-        angle: false,
-        figures: true,
-    };
-    Some(question(hit, DVec2::ZERO, shown, asked))
+    let why = format!("{sine} {}", why_turn(alpha, turn));
+    Some(turn_question(hit, turn, beliefs, why))
 }
 
 /// The speed of the centre of mass; the target at rest, or moving along the same line,

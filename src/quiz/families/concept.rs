@@ -17,7 +17,8 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     question(dice.pick(&items)?, dice)
 }
 
-fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
+/// The question of a written one: its choices in their order, or in any.
+pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
     let choices = concept.choices().into_iter().map(|choice| match choice {
         concepts::Choice::Right(text) => Choice::right(text),
         concepts::Choice::Wrong(wrong) => match wrong.misconception {
@@ -41,7 +42,7 @@ fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Concept,
         difficulty: concept.difficulty,
-        topic: concept.subject.replace('-', " "),
+        topic: concept.topic(),
         text: concept.ask.clone(),
         picture,
         form: choices.form,

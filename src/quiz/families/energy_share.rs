@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::setting::{Asked, Setting, about, more, number, pair, wrong};
+use super::setting::{Asked, Setting, about, more, number, pair, sine_for_cosine, wrong};
 use crate::physics::RestingTarget;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
@@ -138,11 +138,7 @@ fn passed(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
                     percent(speed)
                 ),
             ),
-            number(
-                &SINE_COSINE,
-                PERCENT * truth * alpha.tan().powi(2),
-                format!("You took the sine for the cosine. Head-on the {name} gets the most."),
-            ),
+            sine_for_cosine(PERCENT * truth * alpha.tan().powi(2), name),
             if equal {
                 half()
             } else {

@@ -285,6 +285,18 @@ fn aimed(dice: &mut Dice) -> Option<((u32, u32), Hit, f64, f64)> {
     }
 }
 
+/// What both ask about that ask where to aim.
+const AIM: &str = "aim for the largest turn";
+
+/// To aim head-on for the largest turn.
+fn head_on() -> Option<Belief> {
+    number(
+        &BEYOND_LARGEST,
+        0.0,
+        "Head-on a heavier striker goes straight on: it is not turned at all.".into(),
+    )
+}
+
 /// At which impact angle.
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (masses, hit, theta1, alpha) = aimed(dice)?;
@@ -314,17 +326,13 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
                     bare_degrees(theta1)
                 ),
             ),
-            number(
-                &BEYOND_LARGEST,
-                0.0,
-                "Head-on a heavier striker goes straight on: it is not turned at all.".into(),
-            ),
+            head_on(),
         ],
     );
     let asked = Asked {
         family: Family::LargestDeflection,
         difficulty: Difficulty::Hard,
-        topic: "aim for the largest turn".into(),
+        topic: AIM.into(),
         ask: format!(
             "It can be turned by {} at most. At which impact angle?",
             degrees(theta1)
@@ -378,17 +386,13 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
                     degrees(theta1)
                 ),
             ),
-            number(
-                &BEYOND_LARGEST,
-                0.0,
-                "Head-on a heavier striker goes straight on: it is not turned at all.".into(),
-            ),
+            head_on(),
         ],
     );
     let asked = Asked {
         family: Family::LargestDeflection,
         difficulty: Difficulty::Hard,
-        topic: "aim for the largest turn".into(),
+        topic: AIM.into(),
         ask: format!(
             "The radii make {} together. It is turned most, by {}, when the coin \
              leaves at {}. At which offset?",

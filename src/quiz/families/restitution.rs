@@ -115,19 +115,30 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
     Some(told(&hit, &text, Picture::Nothing, asked))
 }
 
+/// An e from 0.2 to 0.8.
+fn tenths(dice: &mut Dice) -> Option<f64> {
+    let tenths = *dice.pick(&[2, 3, 4, 5, 6, 7, 8])?;
+    Some(f64::from(tenths) / 10.0)
+}
+
+/// e is asked for.
+fn asks_e(e: f64) -> Form {
+    Form::Number {
+        quantity: Quantity::Restitution,
+        truth: e,
+    }
+}
+
 /// e from the speeds after a head-on hit of equal masses.
 fn parting(dice: &mut Dice) -> Option<Question> {
-    let e = f64::from(*dice.pick(&[2, 3, 4, 5, 6, 7, 8])?) / 10.0;
+    let e = tenths(dice)?;
     let hit = Hit {
         given: Given::Angle { alpha_deg: 0.0 },
         ..drawn(Pieces::Equal, e, Difficulty::Easy, dice)?
     };
     let outcome = hit.outcome();
     let (u, v1, v2) = (hit.speed, outcome.v1.length(), outcome.v2.length());
-    let form = Form::Number {
-        quantity: Quantity::Restitution,
-        truth: e,
-    };
+    let form = asks_e(e);
     let beliefs = wrong(
         &form,
         [
@@ -234,10 +245,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let &(m1_g, m2_g, e_tenths) = dice.pick(&SQUARE)?;
     let e = f64::from(e_tenths) / 10.0;
     let hit = drawn(pair(m1_g, m2_g), e, Difficulty::Middle, dice)?;
-    let form = Form::Number {
-        quantity: Quantity::Restitution,
-        truth: e,
-    };
+    let form = asks_e(e);
     let beliefs = wrong(
         &form,
         [
@@ -354,17 +362,14 @@ fn corner(dice: &mut Dice) -> Option<Question> {
 
 /// e from the two angles after a hit, the masses being known.
 fn e_from_angles(dice: &mut Dice) -> Option<Question> {
-    let e = f64::from(*dice.pick(&[2, 3, 4, 5, 6, 7, 8])?) / 10.0;
+    let e = tenths(dice)?;
     let (m1_g, m2_g) = *dice.pick(&[(15, 15), (20, 20), (15, 10), (20, 15), (10, 15), (15, 20)])?;
     let hit = drawn(pair(m1_g, m2_g), e, Difficulty::Hard, dice)?;
     let outcome = hit.outcome();
     let (theta1, theta2) = (outcome.theta1?.abs(), outcome.theta2?.abs());
     let (m1, m2) = (f64::from(m1_g), f64::from(m2_g));
     let k = (1.0 + e) * m2 / (m1 + m2);
-    let form = Form::Number {
-        quantity: Quantity::Restitution,
-        truth: e,
-    };
+    let form = asks_e(e);
     let beliefs = wrong(
         &form,
         [

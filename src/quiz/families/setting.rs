@@ -9,6 +9,7 @@ use serde_json::{Map, Value};
 use super::where_to::figures;
 use crate::physics::Disc;
 use crate::quiz::dice::Dice;
+use crate::quiz::misconceptions::catalogue::SINE_COSINE;
 use crate::quiz::{
     Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question, Said,
     Shown,
@@ -73,7 +74,6 @@ pub(super) fn told(hit: &Hit, text: &str, picture: Picture, asked: Asked) -> Que
 
 /// A question about a hit that is given in full.
 pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
-    let by_angle = matches!(hit.given, Given::Angle { .. });
     let mut figures = figures(hit);
     figures.extend(asked.more);
     Question {
@@ -83,11 +83,7 @@ pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
         text: format!("{} {}", hit.setting(), asked.ask),
         picture: Picture::Before {
             collision: hit.collision(),
-            shown: Shown {
-                offset: !by_angle,
-                angle: by_angle,
-                figures: true,
-            },
+            shown: Shown::given(hit),
         },
         form: asked.form,
         beliefs: asked.beliefs,
@@ -95,6 +91,12 @@ pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
         why: asked.why,
         figures,
     }
+}
+
+/// To take the sine for the cosine in what the struck disc of this name gets.
+pub(super) fn sine_for_cosine(x: f64, name: &str) -> Option<Belief> {
+    let says = format!("You took the sine for the cosine. Head-on the {name} gets the most.");
+    number(&SINE_COSINE, x, says)
 }
 
 /// Figures with their names, besides those of the hit.
@@ -131,7 +133,7 @@ pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief
         .into_iter()
         .flatten()
         .filter(|belief| can_be_said(&belief.said))
-        .filter(|belief| form.distance(&belief.said, &form.truth()) > SAME)
+        .filter(|belief| form.spacing(&belief.said, &form.truth()) > SAME)
         .collect()
 }
 

@@ -301,7 +301,7 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
                 ),
             ],
             format!(
-                "Stuck together they have one velocity, that of their centre of mass: \
+                "Stuck together they go on with their centre of mass: \
                  m₁ / (m₁ + m₂) = {} times {} m/s, wherever they touch.",
                 significant(share),
                 significant(u)
@@ -314,7 +314,7 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
                 number(
                     &GRIP_STOPS_ALL,
                     100.0 * (1.0 - share),
-                    "You let them go on with one velocity. But across the line of impact smooth \
+                    "You let them go on as one. But across the line of impact smooth \
                      rims stop nothing."
                         .into(),
                 ),

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::setting::{Asked, Setting, about, more, number, wrong};
+use super::setting::{Asked, Setting, about, more, number, sine_for_cosine, wrong};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::LOSSLESS;
 use crate::quiz::misconceptions::catalogue::{
@@ -50,11 +50,7 @@ fn target(hit: &Hit, difficulty: Difficulty) -> Question {
     let beliefs = wrong(
         &form,
         [
-            number(
-                &SINE_COSINE,
-                gain(m1, e) * u * alpha.sin(),
-                format!("You took the sine for the cosine. Head-on the {name} gets the most."),
-            ),
+            sine_for_cosine(gain(m1, e) * u * alpha.sin(), name),
             number(
                 &ONE_LINE_FORMULA,
                 gain(m1, e) * u,

@@ -59,7 +59,6 @@ pub(super) fn of_kinds(
 
 /// The question where the two of this hit will go.
 pub fn question(hit: &Hit) -> Question {
-    let by_angle = matches!(hit.given, Given::Angle { .. });
     Question {
         family: Family::WhereTo,
         difficulty: Difficulty::Middle,
@@ -67,11 +66,7 @@ pub fn question(hit: &Hit) -> Question {
         text: hit.text(),
         picture: Picture::Before {
             collision: hit.collision(),
-            shown: Shown {
-                offset: !by_angle,
-                angle: by_angle,
-                figures: true,
-            },
+            shown: Shown::given(hit),
         },
         form: Form::Rays {
             truth: hit.truth(),

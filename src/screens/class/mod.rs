@@ -19,6 +19,7 @@ mod spread_view;
 mod view;
 mod vote_view;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
@@ -53,9 +54,9 @@ enum Scene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub fn new(code: Option<&Code>, teams: Vec<String>) -> Self {
+    pub fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
         Self {
-            scene: Scene::SetUp(SetUp::new(code, teams)),
+            scene: Scene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
             paused: false,
             leaving: false,
         }
@@ -64,7 +65,7 @@ impl Class {
     fn key(&mut self, key: Key, leaving: bool, cx: &mut Context) -> Next {
         if self.paused {
             // Not any key: someone may lean on the table.
-            if matches!(key, Key::Char('p' | 'P' | ' ') | Key::Enter | Key::Escape) {
+            if matches!(key, Key::Char('p' | 'P')) {
                 self.paused = false;
             }
             return Next::Stay;
@@ -129,9 +130,7 @@ impl Class {
             }
             Key::Up => return self.scroll(-1, cx),
             Key::Down => return self.scroll(1, cx),
-            Key::Escape if leaving || play.is_over() || !play.round.is_begun() => {
-                return Next::Back;
-            }
+            Key::Escape if leaving || !play.asks_before_leaving() => return Next::Back,
             Key::Escape => self.leaving = true,
             _ => return Next::Ignored,
         }
@@ -270,6 +269,11 @@ impl Screen for Class {
                 Hint::new("d", "remove"),
                 Hint::new("Esc", "back"),
             ],
+            Scene::Play(play) if self.leaving && play.unsaved => vec![
+                Hint::new("Esc", "leave the round; it is lost"),
+                Hint::new("e", "write its tables"),
+                Hint::new("any other key", "stay"),
+            ],
             Scene::Play(_) if self.leaving => vec![
                 Hint::new("Esc", "leave the round; it is kept"),
                 Hint::new("any other key", "stay"),
@@ -304,7 +308,7 @@ impl Screen for Class {
                 ),
                 Hint::new("Space , . < > a f", "watch the hit, as in the lab"),
                 Hint::new("Up Down", "choose, or scroll"),
-                Hint::new("Esc", "leave; the round is kept"),
+                Hint::new("Esc", "leave; the round is kept where it can be saved"),
             ],
         }
     }
@@ -341,7 +345,7 @@ fn play_keys(play: &Play) -> Vec<Hint> {
     let tail = [
         Hint::new("Backspace", "back"),
         Hint::new("p", "pause"),
-        Hint::new("l", "light"),
+        Hint::new("l", "dark or light"),
         Hint::new("[ ]", "questions"),
         Hint::new("Esc", "leave"),
     ];
@@ -349,19 +353,19 @@ fn play_keys(play: &Play) -> Vec<Hint> {
         (Phase::Vote(booths), _) => match &booths.input {
             Some(input) => return input_keys(input),
             None => vec![
-                Hint::new("Enter", "enter"),
+                Hint::new("Enter", "give a vote"),
                 Hint::new("1-8", "a team"),
                 Hint::new("x", "take back"),
             ],
         },
-        (Phase::Shot(shown), _) if !shown.told => vec![
+        (Phase::Shot(shown), _) if !shown.telling.is_told() => vec![
             Hint::new("Enter", "show it"),
             Hint::new("Space", "go on"),
             Hint::new(", .", "step"),
         ],
         (Phase::Shot(shown), _) => {
             let mut keys = vec![Hint::new("Enter", "the scores")];
-            if let Some(watch) = &shown.watch {
+            if let Some(watch) = shown.telling.watch() {
                 let space = if watch.clock().is_over() {
                     "again"
                 } else {

@@ -24,8 +24,8 @@ pub(super) struct Play {
     furthest: usize,
     /// The ticket with which it is kept.
     ticket: u64,
-    /// Whether it was said that it cannot be saved.
-    told_of_trouble: bool,
+    /// Whether it could not be saved as it stands: what is left now is lost.
+    pub(super) unsaved: bool,
 }
 
 /// What there is to do at a step, where that is more than to look and go on.
@@ -76,7 +76,7 @@ impl Play {
             words_alone: false,
             furthest,
             ticket,
-            told_of_trouble: false,
+            unsaved: false,
         };
         play.arrive(cx);
         play
@@ -100,6 +100,12 @@ impl Play {
     /// Whether the last question is behind.
     pub(super) fn is_over(&self) -> bool {
         matches!(self.phase, Phase::End(_))
+    }
+
+    /// Whether leaving now would end something: a round in its midst, or one that is not
+    /// kept.
+    pub(super) fn asks_before_leaving(&self) -> bool {
+        self.round.is_begun() && (self.unsaved || !self.is_over())
     }
 
     /// How many questions have their points: those before this one, and this one once
@@ -198,11 +204,15 @@ impl Play {
     /// Takes in what came of saving and exporting.
     pub(super) fn take_answer(&mut self, answer: &Answer, cx: &mut Context) {
         match &answer.done {
-            Done::Saved(Err(reason)) if answer.ticket == self.ticket && !self.told_of_trouble => {
-                self.told_of_trouble = true;
-                cx.tell(format!(
-                    "This round cannot be saved: {reason}. You can play on, but it would be lost when you leave."
-                ));
+            Done::Saved(saved) if answer.ticket == self.ticket => {
+                if let Err(reason) = saved
+                    && !self.unsaved
+                {
+                    cx.tell(format!(
+                        "This round cannot be saved: {reason}. You can play on, but it would be lost when you leave. e writes its tables."
+                    ));
+                }
+                self.unsaved = saved.is_err();
             }
             Done::Exported(Ok(place)) => {
                 cx.tell(format!("Both tables are written: {place}"));
@@ -231,12 +241,12 @@ impl Play {
                 Polled::Ignored => {}
             },
             Phase::Shot(shown) => {
-                if shown.update(key) {
+                if shown.telling.update(key) {
                     return true;
                 }
-                if key == Key::Enter && !shown.told {
+                if key == Key::Enter && !shown.telling.is_told() {
                     // Nobody skips what happened by a key too many.
-                    shown.tell();
+                    shown.telling.tell();
                     return true;
                 }
             }
@@ -272,14 +282,14 @@ impl Play {
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration) {
         if let Phase::Shot(shown) = &mut self.phase {
-            shown.advance(passed);
+            shown.telling.advance(passed);
         }
     }
 
     /// When it next needs time.
     pub(super) fn wake(&self) -> Option<Duration> {
         match &self.phase {
-            Phase::Shot(shown) => shown.watch.as_ref()?.wake(),
+            Phase::Shot(shown) => shown.telling.wake(),
             _ => None,
         }
     }

@@ -70,11 +70,8 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
         draw_question(beside.picture, buf, look, question, None);
     }
     let place = inner(layout.words);
-    let Some(blocks) = large(question, place, look) else {
-        return;
-    };
     let mut row = place.y;
-    for block in blocks {
+    for block in large(question, place, look).0 {
         let left = Rect {
             y: row,
             height: place.bottom().saturating_sub(row),
@@ -98,35 +95,83 @@ fn inner(area: Rect) -> Rect {
     }
 }
 
-/// The words in large type, if they fit.
-fn large(question: &Question, place: Rect, look: &Look) -> Option<Vec<Big>> {
+/// What of the words fits in large type, and what is left in plain type: nothing; the
+/// choices, below the question; or all.
+fn large(question: &Question, place: Rect, look: &Look) -> (Vec<Big>, Plain) {
+    let fit = |texts: &[&str], rows| Big::fit_all(texts, GAP, place.width, rows, look.charset);
     let mut texts = vec![question.text.clone()];
-    if let Form::Choice { options, .. } = &question.form {
-        let lettered = options.iter().enumerate();
-        texts.extend(lettered.map(|(i, option)| format!("{}: {option}", letter(i))));
-    }
+    let options = options(question);
+    let lettered = options.iter().enumerate();
+    texts.extend(lettered.map(|(i, option)| format!("{}: {option}", letter(i))));
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-    Big::fit_all(&texts, GAP, place.width, place.height, look.charset)
+    if let Some(all) = fit(&texts, place.height) {
+        return (all, Plain::Nothing);
+    }
+    let below = rows_of_choices(question, place, look) + GAP;
+    match fit(&texts[..1], place.height.saturating_sub(below)) {
+        Some(text) if !options.is_empty() => (text, Plain::Choices),
+        _ => (Vec::new(), Plain::All),
+    }
 }
 
-/// The words as plain text, where there is no room for large type.
+/// What of a question is in plain type.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Plain {
+    Nothing,
+    Choices,
+    All,
+}
+
+/// The choices of a question that has any.
+fn options(question: &Question) -> &[String] {
+    match &question.form {
+        Form::Choice { options, .. } => options,
+        _ => &[],
+    }
+}
+
+/// Rows that the choices take in plain type.
+fn rows_of_choices(question: &Question, place: Rect, look: &Look) -> u16 {
+    let mut scratch = Buffer::empty(place);
+    let mut lines = Lines::new(place, &mut scratch, *look);
+    write_choices(question, &mut lines);
+    lines.written()
+}
+
+/// The words that are not in large type.
 pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'a>> {
     let question = play.question()?;
     let layout = layout(play, question, area, look);
-    if large(question, inner(layout.words), look).is_some() {
-        return None;
+    let place = inner(layout.words);
+    let (blocks, plain) = large(question, place, look);
+    match plain {
+        Plain::Nothing => None,
+        Plain::All => {
+            let write = move |lines: &mut Lines| write(question, lines);
+            Some((layout.words, Box::new(write)))
+        }
+        Plain::Choices => {
+            let high = blocks.iter().map(Big::rows).sum::<u16>() + GAP;
+            let below = Rect {
+                y: place.y + high,
+                height: place.height.saturating_sub(high),
+                ..place
+            };
+            let write = move |lines: &mut Lines| write_choices(question, lines);
+            Some((below, Box::new(write)))
+        }
     }
-    let write = move |lines: &mut Lines| write(question, lines);
-    Some((layout.words, Box::new(write)))
 }
 
 /// Writes a question with its choices.
 pub(super) fn write(question: &Question, lines: &mut Lines) {
     lines.paragraph(&question.text, Role::Title);
-    if let Form::Choice { options, .. } = &question.form {
-        for (i, option) in options.iter().enumerate() {
-            lines.gap();
-            lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
-        }
+    write_choices(question, lines);
+}
+
+fn write_choices(question: &Question, lines: &mut Lines) {
+    for (i, option) in options(question).iter().enumerate() {
+        lines.gap();
+        lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
     }
 }

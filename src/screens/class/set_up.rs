@@ -1,11 +1,16 @@
 //! Setting up a round: who plays, and which questions.
 
+use std::sync::Arc;
+
 use super::play::Play;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
 use crate::messages::Key;
+use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 
+/// What is said of what is no code.
+const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
 /// Most letters of a name or a code while it is typed.
 const LONGEST: usize = 2 * LONGEST_NAME;
 
@@ -24,6 +29,8 @@ pub(super) struct SetUp {
     pub(super) code: String,
     /// Why it cannot start.
     pub(super) trouble: Option<String>,
+    /// The questions of the teacher's own.
+    pub(super) own: Arc<Library>,
 }
 
 /// A row of the page that the mark can be at.
@@ -48,15 +55,17 @@ pub(super) enum Kind {
     Quick,
     Hits,
     Topic,
+    Own,
     Code,
 }
 
 impl Kind {
-    pub(super) const ALL: [Self; 5] = [
+    const ALL: [Self; 6] = [
         Self::Mixed,
         Self::Quick,
         Self::Hits,
         Self::Topic,
+        Self::Own,
         Self::Code,
     ];
 }
@@ -79,7 +88,7 @@ pub(super) fn topics() -> Vec<Family> {
 
 impl SetUp {
     /// The page with what is known already.
-    pub(super) fn new(code: Option<&Code>, teams: Vec<String>) -> Self {
+    pub(super) fn new(code: Option<&Code>, teams: Vec<String>, own: Arc<Library>) -> Self {
         let at = match (code, teams.is_empty()) {
             (_, true) => Row::Add,
             (None, false) => Row::Kind(Kind::Mixed),
@@ -96,7 +105,15 @@ impl SetUp {
             topic: 0,
             code: code.map(ToString::to_string).unwrap_or_default(),
             trouble: None,
+            own,
         }
+    }
+
+    /// The kinds of round there are; own questions only where there are any.
+    pub(super) fn kinds(&self) -> Vec<Kind> {
+        let all = Kind::ALL.into_iter();
+        all.filter(|kind| *kind != Kind::Own || !self.own.concepts.is_empty())
+            .collect()
     }
 
     /// All rows, from the top of the left side to the foot of the right one.
@@ -105,7 +122,7 @@ impl SetUp {
         if self.teams.len() < MOST_TEAMS {
             rows.push(Row::Add);
         }
-        rows.extend(Kind::ALL.map(Row::Kind));
+        rows.extend(self.kinds().into_iter().map(Row::Kind));
         rows.extend([Row::Start, Row::Earlier]);
         rows
     }
@@ -267,23 +284,23 @@ impl SetUp {
             Kind::Quick => Some(CourseKind::Quick),
             Kind::Hits => Some(CourseKind::Hits),
             Kind::Topic => topics().get(self.topic).copied().map(CourseKind::Topic),
+            Kind::Own => Some(CourseKind::Own(Arc::clone(&self.own))),
             Kind::Code => None,
         };
         let code = match kind {
-            Some(kind) => Some(Code {
+            Some(kind) => Ok(Code {
                 course: Course::new(kind),
                 seed: cx.next_seed(),
             }),
-            None => Code::parse(&self.code),
+            None => Code::parse(&self.code)
+                .ok_or_else(|| NO_CODE.to_owned())
+                .and_then(|code| code.with_own(&self.own)),
         };
         match code {
-            Some(code) => Step::Start(Box::new(Play::new(ClassRound::new(code, names), cx))),
-            None => {
+            Ok(code) => Step::Start(Box::new(Play::new(ClassRound::new(code, names), cx))),
+            Err(trouble) => {
                 self.at = Row::Kind(Kind::Code);
-                self.trouble = Some(
-                    "The code: expected the code of a round, such as mixed-7, or 7 for ten hits."
-                        .into(),
-                );
+                self.trouble = Some(format!("The code: {trouble}."));
                 Step::Stay
             }
         }

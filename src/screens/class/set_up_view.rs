@@ -10,22 +10,22 @@ use crate::quiz::{Course, CourseKind, Family};
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Charset, Lines, Look, Role, text};
 
-/// Rows of each panel with its frame.
-const PANEL: u16 = 12;
 /// Columns of both panels together at most.
 const WIDEST: u16 = 100;
 
 /// The frames of the teams and of the round, and the rows below them.
-fn layout(area: Rect) -> [Rect; 3] {
+fn layout(set_up: &SetUp, area: Rect) -> [Rect; 3] {
+    // Two rows a kind of round, and the frame.
+    let panel = 2 * set_up.kinds().len() as u16 + 2;
     let width = area.width.min(WIDEST);
     let x = area.x + (area.width - width) / 2;
     // The heading is the same height in both charsets at any size that it is shown at.
-    let head = area.height.saturating_sub(PANEL + 5).min(6);
+    let head = area.height.saturating_sub(panel + 5).min(6);
     let top = Rect {
         x,
         y: area.y + head,
         width,
-        height: PANEL.min(area.height.saturating_sub(head)),
+        height: panel.min(area.height.saturating_sub(head)),
     };
     let half = width / 2;
     let teams = Rect { width: half, ..top };
@@ -54,7 +54,7 @@ fn inside(frame: Rect) -> Rect {
 
 /// The row at a cell.
 pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Row> {
-    let [teams, round, below] = layout(area);
+    let [teams, round, below] = layout(set_up, area);
     let at = |frame: Rect| {
         frame
             .contains(cell.into())
@@ -68,7 +68,7 @@ pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Row
         return rows.collect::<Vec<_>>().get(row).copied();
     }
     if let Some(row) = at(inside(round)) {
-        return Kind::ALL.get(row / 2).copied().map(Row::Kind);
+        return set_up.kinds().get(row / 2).copied().map(Row::Kind);
     }
     match at(below)? {
         0 => Some(Row::Start),
@@ -79,7 +79,7 @@ pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Row
 
 /// Draws the page.
 pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
-    let [teams, round, below] = layout(area);
+    let [teams, round, below] = layout(set_up, area);
     let head = Rect {
         height: teams.y.saturating_sub(area.y),
         ..area
@@ -109,7 +109,7 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
         }
     }
     let mut lines = Lines::new(inside(round), buf, *look);
-    for kind in Kind::ALL {
+    for kind in set_up.kinds() {
         let chosen = set_up.at == Row::Kind(kind);
         let mark = if set_up.kind == kind { "(*)" } else { "( )" };
         let (name, about) = words(set_up, kind, lines.width(), chosen, look.charset);
@@ -184,6 +184,15 @@ fn words(
             };
             let count = family.map_or(0, |family| CourseKind::Topic(family).length());
             (format!("one topic, {count} questions"), name)
+        }
+        Kind::Own => {
+            let count = set_up.own.concepts.len();
+            let left = match set_up.own.problems.len() {
+                0 => String::new(),
+                1 => ", one file left out".into(),
+                left => format!(", {left} files left out"),
+            };
+            ("your own questions".into(), format!("of {count}{left}"))
         }
         Kind::Code => {
             let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);

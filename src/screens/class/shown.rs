@@ -1,21 +1,16 @@
 //! What really happens, and why.
 
-use std::time::Duration;
-
 use crate::class::{ClassRound, Vote};
-use crate::messages::Key;
 use crate::quiz::{
     Answer, Confidence, Form, Misconception, Question, Said, explain, misconceptions,
 };
-use crate::widgets::hit::Watch;
+use crate::widgets::hit::{Telling, Watch};
 
 /// What really happens, and why.
 #[derive(Debug, Clone)]
 pub(super) struct Shown {
     /// The hit, where the question is about one.
-    pub(super) watch: Option<Watch>,
-    /// Whether the outcome has been told; it stays so while the hit is seen again.
-    pub(super) told: bool,
+    pub(super) telling: Telling,
     /// What most teams that were wrong alike believed, and how many of them.
     pub(super) held: Option<(&'static Misconception, usize)>,
     /// Why it is as it is.
@@ -37,43 +32,11 @@ impl Shown {
             }
             None => question.why.clone(),
         };
-        let watch = watch(question, said, reduced);
         Some(Self {
-            told: watch.as_ref().is_none_or(Watch::is_told),
-            watch,
+            telling: Telling::new(watch(question, said, reduced)),
             held: held.map(|(misconception, count, _)| (misconception, count)),
             why,
         })
-    }
-
-    /// Takes a key of the hit's; says whether it was one.
-    pub(super) fn update(&mut self, key: Key) -> bool {
-        let Some(watch) = &mut self.watch else {
-            return false;
-        };
-        let key = match key {
-            Key::Char(' ') if watch.clock().is_over() => Key::Char('a'),
-            key => key,
-        };
-        let taken = watch.update(key);
-        self.told |= watch.is_told();
-        taken
-    }
-
-    /// Lets time pass.
-    pub(super) fn advance(&mut self, passed: Duration) {
-        if let Some(watch) = &mut self.watch {
-            watch.advance(passed);
-            self.told |= watch.is_told();
-        }
-    }
-
-    /// Tells what happened at once.
-    pub(super) fn tell(&mut self) {
-        if let Some(watch) = &mut self.watch {
-            watch.tell();
-        }
-        self.told = true;
     }
 }
 

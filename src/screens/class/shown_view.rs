@@ -8,7 +8,6 @@ use super::play::Play;
 use super::shown::Shown;
 use super::view::{Text, teams};
 use crate::class::{ClassRound, Vote};
-use crate::physics::Frame;
 use crate::quiz::{Question, Said, letter};
 use crate::widgets::{Beside, Lines, Look, Role, draw_question};
 
@@ -24,7 +23,8 @@ fn layout(question: &Question, shown: &Shown, area: Rect, look: &Look) -> Beside
     } else {
         area
     };
-    let pictured = shown.watch.is_some() || question.picture != crate::quiz::Picture::Nothing;
+    let pictured =
+        shown.telling.watch().is_some() || question.picture != crate::quiz::Picture::Nothing;
     if pictured {
         Beside::square(rest)
     } else {
@@ -41,17 +41,17 @@ pub(super) fn draw(play: &Play, shown: &Shown, area: Rect, buf: &mut Buffer, loo
         HEADING.draw(area, buf, look);
     }
     let layout = layout(question, shown, area, look);
-    let title = match &shown.watch {
-        Some(watch) => match watch.frame() {
-            Frame::Laboratory => format!("the hit, slowed {:.0}×", watch.clock().slowed()),
-            Frame::CentreOfMass => "seen from the centre of mass".into(),
-            Frame::Target => "seen riding with the target".into(),
-        },
+    let title = match shown.telling.watch() {
+        Some(watch) => watch.title(),
         None => question.family.name().into(),
     };
-    let aside = if shown.told { "and why" } else { "watch" };
+    let aside = if shown.telling.is_told() {
+        "and why"
+    } else {
+        "watch"
+    };
     layout.draw(buf, look, &title, aside);
-    match &shown.watch {
+    match shown.telling.watch() {
         Some(watch) => watch.draw(layout.picture, buf, look),
         None => draw_question(layout.picture, buf, look, question, None),
     }
@@ -72,9 +72,9 @@ pub(super) fn text<'a>(play: &'a Play, shown: &'a Shown, area: Rect, look: &Look
 }
 
 fn write(play: &Play, question: &Question, shown: &Shown, lines: &mut Lines) {
-    if !shown.told {
+    if !shown.telling.is_told() {
         lines.paragraph(&question.text, Role::Dim);
-        if let Some(watch) = &shown.watch {
+        if let Some(watch) = shown.telling.watch() {
             lines.gap();
             lines.paragraph(watch.telling(), Role::Text);
         }

@@ -13,6 +13,7 @@ use crate::physics::Collision;
 use crate::physics::units::mm_from_m;
 use crate::quiz::{Form, Question, Ray, Said, letter};
 use crate::widgets::bar::bar;
+use crate::widgets::big::{Align, Big};
 use crate::widgets::hit::{Stage, degrees};
 use crate::widgets::ink::{Pen, Sheet, Side};
 use crate::widgets::panel::draw_panel;
@@ -162,6 +163,11 @@ fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer,
     sheet.draw(buf, &look.theme);
 }
 
+/// Columns of a letter or a number in large type beside a bar, with air.
+const SIDE: u16 = 10;
+/// Rows of it.
+const LARGE: u16 = 4;
+
 /// Bars for choices: how many teams are for each.
 fn draw_bars(options: &[String], votes: &[Said], area: Rect, buf: &mut Buffer, look: &Look) {
     let rows = area.height / (options.len() as u16).max(1);
@@ -176,23 +182,36 @@ fn draw_bars(options: &[String], votes: &[Said], area: Rect, buf: &mut Buffer, l
             .iter()
             .filter(|said| matches!(said, Said::Choice(chosen) if *chosen == i))
             .count();
-        let mut lines = Lines::new(place, buf, *look);
-        lines.hanging(&format!("{}: ", letter(i)), option, Role::Text);
-        let width = lines.width().saturating_sub(4);
-        let bar = bar(count as f64 / most as f64, width, look.charset);
-        let thick = if rows >= lines.written() + 3 { 2 } else { 1 };
-        for row in 0..thick {
-            let number = if row == 0 {
-                count.to_string()
-            } else {
-                String::new()
-            };
-            lines.pair(&bar, &number, Role::Predicted, Role::Title);
+        let sides = [letter(i).to_string(), count.to_string()];
+        let large = sides.each_ref().map(|side| {
+            let side = Big::fit(side, SIDE, LARGE, look.charset);
+            side.filter(|_| rows > LARGE)
+        });
+        let [Some(name), Some(number)] = large else {
+            let mut lines = Lines::new(place, buf, *look);
+            lines.hanging(&format!("{}: ", letter(i)), option, Role::Text);
+            let width = lines.width().saturating_sub(4);
+            let bar = bar(count as f64 / most as f64, width, look.charset);
+            lines.pair(&bar, &count.to_string(), Role::Predicted, Role::Title);
+            continue;
+        };
+        name.draw(place, buf, look, Role::Title, Align::Left);
+        number.draw(place, buf, look, Role::Title, Align::Right);
+        let between = Rect {
+            x: place.x + SIDE,
+            width: place.width.saturating_sub(2 * SIDE),
+            ..place
+        };
+        let mut lines = Lines::new(between, buf, *look);
+        lines.paragraph(option, Role::Text);
+        let bar = bar(count as f64 / most as f64, between.width, look.charset);
+        for _ in lines.written()..LARGE {
+            lines.line(&bar, Role::Predicted);
         }
     }
 }
 
-/// Marks on a number line, one upon the other where several said the same.
+/// Bars on a number line, the higher the more said the same.
 fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &Look) {
     let area = column(area);
     let inside = draw_panel(buf, area, "the votes", look.charset, &look.theme);
@@ -222,10 +241,10 @@ fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &L
     let highest = heaps.iter().map(|(_, count)| *count).max().unwrap_or(1);
     let y = Axis::linear("teams", 0.0, (highest + 1) as f64).every(1.0);
     let mut plot = Plot::new(inside, *look, x, y);
+    // Wide enough to be seen from the back row.
+    let half = 0.012 * (largest - least + 2.0 * margin);
     for (number, count) in &heaps {
-        for height in 1..=*count {
-            plot.mark(dvec2(*number, height as f64), 'O', Role::Predicted);
-        }
+        plot.bar(number - half, number + half, *count as f64, Role::Predicted);
     }
     for (number, count) in &heaps {
         let label = format!("{}", (number * 1000.0).round() / 1000.0 + 0.0);

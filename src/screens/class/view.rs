@@ -39,7 +39,11 @@ pub(super) fn draw(play: &Play, leaving: bool, area: Rect, buf: &mut Buffer, loo
         let row = area.bottom().saturating_sub(1);
         let foot = Rect::new(area.x, row, area.width, area.height.min(1));
         buf.set_style(foot, look.theme.style(Role::Text));
-        let words = "Esc again leaves the round; it is kept to be taken up again";
+        let words = if play.unsaved {
+            "It cannot be saved: Esc again loses the round; e writes its tables first"
+        } else {
+            "Esc again leaves the round; it is kept to be taken up again"
+        };
         blank(foot, buf);
         centred(words, row, area, buf, look, Role::Warn);
     }

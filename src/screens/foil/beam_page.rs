@@ -50,12 +50,12 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
         for (bin, count) in run.counts().bins.iter().enumerate() {
             plot.bar(degrees(bin), degrees(bin + 1), *count as f64, Role::Trail);
         }
+        // Where next to none are expected there is no line: it would be that of the axis.
+        let least = plot.least_clear();
         let thrown = run.thrown();
-        plot.function(
-            |at| expected_at(&law, thrown, at),
-            Pen::new(Role::StrikerOut),
-        );
-        if let Some(at) = label_at(&law, thrown) {
+        let expected = |at| expected_at(&law, thrown, at).filter(|count| *count >= least);
+        plot.function(expected, Pen::new(Role::StrikerOut));
+        if let Some(at) = label_at(expected) {
             plot.label(
                 "the law",
                 at,
@@ -78,10 +78,10 @@ fn expected_at(law: &Law, thrown: u64, degrees: f64) -> Option<f64> {
     })
 }
 
-/// Where the curve is named.
-fn label_at(law: &Law, thrown: u64) -> Option<glam::DVec2> {
-    const AT: f64 = 97.5;
-    expected_at(law, thrown, AT).map(|count| glam::dvec2(AT, count))
+/// Where the curve is named: past the middle, or where it ends before that.
+fn label_at(expected: impl Fn(f64) -> Option<f64>) -> Option<glam::DVec2> {
+    let mut places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
+    places.find_map(|at| expected(at).map(|count| glam::dvec2(at, count)))
 }
 
 /// Writes the question before a beam.

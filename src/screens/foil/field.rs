@@ -79,6 +79,25 @@ impl Field {
         matches!(self, Self::Energy | Self::Thickness | Self::Offset)
     }
 
+    /// Whether a number is in its range.
+    pub fn allows(self, setup: &Setup, value: f64) -> bool {
+        let (low, high, _) = self.scale(setup);
+        (low..=high).contains(&value)
+    }
+
+    /// Its range, as shown.
+    pub fn range(self, setup: &Setup) -> String {
+        let (low, high, _) = self.scale(setup);
+        let unit = match (self, setup.obstacle) {
+            (Self::Energy, _) => " MeV",
+            (Self::Thickness, _) => " µm",
+            (Self::Offset, Obstacle::Hard) => " R",
+            (Self::Offset, Obstacle::Nucleus) => " fm",
+            _ => "",
+        };
+        format!("from {low} to {high}{unit}")
+    }
+
     fn value(self, setup: &Setup) -> f64 {
         match self {
             Self::Obstacle => f64::from(u8::from(setup.obstacle == Obstacle::Nucleus)),
@@ -102,8 +121,8 @@ impl Field {
                 Obstacle::Nucleus => "nucleus".into(),
             },
             Self::Beam => match setup.beam {
-                Beam::Board => "plane".into(),
-                Beam::Space => "space".into(),
+                Beam::Board => "in a plane".into(),
+                Beam::Space => "in space".into(),
             },
             Self::Metal => {
                 let metal = setup.metal();

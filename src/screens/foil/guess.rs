@@ -40,12 +40,13 @@ pub fn explain(said: f64, share: f64) -> String {
     let times = if times < 10.0 {
         format!("{times:.1}")
     } else {
-        super::words::count(super::words::rounded(times) as u64)
+        // An answer is one of a few steps of ten: more figures would say too much.
+        super::words::count(super::words::to_figures(times, 2) as u64)
     };
     if said > share {
-        format!("You expected {times} times as many.")
+        format!("You expected about {times} times as many.")
     } else {
-        format!("It is {times} times what you expected.")
+        format!("It is about {times} times what you expected.")
     }
 }
 
@@ -57,7 +58,7 @@ mod tests {
     fn the_nearest_answer_is_right_and_others_are_told_how_far_off() {
         assert!(explain(0.7, 0.707).starts_with("You said so"));
         assert!(explain(1e-5, 8.5e-6).starts_with("You said so"));
-        assert!(explain(0.5, 8.5e-6).contains("58,800 times as many"));
-        assert!(explain(0.5, 0.707).contains("1.4 times what you expected"));
+        assert!(explain(0.5, 8.5e-6).contains("59,000 times as many"));
+        assert!(explain(0.5, 0.707).contains("about 1.4 times what you expected"));
     }
 }

@@ -75,8 +75,8 @@ pub struct Foil {
     other_scale: bool,
     /// Whether the counts of 1913 are shown as shares of the law.
     levelled: bool,
-    /// What became of an export.
-    notice: Option<String>,
+    /// Whether the last number typed was out of range, and held to it.
+    held: bool,
 }
 
 impl Foil {
@@ -131,7 +131,15 @@ impl Foil {
     }
 
     fn commit_entry(&mut self) {
-        if let (Some(value), Some(field)) = (self.entry.take(), self.field()) {
+        if let Some(value) = self.entry.take() {
+            self.set(value);
+        }
+    }
+
+    /// Sets the chosen setting to a number that was typed.
+    fn set(&mut self, value: f64) {
+        if let Some(field) = self.field() {
+            self.held = !field.allows(&self.setup, value);
             self.change(|setup| field.set(setup, value));
         }
     }
@@ -192,7 +200,7 @@ impl Foil {
     }
 
     fn key(&mut self, key: Key, cx: &mut Context) -> Next {
-        self.notice = None;
+        self.held = false;
         if self.is_running() {
             return self.running_key(key);
         }
@@ -203,9 +211,7 @@ impl Foil {
             match self.entry.update(key) {
                 Typed::Editing => return Next::Stay,
                 Typed::Entered(value) => {
-                    if let Some(field) = self.field() {
-                        self.change(|setup| field.set(setup, value));
-                    }
+                    self.set(value);
                     return Next::Stay;
                 }
                 Typed::Ignored => {}
@@ -373,10 +379,7 @@ impl Screen for Foil {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Exported(exported) => {
-                self.notice = Some(match exported {
-                    Ok(place) => format!("The plot is in {place}"),
-                    Err(reason) => format!("The plot could not be written: {reason}"),
-                });
+                cx.tell_of_export("plot", exported);
                 Next::Stay
             }
             _ => Next::Ignored,

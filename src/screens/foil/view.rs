@@ -96,18 +96,7 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
     };
     beside.draw(buf, &look, title(foil), side);
     draw_picture(foil, beside.picture, buf, look);
-    let mut panel = beside.panel;
-    if let Some(notice) = &foil.notice {
-        // It has the last row of the text to itself.
-        panel.height = panel.height.saturating_sub(1);
-        let row = Rect {
-            y: panel.bottom(),
-            height: 1.min(beside.panel.height),
-            ..panel
-        };
-        Lines::new(row, buf, look).line(notice, Role::Key);
-    }
-    foil.scroll.draw(panel, buf, look, |lines| {
+    foil.scroll.draw(beside.panel, buf, look, |lines| {
         write_panel(foil, lines, cx);
     });
 }
@@ -166,5 +155,8 @@ fn settings(foil: &Foil, lines: &mut Lines) {
         let mark = if is_chosen { ">" } else { " " };
         let name = format!("{mark} {}", field.name());
         lines.pair(&name, &value, name_role, value_role);
+    }
+    if let Some(field) = chosen.filter(|_| foil.held) {
+        lines.line(&format!("  {}", field.range(&foil.setup)), Role::Warn);
     }
 }

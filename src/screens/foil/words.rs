@@ -27,7 +27,13 @@ pub fn share(share: f64) -> String {
 
 /// A number above 0 to the nearest whole one, and to three figures.
 pub fn rounded(number: f64) -> f64 {
-    let unit = 10_f64.powf((number.log10().floor() - 2.0).max(0.0));
+    to_figures(number, 3)
+}
+
+/// A number above 0 to the nearest whole one, and to so many figures.
+pub fn to_figures(number: f64, figures: u8) -> f64 {
+    let beyond = number.log10().floor() + 1.0 - f64::from(figures);
+    let unit = 10_f64.powf(beyond.max(0.0));
     (number / unit).round() * unit
 }
 

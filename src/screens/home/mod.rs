@@ -46,7 +46,7 @@ struct Choice {
 
 const CHOICES: [Choice; 8] = [
     Choice {
-        key: 'c',
+        key: 'e',
         name: "Learn",
         about: "chapters, read by doing",
         place: Place::Learn,
@@ -64,7 +64,7 @@ const CHOICES: [Choice; 8] = [
         place: Place::Quiz { code: None },
     },
     Choice {
-        key: 'g',
+        key: 'c',
         name: "Class",
         about: "teams, one screen, two votes",
         place: Place::Class {
@@ -116,7 +116,9 @@ impl Screen for Home {
             // Nothing lies behind the first screen; leaving it takes a plain Q.
             Input::Key(Key::Escape) => {}
             Input::Key(Key::Char(c)) => {
-                let Some(i) = CHOICES.iter().position(|choice| choice.key == *c) else {
+                // What the class had before its own letter was free.
+                let c = if *c == 'g' { 'c' } else { *c };
+                let Some(i) = CHOICES.iter().position(|choice| choice.key == c) else {
                     return Next::Ignored;
                 };
                 self.chosen = i;
@@ -150,7 +152,7 @@ impl Screen for Home {
             text: vec![
                 "carrom teaches one thing well: what happens when one disc hits another off-centre.",
                 "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
-                "New here? Open Learn for the whole story, or the lab and press Enter.",
+                "New here? Open the lab and press Enter: a hit in a minute. Then read the first chapter of Learn.",
             ],
             keys: self.keys(_cx),
         }

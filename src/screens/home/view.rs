@@ -72,4 +72,30 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
             lines.line("", Role::Text);
         }
     }
+    let whole = lines.rows_by(first_steps);
+    if lines.left() > whole {
+        lines.gap();
+        first_steps(&mut lines);
+    } else if lines.left() > 1 {
+        lines.gap();
+        lines.line("New here? Press l, then Enter.", Role::Key);
+    }
+}
+
+/// The way for someone who is here for the first time.
+fn first_steps(lines: &mut Lines) {
+    lines.line("New here? Three minutes:", Role::Key);
+    let steps = [
+        (
+            "1. ",
+            "Press l for the lab, then Enter: say where both will go, and watch one hit.",
+        ),
+        (
+            "2. ",
+            "Press Esc until you are back, then e and Enter: the first chapter of Learn.",
+        ),
+    ];
+    for (number, step) in steps {
+        lines.hanging(number, step, Role::Text);
+    }
 }

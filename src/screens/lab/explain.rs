@@ -1,7 +1,7 @@
 //! Why the shot went as it did, starting from what the player said.
 
 use super::Setup;
-use crate::physics::{Bond, Meeting};
+use crate::physics::{Bond, Meeting, Outcome};
 use crate::quiz;
 use crate::screens::why::{both_moving, of_hit};
 use crate::widgets::hit::Watch;
@@ -40,14 +40,24 @@ pub(in crate::screens) fn explain(setup: &Setup, watch: &Watch) -> (String, Stri
 
 fn stuck(watch: &Watch) -> String {
     let outcome = watch.outcome();
-    let turns = outcome.spin.abs() / std::f64::consts::TAU;
-    let turning = if turns > 0.005 {
-        format!(" Hit off-centre, the pair also turns, {turns:.1} times a second.")
+    let turning = if outcome.energy_rotation > 0.0 {
+        let [striker, coin] = watch.collision().centres_after().map(glam::DVec2::length);
+        format!(
+            " Hit off-centre, the pair also turns about it, {} times a second: right after the contact the striker's centre has {striker:.2} m/s and the coin's {coin:.2} m/s.",
+            turns_a_second(outcome)
+        )
     } else {
         " Hit head-on, the pair does not turn.".into()
     };
     format!(
-        "They stick and share one velocity, that of the centre of mass: {:.2} m/s.{turning} Sticking is not the same as e = 0: smooth discs would still slip past each other.",
+        "They stick. Their centre of mass goes on with V = {:.2} m/s.{turning} Sticking is not the same as e = 0: smooth discs would still slip past each other.",
         outcome.v1.length()
     )
+}
+
+/// How often in a second a pair that sticks turns, with the digits it takes.
+pub(super) fn turns_a_second(outcome: &Outcome) -> String {
+    let turns = outcome.spin.abs() / std::f64::consts::TAU;
+    let decimals = if turns < 0.1 { 3 } else { 1 };
+    format!("{turns:.decimals$}")
 }

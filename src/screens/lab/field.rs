@@ -133,6 +133,23 @@ impl Field {
         }
     }
 
+    /// Whether a number is in its range; of a direction every one is.
+    pub fn allows(self, setup: &Setup, value: f64) -> bool {
+        let (low, high) = self.scale(setup).range;
+        matches!(self, Self::Aim | Self::CoinAim) || (low..=high).contains(&value)
+    }
+
+    /// Its range, as shown.
+    pub fn range(self, setup: &Setup) -> String {
+        let scale = self.scale(setup);
+        let (low, high) = scale.range;
+        let unit = match scale.unit {
+            "" | "°" => scale.unit.to_owned(),
+            unit => format!(" {unit}"),
+        };
+        format!("from {low} to {high}{unit}")
+    }
+
     /// Sets it, held to its range; directions wrap round. What is out of range is
     /// brought to the nearest value that is in it.
     pub fn set(self, setup: &mut Setup, value: f64) {

@@ -31,6 +31,8 @@ pub struct Lab {
     /// The setting that keys change, and the number being typed for it.
     field: usize,
     entry: NumberEntry,
+    /// Whether the last number typed was out of range, and held to it.
+    held: bool,
     phase: Phase,
     /// How far the explanation of the shot is scrolled.
     scroll: Scroll,
@@ -72,6 +74,7 @@ impl Lab {
 
     fn set(&mut self, value: f64) {
         let field = self.field();
+        self.held = !self.locks(field) && !field.allows(&self.setup, value);
         self.change(|setup| field.set(setup, value));
     }
 
@@ -113,6 +116,7 @@ impl Lab {
     }
 
     fn aim_key(&mut self, key: Key, cx: &mut Context) -> Next {
+        self.held = false;
         match self.entry.update(key) {
             Typed::Editing => return Next::Stay,
             Typed::Entered(value) => {
@@ -347,11 +351,11 @@ impl Screen for Lab {
                 vec![
                     Hint::new("Space", space),
                     Hint::new(", .", "step"),
-                    Hint::new("< >", "scrub"),
-                    Hint::new("a", "play again"),
+                    Hint::new("a", "again"),
                     Hint::new("f", "frame"),
                     Hint::new("1-7", "layers"),
-                    Hint::new("n", "new shot"),
+                    Hint::new("Esc", "set up"),
+                    Hint::new("< >", "scrub"),
                 ]
             }
         }

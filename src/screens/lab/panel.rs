@@ -3,10 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::explain::explain;
+use super::explain::{explain, turns_a_second};
 use super::{Field, Lab};
-use crate::physics::Frame;
 use crate::physics::frames::cm_scattering_angle;
+use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::{Ray, Rays};
 use crate::screens::Context;
 use crate::widgets::hit::{Watch, degrees};
@@ -40,7 +40,12 @@ pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Contex
         let name = format!("{mark} {}", field.name(&lab.setup));
         lines.pair(&name, &value, name_role, value_role);
     }
-    lines.gap();
+    if lab.held {
+        let range = lab.field().range(&lab.setup);
+        lines.line(&format!("  {range}"), Role::Warn);
+    } else {
+        lines.gap();
+    }
     geometry(lab, &mut lines);
     lines.gap();
     let next = if cx.settings.predict {
@@ -162,12 +167,15 @@ fn given(lab: &Lab, lines: &mut Lines) {
 
 fn answers(watch: &Watch, lines: &mut Lines) {
     let outcome = watch.outcome();
+    let sticks = watch.collision().bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let truth = degrees(watch.collision(), &Rays::from(outcome));
     match watch.said() {
         Some(said) => {
             let said = degrees(watch.collision(), said);
             let head = |text| (text, Role::Dim);
-            lines.columns(head("degrees"), ["you said", "truth"].map(head));
+            // The way of a pair that sticks is that of its centre of mass.
+            let truth_is = if sticks { "V" } else { "truth" };
+            lines.columns(head("degrees"), ["you said", truth_is].map(head));
             for (i, name) in ["striker", "coin"].into_iter().enumerate() {
                 let role = [Role::StrikerOut, Role::CoinOut][i];
                 lines.columns(
@@ -176,6 +184,7 @@ fn answers(watch: &Watch, lines: &mut Lines) {
                 );
             }
         }
+        None if sticks => lines.pair("way of V", &shown(truth[0]), Role::Dim, Role::StrikerOut),
         None => {
             for (i, name) in ["striker θ₁", "coin θ₂"].into_iter().enumerate() {
                 let role = [Role::StrikerOut, Role::CoinOut][i];
@@ -183,9 +192,11 @@ fn answers(watch: &Watch, lines: &mut Lines) {
             }
         }
     }
-    let separation = outcome.separation.map_or("none".into(), |separation| {
-        format!("{:.1}°", separation.to_degrees())
-    });
+    let separation = match outcome.separation {
+        _ if sticks => "none".into(),
+        Some(separation) => format!("{:.1}°", separation.to_degrees()),
+        None => "none".into(),
+    };
     lines.pair("separation", &separation, Role::Dim, Role::Text);
     if outcome.energy_before > 0.0 {
         let kept = 100.0 * outcome.energy_after / outcome.energy_before;
@@ -209,11 +220,12 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
         Role::Dim,
         Role::Text,
     );
+    let [v1, v2] = collision.centres_after();
     let speeds = [
         ("striker before", collision.u1 - drift),
-        ("striker after", outcome.v1 - drift),
+        ("striker after", v1 - drift),
         ("coin before", collision.u2 - drift),
-        ("coin after", outcome.v2 - drift),
+        ("coin after", v2 - drift),
     ];
     for (name, v) in speeds {
         lines.pair(
@@ -227,20 +239,38 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
         .alpha()
         .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
     if let Some(turned) = turned
-        && collision.bond == crate::physics::Bond::Slip
+        && collision.bond == Bond::Slip
     {
         let turned = format!("{:.1}°", turned.to_degrees().abs());
         lines.pair("turned by Θ", &turned, Role::Dim, Role::Text);
     }
     lines.gap();
-    lines.paragraph(
-        "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.",
-        Role::Text,
-    );
+    let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
+    let text = if !sticks {
+        "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.".into()
+    } else if outcome.energy_rotation > 0.0 {
+        format!(
+            "They come from opposite sides and do not part. Their centre of mass lies still here, and they turn about it {} times a second; the speeds after are those of the two centres. Add V, and the pair moves on as it turns.",
+            turns_a_second(outcome)
+        )
+    } else {
+        "They come from opposite sides, stick and lie still: momentum is zero before and after. Add V, and the pair moves on.".into()
+    };
+    lines.paragraph(&text, Role::Text);
 }
 
 fn from_target(watch: &Watch, lines: &mut Lines) {
     let seen = Frame::Target.view(watch.collision()).outcome();
+    if watch.collision().bond == Bond::Stick && seen.meeting == Meeting::Hit {
+        lines.line("Riding with the coin", Role::Title);
+        let speed = format!("{:.2} m/s", seen.v1.length());
+        lines.pair("V here", &speed, Role::Dim, Role::Text);
+        lines.gap();
+        return lines.paragraph(
+            "Here the coin lies still before the hit. The centre of mass moves with V before and after; stuck together, the two can only turn about it.",
+            Role::Text,
+        );
+    }
     let separation = seen.separation.map_or("none".into(), |separation| {
         format!("{:.1}°", separation.to_degrees())
     });

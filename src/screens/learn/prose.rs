@@ -10,6 +10,23 @@ const INDENT: u16 = 2;
 
 /// Writes blocks of text; live numbers are those of `figure`.
 pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
+    write_in(None, blocks, lines, figure);
+}
+
+/// Writes blocks of text that have been read, all in one faint style.
+pub(super) fn write_dimmed(blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
+    write_in(Some(Role::Dim), blocks, lines, figure);
+}
+
+/// Writes blocks of text, each word in its own style or all of them in `one`.
+fn write_in(one: Option<Role>, blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
+    let runs = |pieces: &[Piece]| {
+        let mut runs = runs(pieces, Role::Text, figure);
+        if let Some(one) = one {
+            runs.iter_mut().for_each(|run| run.role = one);
+        }
+        runs
+    };
     let mut before: Option<&Block> = None;
     for block in blocks {
         if let Some(before) = before
@@ -18,15 +35,16 @@ pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collisi
             lines.gap();
         }
         match block {
-            Block::Paragraph(pieces) => lines.flowing("", 0, &runs(pieces, Role::Text, figure)),
+            Block::Paragraph(pieces) => lines.flowing("", 0, &runs(pieces)),
             Block::Item(number, pieces) => {
                 let mark = number.map_or("-".into(), |number| format!("{number}."));
                 let indent = mark.len() as u16 + 1;
-                lines.flowing(&mark, indent, &runs(pieces, Role::Text, figure));
+                lines.flowing(&mark, indent, &runs(pieces));
             }
             Block::Formula(formula) => {
                 for row in formula::set(formula, lines.charset()) {
-                    lines.line(&format!("{:1$}{row}", "", INDENT.into()), Role::Title);
+                    let role = one.unwrap_or(Role::Title);
+                    lines.line(&format!("{:1$}{row}", "", INDENT.into()), role);
                 }
             }
         }

@@ -4,6 +4,7 @@ use super::prose;
 use crate::lessons::{Answer, Asked, Checkpoint};
 use crate::messages::Key;
 use crate::physics::Collision;
+use crate::quiz::Ray;
 use crate::widgets::hit::side;
 use crate::widgets::{Lines, NumberEntry, RayInput, Role, Turned, Typed};
 
@@ -43,6 +44,15 @@ impl Question {
         match self {
             Self::Rays(rays) => Some(rays),
             _ => None,
+        }
+    }
+
+    /// The line that keys change, from 0.
+    pub(super) fn line(&self) -> usize {
+        match self {
+            Self::Rays(rays) if rays.is_last() => 1,
+            Self::Rays(_) | Self::Number(_) => 0,
+            Self::Choice(chosen, _) => *chosen,
         }
     }
 
@@ -91,8 +101,8 @@ impl Question {
         }
     }
 
-    /// Writes the answer in the making. `rows` is told the first row of each line of
-    /// a choice.
+    /// Writes the answer in the making. `rows` is told the first row of each of its
+    /// lines: of a choice, of a ray, of the number.
     pub(super) fn write(
         &self,
         checkpoint: &Checkpoint,
@@ -100,10 +110,16 @@ impl Question {
         mut rows: impl FnMut(usize, u16),
     ) {
         match (self, &checkpoint.asked) {
-            (Self::Rays(rays), _) => rays.write(lines, "coin"),
+            (Self::Rays(rays), _) => {
+                for ray in 0..Ray::BOTH.len() {
+                    rows(ray, lines.written() + ray as u16);
+                }
+                rays.write(lines, "coin");
+            }
             (Self::Number(entry), Asked::Number { expected, .. }) => {
                 let (sign, unit) = expected.sign_and_unit();
                 let shown = format!("{}_ {unit}", entry.text());
+                rows(0, lines.written());
                 lines.pair(
                     &format!("> {sign} ="),
                     &shown,

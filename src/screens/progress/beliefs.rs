@@ -6,9 +6,10 @@ use crate::progress::{Belief, Trend, beliefs};
 use crate::widgets::{Lines, Role};
 
 /// Columns of the figures after a name.
-const FIGURES: u16 = 24;
+const FIGURES: u16 = 37;
 
-/// A row a belief: how often before and since the middle of all answers.
+/// A row a belief: how often before and since the middle of all answers, of how often it
+/// could have shown itself.
 pub(super) fn table(history: &History, lines: &mut Lines) {
     let beliefs = beliefs(&history.attempts);
     if beliefs.is_empty() {
@@ -22,20 +23,21 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
     let name = columns.saturating_sub(FIGURES.into()).min(36);
     let wide = name >= 20;
     if wide {
-        let head = format!("{:name$}{:>6}{:>6}", "", "before", "since");
+        let head = format!("{:name$}{:>11}{:>11}", "", "before", "since");
         lines.line(&head, Role::Dim);
     }
     for belief in &beliefs {
         let trend = belief.trend();
-        let role = match trend {
-            Trend::Gone | Trend::Fading => Role::Good,
-            Trend::Held => Role::Text,
+        let role = if trend.is_good() {
+            Role::Good
+        } else {
+            Role::Text
         };
         let Belief { before, since, .. } = belief;
         let shown = belief.misconception.name;
         if wide {
             let shown = padded(&brief(shown, name - 1), name);
-            let row = format!("{shown}{before:>6}{since:>6}  {}", trend.name());
+            let row = format!("{shown}{before:>11}{since:>11}  {}", trend.name());
             lines.line(&row, role);
         } else {
             lines.line(&brief(shown, columns), role);
@@ -45,8 +47,8 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
     }
     lines.gap();
     lines.paragraph(
-        "How often answers fitted it in the first half of all your answers, and in the \
-         second.",
+        "How often answers fitted it, of how many questions could have shown it: before the \
+         middle of all your answers, and since.",
         Role::Dim,
     );
 }
@@ -56,7 +58,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     let beliefs = beliefs(&history.attempts);
     let fading = beliefs
         .iter()
-        .filter(|belief| belief.trend() != Trend::Held)
+        .filter(|belief| belief.trend().is_good())
         .count();
     if fading > 0 {
         lines.pair("gone or fading", &fading.to_string(), Role::Dim, Role::Good);

@@ -13,10 +13,11 @@ mod words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::book::Book;
 use super::recall::Recall;
 use super::{Context, Help, Hint, Next, Place, Screen};
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
-use crate::widgets::{Beside, Lines, Look, Role, Scroll};
+use crate::widgets::{Beside, Lines, Role, Scroll};
 use page::Page;
 
 /// Rows that a page is turned by.
@@ -44,6 +45,7 @@ struct Scrolls {
 impl Progress {
     /// The screen, with what the player has done asked for.
     pub fn ask(cx: &mut Context) -> Self {
+        cx.ask_for_marks();
         Self {
             history: Recall::ask(cx),
             page: Page::OverTime,
@@ -65,8 +67,8 @@ impl Progress {
         let look = cx.settings.look();
         let layout = layout(cx.body);
         let mut scroll = self.scroll;
-        let table = |lines: &mut Lines| self.table(lines);
-        let panel = |lines: &mut Lines| self.panel(lines);
+        let table = |lines: &mut Lines| self.table(&cx.book, lines);
+        let panel = |lines: &mut Lines| self.panel(&cx.book, lines);
         scroll.picture.by(rows, layout.picture, look, table);
         scroll.panel.by(rows, layout.panel, look, panel);
         self.scroll = scroll;
@@ -100,13 +102,13 @@ impl Progress {
     }
 
     /// Writes the left side, where it is not a plot.
-    fn table(&self, lines: &mut Lines) {
+    fn table(&self, book: &Book, lines: &mut Lines) {
         let Some(history) = self.history() else {
             return self.nothing(lines);
         };
         match self.page {
             Page::OverTime | Page::SureOverTime => {}
-            Page::Topics => topics::table(history, lines),
+            Page::Topics => topics::table(history, book, lines),
             Page::Sure => sure::table(history, lines),
             Page::Beliefs => beliefs::table(history, lines),
         }
@@ -136,10 +138,10 @@ impl Progress {
     }
 
     /// Writes the right side.
-    fn panel(&self, lines: &mut Lines) {
+    fn panel(&self, book: &Book, lines: &mut Lines) {
         if let Some(history) = self.history() {
             match self.page {
-                Page::OverTime => over_time::panel(history, lines),
+                Page::OverTime => over_time::panel(history, book, lines),
                 Page::Topics => topics::panel(history, lines),
                 Page::Sure => sure::panel(history, lines),
                 Page::SureOverTime => sure_over_time::panel(history, lines),
@@ -150,7 +152,8 @@ impl Progress {
         lines.paragraph("Enter: a round of the quiz.", Role::Key);
     }
 
-    fn draw_picture(&self, area: Rect, buf: &mut Buffer, look: Look) {
+    fn draw_picture(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+        let look = cx.settings.look();
         match self.history() {
             Some(history) if self.page == Page::OverTime => {
                 over_time::plot(history, area, buf, look);
@@ -161,7 +164,7 @@ impl Progress {
             _ => self
                 .scroll
                 .picture
-                .draw(area, buf, look, |lines| self.table(lines)),
+                .draw(area, buf, look, |lines| self.table(&cx.book, lines)),
         }
     }
 }
@@ -207,8 +210,8 @@ impl Screen for Progress {
             None => ("your progress", "what next"),
         };
         layout.draw(buf, &look, picture, panel);
-        self.draw_picture(layout.picture, buf, look);
-        let write = |lines: &mut Lines| self.panel(lines);
+        self.draw_picture(layout.picture, buf, cx);
+        let write = |lines: &mut Lines| self.panel(&cx.book, lines);
         self.scroll.panel.draw(layout.panel, buf, look, write);
     }
 
@@ -229,7 +232,7 @@ impl Screen for Progress {
         Help {
             text: vec![
                 "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
-                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, in the first half of all answers and in the second.",
+                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately; then the chapters you have opened, as Learn has them. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, of how many questions could have shown it, before the middle of all answers and since.",
                 "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
                 "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print or hand in: --report FILE.html.",
             ],

@@ -8,6 +8,7 @@ use super::words::{degrees, percent};
 use crate::messages::History;
 use crate::progress::{Tally, advice, ends_deg, smoothed_errors_deg};
 use crate::quiz::RIGHT_DEG;
+use crate::screens::book::Book;
 use crate::widgets::ink::{Pen, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role};
@@ -53,7 +54,7 @@ pub(super) fn plot(history: &History, area: Rect, buf: &mut Buffer, look: Look) 
 }
 
 /// The figures of all, how the ends compare, and what to do next.
-pub(super) fn panel(history: &History, lines: &mut Lines) {
+pub(super) fn panel(history: &History, book: &Book, lines: &mut Lines) {
     let attempts = &history.attempts;
     let all = Tally::of(attempts);
     let row = |lines: &mut Lines, name: &str, value: &str| {
@@ -61,10 +62,14 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     };
     row(lines, "answers", &all.attempts.to_string());
     row(lines, "right", &percent(all.share_right()));
-    row(lines, "mean error", &degrees(all.mean_error_deg()));
+    row(lines, "chapters done", &book.done());
+    if let Some(error) = all.mean_error_deg() {
+        row(lines, "angles", &all.angles().to_string());
+        row(lines, "  mean error", &degrees(Some(error)));
+    }
     if let Some((first, last)) = ends_deg(attempts) {
-        row(lines, "  first ten", &degrees(Some(first)));
-        row(lines, "  last ten", &degrees(Some(last)));
+        row(lines, "  of the first ten", &degrees(Some(first)));
+        row(lines, "  of the last ten", &degrees(Some(last)));
         lines.gap();
         lines.paragraph(compared(first, last), Role::Text);
     }

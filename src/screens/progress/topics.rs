@@ -2,9 +2,10 @@
 
 use super::words::{brief, degrees, padded, percent};
 use crate::messages::History;
-use crate::progress::{LATELY, Mastery, reviews, topics};
+use crate::progress::{Due, LESSON, Mastery, Topic, reviews, topics};
+use crate::screens::book::Book;
 use crate::widgets::bar::bar;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, text};
 
 /// Columns of a topic's name.
 const NAME: usize = 26;
@@ -12,11 +13,11 @@ const NAME: usize = 26;
 const ROW: u16 = 46;
 /// Columns of the bar, where there is room for it.
 const BAR: u16 = 20;
-/// How many reviews are listed.
+/// How many names are listed.
 const LISTED: usize = 6;
 
 /// A row a topic, or two where the place is narrow.
-pub(super) fn table(history: &History, lines: &mut Lines) {
+pub(super) fn table(history: &History, book: &Book, lines: &mut Lines) {
     let wide = lines.width() >= ROW;
     let charted = lines.width() >= ROW + BAR + 3;
     if wide {
@@ -26,11 +27,11 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
         let chart = if charted { "   lately" } else { "" };
         lines.line(&(head + chart), Role::Dim);
     }
-    for topic in topics(&history.attempts) {
-        let (mark, role) = match topic.mastery() {
-            Mastery::New => (' ', Role::Text),
-            Mastery::Growing => ('~', Role::Text),
-            Mastery::Solid => ('*', Role::Good),
+    for topic in topics_of_the_quiz(history) {
+        let mark = topic.mastery().mark();
+        let role = match topic.mastery() {
+            Mastery::Solid => Role::Good,
+            _ => Role::Text,
         };
         let count = topic.all.attempts;
         let right = percent(topic.all.share_right());
@@ -54,13 +55,43 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
         }
     }
     lines.gap();
-    let legend = format!("* is solid: four of the last {LATELY} right; ~ is growing.");
-    lines.paragraph(&legend, Role::Dim);
+    lines.paragraph(&Mastery::legend(), Role::Dim);
+    chapters(book, lines);
 }
 
-/// What is due now and what comes next.
+/// What was asked by the quiz; the chapters are told of by their own measure.
+fn topics_of_the_quiz(history: &History) -> Vec<Topic> {
+    topics(history.attempts.iter().filter(|it| it.family != LESSON))
+}
+
+/// The chapters that were opened, as they stand in Learn.
+fn chapters(book: &Book, lines: &mut Lines) {
+    let chapters = book.library().chapters.iter();
+    let opened: Vec<_> = chapters
+        .filter_map(|chapter| Some((chapter, book.mark(&chapter.id)?)))
+        .collect();
+    if opened.is_empty() {
+        return;
+    }
+    lines.gap();
+    let done = format!("{} done", book.done());
+    lines.pair("Chapters", &done, Role::Title, Role::Dim);
+    let room = usize::from(lines.width());
+    for (chapter, mark) in opened {
+        let standing = mark.words(chapter);
+        let title = format!("{:>2} {}", chapter.number, chapter.title);
+        if text::width(&title) + text::width(&standing) + 4 <= room {
+            lines.pair(&title, &standing, Role::Text, Role::Dim);
+        } else {
+            lines.line(&brief(&title, room), Role::Text);
+            lines.line(&format!("   {standing}"), Role::Dim);
+        }
+    }
+}
+
+/// How many topics are solid; what is due now, and what comes next.
 pub(super) fn panel(history: &History, lines: &mut Lines) {
-    let solid = topics(&history.attempts)
+    let solid = topics_of_the_quiz(history)
         .iter()
         .filter(|topic| topic.mastery() == Mastery::Solid)
         .count();
@@ -76,20 +107,42 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         );
         return;
     };
-    let mut head = String::new();
-    for review in reviews(&history.attempts).iter().take(LISTED) {
-        let when = review.when(now_s);
-        if when != head {
-            lines.line(&when, Role::Title);
-            head = when;
-        }
-        let room = usize::from(lines.width()).saturating_sub(2);
-        let name = brief(&review.topic, room);
-        lines.line(&format!(" {name}"), Role::Text);
+    let due = Due::of(&history.attempts, Some(now_s));
+    if due.now.is_empty() {
+        lines.line("nothing due", Role::Title);
+    } else {
+        lines.line(&format!("{} due", due.now.len()), Role::Title);
+        listed(&due.now, lines);
+    }
+    if let Some((topic, when)) = due.next {
+        lines.gap();
+        lines.line(&when, Role::Title);
+        listed(&[topic], lines);
+    }
+    let chapters: Vec<_> = reviews(&history.attempts)
+        .into_iter()
+        .filter(|review| review.family == LESSON && review.is_due(now_s))
+        .map(|review| review.topic)
+        .collect();
+    if !chapters.is_empty() {
+        lines.gap();
+        lines.line("chapters to look at again", Role::Title);
+        listed(&chapters, lines);
     }
     lines.gap();
     lines.paragraph(
         "Coming back after a rest feels harder, and is what makes it stay.",
         Role::Dim,
     );
+}
+
+/// The first of these, and how many more there are.
+fn listed(names: &[String], lines: &mut Lines) {
+    let room = usize::from(lines.width()).saturating_sub(2);
+    for name in names.iter().take(LISTED) {
+        lines.line(&format!(" {}", brief(name, room)), Role::Text);
+    }
+    if let Some(more @ 1..) = names.len().checked_sub(LISTED) {
+        lines.line(&format!(" and {more} more"), Role::Dim);
+    }
 }

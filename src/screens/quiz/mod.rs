@@ -20,9 +20,9 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary, words,
 };
-use crate::widgets::hit::{Layers, Watch};
+use crate::widgets::hit::{Layers, Telling, Watch};
 use crate::widgets::{AnswerInput, Scroll, Turned};
 
 /// Back to choosing a round.
@@ -68,9 +68,7 @@ struct Watched {
     question: Question,
     answer: Answer,
     /// The hit, where the question is about one.
-    watch: Option<Watch>,
-    /// Whether the outcome has been told; it stays so while the hit is seen again.
-    told: bool,
+    telling: Telling,
     /// The right shot, still to be seen, where the player's own was not it.
     remedy: Option<Watch>,
     /// Its number, from 0, where it was opened from the look back.
@@ -119,6 +117,15 @@ impl Quiz {
         self.answers.len() >= self.round.questions().len()
     }
 
+    /// Whether one looks back over the round, or at one of its questions from there.
+    fn has_ended(&self) -> bool {
+        match &self.phase {
+            Phase::Summary(_) => true,
+            Phase::Watch(watched) => watched.opened.is_some(),
+            Phase::Asked(_) | Phase::Confidence(..) => false,
+        }
+    }
+
     /// Whether one hears only at the end what was right.
     fn tells_at_end(&self) -> bool {
         self.round.course().tells_at_end()
@@ -155,7 +162,7 @@ impl Quiz {
         };
         let mut watched = Watched::new(question.clone(), *answer, self.layers, cx);
         watched.opened = Some(at);
-        watched.tell();
+        watched.telling.tell();
         self.enter(Phase::Watch(Box::new(watched)));
     }
 
@@ -180,7 +187,7 @@ impl Quiz {
     /// Scrolls a line of the look back into sight.
     fn show_line(&mut self, at: usize, cx: &Context) {
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body);
+        let text = view::text_area(self, cx.body, look);
         let row = view::first_line(self, at, text, look).saturating_add(at as u16);
         let mut scroll = self.scroll;
         scroll.show(row, text, look, |lines| view::write(self, lines, look));
@@ -214,7 +221,9 @@ impl Quiz {
     /// A look back over the answers whose outcome has been told.
     fn summary(&self) -> Summary {
         let untold = match &self.phase {
-            Phase::Watch(watched) => usize::from(!watched.told && watched.opened.is_none()),
+            Phase::Watch(watched) => {
+                usize::from(!watched.telling.is_told() && watched.opened.is_none())
+            }
             _ => 0,
         };
         let told = self.answers.len().saturating_sub(untold);
@@ -282,20 +291,26 @@ impl Quiz {
         let Phase::Watch(watched) = &mut self.phase else {
             return Next::Ignored;
         };
-        if watched.update(key) {
+        if watched.telling.update(key) {
             return Next::Stay;
         }
         let opened = watched.opened;
         match key {
             // Nobody skips what happened by a key too many.
-            Key::Enter if !watched.told => watched.tell(),
-            Key::Enter if watched.remedy.is_some() => watched.watch = watched.remedy.take(),
+            Key::Enter if !watched.telling.is_told() => watched.telling.tell(),
+            Key::Enter if watched.remedy.is_some() => {
+                watched
+                    .remedy
+                    .take()
+                    .into_iter()
+                    .for_each(|remedy| watched.telling.show(remedy));
+            }
             Key::Enter | Key::Escape if opened.is_some() => {
-                self.layers = watched.layers().unwrap_or(self.layers);
+                self.layers = watched.telling.layers().unwrap_or(self.layers);
                 self.close(opened.unwrap_or(0), cx);
             }
             Key::Enter => {
-                self.layers = watched.layers().unwrap_or(self.layers);
+                self.layers = watched.telling.layers().unwrap_or(self.layers);
                 self.ask();
             }
             Key::Up => return self.scroll_by(-1, cx),
@@ -307,18 +322,33 @@ impl Quiz {
     }
 
     /// Leaves the round: at once while nothing has been answered, else when asked
-    /// twice.
+    /// twice. Whoever leaves an exam has yet to hear of what was answered.
     fn leave(&mut self, asked_before: bool) -> Next {
-        if asked_before || self.answers.is_empty() {
-            return CHOOSE;
+        match asked_before {
+            _ if self.answers.is_empty() => return CHOOSE,
+            true if self.tells_at_end() => self.enter(Phase::Summary(0)),
+            true => return CHOOSE,
+            false => self.leaving = true,
         }
-        self.leaving = true;
         Next::Stay
+    }
+
+    /// What leaving the round now means.
+    fn parting(&self) -> String {
+        let count = self.answers.len();
+        let kept = match count {
+            1 => "Your answer is kept.".to_owned(),
+            _ => format!("Your {count} answers are kept."),
+        };
+        match self.tells_at_end() {
+            true => format!("Esc again ends the exam and shows what you answered. {kept}"),
+            false => format!("Esc again leaves the round. {kept}"),
+        }
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) -> Next {
         let look = cx.settings.look();
-        let area = view::text_area(self, cx.body);
+        let area = view::text_area(self, cx.body, look);
         let mut scroll = self.scroll;
         scroll.by(rows, area, look, |lines| view::write(self, lines, look));
         self.scroll = scroll;
@@ -331,11 +361,13 @@ impl Quiz {
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body);
+        let text = view::text_area(self, cx.body, look);
         match (mouse.kind, &mut self.phase) {
             (MouseKind::ScrollUp | MouseKind::ScrollDown, Phase::Watch(watched)) if on_picture => {
                 let later = mouse.kind == MouseKind::ScrollUp;
-                watched.update(Key::Char(if later { '.' } else { ',' }));
+                watched
+                    .telling
+                    .update(Key::Char(if later { '.' } else { ',' }));
             }
             (MouseKind::ScrollUp, _) => return self.scroll_by(-1, cx),
             (MouseKind::ScrollDown, _) => return self.scroll_by(1, cx),
@@ -406,50 +438,13 @@ impl Watched {
             }
             _ => (question.picture.collision().copied().map(watch), None),
         };
-        let told = watch.as_ref().is_none_or(Watch::is_told);
         Self {
             question,
             answer,
-            watch,
-            told,
+            telling: Telling::new(watch),
             remedy,
             opened: None,
         }
-    }
-
-    /// Takes a key of the hit's; says whether it was one.
-    fn update(&mut self, key: Key) -> bool {
-        let Some(watch) = &mut self.watch else {
-            return false;
-        };
-        let key = match key {
-            Key::Char(' ') if watch.clock().is_over() => Key::Char('a'),
-            key => key,
-        };
-        let taken = watch.update(key);
-        self.told |= watch.is_told();
-        taken
-    }
-
-    /// What is drawn on top of the hit, where there is one.
-    fn layers(&self) -> Option<Layers> {
-        self.watch.as_ref().map(Watch::layers)
-    }
-
-    /// Lets time pass.
-    fn advance(&mut self, passed: Duration) {
-        if let Some(watch) = &mut self.watch {
-            watch.advance(passed);
-            self.told |= watch.is_told();
-        }
-    }
-
-    /// Tells what happened at once.
-    fn tell(&mut self) {
-        if let Some(watch) = &mut self.watch {
-            watch.tell();
-        }
-        self.told = true;
     }
 }
 
@@ -467,7 +462,12 @@ impl Screen for Quiz {
 
     fn status(&self, _cx: &Context) -> String {
         let place = match self.phase {
-            Phase::Summary(_) => "all answered".into(),
+            Phase::Summary(_) if self.is_over() => "all answered".into(),
+            Phase::Summary(_) => format!(
+                "{} of {} answered",
+                self.answers.len(),
+                self.round.questions().len()
+            ),
             _ => format!(
                 "question {} of {}",
                 self.number(),
@@ -475,11 +475,15 @@ impl Screen for Quiz {
             ),
         };
         let mut status = place;
-        if !self.tells_at_end() || self.is_over() {
-            status += &format!("  {:.1} points", self.summary().points());
+        if !self.tells_at_end() || self.has_ended() {
+            status += &format!("  {} points", words::points(self.summary().points()));
         }
-        match self.round.course().kind {
-            CourseKind::Review(_) => status + "  review",
+        match &self.round.course().kind {
+            CourseKind::Review(_) if self.is_over() => status + "  review",
+            CourseKind::Review(due) => {
+                let asked = self.round.questions().len();
+                format!("{status}  review: {asked} of {} due", due.len())
+            }
             _ => format!("{status}  code {}", self.round.code()),
         }
     }
@@ -498,14 +502,14 @@ impl Screen for Quiz {
 
     fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
         if let Phase::Watch(watched) = &mut self.phase {
-            watched.advance(passed);
+            watched.telling.advance(passed);
         }
         Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.phase {
-            Phase::Watch(watched) => watched.watch.as_ref().and_then(Watch::wake),
+            Phase::Watch(watched) => watched.telling.wake(),
             _ => None,
         }
     }
@@ -517,7 +521,14 @@ impl Screen for Quiz {
     fn keys(&self, _cx: &Context) -> Vec<Hint> {
         match &self.phase {
             _ if self.leaving => vec![
-                Hint::new("Esc", "leave the round"),
+                Hint::new(
+                    "Esc",
+                    if self.tells_at_end() {
+                        "end the exam"
+                    } else {
+                        "leave the round"
+                    },
+                ),
                 Hint::new("any other key", "stay"),
             ],
             Phase::Asked(asked) => match &asked.input {
@@ -561,7 +572,7 @@ impl Screen for Quiz {
                 ),
                 Hint::new("Esc", "change it"),
             ],
-            Phase::Watch(watched) if !watched.told => vec![
+            Phase::Watch(watched) if !watched.telling.is_told() => vec![
                 Hint::new("Enter", "show it"),
                 Hint::new("Space", "go on"),
                 Hint::new(", .", "step"),
@@ -578,7 +589,7 @@ impl Screen for Quiz {
                 } else {
                     "look back"
                 };
-                let Some(watch) = &watched.watch else {
+                let Some(watch) = watched.telling.watch() else {
                     let away = if watched.opened.is_some() {
                         "back"
                     } else {
@@ -617,9 +628,10 @@ impl Screen for Quiz {
         Help {
             text: vec![
                 "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end. Rims are smooth unless a question says otherwise.",
-                "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A number is right within a twentieth of the truth. A shot: set the offset that sends the disc along the dashed way to the mark.",
-                "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays.",
-                "After the last question each one can be opened again. The code at the top fixes the questions: with the same code a friend gets the same round.",
+                "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
+                "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
+                "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below nothing: else a wrong \"sure\" would cost nothing there.",
+                "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
             ],
             keys: vec![
                 Hint::new("Left Right", "turn a ray by 1°, or dial a number"),

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Asked, Watched};
-use crate::quiz::words::bare_degrees;
+use crate::quiz::words::{self, bare_degrees};
 use crate::quiz::{Confidence, Form, Grade, Ray, RaysGrade, Said, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::hit::{Watch, degrees};
@@ -141,7 +141,7 @@ pub(super) fn confidence_at(panel: Rect, (column, row): (u16, u16)) -> Option<Co
 pub(super) fn untold(watched: &Watched, lines: &mut Lines) {
     lines.paragraph(&watched.question.text, Role::Dim);
     lines.gap();
-    if let Some(watch) = &watched.watch {
+    if let Some(watch) = watched.telling.watch() {
         lines.paragraph(watch.telling(), Role::Text);
     }
 }
@@ -190,7 +190,11 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
 }
 
 fn points(grade: &Grade, lines: &mut Lines) {
-    let points = format!("{:.1} of {:.0} points", grade.points() + 0.0, Grade::MOST);
+    let points = format!(
+        "{} of {:.0} points",
+        words::points(grade.points()),
+        Grade::MOST
+    );
     let role = if grade.right { Role::Good } else { Role::Text };
     lines.pair(&points, grade.confidence.name(), role, Role::Dim);
 }
@@ -222,7 +226,7 @@ fn said_and_truth(watched: &Watched) -> Option<[String; 2]> {
     let form = &watched.question.form;
     let both = [watched.answer.said, form.truth()];
     // Without a hit to be seen, rays have no sides to count from.
-    let table = matches!(form, Form::Rays { .. }) && watched.watch.is_some();
+    let table = matches!(form, Form::Rays { .. }) && watched.telling.watch().is_some();
     (!table).then(|| both.map(|said| lettered(form, &said)))
 }
 
@@ -230,7 +234,7 @@ fn write_answers(watched: &Watched, grade: &Grade, lines: &mut Lines) {
     if let Some([said, truth]) = said_and_truth(watched) {
         lines.hanging(YOU, &said, Role::Predicted);
         lines.hanging(TRUTH, &truth, Role::Good);
-    } else if let (Some(watch), Some(rays)) = (&watched.watch, grade.rays) {
+    } else if let (Some(watch), Some(rays)) = (watched.telling.watch(), grade.rays) {
         ray_table(watched, watch, &rays, lines);
     }
 }

@@ -19,11 +19,13 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
     let closing_rows: u16 = closing.iter().map(|text| lines.rows_of(text)).sum();
     let rows = summary.lines.len() as u16;
     let score = score(&summary);
-    let mut spare = lines.spare(lines.rows_of(&score) + HEAD + rows + closing_rows);
+    let friend = for_a_friend(quiz.round.code());
+    let friend_rows = friend.as_ref().map_or(0, |text| lines.rows_of(text));
+    let needed = lines.rows_of(&score) + HEAD + rows + closing_rows + friend_rows;
+    let mut spare = lines.spare(needed);
     let gap_after = spare.take(1);
     let gap_before = spare.take(1);
-    let command = for_a_friend(quiz.round.code());
-    let friend = command.filter(|_| spare.take(2));
+    let before_friend = spare.take(1);
     let apart = spare.take(closing.len() as u16 - 1);
     lines.paragraph(&score, Role::Title);
     if gap_before {
@@ -44,8 +46,10 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
         lines.paragraph(text, Role::Text);
     }
     if let Some(command) = friend {
-        lines.gap();
-        lines.line(&command, Role::Dim);
+        if before_friend {
+            lines.gap();
+        }
+        lines.paragraph(&command, Role::Dim);
     }
     first
 }
@@ -53,7 +57,7 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
 /// How a friend gets the same round; a review is its player's alone.
 fn for_a_friend(code: &Code) -> Option<String> {
     match code.course.kind {
-        CourseKind::Review(_) => None,
+        CourseKind::Review(_) | CourseKind::Own(_) => None,
         CourseKind::Hits => Some(format!(
             "The same ten for a friend: carrom quiz --seed {code}"
         )),
@@ -65,14 +69,18 @@ fn for_a_friend(code: &Code) -> Option<String> {
 
 fn score(summary: &Summary) -> String {
     let mut text = format!(
-        "{:.1} of {:.0} points, {} of {} right",
-        summary.points(),
+        "{} of {:.0} points, {} of {} right",
+        words::points(summary.points()),
         summary.most(),
         summary.right(),
         summary.lines.len()
     );
     if let Some(error) = summary.mean_error() {
-        text += &format!(", mean error {}", words::degrees(error));
+        text += &format!(
+            ", mean error {} of {} angles",
+            words::degrees(error),
+            summary.angles()
+        );
     }
     text
 }
@@ -150,7 +158,7 @@ impl Table {
         let brief = |said| charset.text(&question.form.brief(said)).into_owned();
         let (said, truth) = (brief(&answer.said), brief(&question.form.truth()));
         let number = (number + 1).to_string();
-        let points = format!("{:.1}", line.grade.points() + 0.0);
+        let points = words::points(line.grade.points());
         let missed = missed_surely(line);
         let chosen_mark = if chosen { ">" } else { " " };
         let mark = if missed { "!" } else { " " };

@@ -41,7 +41,7 @@ fn question(quiz: &Quiz) -> Option<&Question> {
 }
 
 /// Where the text of the phase at hand is.
-pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
+pub(super) fn text_area(quiz: &Quiz, area: Rect, look: Look) -> Rect {
     let panel = match quiz.phase {
         Phase::Summary(_) => {
             let frame = summary_frame(area);
@@ -54,8 +54,15 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
         }
         _ => layout(quiz, area).panel,
     };
-    // The notice has the top row to itself.
-    let notice = u16::from(quiz.leaving).min(panel.height);
+    // The notice has the top rows to itself.
+    let notice = match quiz.leaving {
+        true => {
+            let mut scratch = Buffer::empty(panel);
+            let lines = Lines::new(panel, &mut scratch, look);
+            lines.rows_of(&quiz.parting()).min(panel.height)
+        }
+        false => 0,
+    };
     Rect {
         y: panel.y + notice,
         height: panel.height - notice,
@@ -70,7 +77,9 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
         Phase::Confidence(asked, chosen) => {
             panel::confidence(asked, *chosen, quiz.tells_at_end(), lines);
         }
-        Phase::Watch(watched) if watched.told => panel::told(watched, lines, look.charset),
+        Phase::Watch(watched) if watched.telling.is_told() => {
+            panel::told(watched, lines, look.charset);
+        }
         Phase::Watch(watched) => panel::untold(watched, lines),
         Phase::Summary(at) => {
             summary::write(quiz, *at, lines);
@@ -95,9 +104,13 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             );
         }
         Phase::Watch(watched) => {
-            let side = if watched.told { "and why" } else { "watch" };
+            let side = if watched.telling.is_told() {
+                "and why"
+            } else {
+                "watch"
+            };
             draw_frames(&layout, buf, &look, &title(watched), side);
-            match &watched.watch {
+            match watched.telling.watch() {
                 Some(watch) => watch.draw(layout.picture, buf, &look),
                 None => draw_question(layout.picture, buf, &look, &watched.question, None),
             }
@@ -107,9 +120,9 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             draw_panel(buf, frame, "your round", look.charset, &look.theme);
         }
     }
-    let text = text_area(quiz, area);
+    let text = text_area(quiz, area, look);
     if quiz.leaving {
-        Lines::new(layout.panel, buf, look).line("Esc again leaves the round", Role::Warn);
+        Lines::new(layout.panel, buf, look).paragraph(&quiz.parting(), Role::Warn);
     }
     quiz.scroll
         .draw(text, buf, look, |lines| write(quiz, lines, look));
@@ -133,7 +146,7 @@ pub(super) fn line_at(
     look: Look,
     cell: (u16, u16),
 ) -> Option<usize> {
-    let text = text_area(quiz, area);
+    let text = text_area(quiz, area, look);
     if !text.contains(cell.into()) {
         return None;
     }
@@ -152,11 +165,11 @@ pub(super) fn first_line(quiz: &Quiz, at: usize, text: Rect, look: Look) -> u16 
 }
 
 fn title(watched: &Watched) -> String {
-    let Some(watch) = &watched.watch else {
+    let Some(watch) = watched.telling.watch() else {
         return watched.question.family.name().into();
     };
     if let Form::Shot(aim) = &watched.question.form
-        && watched.told
+        && watched.telling.is_told()
         && watch.frame() == Frame::Laboratory
     {
         let does_it = watch.collision().offset == aim.offset;
@@ -167,11 +180,5 @@ fn title(watched: &Watched) -> String {
         }
         .into();
     }
-    match watch.frame() {
-        Frame::Laboratory => {
-            format!("the hit, slowed {:.0}×", watch.clock().slowed())
-        }
-        Frame::CentreOfMass => "seen from the centre of mass".into(),
-        Frame::Target => "seen riding with the target".into(),
-    }
+    watch.title()
 }

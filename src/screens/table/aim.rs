@@ -98,9 +98,18 @@ impl Aim {
     }
 
     /// Moves the striker, by so many metres to the right and up on the screen; in a
-    /// game only along the base lines, and not beyond their ends.
+    /// game only along the base lines, from step to step and over all places that are
+    /// not legal. Where there is no place any more it stays.
     pub(super) fn move_by(&mut self, step: DVec2, game: &Game) {
-        self.put(self.place + step, game);
+        if game.setup().rules == Rules::Practice {
+            self.put(self.place + step, game);
+            return;
+        }
+        let board = Board::default();
+        let lines = game.base_lines(&board);
+        if let Some(next) = lines.next_on_steps(self.place, lines.along(step)) {
+            self.place = next;
+        }
     }
 
     /// Puts the striker where it is wanted, in a game on the nearest point of the

@@ -14,8 +14,9 @@ pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
                 Hint::new("Space", "strike"),
                 Hint::new("arrows", "aim"),
                 Hint::new("+ -", "strength"),
-                Hint::new("[ ]", "place"),
+                Hint::new("[ ] { }", "place"),
                 Hint::new("h", "hint"),
+                Hint::new("0-9", "type"),
                 Hint::new("c", "call"),
                 Hint::new("l g r", "aids"),
                 Hint::new("i", "impacts"),
@@ -23,8 +24,8 @@ pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
                 Hint::new("e", "export"),
             ];
             if sitting.is_practice() {
-                keys.insert(5, Hint::new("p", "lay out"));
-                keys.insert(6, Hint::new("z", "undo"));
+                keys.insert(6, Hint::new("p", "lay out"));
+                keys.insert(7, Hint::new("z", "undo"));
             }
             keys
         }
@@ -98,13 +99,19 @@ pub(super) fn help() -> Help {
         keys: vec![
             Hint::new("Left Right", "turn the aim by 1°; PageUp PageDown by 10°"),
             Hint::new("Up Down", "turn the aim by 0.1°"),
-            Hint::new("0-9 .", "type the angle"),
-            Hint::new("[ ] or a d", "move the striker; { } further"),
+            Hint::new(
+                "0-9 .",
+                "type a number; Enter takes it as the angle, + as the strength, [ or ] as millimetres left or right",
+            ),
+            Hint::new("[ ] or a d", "move the striker by 2 mm; { } by 20 mm"),
             Hint::new("+ -", "strength; the wheel too"),
             Hint::new("mouse", "drag the striker, or point where to aim"),
             Hint::new("Space", "strike; skip to the end; go on"),
             Hint::new("l g r", "aim line, ghost, departures on or off"),
-            Hint::new("h", "hint: where to look; again: the whole stroke"),
+            Hint::new(
+                "h",
+                "hint: where to look; again: the whole stroke; once more: set it",
+            ),
             Hint::new("c", "call it on or off"),
             Hint::new("i", "impacts of the stroke, or the last stroke again"),
             Hint::new(", . < >", "step and scrub; Home and End for the ends"),

@@ -8,6 +8,7 @@ mod new_game;
 mod options;
 mod panel;
 mod picture;
+mod pointer;
 mod preview;
 mod replay;
 mod saved_games;

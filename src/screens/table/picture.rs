@@ -5,13 +5,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::arrange::Arrange;
+use super::pointer::Pointer;
 use super::preview::FirstHit;
 use super::replay::Replay;
-use super::sitting::Sitting;
+use super::sitting::{Hinted, Sitting};
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::physics::{Board, State, stopping_distance};
-use crate::widgets::ink::{Layer, Pen, Sheet, Side};
+use crate::widgets::ink::{Body, Layer, Pen, Sheet, Side};
 use crate::widgets::{Look, Role, board};
 
 /// Seconds after which a trail has faded.
@@ -30,17 +31,24 @@ fn sheet(area: Rect, look: &Look) -> Sheet {
     sheet
 }
 
-fn disc(sheet: &mut Sheet, set: PieceSet, piece: Piece, at: DVec2) {
-    let radius = set.disc(piece).radius;
-    sheet.disc(at, radius, words::role(piece), words::letter(piece));
+fn body(set: PieceSet, piece: Piece, at: DVec2) -> Body {
+    Body {
+        at,
+        radius: set.disc(piece).radius,
+        role: words::role(piece),
+        letter: words::letter(piece),
+        pointed_out: false,
+    }
+}
+
+fn bodies(set: PieceSet, coins: &[Coin]) -> impl Iterator<Item = Body> {
+    coins.iter().map(move |coin| body(set, coin.piece, coin.at))
 }
 
 /// Coins on an otherwise empty board.
 pub(super) fn draw_pack(coins: &[Coin], set: PieceSet, area: Rect, buf: &mut Buffer, look: &Look) {
     let mut sheet = sheet(area, look);
-    for coin in coins {
-        disc(&mut sheet, set, coin.piece, coin.at);
-    }
+    sheet.discs(&bodies(set, coins).collect::<Vec<_>>());
     sheet.draw(buf, &look.theme);
 }
 
@@ -53,9 +61,10 @@ pub(super) fn draw_coins(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: 
 pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &Look) {
     let mut sheet = sheet(area, look);
     let seat = sitting.seat();
-    let place = sitting.aim.place;
+    let aim = sitting.aimed();
+    let place = aim.place;
     let radius = sitting.set().striker_radius();
-    let heading = sitting.aim.heading(seat);
+    let heading = aim.heading(seat);
     let aids = sitting.options.aids;
     let hit = sitting
         .preview
@@ -64,26 +73,45 @@ pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &L
     if !sitting.is_practice() {
         own_side(&mut sheet, seat);
     }
+    let pointer = match &sitting.hint {
+        Some(Hinted::Told { pointer, .. }) => pointer.as_ref(),
+        _ => None,
+    };
+    if let Some(pointer) = pointer {
+        point_out(&mut sheet, pointer);
+    }
     if let Some(preview) = sitting.preview.as_ref().filter(|_| aids.line) {
         sheet.polyline(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
     } else {
         let from = place + radius * heading;
         sheet.arrow(from, from + STUB * heading, Role::Aim);
     }
-    for coin in sitting.game().coins() {
-        disc(&mut sheet, sitting.set(), coin.piece, coin.at);
+    let striker = body(sitting.set(), Piece::Striker, place);
+    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+    if let Some(coin) = pointer.and_then(|pointer| discs.get_mut(pointer.coin)) {
+        coin.pointed_out = true;
     }
-    disc(&mut sheet, sitting.set(), Piece::Striker, place);
+    discs.push(striker);
+    sheet.discs(&discs);
     if let Some(hit) = hit {
         let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
         if aids.ghost {
-            sheet.circle(ghost, radius, Pen::new(Role::Predicted).dotted());
+            board::ghost(&mut sheet, ghost, radius, Role::Predicted);
         }
         if aids.rays && !sitting.options.call {
             departures(&mut sheet, hit, ghost);
         }
     }
     sheet.draw(buf, &look.theme);
+}
+
+/// Draws the coin's way into the pocket that a hint speaks of, and the pocket.
+fn point_out(sheet: &mut Sheet, pointer: &Pointer) {
+    let pen = Pen::new(Role::Good).on(Layer::Trail);
+    sheet.polyline(pointer.way.iter().copied(), pen.dotted());
+    if let Some(pocket) = pointer.pocket {
+        sheet.circle(pocket, Board::default().pocket_diameter / 2.0, pen);
+    }
 }
 
 /// The line of impact of a first hit; it has one, or it would be none.
@@ -102,7 +130,9 @@ fn departures(sheet: &mut Sheet, hit: &FirstHit, ghost: DVec2) {
     for (from, v, role) in bodies {
         let way = stopping_distance(v.length(), slowing).min(LONGEST_RAY);
         if way > 1.5 * sheet.view().per_column() {
-            sheet.arrow(from, from + way * v.normalize_or_zero(), role);
+            // Discs run over it: none may be hidden by what is to come.
+            let pen = Pen::new(role).on(Layer::Trail);
+            sheet.arrow(from, from + way * v.normalize_or_zero(), pen);
         }
     }
 }
@@ -130,9 +160,9 @@ pub(super) fn draw_replay(
     for disc in 0..replay.pieces.len() {
         trail(&mut sheet, replay, disc);
     }
-    for (_, piece, at) in replay.discs() {
-        disc(&mut sheet, sitting.set(), piece, at);
-    }
+    let discs = replay.discs();
+    let bodies = discs.map(|(_, piece, at)| body(sitting.set(), piece, at));
+    sheet.discs(&bodies.collect::<Vec<_>>());
     if let Some(impact) = replay.impact() {
         let [a, b] = impact
             .discs
@@ -197,15 +227,11 @@ pub(super) fn draw_arrange(
     look: &Look,
 ) {
     let mut sheet = sheet(area, look);
-    for (i, coin) in sitting.game().coins().iter().enumerate() {
-        if arrange.held != Some(i) {
-            disc(&mut sheet, sitting.set(), coin.piece, coin.at);
-        }
+    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+    if let Some(held) = arrange.held.and_then(|held| discs.get_mut(held)) {
+        held.at = arrange.hand;
     }
-    let held = arrange.held.and_then(|i| sitting.game().coins().get(i));
-    if let Some(coin) = held {
-        disc(&mut sheet, sitting.set(), coin.piece, arrange.hand);
-    }
+    sheet.discs(&discs);
     let arm = 2.5 * sheet.view().per_row();
     let gap = 0.8 * sheet.view().per_row();
     for way in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {

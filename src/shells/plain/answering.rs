@@ -65,8 +65,8 @@ pub(super) fn rays(
     let help = format!(
         "Type an angle in degrees from the striker's old direction, such as 30, or still for a \
          disc that stays where it is. The striker counts to the side away from the {target}, the \
-         {target} to its own side; a minus turns to the other side. Rims are smooth unless the question says \
-         otherwise. Type skip to leave it open."
+         {target} to its own side; a minus turns to the other side. Rims are smooth unless the \
+         question says otherwise. Type skip to leave it open."
     );
     let striker = [
         question,

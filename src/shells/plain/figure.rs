@@ -5,7 +5,7 @@ use crate::lessons::{Asked, Chapter, Expected, Figure, FigureKind, Page, Shot};
 use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::worked::{self, Given};
-use crate::physics::{Bond, Collision, Frame, Outcome};
+use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
 use crate::quiz::words::{degrees, millimetres, significant};
 
 /// What the figure of a page shows, a line each; before the page's question is
@@ -269,6 +269,16 @@ fn in_the_centre(collision: &Collision) -> Vec<String> {
     let centre = Frame::CentreOfMass.view(collision);
     let outcome = centre.outcome();
     let mut lines = result(collision);
+    if collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit {
+        lines.push(format!(
+            "The centre of mass moves at {} m/s all the while. Seen from there the discs come with \
+             {} and {} m/s from opposite sides, and stay.",
+            significant(collision.centre_of_mass_velocity().length()),
+            significant(centre.u1.length()),
+            significant(centre.u2.length())
+        ));
+        return lines;
+    }
     lines.push(format!(
         "The centre of mass moves at {} m/s all the while. Seen from there the discs come with {} \
          and {} m/s from opposite sides, and leave with {} and {} m/s, back to back.",

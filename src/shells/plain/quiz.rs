@@ -1,14 +1,17 @@
 //! A round of the quiz in lines.
 
+use std::sync::Arc;
+
 use super::answering::{answer, confidence};
 use super::keeper::Keeper;
 use super::picture::describe;
 use super::spoken::{sentence, verbatim};
 use super::talk::{Asked, Leave, Talk};
 use crate::messages::{Done, Wish};
-use crate::progress::{Attempt, reviews};
+use crate::progress::{Attempt, Due};
+use crate::quiz::concepts::Library;
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain,
+    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain, words,
 };
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
@@ -21,17 +24,23 @@ pub fn quiz(
     keeper: &mut Keeper,
     code: Option<Code>,
     seed: u64,
+    own: &Arc<Library>,
 ) -> Result<(), Leave> {
     talk.say("carrom, the quiz. Type help at any question, and quit to leave.")?;
     let round = match code {
         Some(code) => Round::of(code),
-        None => choose(talk, keeper, seed)?,
+        None => choose(talk, keeper, seed, own)?,
     };
     play(talk, keeper, &round)
 }
 
 /// Asks which round it shall be.
-fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leave> {
+fn choose(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    seed: u64,
+    own: &Arc<Library>,
+) -> Result<Round, Leave> {
     let due = due(talk, keeper)?;
     let mut kinds: Vec<(String, CourseKind)> = CourseKind::ALWAYS
         .into_iter()
@@ -40,10 +49,17 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
             (about, kind)
         })
         .collect();
-    if !due.is_empty() {
-        let names: Vec<&str> = due.iter().map(|family| family.name()).collect();
-        let about = format!("review what is due: {}", names.join("; "));
-        kinds.push((about, CourseKind::Review(due)));
+    if let Some(review) = due.course() {
+        let (first, all) = (due.first(), due.now.len());
+        let about = match all - first.len() {
+            0 => format!("review what is due: {}", first.join("; ")),
+            _ => format!("review {} of {all} due: {}", first.len(), first.join("; ")),
+        };
+        kinds.push((about, review));
+    }
+    if !own.concepts.is_empty() {
+        let about = format!("your own questions, of {}", own.concepts.len());
+        kinds.push((about, CourseKind::Own(Arc::clone(own))));
     }
     for family in Family::ALL {
         if let Some(kind) = CourseKind::with_id(family.id()) {
@@ -53,6 +69,11 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
     let mut lines = vec!["Which round?".to_owned()];
     let each = (1..).zip(&kinds);
     lines.extend(each.map(|(number, (about, _))| format!("{number}: {}", sentence(about))));
+    let left_out = own.problems.iter();
+    lines.extend(left_out.map(|problem| {
+        let problem = verbatim(&problem.to_string());
+        format!("Left out of your own questions: {problem}.")
+    }));
     lines.push("Type its number, or the code of a round, such as mixed-7.".into());
     let asked = Asked {
         lines: &lines,
@@ -65,7 +86,7 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
         if let Some((_, kind)) = chosen {
             return Ok(Round::new(Course::new(kind.clone()), seed));
         }
-        match Code::parse(heard) {
+        match Code::parse(heard).and_then(|code| code.with_own(own).ok()) {
             Some(code) if number.is_none() => Ok(Round::of(code)),
             _ => Err(format!(
                 "Please type a number from 1 to {}, or a code such as mixed-7.",
@@ -75,24 +96,13 @@ fn choose(talk: &mut Talk, keeper: &mut Keeper, seed: u64) -> Result<Round, Leav
     })
 }
 
-/// The families that are due for this player.
-fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Vec<Family>, Leave> {
+/// What is due for this player.
+fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Due, Leave> {
     let player = keeper.player.to_owned();
-    let Done::Recalled(Ok(history)) = keeper.wish(talk, Wish::Recall(Some(player)))? else {
-        return Ok(Vec::new());
-    };
-    let Some(now_s) = history.now_s else {
-        return Ok(Vec::new());
-    };
-    let mut due: Vec<Family> = Vec::new();
-    for review in reviews(&history.attempts) {
-        if let Some(family) = Family::with_id(&review.family).filter(|_| review.is_due(now_s))
-            && !due.contains(&family)
-        {
-            due.push(family);
-        }
+    match keeper.wish(talk, Wish::Recall(Some(player)))? {
+        Done::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, history.now_s)),
+        _ => Ok(Due::default()),
     }
-    Ok(due)
 }
 
 /// Plays a round to its end.
@@ -115,7 +125,8 @@ fn play(talk: &mut Talk, keeper: &mut Keeper, round: &Round) -> Result<(), Leave
                 false => tell(talk, question, &answer),
             }
         });
-    if at_end && outcome.is_ok() {
+    // Whoever leaves an exam hears of what was answered, too.
+    if at_end && !matches!(outcome, Err(Leave::Failed(_))) {
         for (number, (question, answer)) in (1..).zip(&answered) {
             talk.say(&format!("Answer {number}. {}", question.text))?;
             tell(talk, question, answer)?;
@@ -165,8 +176,8 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
     talk.say(&format!("It is: {}", sentence(&form.words(&form.truth()))))?;
     talk.say(&explanation.text)?;
     talk.say(&format!(
-        "{:.1} of {:.0} points.",
-        grade.points() + 0.0,
+        "{} of {:.0} points.",
+        words::points(grade.points()),
         Grade::MOST
     ))
 }
@@ -179,8 +190,8 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
             .map(|(question, answer)| (*question, answer)),
     );
     talk.say(&format!(
-        "Your round: {:.1} of {:.0} points, {} of {} right.",
-        summary.points(),
+        "Your round: {} of {:.0} points, {} of {} right.",
+        words::points(summary.points()),
         summary.most(),
         summary.right(),
         summary.lines.len()
@@ -197,7 +208,7 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     }
     talk.say(&summary.advice())?;
     match round.course().kind {
-        CourseKind::Review(_) => Ok(()),
+        CourseKind::Review(_) | CourseKind::Own(_) => Ok(()),
         _ => talk.say(&format!(
             "The same round for a friend: the code {}.",
             verbatim(&round.code().to_string())

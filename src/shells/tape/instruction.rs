@@ -39,4 +39,6 @@ pub enum Setting {
     Charset(Charset),
     /// How many colours there are.
     Color(Depth),
+    /// What time it is, in seconds since 1970 began: noon of a day, UTC.
+    Day(i64),
 }

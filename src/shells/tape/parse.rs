@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::str::FromStr;
-use std::time::Duration;
+use std::time::{Duration, UNIX_EPOCH};
 
 use thiserror::Error;
 
@@ -141,7 +141,7 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
 }
 
 fn setting(arguments: &Arguments) -> Result<Setting, String> {
-    const EXPECTED: &str = "Size, Charset or Color with a value";
+    const EXPECTED: &str = "Size, Charset, Color or Day with a value";
     let [Part::Word(what), Part::Word(value)] = arguments.rest else {
         return Err(arguments.not(EXPECTED));
     };
@@ -167,8 +167,16 @@ fn setting(arguments: &Arguments) -> Result<Setting, String> {
             "truecolor" => Depth::True,
             _ => return Err(wrong("none, 16, 256 or truecolor")),
         }),
+        "Day" => Setting::Day(noon(value).ok_or_else(|| wrong("a day, such as 2026-01-05"))?),
         _ => return Err(arguments.not(EXPECTED)),
     })
+}
+
+/// Noon of a day, such as 2026-01-05, in seconds since 1970 began (UTC).
+fn noon(day: &str) -> Option<i64> {
+    let time = humantime::parse_rfc3339(&format!("{day}T12:00:00Z")).ok()?;
+    let since = time.duration_since(UNIX_EPOCH).ok()?;
+    i64::try_from(since.as_secs()).ok()
 }
 
 fn scroll(arguments: &Arguments) -> Result<Instruction, String> {

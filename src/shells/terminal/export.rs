@@ -1,29 +1,35 @@
 //! Writing what the player exports.
 
-use std::fs::OpenOptions;
-use std::io::{self, Write};
+use std::io;
+use std::path::Path;
+
+use crate::files::Draft;
 
 /// How many names are tried before giving up.
 const MOST: u32 = 1000;
 
 /// Writes a text to a file of this name in the current folder, or, where there is one
-/// already, with a number behind its name: nothing is ever overwritten. Gives the name
+/// already, with a number behind its name: nothing is ever overwritten. Gives the path
 /// of the file, or why there is none.
 pub(super) fn write(name: &str, content: &str) -> Result<String, String> {
+    write_beside(name, content)
+        .map_err(|error| error.to_string())?
+        .ok_or_else(|| format!("there are {MOST} files of this name already"))
+}
+
+/// The same; `None` where all names that are tried are taken.
+fn write_beside(name: &str, content: &str) -> io::Result<Option<String>> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "txt"));
+    let mut draft = Draft::write(Path::new("."), content)?;
     for number in 1..=MOST {
         let name = match number {
             1 => format!("{stem}.{ending}"),
             number => format!("{stem}-{number}.{ending}"),
         };
-        match OpenOptions::new().write(true).create_new(true).open(&name) {
-            Ok(mut file) => {
-                let written = file.write_all(content.as_bytes());
-                return written.map(|()| name).map_err(|error| error.to_string());
-            }
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(error.to_string()),
+        if draft.place(Path::new(&name))? {
+            let path = std::path::absolute(&name);
+            return Ok(Some(path.map_or(name, |path| path.display().to_string())));
         }
     }
-    Err(format!("there are {MOST} files of this name already"))
+    Ok(None)
 }

@@ -1,24 +1,31 @@
 //! Keeps games and answers beside the app, so that the screen never waits long for the
-//! disk; for an answer it waits until that is safe.
+//! disk.
 
-use std::io;
-use std::sync::mpsc::{self, Sender};
+use std::io::{self, Write};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::message::Message;
-use crate::messages::{Answer, Input, Request, Wish};
+use crate::files::harmless;
+use crate::messages::{Answer, Done, Input, Request, Wish};
 use crate::store::Store;
 
 /// How long the screen waits for a stroke or a vote to be saved before it shows it. Nearly all
 /// disks need a small part of this, and then none that was seen can be lost.
 const PATIENCE: Duration = Duration::from_millis(500);
+/// How long it waits for an answer: none is ever lost, for no explanation is drawn before
+/// that is safe, unless something is wrong with the disk or another program holds the
+/// database; then the player is told that it is being saved, and goes on.
+const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
 
 /// A thread that does what is asked, one thing after the other.
 pub(super) struct Keeper {
     /// Gone once nothing will be asked any more.
     jobs: Option<Sender<Job>>,
     thread: Option<JoinHandle<()>>,
+    /// Tells when that is done which was waited for in vain.
+    late: Option<Receiver<()>>,
 }
 
 /// Something to do, and whom to tell that it is done.
@@ -42,11 +49,13 @@ impl Keeper {
         Ok(Self {
             jobs: Some(jobs),
             thread: Some(thread),
+            late: None,
         })
     }
 
-    /// Asks for something to be done.
-    pub(super) fn ask(&self, request: &Request, sender: &Sender<Message>) {
+    /// Asks for something to be done. Says `true` if that takes so long that the player
+    /// should be told; what comes of it comes as an input, in time or not.
+    pub(super) fn ask(&mut self, request: &Request, sender: &Sender<Message>) -> bool {
         let (done, wait) = mpsc::channel();
         let job = Job {
             request: request.clone(),
@@ -56,20 +65,22 @@ impl Keeper {
         if !matches!(asked, Some(Ok(()))) {
             // A fault has ended the thread; its report is in crash.log.
             tell(request.refused("whoever keeps the games is gone"), sender);
-            return;
+            return false;
         }
-        // In time or not, what came of it comes as an input.
-        match request.wish {
-            Wish::Save(_) | Wish::SaveClass(_) => {
-                let _ = wait.recv_timeout(PATIENCE);
-            }
-            // Nothing answered is ever lost: no explanation is drawn before this, and
-            // the database has a limit to its own patience.
-            Wish::Record(_) => {
-                let _ = wait.recv();
-            }
-            _ => {}
+        let patience = match request.wish {
+            Wish::Save(_) | Wish::SaveClass(_) => PATIENCE,
+            Wish::Record(_) => ANSWER_PATIENCE,
+            _ => return false,
+        };
+        // Nobody waits behind what was waited for in vain already.
+        if let Some(late) = &self.late
+            && late.try_recv() == Err(TryRecvError::Empty)
+        {
+            return true;
         }
+        let in_time = wait.recv_timeout(patience) != Err(RecvTimeoutError::Timeout);
+        self.late = (!in_time).then_some(wait);
+        !in_time
     }
 }
 
@@ -77,14 +88,33 @@ impl Keeper {
 impl Drop for Keeper {
     fn drop(&mut self) {
         self.jobs = None;
-        if let Some(thread) = self.thread.take() {
-            // Should it have been ended by a fault, that has been reported.
-            let _ = thread.join();
+        let Some(thread) = self.thread.take() else {
+            return;
+        };
+        let start = Instant::now();
+        while !thread.is_finished() && start.elapsed() < ANSWER_PATIENCE {
+            thread::sleep(Duration::from_millis(1));
         }
+        if !thread.is_finished() {
+            say("saving what you did last ...");
+        }
+        // Should it have been ended by a fault, that has been reported.
+        let _ = thread.join();
     }
 }
 
 fn tell(answer: Answer, sender: &Sender<Message>) {
+    let told = sender.send(Message::Input(Input::Kept(Box::new(answer))));
     // Nobody listens any more only when carrom is leaving anyway.
-    let _ = sender.send(Message::Input(Input::Kept(Box::new(answer))));
+    if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = told
+        && let Done::Noted(Err(reason)) | Done::Saved(Err(reason)) = answer.done
+    {
+        say(&format!("what you did last could not be kept: {reason}"));
+    }
+}
+
+/// Says something when the screen is no longer ours.
+fn say(words: &str) {
+    // Standard error may be gone with its window, and then nobody is left to tell.
+    let _ = writeln!(io::stderr(), "carrom: {}", harmless(words, 400));
 }

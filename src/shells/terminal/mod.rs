@@ -74,6 +74,9 @@ type Screen = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
 /// Runs `app` in the terminal until it is left, and keeps its games in `store`. The
 /// terminal is afterwards as it was before, however the run ends.
+///
+/// # Errors
+/// If the terminal cannot be used, or no longer.
 pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     #[cfg(unix)]
@@ -199,13 +202,18 @@ impl Run {
         Write::flush(self.screen.backend_mut())
     }
 
-    fn carry_out(&self, effects: &[Effect]) -> Flow {
+    fn carry_out(&mut self, effects: &[Effect]) -> Flow {
         let mut flow = Flow::Continue(());
         for effect in effects {
             match effect {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Think(task) => thinker::start(task, &self.sender),
-                Effect::Keep(request) => self.keeper.ask(request, &self.sender),
+                Effect::Keep(request) => {
+                    if self.keeper.ask(request, &self.sender) {
+                        // It asks for nothing itself.
+                        self.app.update(&Input::Saving(request.ticket));
+                    }
+                }
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export::write(name, content));
                     // Should nobody listen any more, nobody waits for it either.

@@ -20,6 +20,9 @@ pub enum Unusable {
 
 /// Makes sure that there is a terminal to play in. `env` reads a variable of the
 /// environment.
+///
+/// # Errors
+/// Why not, with what to use instead.
 pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
     if !io::stdin().is_terminal() {
         return Err(Unusable::NoTerminal("standard input"));
@@ -62,14 +65,33 @@ pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
     }
 }
 
-/// How many colours standard output shows; none if the player wants none
-/// (`NO_COLOR`).
-pub fn depth() -> Depth {
+/// How many colours standard output shows; none if the player wants none: if `NO_COLOR`
+/// is set to anything at all, as no-color.org has it. `env` reads a variable of the
+/// environment.
+pub fn depth(env: impl Fn(&str) -> Option<String>) -> Depth {
+    match env("NO_COLOR") {
+        Some(set) if !set.is_empty() => return Depth::None,
+        // What detects colours would take it for a wish.
+        Some(_) => return depth_by_name(env),
+        None => {}
+    }
     match supports_color::on(Stream::Stdout) {
         Some(level) if level.has_16m => Depth::True,
         Some(level) if level.has_256 => Depth::Indexed256,
         Some(_) => Depth::Ansi16,
         None => Depth::None,
+    }
+}
+
+/// How many colours a terminal shows that is named as this one is.
+fn depth_by_name(env: impl Fn(&str) -> Option<String>) -> Depth {
+    let named = |name| env(name).unwrap_or_default();
+    if matches!(named("COLORTERM").as_str(), "truecolor" | "24bit") {
+        Depth::True
+    } else if named("TERM").contains("256") {
+        Depth::Indexed256
+    } else {
+        Depth::Ansi16
     }
 }
 

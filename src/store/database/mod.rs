@@ -8,7 +8,8 @@
 //! - who waits for another is patient, and tries again;
 //! - a damaged database is set aside under another name, where it can still be looked
 //!   at, and a new one takes its place;
-//! - one that a newer carrom has written is refused, and not a byte of it is changed.
+//! - one that a newer carrom has written is refused, and not a byte of it is changed;
+//! - one that cannot be changed, such as a copy on a disk for reading, can be looked up.
 //!
 //! It is not touched before it is first needed: carrom starts no slower for it.
 
@@ -16,6 +17,7 @@ mod bookmarks;
 mod schema;
 mod tables;
 mod trouble;
+mod unchanged;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -36,9 +38,9 @@ use trouble::Trouble;
 const WAIT: Duration = Duration::from_secs(2);
 /// For how long what is busy is tried again.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// The same once that has been in vain: whoever holds the database may do so for long,
-/// and nobody is to wait for it at every answer.
-const SCANT_PATIENCE: Duration = Duration::from_millis(250);
+/// The same once that was in vain: whoever does not let go for so long will not soon, and
+/// a player is not to wait for it at every answer.
+const LITTLE: Duration = Duration::from_millis(500);
 /// The file that stands for the right to use the database, or to set it aside.
 const LOCK: &str = ".progress.lock";
 
@@ -47,8 +49,8 @@ pub(super) struct Database {
     place: Place,
     /// Whether it was looked through by this process.
     checked: bool,
-    /// For how long what is busy is tried again.
-    patience: Duration,
+    /// Whether it was busy for longer than is waited.
+    was_busy: bool,
     notice: Option<String>,
 }
 
@@ -74,7 +76,7 @@ impl Database {
         Self {
             place,
             checked: false,
-            patience: PATIENCE,
+            was_busy: false,
             notice: None,
         }
     }
@@ -161,18 +163,19 @@ impl Database {
         act: impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<T, String> {
         let start = Instant::now();
+        let patience = if self.was_busy { LITTLE } else { PATIENCE };
         let mut set_aside = false;
         loop {
-            match self.try_once(behavior, &act) {
-                Ok(result) => {
-                    self.patience = PATIENCE;
-                    return Ok(result);
+            let tried = match self.try_once(behavior, &act) {
+                Err(trouble) if trouble.is_forbidden() && is_look_up(behavior) => {
+                    self.look_only(&act, trouble)
                 }
-                Err(trouble) if trouble.is_busy() => {
-                    if start.elapsed() >= self.patience {
-                        self.patience = SCANT_PATIENCE;
-                        return Err(self.told(&trouble));
-                    }
+                tried => tried,
+            };
+            self.was_busy = matches!(&tried, Err(trouble) if trouble.is_busy());
+            match tried {
+                Ok(result) => return Ok(result),
+                Err(trouble) if trouble.is_busy() && start.elapsed() < patience => {
                     thread::sleep(Duration::from_millis(10));
                 }
                 Err(trouble) if trouble.is_damage() && !set_aside => {
@@ -189,7 +192,6 @@ impl Database {
         behavior: TransactionBehavior,
         act: &impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<T, Trouble> {
-        let wait = WAIT.min(self.patience);
         let folder = match &mut self.place {
             Place::Folder(folder) => folder,
             Place::Memory(Some(connection)) => return transact(connection, behavior, act),
@@ -199,14 +201,32 @@ impl Database {
                 return transact(empty.insert(connection), behavior, act);
             }
         };
+        if let Some(found) = schema::version_in_header(&path(folder)).filter(is_newer) {
+            // Before anything is written beside it.
+            return Err(Trouble::Newer(found));
+        }
         // Nobody sets it aside meanwhile: what is done must be found again.
         let _turn = Turn::shared(folder, LOCK)?;
+        let wait = if self.was_busy { LITTLE } else { WAIT };
         let mut connection = open(folder, wait)?;
         if !self.checked {
             schema::check(&connection)?;
             self.checked = true;
         }
         transact(&mut connection, behavior, act)
+    }
+
+    /// Looks something up where nothing can be written, for that `trouble`.
+    fn look_only<T>(
+        &self,
+        look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
+        trouble: Trouble,
+    ) -> Result<T, Trouble> {
+        let Place::Folder(folder) = &self.place else {
+            return Err(trouble);
+        };
+        let mut connection = unchanged::open(folder, NAME)?;
+        transact(&mut connection, TransactionBehavior::Deferred, look)
     }
 
     /// Gives a damaged database another name.
@@ -249,6 +269,14 @@ impl Database {
     }
 }
 
+fn is_look_up(behavior: TransactionBehavior) -> bool {
+    matches!(behavior, TransactionBehavior::Deferred)
+}
+
+fn is_newer(version: &i64) -> bool {
+    *version > schema::VERSION
+}
+
 /// The name of the database.
 const NAME: &str = "progress.db";
 
@@ -263,8 +291,7 @@ fn free_name(folder: &Path) -> String {
     (1..).map(name).find(is_free).unwrap_or_else(|| name(0))
 }
 
-/// Opens the database and brings it to the present version; SQLite waits this long by
-/// itself for others.
+/// Opens the database and brings it to the present version.
 fn open(folder: &Path, wait: Duration) -> Result<Connection, Trouble> {
     let mut connection = Connection::open(path(folder))?;
     connection.busy_timeout(wait)?;

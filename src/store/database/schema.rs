@@ -3,6 +3,10 @@
 //! `user_version` says which one a file has. A step leads from each version to the
 //! next and is never changed once it was released; a change is a new step.
 
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
 use rusqlite::config::DbConfig;
 use rusqlite::{Connection, TransactionBehavior};
 
@@ -55,8 +59,20 @@ fn upgrade(connection: &mut Connection) -> Result<(), Trouble> {
     Ok(())
 }
 
-fn version(connection: &Connection) -> Result<i64, Trouble> {
+pub(super) fn version(connection: &Connection) -> Result<i64, Trouble> {
     Ok(connection.query_row("PRAGMA user_version", [], |row| row.get(0))?)
+}
+
+/// The version that the header of a file says, which is looked at as any file is: SQLite
+/// would put files of its own beside it. `None` where there is no such header. (Database
+/// File Format, section 1.3: the user version is the big-endian number at byte 60.)
+pub(super) fn version_in_header(path: &Path) -> Option<i64> {
+    let mut header = [0; 64];
+    File::open(path).ok()?.read_exact(&mut header).ok()?;
+    let (_, version) = header.split_last_chunk::<4>()?;
+    header
+        .starts_with(b"SQLite format 3\0")
+        .then(|| i32::from_be_bytes(*version).into())
 }
 
 /// Looks a database of the present version through, page by page.

@@ -65,11 +65,16 @@ fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
         answer: row.get("answer")?,
         truth: row.get("truth")?,
         error_deg: row.get("error_deg")?,
-        credit: row.get("credit")?,
+        credit: nothing_or_more(row.get("credit")?),
         right: row.get("is_right")?,
         confidence: confidence.as_deref().and_then(Confidence::with_id),
         misconception: row.get("misconception")?,
     })
+}
+
+/// A credit; in older rows that of a wrong answer is only nearly nothing.
+fn nothing_or_more(credit: f64) -> f64 {
+    if credit < 1e-12 { 0.0 } else { credit }
 }
 
 pub(super) fn upsert_star(

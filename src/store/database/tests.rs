@@ -405,22 +405,3 @@ fn a_folder_that_cannot_be_is_no_more_than_a_message() {
     let message = database.record(&attempt("Ada", 1)).unwrap_err();
     assert!(message.contains("progress.db: "), "{message}");
 }
-
-#[test]
-fn who_has_waited_in_vain_once_waits_no_longer_each_time() {
-    let scratch = Scratch::new("held");
-    let mut database = scratch.database();
-    database.record(&attempt("Ada", 1)).unwrap();
-    let other = Connection::open(scratch.path()).unwrap();
-    other.execute_batch("BEGIN IMMEDIATE").unwrap();
-    database.patience = Duration::from_millis(20);
-    assert!(database.record(&attempt("Ada", 2)).is_err());
-    assert_eq!(database.patience, SCANT_PATIENCE);
-    assert_eq!(database.attempts(None).unwrap().len(), 1);
-    database.patience = SCANT_PATIENCE;
-    assert!(database.record(&attempt("Ada", 2)).is_err());
-    other.execute_batch("ROLLBACK").unwrap();
-    database.record(&attempt("Ada", 2)).unwrap();
-    assert_eq!(database.patience, PATIENCE);
-    assert_eq!(database.attempts(None).unwrap().len(), 2);
-}

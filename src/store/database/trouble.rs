@@ -1,6 +1,6 @@
 //! What may be wrong with a database.
 
-use std::io;
+use std::io::{self, ErrorKind};
 
 use rusqlite::ErrorCode;
 use thiserror::Error;
@@ -19,6 +19,12 @@ pub(super) enum Trouble {
          {VERSION}), so it is left as it is"
     )]
     Newer(i64),
+    /// A part of it is in its log, and nothing can be written.
+    #[error(
+        "what was kept last is in {0}, which cannot be read where nothing can be written; \
+         copy the folder to where something can"
+    )]
+    InLog(String),
     /// SQLite failed.
     #[error("{0}")]
     Sqlite(#[from] rusqlite::Error),
@@ -38,6 +44,18 @@ impl Trouble {
     pub(super) fn is_damage(&self) -> bool {
         let damage = [ErrorCode::DatabaseCorrupt, ErrorCode::NotADatabase];
         matches!(self, Self::Damaged(_)) || self.code().is_some_and(|code| damage.contains(&code))
+    }
+
+    /// Whether nothing may be written where it is.
+    pub(super) fn is_forbidden(&self) -> bool {
+        let forbidden = [ErrorCode::ReadOnly, ErrorCode::CannotOpen];
+        match self {
+            Self::Folder(error) => matches!(
+                error.kind(),
+                ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem
+            ),
+            _ => self.code().is_some_and(|code| forbidden.contains(&code)),
+        }
     }
 
     fn code(&self) -> Option<ErrorCode> {

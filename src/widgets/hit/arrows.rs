@@ -9,6 +9,9 @@ use crate::widgets::ink::{Pen, Sheet};
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
 
+/// Longest arrow along n inside the discs, as a share of the way between the centres.
+const SHORT: f64 = 0.85;
+
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
 
@@ -50,6 +53,32 @@ impl Arrows {
         }
     }
 
+    /// The largest scale at which u and its parts, drawn from the striker's centre, stay
+    /// within the picture, and the part along n short of the coin's letter.
+    pub(super) fn fit_split(stage: &Stage, u: DVec2, n: DVec2) -> Self {
+        let fastest = u.length();
+        let from = stage.centres[0];
+        let along = u.dot(n) * n;
+        let room = |v: DVec2| {
+            let direction = v.try_normalize()?;
+            Some(stage.room(from, direction) * fastest / v.length())
+        };
+        let short = SHORT * stage.collision.reach() * fastest / along.length();
+        let longest = [u, along, u - along]
+            .into_iter()
+            .filter_map(room)
+            .chain([short])
+            .fold(LONGEST * stage.unit(), f64::min);
+        Self {
+            per_speed: if fastest > 0.0 {
+                longest / fastest
+            } else {
+                0.0
+            },
+            fastest,
+        }
+    }
+
     /// Whether `v` is nothing beside the other speeds.
     pub(super) fn is_still(&self, v: DVec2) -> bool {
         v.length() <= STILL * self.fastest
@@ -63,9 +92,8 @@ impl Arrows {
         v.try_normalize()
     }
 
-    /// An arrow away from the rim of a disc, and where its tip is. Once the disc has
-    /// moved on it ends at the edge of the picture; where not even its head has room
-    /// the tip is on the rim.
+    /// An arrow away from the rim of a disc, and where its tip is. It ends at the edge of
+    /// the picture; where not even its head has room the tip is on the rim.
     pub(super) fn outwards(
         &self,
         sheet: &mut Sheet,

@@ -1,6 +1,8 @@
 //! What is written into the picture: gathered while drawing, written at the end,
 //! so that every label knows what is there to keep clear of.
 
+use std::iter;
+
 use glam::DVec2;
 
 use super::arrows::Arrows;
@@ -111,11 +113,21 @@ impl Labels {
 
     /// Writes all of them.
     pub(super) fn write(self, sheet: &mut Sheet) {
+        for label in &self.waiting {
+            sheet.expect_label(label.anchor);
+        }
+        let mut left = Vec::new();
         for label in self.waiting {
-            let placed = sheet.label(&label.text, label.anchor, &label.sides, label.role);
-            if let Some((anchor, sides)) = label.spare.filter(|_| !placed) {
-                sheet.label(&label.text, anchor, &sides, label.role);
+            let mut places = iter::once((label.anchor, label.sides)).chain(label.spare);
+            let mut write = |(anchor, sides): (DVec2, [Side; 8])| {
+                sheet.label(&label.text, anchor, &sides, label.role)
+            };
+            if !places.any(&mut write) {
+                left.push(label);
             }
+        }
+        for label in left {
+            sheet.label_far(&label.text, label.anchor, &label.sides, label.role);
         }
     }
 }

@@ -12,6 +12,7 @@ mod picture;
 mod playback;
 mod setup;
 mod stage;
+mod telling;
 mod watch;
 
 pub use after::draw_after;
@@ -20,4 +21,5 @@ pub use mark::Mark;
 pub use playback::{FRAME, Playback};
 pub use setup::{Given, drag_offset, draw_aim, draw_setup, draw_setup_of, point_at};
 pub use stage::{Stage, degrees, side};
+pub use telling::Telling;
 pub use watch::{Face, Watch};

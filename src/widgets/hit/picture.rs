@@ -49,6 +49,45 @@ impl Moment<'_> {
         position - self.drift() * (time - self.contact)
     }
 
+    /// A disc where it is now. Once it has left the contact and stands, it is an outline,
+    /// so that it hides nothing of what explains its way.
+    fn disc(&self, sheet: &mut Sheet, body: usize, face: Face, now: DVec2) {
+        let radius = self.stage.radius(body);
+        let gone = now - self.stage.centres[body];
+        let has_left = self.clock.has_met() && !self.clock.at_contact();
+        match gone.try_normalize() {
+            // Its arrow runs through its middle, so the letter stands beside it, on the side
+            // further from the line of its old motion.
+            Some(way) if has_left && !self.clock.is_running() => {
+                let off = self.stage.heading().perp();
+                let away = way.perp().dot(off) * way.dot(off);
+                let beside = way.perp() * 1.0_f64.copysign(away);
+                let letter = (face.letter, now + 0.55 * radius * beside);
+                sheet.ring(now, radius, face.role, letter);
+            }
+            _ => sheet.disc(now, radius, face.role, face.letter),
+        }
+    }
+
+    /// Whether they go on as one.
+    fn sticks(&self) -> bool {
+        self.stage.collision.bond == Bond::Stick && self.outcome.hit()
+    }
+
+    /// Velocities after the contact as arrows show them, at a time of the shot. A pair
+    /// that sticks shows that of its centre of mass; seen from there, how its discs go
+    /// round.
+    fn after(&self, time: f64) -> [DVec2; 2] {
+        let shared = [self.outcome.v1, self.outcome.v2];
+        if self.sticks() && self.frame == Frame::CentreOfMass {
+            let turned = -self.outcome.spin * (time - self.contact).max(0.0);
+            let turned = DVec2::from_angle(turned);
+            let centres = self.stage.collision.centres_after();
+            return [0, 1].map(|body| turned.rotate(centres[body] - shared[body]));
+        }
+        shared.map(|v| v - self.drift())
+    }
+
     /// A pen for the geometry of the contact: over the discs while they are there,
     /// behind them once they have left.
     fn pen(&self, role: Role) -> Pen {
@@ -63,6 +102,11 @@ impl Moment<'_> {
         self.layers.shows(layer)
     }
 
+    /// Whether the picture is of the split of u alone, with all its room for that.
+    fn is_split_alone(&self) -> bool {
+        self.shows(Layer::Split) && !self.shows(Layer::Velocities)
+    }
+
     /// Draws it.
     pub(super) fn draw(&self, buf: &mut Buffer, look: &Look) {
         let mut sheet = Sheet::new(self.stage.view, look.charset);
@@ -74,15 +118,16 @@ impl Moment<'_> {
             self.trails(&mut sheet, time);
         }
         for (body, face) in self.faces.into_iter().enumerate() {
-            sheet.disc(now[body], self.stage.radius(body), face.role, face.letter);
+            self.disc(&mut sheet, body, face, now[body]);
         }
         let collision = &self.stage.collision;
         let before = [collision.u1 - self.drift(), collision.u2 - self.drift()];
-        let after = [
-            self.outcome.v1 - self.drift(),
-            self.outcome.v2 - self.drift(),
-        ];
-        let arrows = Arrows::fit(&self.stage, before, after);
+        let after = self.after(time);
+        let normal = self.outcome.normal.filter(|_| self.is_split_alone());
+        let arrows = match normal {
+            Some(n) => Arrows::fit_split(&self.stage, before[0], n),
+            None => Arrows::fit(&self.stage, before, after),
+        };
         let beats = self.clock.beats();
         if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
             if beats >= 1 && self.shows(Layer::Lines) {
@@ -111,11 +156,13 @@ impl Moment<'_> {
             if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {
                 self.prediction(&mut sheet, &mut labels);
             }
+            if self.shows(Layer::Velocities) {
+                let turns = self.sticks() && self.frame == Frame::CentreOfMass;
+                let at = if turns { now } else { self.stage.centres };
+                self.outgoing(&mut sheet, &mut labels, &arrows, after, at);
+            }
             if self.shows(Layer::Angles) && self.outcome.hit() {
                 self.angles(&mut sheet, &mut labels, after);
-            }
-            if self.shows(Layer::Velocities) {
-                self.outgoing(&mut sheet, &mut labels, &arrows, after, now);
             }
             // From the centre of mass the triangle is none: the two cancel.
             let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
@@ -141,11 +188,7 @@ impl Moment<'_> {
             }
             let fresh = Pen::new(Role::Trail);
             // A pair that sticks turns, so its trail is a curve.
-            let pieces = if self.stage.collision.bond == Bond::Stick {
-                48
-            } else {
-                1
-            };
+            let pieces = if self.sticks() { 48 } else { 1 };
             let point = |i: usize| {
                 let share = i as f64 / f64::from(pieces);
                 self.place(body, self.contact + share * (time - self.contact))
@@ -163,7 +206,17 @@ impl Moment<'_> {
             self.stage.centres[0] - 1.5 * unit * n,
             self.stage.centres[1] + 1.5 * unit * n,
         ];
-        sheet.line(ends[0], ends[1], self.pen(Role::LineOfImpact).dashed());
+        let pen = self.pen(Role::LineOfImpact).dashed();
+        if self.is_split_alone() {
+            // Within the discs there are arrows to be read.
+            for (body, end) in ends.into_iter().enumerate() {
+                let centre = self.stage.centres[body];
+                let rim = centre + self.stage.radius(body) * (end - centre).normalize_or_zero();
+                sheet.line(rim, end, pen);
+            }
+        } else {
+            sheet.line(ends[0], ends[1], pen);
+        }
         let top = 1.7 * unit * t;
         sheet.line(-top, top, self.pen(Role::TangentLine).dotted());
         labels.add("n", ends[0], Side::towards(-n), Role::LineOfImpact);
@@ -198,10 +251,10 @@ impl Moment<'_> {
         labels: &mut Labels,
         arrows: &Arrows,
         after: [DVec2; 2],
-        now: [DVec2; 2],
+        at: [DVec2; 2],
     ) {
-        if self.stage.collision.bond == Bond::Stick && self.outcome.hit() {
-            return self.common_velocity(sheet, labels, arrows, after[0], now);
+        if self.sticks() && self.frame != Frame::CentreOfMass {
+            return self.common_velocity(sheet, labels, arrows, after[0], at);
         }
         // As chapter 11 names them.
         let names = match self.frame {
@@ -211,8 +264,8 @@ impl Moment<'_> {
         let bodies = names.into_iter().zip([Role::StrikerOut, Role::CoinOut]);
         for (body, (name, role)) in bodies.enumerate() {
             let radius = self.stage.radius(body);
-            let tip = arrows.outwards(sheet, &self.stage, now[body], radius, after[body], role);
-            labels.outgoing(name, tip, now[body], radius, after[body], role);
+            let tip = arrows.outwards(sheet, &self.stage, at[body], radius, after[body], role);
+            labels.outgoing(name, tip, at[body], radius, after[body], role);
         }
     }
 
@@ -223,14 +276,14 @@ impl Moment<'_> {
         labels: &mut Labels,
         arrows: &Arrows,
         velocity: DVec2,
-        now: [DVec2; 2],
+        at: [DVec2; 2],
     ) {
         if arrows.is_still(velocity) {
             return;
         }
         let collision = &self.stage.collision;
         let (m1, m2) = (collision.striker.mass, collision.target.mass);
-        let centre = (m1 * now[0] + m2 * now[1]) / (m1 + m2);
+        let centre = (m1 * at[0] + m2 * at[1]) / (m1 + m2);
         let role = Role::StrikerOut;
         let tip = arrows.outwards(sheet, &self.stage, centre, 0.0, velocity, role);
         labels.outgoing("V", tip, centre, self.stage.unit(), velocity, role);

@@ -126,15 +126,12 @@ fn before(stage: &Stage) -> (DVec2, DVec2) {
     if speed > 0.0 {
         let time = 1.35 * stage.unit() / speed;
         let collision = &stage.collision;
-        // Where both move, the faster has a longer way in the same time.
+        // Neither may begin outside the picture.
         let whole = |body: usize, v: DVec2| {
             let room = stage.room(stage.centres[body], -v.normalize_or_zero());
             (room - stage.radius(body)).max(0.0) / v.length()
         };
-        let time = match collision.u2 == DVec2::ZERO {
-            true => time,
-            false => time.min(whole(0, collision.u1)).min(whole(1, collision.u2)),
-        };
+        let time = time.min(whole(0, collision.u1)).min(whole(1, collision.u2));
         collision.positions_before(time)
     } else {
         (stage.centres[0], stage.centres[1])

@@ -10,6 +10,12 @@ use crate::widgets::ink::View;
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
 
+/// The same in a low picture, where the discs would else be too small to be round.
+const LOW_HALF_HEIGHT: f64 = 2.9;
+
+/// Share of the picture's half height that is sure to be seen.
+const IN_SIGHT: f64 = 0.92;
+
 /// Rows below which a picture is low.
 const LOW: u16 = 12;
 
@@ -29,7 +35,11 @@ impl Stage {
     pub fn new(area: Rect, collision: &Collision) -> Self {
         let (c1, c2) = collision.placed_at_contact();
         let largest = collision.striker.radius.max(collision.target.radius);
-        let half = HALF_HEIGHT * largest;
+        let half = if area.height < LOW {
+            LOW_HALF_HEIGHT * largest
+        } else {
+            HALF_HEIGHT * largest
+        };
         let columns = f64::from(area.width.min(area.height.saturating_mul(2)).max(1));
         Self {
             view: View::new(area, DVec2::ZERO, 2.0 * half / columns),
@@ -98,6 +108,31 @@ impl Stage {
     }
 }
 
+/// The time after the contact for which both discs are wholly in the picture of a hit, as
+/// seen from the board and from the centre of mass.
+pub(super) fn time_in_sight(collision: &Collision) -> f64 {
+    let largest = collision.striker.radius.max(collision.target.radius);
+    let (c1, c2) = collision.placed_at_contact();
+    let outcome = collision.outcome();
+    let bodies = [
+        (c1, collision.striker.radius, outcome.v1),
+        (c2, collision.target.radius, outcome.v2),
+    ];
+    let seen_from = [DVec2::ZERO, collision.centre_of_mass_velocity()];
+    let time = |(centre, radius, v): (DVec2, f64, DVec2)| {
+        let inside = (IN_SIGHT * HALF_HEIGHT * largest - radius).max(0.0);
+        let along = |from: f64, speed: f64| match speed.abs() > 0.0 {
+            true => (inside - from * speed.signum()).max(0.0) / speed.abs(),
+            false => f64::INFINITY,
+        };
+        along(centre.x, v.x).min(along(centre.y, v.y))
+    };
+    seen_from
+        .into_iter()
+        .flat_map(|drift| bodies.map(|(centre, radius, v)| time((centre, radius, v - drift))))
+        .fold(f64::INFINITY, f64::min)
+}
+
 /// +1 where the coin lies to the right of the striker's way, −1 where to the left;
 /// a player's angles count from the coin's side.
 pub fn side(collision: &Collision) -> f64 {
@@ -119,4 +154,45 @@ pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
         let angle = rays.get(ray)?;
         Some(side(collision) * angle.to_degrees() + 0.0)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::Disc;
+
+    /// Whatever the masses and angles: both discs are whole as long as they are followed,
+    /// from the board and from the centre of mass, and in one of the two one of them comes
+    /// to the edge.
+    #[test]
+    fn discs_are_followed_as_long_as_they_are_whole_in_the_picture() {
+        let disc = |mass, radius| Disc { mass, radius };
+        for alpha_deg in [-70.0_f64, 0.0, 30.0, 60.0, 85.0] {
+            for (m2, r2) in [(0.0055, 0.016), (0.015, 0.02), (0.04, 0.02)] {
+                let (striker, target) = (disc(0.015, 0.02), disc(m2, r2));
+                let alpha = alpha_deg.to_radians();
+                let collision = Collision::at_angle(striker, target, DVec2::X * 4.0, alpha);
+                let (c1, c2) = collision.placed_at_contact();
+                let outcome = collision.outcome();
+                let time = time_in_sight(&collision);
+                let edge = |(centre, radius, v): (DVec2, f64, DVec2)| {
+                    (centre + time * v).abs().max_element() + radius
+                };
+                let farthest = [DVec2::ZERO, collision.centre_of_mass_velocity()]
+                    .into_iter()
+                    .flat_map(|drift| {
+                        [
+                            edge((c1, striker.radius, outcome.v1 - drift)),
+                            edge((c2, target.radius, outcome.v2 - drift)),
+                        ]
+                    })
+                    .fold(0.0, f64::max);
+                let expected = IN_SIGHT * HALF_HEIGHT * 0.02;
+                assert!(
+                    (farthest - expected).abs() < 1e-12,
+                    "{alpha_deg} {m2}: {farthest}"
+                );
+            }
+        }
+    }
 }

@@ -10,9 +10,9 @@ use super::layers::{Layer, Layers};
 use super::mark::Mark;
 use super::picture::Moment;
 use super::playback::{FRAME, Playback};
-use super::stage::Stage;
+use super::stage::{Stage, time_in_sight};
 use crate::messages::Key;
-use crate::physics::{Collision, Frame, Outcome, Shot};
+use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
 use crate::widgets::{Look, Role};
 
@@ -135,11 +135,23 @@ impl Watch {
         self.clock.beats() == super::playback::BEATS
     }
 
+    /// What the picture shows, and how: its title.
+    pub fn title(&self) -> String {
+        match self.frame() {
+            Frame::Laboratory => format!("the hit, slowed {:.0}×", self.clock.slowed()),
+            Frame::CentreOfMass => "seen from the centre of mass".into(),
+            Frame::Target => "seen riding with the target".into(),
+        }
+    }
+
     /// What the picture is just showing, before it is told what happened.
     pub fn telling(&self) -> &'static str {
         match self.clock.beats() {
             1 => {
                 "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
+            }
+            2 if self.collision.bond == Bond::Stick => {
+                "So split u into uₙ along n and uₜ along t. Rims that stick pull along t as well, so here both take part in the hit."
             }
             2 => "So split u: uₙ along n takes part in the hit, uₜ along t does not notice it.",
             _ => "Watch the contact …",
@@ -210,7 +222,7 @@ impl Watch {
 }
 
 /// When the discs meet and until when they are followed, in the shot's seconds: so
-/// that they come from the picture's edge and go to it, whatever their speeds.
+/// that they come from the picture's edge and go up to it, whatever their speeds.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
@@ -221,7 +233,7 @@ fn times(collision: &Collision) -> (f64, f64) {
         .max(relative);
     let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
     if lead.is_finite() && lead > 0.0 {
-        (lead, 2.1 * lead)
+        (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {
         // They move alike, or not at all: nothing ever happens.
         (1.0, 2.0)

@@ -89,6 +89,7 @@ impl Sheet {
                 role: pen.role,
                 layer: pen.layer,
                 upon: false,
+                reversed: false,
             });
         }
     }

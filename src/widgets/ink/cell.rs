@@ -31,6 +31,8 @@ pub(super) struct Glyph {
     pub(super) layer: Layer,
     /// Written upon a disc of this role rather than in its colour.
     pub(super) upon: bool,
+    /// Paper and ink change places.
+    pub(super) reversed: bool,
 }
 
 impl Cell {

@@ -1,4 +1,4 @@
-//! Discs: filled, or a rim with a letter, or a token where they are small.
+//! One disc: filled, or a rim with a letter, or a token where it is small.
 
 use glam::{DVec2, dvec2};
 
@@ -11,7 +11,7 @@ use crate::widgets::{Charset, Role};
 
 /// A disc less than this many rows high is drawn as a token: blocks are finer
 /// than letters, so they stay round for longer.
-const fn token_rows(charset: Charset) -> f64 {
+pub(super) const fn token_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => 3.0,
         Charset::Unicode => 1.7,
@@ -29,11 +29,17 @@ impl Sheet {
         if radius.is_nan() || radius <= 0.0 {
             return;
         }
-        let mut place = self.paper(centre);
         if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
+            let place = self.paper(centre);
             self.stamp(place, token(role, self.charset), role, false);
-            return;
+        } else {
+            self.round(centre, radius, role, letter);
         }
+    }
+
+    /// A disc in its own shape, however small it is.
+    pub(super) fn round(&mut self, centre: DVec2, radius: f64, role: Role, letter: char) {
+        let mut place = self.paper(centre);
         let reach = radius / self.view().per_column();
         if reach < SMALL {
             // On halves of cells it is as round to the left as to the right; a
@@ -53,6 +59,18 @@ impl Sheet {
             let letter = letter.to_string();
             self.stamp(place, &self.charset.text(&letter), role, true);
         }
+    }
+
+    /// A disc as an outline that hides nothing, with its letter at `mark`: where it has
+    /// come to among things that are to be seen.
+    pub fn ring(&mut self, centre: DVec2, radius: f64, role: Role, letter: (char, DVec2)) {
+        if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
+            return self.disc(centre, radius, role, letter.0);
+        }
+        self.circle(centre, radius, Pen::new(role).on(Layer::Disc));
+        let place = self.paper(letter.1);
+        let upon = self.charset == Charset::Ascii;
+        self.stamp(place, &self.charset.text(&letter.0.to_string()), role, upon);
     }
 
     /// Covers the cells under a disc, span by span; all measures on paper.
@@ -89,8 +107,9 @@ impl Sheet {
         }
     }
 
-    /// Writes a token or a letter centred on a point on paper.
-    fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
+    /// Writes a token or a letter centred on a point on paper. No arrow's head ever
+    /// takes the place of a token: without it the disc would be gone.
+    pub(super) fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
         let width = text.chars().count() as f64;
         let mut at = dvec2(
             centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor(),
@@ -101,8 +120,9 @@ impl Sheet {
                 cell.glyph = Some(Glyph {
                     symbol,
                     role,
-                    layer: Layer::Disc,
+                    layer: if upon { Layer::Disc } else { Layer::Mark },
                     upon,
+                    reversed: false,
                 });
                 cell.reserved = true;
             }

@@ -27,6 +27,7 @@
 
 mod arrow;
 mod cell;
+mod crowd;
 mod disc;
 mod glyphs;
 mod label;
@@ -37,6 +38,7 @@ mod stroke;
 mod tests;
 mod view;
 
+pub use crowd::Body;
 pub use disc::token;
 pub use label::Side;
 pub use pen::{Dash, Layer, Pen};

@@ -28,6 +28,8 @@ pub struct Sheet {
     pub(super) charset: Charset,
     pub(super) cells: Vec<Cell>,
     pub(super) labels: Vec<Label>,
+    /// What labels are still to be written for, in cells from the corner of the area.
+    pub(super) expected: Vec<(i32, i32)>,
     stroke: Stroke,
 }
 
@@ -44,6 +46,7 @@ impl Sheet {
             charset,
             cells: vec![Cell::EMPTY; size.0 * size.1],
             labels: Vec::new(),
+            expected: Vec::new(),
             stroke: Stroke::new(grid(charset), size),
         }
     }
@@ -178,6 +181,11 @@ impl Sheet {
                 theme.on(glyph.role)
             } else {
                 theme.style(glyph.role)
+            };
+            let style = if glyph.reversed {
+                style.add_modifier(Modifier::REVERSED)
+            } else {
+                style
             };
             return (glyph.symbol, style);
         }

@@ -46,6 +46,18 @@ impl View {
         Self::new(area, (corner + opposite) / 2.0, scale)
     }
 
+    /// The same view, moved by half a cell at most so that `world` is in the middle of
+    /// a cell: what is small and stands there stands exactly.
+    #[must_use]
+    pub fn with_in_a_middle(self, world: DVec2) -> Self {
+        let cell = self.to_cell(world);
+        let shift = cell.floor() + DVec2::splat(0.5) - cell;
+        Self {
+            middle: self.middle + shift,
+            ..self
+        }
+    }
+
     /// A view that gives each axis its own scale, as a plot wants: the corners of
     /// the world's rectangle fall in the middles of the area's corner cells.
     #[must_use]
@@ -169,6 +181,18 @@ mod tests {
                 assert!(cell.y < f64::from(area.height) + 1e-9, "{cell}");
             }
             assert!((view.per_row() - 2.0 * view.per_column()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_point_is_put_into_the_middle_of_its_cell() {
+        let view = View::fit(AREAS[0], dvec2(-0.3, 0.5), dvec2(0.7, -0.1));
+        for at in [dvec2(0.0, 0.0), dvec2(0.123, 0.345), dvec2(-0.29, 0.49)] {
+            let moved = view.with_in_a_middle(at);
+            assert!(((moved.to_cell(at) - DVec2::splat(0.5)).fract()).length() < 1e-9);
+            let shift = moved.to_cell(at) - view.to_cell(at);
+            assert!(shift.abs().max_element() <= 0.5 + 1e-12, "{shift}");
+            assert_eq!(moved.per_row(), view.per_row());
         }
     }
 

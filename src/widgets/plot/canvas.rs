@@ -91,6 +91,13 @@ impl Plot {
         })
     }
 
+    /// The least value of y whose mark is clear of the x axis.
+    #[must_use]
+    pub fn least_clear(&self) -> f64 {
+        let (low, _) = self.axes[1].ends();
+        self.axes[1].value(low + self.sheet.view().per_row())
+    }
+
     /// Where values lie on the sheet.
     fn place(&self, at: DVec2) -> Option<DVec2> {
         Some(dvec2(self.axes[0].place(at.x)?, self.axes[1].place(at.y)?))

@@ -214,8 +214,10 @@ impl Role {
         match self {
             R::Background => Color::White,
             R::Text | R::Title | R::Contact | R::Incoming | R::Aim | R::Black => Color::Black,
-            R::Dim | R::LineOfImpact | R::Arc | R::Trail | R::Axis | R::Pocket => Color::DarkGray,
-            R::Border | R::BoardLine | R::TangentLine => Color::Gray,
+            R::Dim | R::LineOfImpact | R::TangentLine | R::Arc | R::Trail | R::Axis | R::Pocket => {
+                Color::DarkGray
+            }
+            R::Border | R::BoardLine => Color::Gray,
             R::Key | R::Selected | R::Striker | R::StrikerOut => Color::Blue,
             R::Good | R::NormalPart | R::SquareCorner | R::Marble => Color::Green,
             R::TangentPart => Color::Cyan,

@@ -96,9 +96,7 @@ impl Screen for Contents {
         if !cx.book.is_known() {
             return String::new();
         }
-        let chapters = &cx.book.library().chapters;
-        let done = chapters.iter().filter(|chapter| cx.book.is_done(chapter));
-        format!("{} of {} chapters done", done.count(), chapters.len())
+        format!("{} chapters done", cx.book.done())
     }
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
@@ -140,12 +138,14 @@ impl Screen for Contents {
             keys.extend([
                 Hint::new("Up Down", "choose"),
                 Hint::new("Enter", "read"),
+                Hint::new("Esc", "back"),
                 Hint::new("n", "next"),
                 Hint::new("R", "reset"),
                 Hint::new("A", "reset all"),
             ]);
+        } else {
+            keys.push(Hint::new("Esc", "back"));
         }
-        keys.push(Hint::new("Esc", "back"));
         keys
     }
 

@@ -159,10 +159,6 @@ fn about_chapter(book: &Book, chapter: &Chapter, lines: &mut Lines) {
 /// How far one has come, and what to try on the board.
 fn summary(book: &Book, lines: &mut Lines) {
     let chapters = &book.library().chapters;
-    let done = chapters
-        .iter()
-        .filter(|chapter| book.is_done(chapter))
-        .count();
     let marks = || {
         let chapters = chapters.iter();
         chapters.filter_map(|chapter| Some((book.mark(&chapter.id)?, chapter)))
@@ -170,12 +166,7 @@ fn summary(book: &Book, lines: &mut Lines) {
     let asked: usize = chapters.iter().map(Chapter::checkpoints).sum();
     let answered: usize = marks().map(|(mark, of)| mark.answered(of)).sum();
     let right: usize = marks().map(|(mark, of)| mark.right(of)).sum();
-    lines.pair(
-        "chapters done",
-        &format!("{done} of {}", chapters.len()),
-        Role::Dim,
-        Role::Text,
-    );
+    lines.pair("chapters done", &book.done(), Role::Dim, Role::Text);
     lines.pair(
         "answered",
         &format!("{answered} of {asked}"),

@@ -61,7 +61,7 @@ pub(super) fn alpha_at(shown: &Shown, area: Rect, look: &Look, cell: (u16, u16))
 /// The room for the plot and that for the hit.
 fn rooms(area: Rect) -> (Rect, Rect) {
     let plot = Rect {
-        height: (area.height * 3).div_ceil(5),
+        height: area.height * 11 / 20,
         ..area
     };
     let hit = Rect {

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::messages::Key;
 use crate::physics::frames::cm_scattering_angle;
-use crate::physics::{Collision, Frame};
+use crate::physics::{Bond, Collision, Frame};
 use crate::widgets::hit::{Layer, Layers, Watch};
 use crate::widgets::{Lines, Look, Role};
 
@@ -70,8 +70,10 @@ fn told(collision: &Collision) -> [String; 2] {
     let angle = collision
         .alpha()
         .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
-    let turn = angle.map_or("Θ: none".into(), |angle| {
-        format!("Θ = {:.1}°", angle.to_degrees().abs())
-    });
+    let turn = match (angle, collision.bond) {
+        (Some(_), Bond::Stick) => "they stick".into(),
+        (Some(angle), Bond::Slip) => format!("Θ = {:.1}°", angle.to_degrees().abs()),
+        (None, _) => "Θ: none".into(),
+    };
     [format!("V = {speed:.2} m/s"), turn]
 }

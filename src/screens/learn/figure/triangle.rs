@@ -119,7 +119,7 @@ pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: 
         let columns = length / sheet.view().per_column();
         let roomy = columns > text::width(&text) as f64 + 2.0;
         let (share, sides) = match step {
-            2 if roomy => (0.5, [Side::Above, Side::Below].to_vec()),
+            2 if roomy => (0.5, vec![Side::Over, Side::Above, Side::Below]),
             2 => (1.0, Side::towards(outwards).to_vec()),
             _ => (0.0, Side::towards(outwards).to_vec()),
         };

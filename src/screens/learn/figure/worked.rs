@@ -78,7 +78,7 @@ pub(super) fn draw(
         // What goes on with the line before is set in below it.
         match line.strip_prefix("  ") {
             Some(on) => lines.hanging("  ", on.trim_start(), Role::Text),
-            None => lines.paragraph(&line, Role::Text),
+            None => lines.set_in(&line, 4, Role::Text),
         }
     }
 }

@@ -187,7 +187,10 @@ impl Reading {
             && let Some(question) = &mut self.question
         {
             match question.update(key) {
-                Said::Part => return Next::Stay,
+                Said::Part => {
+                    self.show_answer(cx);
+                    return Next::Stay;
+                }
                 Said::Answer(answer) => {
                     self.answered(answer, cx);
                     return Next::Stay;
@@ -350,6 +353,16 @@ impl Reading {
         moved
     }
 
+    /// Scrolls the answer in the making into sight.
+    fn show_answer(&mut self, cx: &Context) {
+        let (area, look) = (view::layout(self, cx.body).panel, cx.settings.look());
+        if let Some(row) = panel::row_of_answer(self, area, look) {
+            let mut scroll = self.scroll;
+            scroll.show(row, area, look, |lines| panel::write(self, lines));
+            self.scroll = scroll;
+        }
+    }
+
     /// Rows that the text takes, and rows there are for it.
     pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
         let area = view::layout(self, cx.body).panel;
@@ -424,10 +437,7 @@ impl Screen for Reading {
             Input::Mouse(_) if self.forgetting => Next::Stay,
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Exported(exported) => {
-                self.notice = Some(match exported {
-                    Ok(place) => format!("The figure is in {place}"),
-                    Err(reason) => format!("The figure could not be written: {reason}"),
-                });
+                cx.tell_of_export("figure", exported);
                 Next::Stay
             }
             _ => Next::Ignored,
@@ -459,23 +469,32 @@ impl Screen for Reading {
                 Hint::new("any other key", "leave it"),
             ];
         }
+        // What is needed comes first: where there is no room for all, the rest gives way.
+        let leave = Hint::new("Esc", "contents");
         let mut keys = Vec::new();
         if self.is_asking() && !self.on_figure {
             keys.extend(match &self.question {
                 Some(Question::Rays(_)) => vec![
+                    Hint::new("Enter", "next, then watch"),
                     Hint::new("arrows", "turn"),
+                    leave,
                     Hint::new("0-9", "type"),
                     Hint::new("x", "stays still"),
-                    Hint::new("Enter", "next, then watch"),
                 ],
-                Some(Question::Number(_)) => {
-                    vec![Hint::new("0-9", "type"), Hint::new("Enter", "say it")]
-                }
-                _ => vec![Hint::new("Up Down", "choose"), Hint::new("Enter", "say it")],
+                Some(Question::Number(_)) => vec![
+                    Hint::new("0-9", "type"),
+                    Hint::new("Enter", "say it"),
+                    leave,
+                ],
+                _ => vec![
+                    Hint::new("Up Down", "choose"),
+                    Hint::new("Enter", "say it"),
+                    leave,
+                ],
             });
             keys.push(Hint::new("n", "skip"));
         } else {
-            keys.push(Hint::new("Enter", "next page"));
+            keys.extend([Hint::new("Enter", "next page"), leave]);
             let figure = self.figure.iter().flat_map(Shown::keys);
             keys.extend(figure.map(|(key, does)| Hint::new(key, does)));
         }
@@ -491,7 +510,6 @@ impl Screen for Reading {
             });
             keys.push(Hint::new("e", "export"));
         }
-        keys.push(Hint::new("Esc", "contents"));
         keys
     }
 

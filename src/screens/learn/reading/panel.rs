@@ -39,6 +39,17 @@ pub(super) fn choice_at(
     (!is_last).then_some(line.0)
 }
 
+/// The last row of the line of the answer in the making that keys change.
+pub(super) fn row_of_answer(reading: &Reading, area: Rect, look: Look) -> Option<u16> {
+    let mut scratch = Buffer::empty(area);
+    let mut lines = Lines::new(area, &mut scratch, look);
+    let mut starts = Vec::new();
+    write_noting(reading, &mut lines, |_, row| starts.push(row));
+    let line = reading.question.as_ref()?.line();
+    let after = starts.get(line + 1).map(|next| next.saturating_sub(1));
+    after.or_else(|| starts.get(line).copied())
+}
+
 fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u16)) {
     let Some(page) = reading.page() else {
         return;
@@ -68,6 +79,28 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
     {
         return lines.paragraph(watch.telling(), Role::Text);
     }
+    let told = |lines: &mut Lines| told(reading, checkpoint, answer, lines);
+    // What was read stays above it, if there is room for both.
+    let asked_above = matches!(answer, Answer::Rays(_));
+    let read = |lines: &mut Lines| {
+        prose::write_dimmed(&page.text, lines, collision);
+        if asked_above {
+            lines.gap();
+            prose::write_dimmed(&checkpoint.question, lines, collision);
+        }
+    };
+    let mut spare = lines.spare(lines.rows_by(told));
+    if spare.take(lines.rows_by(read) + 1) {
+        read(lines);
+        lines.gap();
+    }
+    told(lines);
+}
+
+/// What is said to an answer.
+fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Answer, lines: &mut Lines) {
+    let collision = reading.figure.as_ref().map(Shown::collision);
+    let watch = reading.figure.as_ref().and_then(Shown::watch);
     match (&answer, &checkpoint.asked) {
         (Answer::Rays(rays), _) => {
             if let (Some(watch), Some(figure)) = (watch, &reading.figure) {

@@ -2,7 +2,7 @@
 
 use crate::levels::{Level, Verdict, Win, judge};
 use crate::messages::Key;
-use crate::physics::Shot;
+use crate::physics::{Event, EventKind, Shot};
 use crate::quiz::{Ray, RayGrade, Rays};
 use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
@@ -61,6 +61,20 @@ pub(super) struct Zoom {
     pub(super) watch: Watch,
 }
 
+/// The clock of a shot. Where nothing counts but the first hit it goes to the first
+/// cushion only, and slowly: what is seen is small and near.
+fn clock(level: &Level, shot: &Shot, reduced: bool) -> Clock {
+    if !level.is_of_the_first_hit() {
+        return Clock::new(shot.duration(), reduced);
+    }
+    let cushion = |event: &&Event| matches!(event.kind, EventKind::Cushion { .. });
+    let first = shot.events().iter().find(cushion);
+    let mut clock = Clock::new(first.map_or(shot.duration(), |event| event.time), reduced);
+    clock.change_rate(false);
+    clock.change_rate(false);
+    clock
+}
+
 /// A shot that was made.
 #[derive(Debug, Clone)]
 pub(super) struct Attempt {
@@ -94,7 +108,7 @@ impl Attempt {
             shots: number,
             said_right: to_say.then(|| right().unwrap_or(false)),
         };
-        let clock = Clock::new(shot.duration(), reduced);
+        let clock = clock(level, &shot, reduced);
         Self {
             win: verdict.won().then_some(win),
             verdict,

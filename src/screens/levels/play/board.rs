@@ -5,21 +5,61 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::attempt::Attempt;
-use crate::levels::{Level, Scene};
+use crate::levels::{Dial, Level, Scene};
+use crate::physics::units::m_from_mm;
 use crate::physics::{EventKind, Shot, State};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
-use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::ink::{Body, Layer, Pen, Sheet, Side, View};
 use crate::widgets::{Look, Role, board};
 
 /// Length of the arrow of the shot, in metres for each m/s.
 const ARROW: f64 = 0.03;
 /// Length of a ray that was said, in metres.
 const RAY: f64 = 0.14;
+/// The same where the picture is of the discs alone.
+const NEAR_RAY: f64 = 0.055;
 
-/// Where the board of a level is on the screen.
+/// Room round the discs where only the first hit counts, in metres: to see them leave.
+const MARGIN: f64 = 0.02;
+
+/// Where the board of a level is on the screen: the whole of it, or the discs alone and
+/// larger where nothing counts but their first hit.
 pub(super) fn view(level: &Level, area: Rect) -> View {
-    board::view(board::square(area), &level.scene.board)
+    let scene = &level.scene;
+    if !level.is_of_the_first_hit() {
+        return board::view(board::square(area), &scene.board);
+    }
+    let mut corners = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let mut take_in = |at: DVec2, room: f64| {
+        corners[0] = corners[0].min(at - DVec2::splat(room));
+        corners[1] = corners[1].max(at + DVec2::splat(room));
+    };
+    for (number, piece) in scene.pieces.iter().enumerate() {
+        if number == scene.stroke.disc {
+            let places = level.adjust.range(Dial::Place);
+            let ends = places.map_or([piece.at.x; 2], |range| {
+                [m_from_mm(range.from), m_from_mm(range.to)]
+            });
+            for x in ends {
+                take_in(DVec2::new(x, piece.at.y), piece.disc.radius);
+            }
+        } else {
+            // The striker may come to touch it from any side.
+            let striker = scene.pieces.get(scene.stroke.disc);
+            let beside = 2.0 * striker.map_or(0.0, |striker| striker.disc.radius);
+            take_in(piece.at, piece.disc.radius + beside + MARGIN);
+        }
+    }
+    let view = View::fit(area, corners[0], corners[1]);
+    let others = scene.pieces.iter().enumerate();
+    match others
+        .into_iter()
+        .find(|(disc, _)| *disc != scene.stroke.disc)
+    {
+        Some((_, target)) => view.with_in_a_middle(target.at),
+        None => view,
+    }
 }
 
 /// The empty board with the circles of the goals.
@@ -28,7 +68,9 @@ fn sheet(level: &Level, area: Rect, look: &Look) -> Sheet {
     let mut sheet = Sheet::new(view, look.charset);
     let board = &level.scene.board;
     board::ground(&mut sheet, board);
-    if view.area() != area {
+    // A board with pockets that fills the picture is plain to see; of any other the
+    // cushions are drawn, for discs turn back there.
+    if view.area() != area || board.pocket_diameter <= 0.0 {
         let half = DVec2::splat(0.5 * board.side);
         sheet.rectangle(-half, half, Role::BoardLine);
     }
@@ -67,12 +109,18 @@ fn labels(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
 }
 
 fn discs(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
-    for (disc, at) in discs {
-        if let Some(piece) = level.scene.pieces.get(*disc) {
-            let face = face(piece.kind);
-            sheet.disc(*at, piece.disc.radius, face.role, face.letter);
-        }
-    }
+    let body = |&(disc, at): &(usize, DVec2)| {
+        let piece = level.scene.pieces.get(disc)?;
+        let face = face(piece.kind);
+        Some(Body {
+            at,
+            radius: piece.disc.radius,
+            role: face.role,
+            letter: face.letter,
+            pointed_out: false,
+        })
+    };
+    sheet.discs(&discs.iter().filter_map(body).collect::<Vec<_>>());
 }
 
 /// The board with the shot as it is aimed, up to the first thing it meets.
@@ -90,7 +138,7 @@ pub(super) fn draw_aim(level: &Level, scene: &Scene, area: Rect, buf: &mut Buffe
         {
             sheet.line(piece.at, end, Pen::new(Role::Aim).dotted());
             if touches {
-                ghost(&mut sheet, end, piece.disc.radius);
+                board::ghost(&mut sheet, end, piece.disc.radius, Role::Predicted);
             }
         }
         discs(level, &mut sheet, &places);
@@ -117,16 +165,6 @@ fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
     Some((shot.at(aimed, time).position, touches))
 }
 
-/// The disc where it will touch; only its middle where it is too small to be round.
-fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64) {
-    let pen = Pen::new(Role::Predicted);
-    if radius > sheet.view().per_row() {
-        sheet.circle(at, radius, pen.dotted());
-    } else {
-        sheet.dot(at, pen);
-    }
-}
-
 /// A shot at the time its clock shows, with the ways so far.
 pub(super) fn draw_attempt(
     level: &Level,
@@ -150,8 +188,18 @@ pub(super) fn draw_attempt(
         (sample.state != State::Pocketed).then_some((disc, sample.position))
     });
     let places: Vec<_> = places.collect();
+    if level.is_of_the_first_hit()
+        && let Some(impact) = attempt.impacts.first().filter(|impact| impact.time < now)
+    {
+        // Where they touched, as those that leave are soon out of the picture.
+        for disc in impact.discs {
+            let at = shot.at(disc, impact.time).position;
+            let radius = shot.discs().get(disc).map_or(0.0, |disc| disc.radius);
+            board::ghost(&mut sheet, at, radius, Role::Trail);
+        }
+    }
     discs(level, &mut sheet, &places);
-    said(&mut sheet, attempt);
+    said(&mut sheet, level, attempt);
     labels(level, &mut sheet, &places);
     sheet.draw(buf, &look.theme);
 }
@@ -170,7 +218,7 @@ fn trail(sheet: &mut Sheet, shot: &Shot, disc: usize, now: f64, role: Role) {
 }
 
 /// What was said of the first impact, once it has come.
-fn said(sheet: &mut Sheet, attempt: &Attempt) {
+fn said(sheet: &mut Sheet, level: &Level, attempt: &Attempt) {
     let (Some(said), Some(impact)) = (&attempt.said, attempt.impacts.first()) else {
         return;
     };
@@ -192,9 +240,13 @@ fn said(sheet: &mut Sheet, attempt: &Attempt) {
         let way = DVec2::from_angle(turn).rotate(heading);
         let disc = impact.discs[body];
         let centre = attempt.shot.at(disc, impact.time).position;
-        let pen = Pen::new(Role::Predicted).dashed();
-        sheet.line(centre, centre + RAY * way, pen);
-        let tip = centre + RAY * way;
+        let length = if level.is_of_the_first_hit() {
+            NEAR_RAY
+        } else {
+            RAY
+        };
+        let tip = centre + length * way;
+        sheet.line(centre, tip, Pen::new(Role::Predicted).dashed());
         sheet.label("you", tip, &Side::towards(way), Role::Predicted);
     }
 }

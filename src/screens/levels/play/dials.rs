@@ -139,6 +139,13 @@ impl Dials {
         with_unit(dial, self.aim.get(dial))
     }
 
+    /// All dials as they stand, in one line.
+    pub(super) fn setting(&self, level: &Level) -> String {
+        let dials = level.adjust.dials();
+        let set = dials.map(|(dial, _)| with_unit(dial, self.aim.get(dial)));
+        set.collect::<Vec<_>>().join(", ")
+    }
+
     /// The wheel turns the speed, or the chosen dial where the speed is fixed.
     pub(super) fn wheel(&mut self, level: &Level, up: f64) {
         self.commit(level);

@@ -12,7 +12,7 @@ pub(super) fn shown(play: &Play, cx: &Context) -> Vec<Hint> {
             let mut hints = vec![
                 Hint::new("Enter", go),
                 Hint::new("Left Right", "set"),
-                Hint::new(", .", "finely"),
+                Hint::new(", . < >", "less, more"),
             ];
             if play.level.adjust.dials().count() > 1 {
                 hints.push(Hint::new("Up Down", "choose"));
@@ -33,14 +33,16 @@ pub(super) fn shown(play: &Play, cx: &Context) -> Vec<Hint> {
         ],
         Phase::Watch(attempt) => {
             if attempt.zoom.is_some() {
-                return vec![
-                    Hint::new("Space", "go on"),
-                    Hint::new(", .", "step"),
-                    Hint::new("Tab", "next impact"),
+                let mut hints = vec![Hint::new("Space", "go on"), Hint::new(", .", "step")];
+                if attempt.impacts.len() > 1 {
+                    hints.push(Hint::new("Tab", "next impact"));
+                }
+                hints.extend([
                     Hint::new("f", "frame"),
                     Hint::new("1-7", "layers"),
                     Hint::new("Esc", "board"),
-                ];
+                ]);
+                return hints;
             }
             let mut hints = match (attempt.told, attempt.win.is_some()) {
                 (false, _) => vec![Hint::new("Space", "go on"), Hint::new("+ -", "speed")],

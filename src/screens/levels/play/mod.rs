@@ -42,6 +42,8 @@ pub struct Play {
     hints: usize,
     /// Shots made since it was opened.
     shots: u32,
+    /// What came of those that were looked at, the last one last.
+    tries: Vec<Try>,
     phase: Phase,
     scroll: Scroll,
     /// Why the last shot could not be made.
@@ -57,6 +59,17 @@ enum Phase {
     Say(Box<Saying>),
     /// Watching the shot.
     Watch(Box<Attempt>),
+}
+
+/// A shot that was made, in short.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Try {
+    /// Its number, from 1.
+    number: u32,
+    /// How it was set.
+    set: String,
+    /// What came about: of the goals the first that was missed.
+    told: String,
 }
 
 /// The shot that is about to be made, and what is being said of its first impact.
@@ -79,6 +92,7 @@ impl Play {
             level,
             hints: 0,
             shots: 0,
+            tries: Vec::new(),
             phase: Phase::Aim,
             scroll: Scroll::default(),
             trouble: None,
@@ -162,6 +176,15 @@ impl Play {
     fn leave_shot(&mut self, cx: &mut Context) {
         if let Phase::Watch(attempt) = &self.phase {
             self.keep(attempt, cx);
+            let findings = &attempt.verdict.0;
+            let told = findings.iter().find(|finding| !finding.met);
+            if let Some(finding) = told.or(findings.first()) {
+                self.tries.push(Try {
+                    number: self.shots,
+                    set: self.dials.setting(&self.level),
+                    told: finding.told.clone(),
+                });
+            }
         }
         self.enter(Phase::Aim);
     }

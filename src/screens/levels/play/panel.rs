@@ -5,13 +5,16 @@ use super::attempt::{Attempt, Zoom};
 use super::{Phase, Play, Saying, dials};
 use crate::levels::{FEW_SHOTS, Win};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
-use crate::physics::{Disc, Frame};
-use crate::quiz::Rays;
+use crate::physics::{Collision, Disc, Frame};
+use crate::quiz::{Ray, Rays};
 use crate::screens::levels::words;
 use crate::screens::{Context, why};
 use crate::widgets::hit::degrees;
 use crate::widgets::replay::Impact;
 use crate::widgets::{Lines, Role, brief};
+
+/// Shots that are shown while the next one is set.
+const SHOWN_TRIES: usize = 2;
 
 /// Writes all of it.
 pub(super) fn write(play: &Play, lines: &mut Lines, cx: &Context) {
@@ -64,7 +67,21 @@ fn aim(play: &Play, lines: &mut Lines, cx: &Context) {
         (false, _) => "Enter: shoot.",
     };
     lines.paragraph(next, Role::Key);
+    tries(play, lines);
     hints(play, lines);
+}
+
+/// The last shots and what came of them, to compare.
+fn tries(play: &Play, lines: &mut Lines) {
+    let earlier = play.tries.len().saturating_sub(SHOWN_TRIES);
+    for made in play.tries.iter().skip(earlier) {
+        lines.gap();
+        lines.line(&format!("shot {}: {}", made.number, made.set), Role::Dim);
+        lines.paragraph(&format!("{}.", words::capital(&made.told)), Role::Dim);
+    }
+    if !play.tries.is_empty() {
+        lines.gap();
+    }
 }
 
 /// The hints asked for, and how to get the next.
@@ -90,7 +107,16 @@ fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
     let scene = &play.level.scene;
     let [_, target] = saying.impact.discs;
     let name = words::short(scene, target);
-    given(&saying.impact, &play.level.unknown_mass, lines);
+    let collision = &saying.impact.collision;
+    offset(collision, lines);
+    if saying.rays.asks(Ray::Target) {
+        // The angle itself is what is asked for.
+        let reach = format!("{:.1} mm", mm_from_m(collision.reach()));
+        lines.pair("r₁ + r₂", &reach, Role::Dim, Role::Text);
+    } else {
+        impact_angle(collision, lines);
+    }
+    bodies(&saying.impact, &play.level.unknown_mass, lines);
     lines.gap();
     lines.line("The first hit", Role::Title);
     saying.rays.write(lines, name);
@@ -107,13 +133,26 @@ fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
 
 /// Where two meet, and what they are, but for the masses of `secret` discs.
 fn given(impact: &Impact, secret: &[usize], lines: &mut Lines) {
-    let collision = &impact.collision;
+    offset(&impact.collision, lines);
+    impact_angle(&impact.collision, lines);
+    bodies(impact, secret, lines);
+}
+
+fn offset(collision: &Collision, lines: &mut Lines) {
     let offset = format!("{:.1} mm", mm_from_m(collision.offset.abs()));
     lines.pair("offset b", &offset, Role::Dim, Role::Text);
+}
+
+fn impact_angle(collision: &Collision, lines: &mut Lines) {
     if let Some(alpha) = collision.alpha() {
         let alpha = format!("{:.1}°", deg_from_rad(alpha.abs()));
         lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
     }
+}
+
+/// What the two are, but for the masses of `secret` discs.
+fn bodies(impact: &Impact, secret: &[usize], lines: &mut Lines) {
+    let collision = &impact.collision;
     let mass = |body: usize, disc: Disc| {
         if secret.contains(&impact.discs[body]) {
             "?".into()

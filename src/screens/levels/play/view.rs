@@ -3,22 +3,26 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Phase, Play, board, panel};
+use super::{Phase, Play, Saying, board, panel};
+use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
 use crate::widgets::Beside;
 use crate::widgets::hit::{Given, draw_setup_of};
 
-/// What is given of the impact that the player speaks of.
-const GIVEN: Given = Given {
-    offset: true,
-    angle: true,
-    figures: true,
-};
+/// What is given of the impact that the player speaks of: not the impact angle where it
+/// is asked for, for along the line of impact the other disc leaves.
+fn shown(saying: &Saying) -> Given {
+    Given {
+        offset: true,
+        angle: !saying.rays.asks(Ray::Target),
+        figures: true,
+    }
+}
 
-/// Where the parts are: a square board, or one impact that takes all the room there is.
+/// Where the parts are: a square board, or a hit that takes all the room there is.
 pub(super) fn layout(play: &Play, area: Rect) -> Beside {
-    if play.is_enlarged() {
+    if play.is_enlarged() || play.level.is_of_the_first_hit() {
         Beside::new(area)
     } else {
         Beside::square(area)
@@ -40,7 +44,8 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, cx: &Context) {
         Phase::Say(saying) => {
             let faces = saying.impact.discs.map(|disc| face_of(&level.scene, disc));
             let (collision, rays) = (&saying.impact.collision, Some(&saying.rays));
-            draw_setup_of(faces, layout.picture, buf, &look, collision, GIVEN, rays);
+            let given = shown(saying);
+            draw_setup_of(faces, layout.picture, buf, &look, collision, given, rays);
         }
         Phase::Watch(attempt) => match &attempt.zoom {
             Some(zoom) => zoom.watch.draw(layout.picture, buf, &look),

@@ -1,14 +1,15 @@
 //! Choosing a round of the quiz.
 
-mod due;
 mod view;
+
+use std::sync::Arc;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use due::Due;
-
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::progress::Due;
+use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
 use crate::screens::{Context, Help, Hint, Next, Place, Screen};
@@ -22,6 +23,8 @@ pub struct Choosing {
     round: usize,
     /// The topic that is chosen, of [`CourseKind::topics`].
     topic: usize,
+    /// The questions of the teacher's own.
+    own: Arc<Library>,
 }
 
 /// What is being chosen from.
@@ -56,10 +59,11 @@ enum Choice {
     Topic,
     Exam,
     Code,
+    Own,
 }
 
 impl Choice {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 8] = [
         Self::Quick,
         Self::Mixed,
         Self::Review,
@@ -67,6 +71,7 @@ impl Choice {
         Self::Topic,
         Self::Exam,
         Self::Code,
+        Self::Own,
     ];
 
     /// The letter that chooses it, besides its number.
@@ -79,6 +84,7 @@ impl Choice {
             Self::Topic => 't',
             Self::Exam => 'e',
             Self::Code => 'c',
+            Self::Own => 'o',
         }
     }
 
@@ -104,12 +110,31 @@ impl Choosing {
             page: Page::Rounds,
             round: 0,
             topic: 0,
+            own: Arc::clone(&cx.own),
+        }
+    }
+
+    /// The kinds of round to choose from; own questions only where a folder was given.
+    fn choices(&self) -> &'static [Choice] {
+        let all = &Choice::ALL[..];
+        match *self.own == Library::default() {
+            true => &all[..all.len() - 1],
+            false => all,
         }
     }
 
     /// The kind of round that is chosen.
     fn choice(&self) -> Choice {
-        Choice::ALL[self.round.min(Choice::ALL.len() - 1)]
+        let choices = self.choices();
+        choices[self.round.min(choices.len() - 1)]
+    }
+
+    /// The keys that choose them.
+    fn numbers(&self) -> &'static str {
+        match self.choices().len() {
+            8 => "1-8",
+            _ => "1-7",
+        }
     }
 
     /// The topic that is chosen.
@@ -119,14 +144,16 @@ impl Choosing {
 
     /// What is due.
     fn due(&self) -> Due {
-        self.history.history().map_or_else(Due::default, Due::of)
+        let history = self.history.history();
+        history.map_or_else(Due::default, |it| Due::of(&it.attempts, it.now_s))
     }
 
     /// The chosen line of the page, and how many there are; `None` where nothing is
     /// chosen from a list.
     fn line(&mut self) -> Option<(&mut usize, usize)> {
+        let rounds = self.choices().len();
         match self.page {
-            Page::Rounds => Some((&mut self.round, Choice::ALL.len())),
+            Page::Rounds => Some((&mut self.round, rounds)),
             Page::Topics => Some((&mut self.topic, CourseKind::topics().count())),
             Page::Code(_) => None,
         }
@@ -152,6 +179,10 @@ impl Choosing {
             (Page::Rounds, Choice::Hits) => Some(CourseKind::Hits),
             (Page::Rounds, Choice::Exam) => Some(CourseKind::Exam),
             (Page::Rounds, Choice::Review) => self.due().course(),
+            (Page::Rounds, Choice::Own) => {
+                let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
+                own.map(CourseKind::Own)
+            }
             (Page::Rounds, Choice::Topic) => {
                 self.page = Page::Topics;
                 None
@@ -176,7 +207,7 @@ impl Choosing {
         let Page::Code(typed) = &mut self.page else {
             return Next::Ignored;
         };
-        match Code::parse(&typed.text) {
+        match Code::parse(&typed.text).and_then(|code| code.with_own(&self.own).ok()) {
             Some(code) => Next::Replace(Place::Quiz { code: Some(code) }),
             None => {
                 typed.refused = !typed.text.is_empty();
@@ -205,7 +236,7 @@ impl Choosing {
             }
             Key::Char(c) if self.page == Page::Rounds => {
                 let chosen = Choice::of(c);
-                let Some(at) = Choice::ALL.iter().position(|it| Some(*it) == chosen) else {
+                let Some(at) = self.choices().iter().position(|it| Some(*it) == chosen) else {
                     return Next::Ignored;
                 };
                 self.round = at;
@@ -295,7 +326,7 @@ impl Screen for Choosing {
             Page::Rounds => vec![
                 Hint::new("Up Down", "choose"),
                 Hint::new("Enter", "begin"),
-                Hint::new("1-7", "at once"),
+                Hint::new(self.numbers(), "at once"),
                 Hint::new("Esc", "back"),
             ],
             Page::Topics => vec![
@@ -315,14 +346,14 @@ impl Screen for Choosing {
         Help {
             text: vec![
                 "A round is a few questions: you answer, say how sure you are, watch what happens and read why.",
-                "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks what is due.",
+                "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks once about each topic that is due, in any of its kinds of question.",
                 "In an exam you hear nothing until the end; then every question can be opened.",
                 "Every round but a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
             ],
             keys: vec![
                 Hint::new("Up Down", "choose"),
                 Hint::new("Enter", "begin"),
-                Hint::new("1-7", "begin at once"),
+                Hint::new(self.numbers(), "begin at once"),
                 Hint::new(
                     "q m r h t e c",
                     "likewise: quick, mixed, review, hits, topic, exam, code",

@@ -4,16 +4,16 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Choice, Choosing, Page, Typed};
-use crate::progress::{LATELY, Mastery, Topic};
+use crate::progress::{Mastery, Topic};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::screens::recall::Recall;
 use crate::widgets::{Beside, Lines, Look, Role, text};
 
 /// Why rounds are mixed.
-const WHY_MIXED: &str = "Mixed questions feel harder, and you will miss more of them, than many \
-    of one kind in a row. But first you must see what kind it is, and that is what stays with \
-    you: weeks later you know more.";
+const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
+    miss more of them. But each time you must see first what kind it is, and that is what stays \
+    with you: weeks later you know more.";
 
 /// The line of the page at a cell.
 pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Option<usize> {
@@ -24,9 +24,9 @@ pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Op
     let row = usize::from(cell.1 - list.y);
     match choosing.page {
         Page::Rounds => {
-            let each = usize::from(rows_of_a_round(list, cx.settings.look()));
+            let each = usize::from(rows_of_a_round(choosing, list, cx.settings.look()));
             let at = row / each;
-            (row % each == 0 && at < Choice::ALL.len()).then_some(at)
+            (row % each == 0 && at < choosing.choices().len()).then_some(at)
         }
         Page::Topics => {
             let at = first_topic(choosing, list) + row;
@@ -37,10 +37,10 @@ pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Op
 }
 
 /// Rows of a round in the list: one, and an empty one below it where there is room.
-fn rows_of_a_round(list: Rect, look: Look) -> u16 {
+fn rows_of_a_round(choosing: &Choosing, list: Rect, look: Look) -> u16 {
     let mut scratch = Buffer::empty(list);
     let why = Lines::new(list, &mut scratch, look).rows_of(WHY_MIXED);
-    let rounds = Choice::ALL.len() as u16;
+    let rounds = choosing.choices().len() as u16;
     if list.height > 2 * rounds + why { 2 } else { 1 }
 }
 
@@ -62,13 +62,13 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
         Page::Code(_) => ("a round by its code", "codes"),
     };
     layout.draw(buf, &look, list, about);
-    let each = rows_of_a_round(layout.picture, look);
+    let each = rows_of_a_round(choosing, layout.picture, look);
     let first = first_topic(choosing, layout.picture);
     let mut lines = Lines::new(layout.picture, buf, look);
     match &choosing.page {
         Page::Rounds => rounds(choosing, each, &mut lines),
         Page::Topics => topics(choosing, first, &mut lines),
-        Page::Code(typed) => code(typed, &mut lines),
+        Page::Code(typed) => code(choosing, typed, &mut lines),
     }
     let mut lines = Lines::new(layout.panel, buf, look);
     match choosing.page {
@@ -97,7 +97,7 @@ fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
 }
 
 fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
-    for (i, choice) in Choice::ALL.into_iter().enumerate() {
+    for (i, choice) in choosing.choices().iter().enumerate() {
         let due = choosing.due();
         let (name, value) = match choice {
             Choice::Quick => (CourseKind::Quick.name(), questions(&CourseKind::Quick)),
@@ -109,6 +109,13 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
                 format!("{} to choose from", CourseKind::topics().count()),
             ),
             Choice::Code => ("a round by its code", String::new()),
+            Choice::Own => {
+                let value = match choosing.own.problems.len() {
+                    0 => format!("of {}", choosing.own.concepts.len()),
+                    left => format!("of {}, {left} left out", choosing.own.concepts.len()),
+                };
+                ("your own questions", value)
+            }
             Choice::Review => {
                 let value = match due.now.len() {
                     0 => "nothing due".into(),
@@ -117,7 +124,11 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
                 ("review what is due", value)
             }
         };
-        let idle = choice == Choice::Review && due.now.is_empty();
+        let idle = match choice {
+            Choice::Review => due.now.is_empty(),
+            Choice::Own => choosing.own.concepts.is_empty(),
+            _ => false,
+        };
         let role = if idle { Role::Dim } else { Role::Text };
         line(
             lines,
@@ -144,12 +155,13 @@ fn questions(kind: &CourseKind) -> String {
 fn about_round(choosing: &Choosing, lines: &mut Lines) {
     let text = match choosing.choice() {
         Choice::Quick => {
-            "Five questions of all kinds, the easy ones first: for a break between two lessons."
+            "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
         }
         Choice::Mixed => {
             "Ten questions of all kinds, in any order. Nobody tells you what kind comes next."
         }
         Choice::Review => return about_review(choosing, lines),
+        Choice::Own => return about_own(choosing, lines),
         Choice::Hits => {
             "Ten hits on the board: say where the striker and the coin will go. Masses and losses change on the way."
         }
@@ -173,6 +185,31 @@ fn about_round(choosing: &Choosing, lines: &mut Lines) {
     lines.line(next, Role::Key);
 }
 
+fn about_own(choosing: &Choosing, lines: &mut Lines) {
+    let own = &choosing.own;
+    if own.concepts.is_empty() {
+        lines.paragraph("There are none that can be asked.", Role::Text);
+    } else {
+        let count = own
+            .concepts
+            .len()
+            .min(Course::new(CourseKind::Own(own.clone())).count);
+        let text = format!(
+            "{count} of the questions that a teacher wrote and put into a folder, easy ones first."
+        );
+        lines.paragraph(&text, Role::Text);
+        lines.gap();
+        lines.line("Enter: begin.", Role::Key);
+    }
+    if !own.problems.is_empty() {
+        lines.gap();
+        lines.line("Left out:", Role::Dim);
+    }
+    for problem in &own.problems {
+        lines.paragraph(&problem.to_string(), Role::Warn);
+    }
+}
+
 fn about_review(choosing: &Choosing, lines: &mut Lines) {
     let due = choosing.due();
     match &choosing.history {
@@ -194,10 +231,10 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
             }
         };
         lines.paragraph(text, Role::Text);
-        if let Some((family, when)) = &due.next {
+        if let Some((topic, when)) = &due.next {
             lines.gap();
             lines.paragraph(&format!("Next, {when}:"), Role::Dim);
-            lines.line(&format!(" {}", family.name()), Role::Text);
+            lines.line(&format!(" {topic}"), Role::Text);
         }
         return;
     }
@@ -206,17 +243,12 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
         Role::Text,
     );
     lines.gap();
-    for (family, topics) in &due.now {
-        let count = match topics {
-            1 => String::new(),
-            _ => format!("{topics}×"),
-        };
-        lines.pair(
-            &format!(" {}", family.name()),
-            &count,
-            Role::Text,
-            Role::Dim,
-        );
+    for topic in due.first() {
+        lines.line(&format!(" {topic}"), Role::Text);
+    }
+    match due.now.len() - due.first().len() {
+        0 => {}
+        left => lines.line(&format!(" and {left} more after these"), Role::Dim),
     }
     lines.gap();
     lines.line("Enter: begin.", Role::Key);
@@ -232,19 +264,13 @@ fn known(choosing: &Choosing, family: Family) -> Option<Topic> {
 
 fn topics(choosing: &Choosing, first: usize, lines: &mut Lines) {
     for (i, family) in CourseKind::topics().enumerate().skip(first) {
-        let (mark, role, value) = match known(choosing, family) {
-            None => (' ', Role::Text, String::new()),
-            Some(topic) => {
-                let (mark, role) = match topic.mastery() {
-                    Mastery::New => (' ', Role::Text),
-                    Mastery::Growing => ('~', Role::Text),
-                    Mastery::Solid => ('*', Role::Good),
-                };
-                (mark, role, topic.mastery().name().to_owned())
-            }
+        let mastery = known(choosing, family).map_or(Mastery::New, |topic| topic.mastery());
+        let role = match mastery {
+            Mastery::Solid => Role::Good,
+            _ => Role::Text,
         };
-        let name = format!("{mark} {}", family.name());
-        line(lines, &name, &value, i == choosing.topic, role);
+        let name = format!("{} {}", mastery.mark(), family.name());
+        line(lines, &name, mastery.name(), i == choosing.topic, role);
     }
 }
 
@@ -268,16 +294,16 @@ fn about_topic(choosing: &Choosing, lines: &mut Lines) {
     lines.gap();
     lines.line("Enter: begin.", Role::Key);
     lines.gap();
-    let legend = format!("* is solid: four of the last {LATELY} right; ~ is growing.");
-    lines.paragraph(&legend, Role::Dim);
+    lines.paragraph(&Mastery::legend(), Role::Dim);
 }
 
-fn code(typed: &Typed, lines: &mut Lines) {
+fn code(choosing: &Choosing, typed: &Typed, lines: &mut Lines) {
     lines.line("The code of the round:", Role::Text);
     lines.gap();
     lines.line(&format!("> {}_", typed.text), Role::Selected);
     lines.gap();
-    match Code::parse(&typed.text) {
+    let code = Code::parse(&typed.text).and_then(|code| code.with_own(&choosing.own).ok());
+    match code {
         Some(Code { course, seed }) => {
             let Course { kind, count } = &course;
             let name = match &kind {

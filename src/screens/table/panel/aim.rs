@@ -18,7 +18,7 @@ const NAME_AND_SPEED: u16 = 18;
 pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     let game = sitting.game();
     turn(sitting, lines);
-    let aim = &sitting.aim;
+    let aim = sitting.aimed();
     let direction = if sitting.entry.is_open() {
         format!("{}_", sitting.entry.text())
     } else {
@@ -33,6 +33,9 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     );
     lines.pair("strength", &strength, Role::Dim, Role::Text);
     lines.pair("place", &aim.place_words(game), Role::Dim, Role::Text);
+    if sitting.entry.is_open() {
+        lines.paragraph("[ ]: as the place, +: as the strength", Role::Key);
+    }
     lines.gap();
     if sitting.notice.is_some() {
         notice(sitting, lines);
@@ -68,11 +71,18 @@ fn turn(sitting: &Sitting, lines: &mut Lines) {
 fn hint(hinted: &Hinted, lines: &mut Lines) {
     match hinted {
         Hinted::Asked { .. } => lines.line("looking for a stroke …", Role::Dim),
-        Hinted::Told { hint, whole: false } => {
+        Hinted::Told {
+            hint, whole: false, ..
+        } => {
             lines.paragraph(&hint.which(), Role::Good);
             lines.line("h: tell me more", Role::Key);
         }
-        Hinted::Told { hint, whole: true } => lines.paragraph(&hint.how(), Role::Good),
+        Hinted::Told {
+            hint, whole: true, ..
+        } => {
+            lines.paragraph(&hint.how(), Role::Good);
+            lines.line("h: set it so", Role::Key);
+        }
     }
 }
 

@@ -4,8 +4,10 @@ use glam::DVec2;
 
 use super::{Calling, Grip, Phase, Sitting, Taken};
 use crate::game::Move;
+use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Board;
+use crate::physics::units::m_from_mm;
 use crate::screens::Context;
 use crate::screens::table::aim::{Aim, along_the_screen, rightwards};
 use crate::screens::table::arrange::Arrange;
@@ -14,48 +16,64 @@ use crate::screens::table::view;
 use crate::widgets::hit::side;
 use crate::widgets::{RayInput, Typed, board};
 
-/// A small and a large step of the striker, in metres.
-const STEPS: (f64, f64) = (0.002, 0.02);
+/// A large step of the striker, in metres.
+const FAR: f64 = 10.0 * PLACE_STEP;
 /// A step of the speed, in m/s.
-const SPEED_STEP: f64 = 0.1;
+const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
+/// A step of the direction, in degrees.
+const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 /// How near the mouse has to be to take hold of the striker, in its radii.
 const HOLD: f64 = 1.6;
 
 impl Sitting {
     pub(super) fn aiming_key(&mut self, key: Key, cx: &mut Context) -> Taken {
         match key {
-            // These two change the strength even between digits.
-            Key::Char('+' | '=') => self.aim.set_speed(self.aim.speed + SPEED_STEP),
-            Key::Char('-' | '_') => self.aim.set_speed(self.aim.speed - SPEED_STEP),
+            Key::Char('-' | '_') if !self.entry.is_open() => {
+                self.aim.set_speed(self.aim.speed - SPEED_STEP);
+            }
             _ => match self.entry.update(key) {
                 Typed::Editing => {}
                 Typed::Entered(degrees) => self.aim.set_direction(degrees),
                 Typed::Ignored => return self.command(key, cx),
             },
         }
-        if let Some(degrees) = self.entry.value() {
-            self.aim.set_direction(degrees);
-        }
         self.look_ahead();
         Taken::Used
     }
 
+    /// A number that was typed is a direction, unless the key after it says that it is
+    /// a place or a speed.
     fn command(&mut self, key: Key, cx: &mut Context) -> Taken {
-        self.entry.take();
+        if let Some(number) = self.entry.take() {
+            match key {
+                Key::Char('+' | '=') => self.aim.set_speed(number),
+                Key::Char(']') => self.stand(m_from_mm(number)),
+                Key::Char('[') => self.stand(-m_from_mm(number)),
+                _ => self.aim.set_direction(number),
+            }
+            self.look_ahead();
+            if let Key::Char('+' | '=' | ']' | '[') = key {
+                return Taken::Used;
+            }
+        }
         let right = rightwards(self.seat());
         match key {
+            Key::Char('+' | '=') => {
+                self.aim.set_speed(self.aim.speed + SPEED_STEP);
+                self.look_ahead();
+            }
             Key::Right => self.turn(right),
             Key::Left => self.turn(-right),
-            Key::Up => self.turn(-0.1 * right),
-            Key::Down => self.turn(0.1 * right),
+            Key::Up => self.turn(-DIRECTION_STEP * right),
+            Key::Down => self.turn(DIRECTION_STEP * right),
             Key::PageUp => self.turn(-10.0 * right),
             Key::PageDown => self.turn(10.0 * right),
-            Key::Char(']' | 'd' | 'D') => self.shift(STEPS.0, false),
-            Key::Char('[' | 'a' | 'A') => self.shift(-STEPS.0, false),
-            Key::Char('}') => self.shift(STEPS.1, false),
-            Key::Char('{') => self.shift(-STEPS.1, false),
-            Key::Char('w' | 'W') if self.is_practice() => self.shift(STEPS.0, true),
-            Key::Char('s' | 'S') if self.is_practice() => self.shift(-STEPS.0, true),
+            Key::Char(']' | 'd' | 'D') => self.shift(PLACE_STEP, false),
+            Key::Char('[' | 'a' | 'A') => self.shift(-PLACE_STEP, false),
+            Key::Char('}') => self.shift(FAR, false),
+            Key::Char('{') => self.shift(-FAR, false),
+            Key::Char('w' | 'W') if self.is_practice() => self.shift(PLACE_STEP, true),
+            Key::Char('s' | 'S') if self.is_practice() => self.shift(-PLACE_STEP, true),
             Key::Char('l' | 'L') => self.options.aids.line ^= true,
             Key::Char('g' | 'G') => self.options.aids.ghost ^= true,
             Key::Char('r' | 'R') => self.options.aids.rays ^= true,
@@ -87,6 +105,15 @@ impl Sitting {
         };
         self.aim.move_by(metres * along, self.session.game());
         self.look_ahead();
+    }
+
+    /// Puts the striker so many metres beside the middle, to the right on the screen
+    /// (or up it).
+    fn stand(&mut self, metres: f64) {
+        let game = self.session.game();
+        let along = along_the_screen(game.seat(), game.setup().rules);
+        let beside = self.aim.place - along * self.aim.place.dot(along);
+        self.aim.put(beside + metres * along, game);
     }
 
     /// Takes the last move back; after a stroke, with its aim, to try it again.

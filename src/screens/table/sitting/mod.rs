@@ -16,6 +16,7 @@ use super::aim::Aim;
 use super::arrange::Arrange;
 use super::calls::Called;
 use super::options::Options;
+use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use super::replay::Replay;
 use super::session::Session;
@@ -88,6 +89,8 @@ pub(super) enum Hinted {
     /// There.
     Told {
         hint: Box<Hint>,
+        /// What it speaks of on the board, if it speaks of a coin.
+        pointer: Option<Pointer>,
         /// Whether all of it is told, or only where to look.
         whole: bool,
     },
@@ -232,7 +235,9 @@ impl Sitting {
                 _ => Taken::Used,
             };
         }
-        if !matches!(self.phase, Phase::Aim)
+        // While aiming they turn the aim, unless there is a long hint to read.
+        let reads = matches!(self.hint, Some(Hinted::Told { whole: true, .. }));
+        if (reads || !matches!(self.phase, Phase::Aim))
             && let Key::PageUp | Key::PageDown = key
         {
             self.scroll_by(if key == Key::PageUp { -8 } else { 8 }, cx);
@@ -354,9 +359,18 @@ impl Sitting {
         }
     }
 
+    /// The aim with the number that is being typed for its direction.
+    pub(super) fn aimed(&self) -> Aim {
+        let mut aim = self.aim;
+        if let Some(degrees) = self.entry.value() {
+            aim.set_direction(degrees);
+        }
+        aim
+    }
+
     /// Works out what the aim will meet.
     fn look_ahead(&mut self) {
-        self.preview = Preview::of(&self.aim.strike(self.seat()), self.game());
+        self.preview = Preview::of(&self.aimed().strike(self.seat()), self.game());
     }
 
     /// The board after one that has ended.

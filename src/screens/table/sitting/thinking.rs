@@ -6,7 +6,9 @@ use crate::game::{Move, Strike};
 use crate::messages::{Found, Thought, Wanted};
 use crate::physics::Motion;
 use crate::screens::Context;
+use crate::screens::table::aim::Aim;
 use crate::screens::table::options::Player;
+use crate::screens::table::pointer::Pointer;
 
 impl Sitting {
     /// Whether the computer is to play and has not been asked yet.
@@ -23,9 +25,14 @@ impl Sitting {
         }
     }
 
-    /// Asks for a hint; once it is there, tells more of it.
+    /// Asks for a hint; once it is there, tells more of it; at last sets it.
     pub(super) fn ask_for_hint(&mut self, cx: &mut Context) {
         match &mut self.hint {
+            Some(Hinted::Told { hint, whole, .. }) if *whole => {
+                let stroke = hint.stroke;
+                self.aim = Aim::of(&meant(stroke), self.seat());
+                self.look_ahead();
+            }
             Some(Hinted::Told { whole, .. }) => *whole = true,
             Some(Hinted::Asked { .. }) => {}
             None => {
@@ -74,7 +81,7 @@ impl Sitting {
         self.phase = Phase::Aim;
         let number = self.session.len();
         for motion in [decision.struck(), decision.meant] {
-            self.play(strike(motion), cx);
+            self.play(Move::Strike(meant(motion)), cx);
             if self.session.len() > number {
                 self.session.tell(number, decision.afterwards());
                 self.notice = None;
@@ -94,6 +101,7 @@ impl Sitting {
     fn take_hint(&mut self, hint: Option<Hint>) {
         self.hint = match hint {
             Some(hint) => Some(Hinted::Told {
+                pointer: Pointer::of(&hint, &meant(hint.stroke), self.game()),
                 hint: Box::new(hint),
                 whole: false,
             }),
@@ -105,10 +113,10 @@ impl Sitting {
     }
 }
 
-fn strike(motion: Motion) -> Move {
-    Move::Strike(Strike {
+fn meant(motion: Motion) -> Strike {
+    Strike {
         place: motion.position,
         velocity: motion.velocity,
         call: None,
-    })
+    }
 }

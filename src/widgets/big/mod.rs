@@ -2,7 +2,10 @@
 //!
 //! The letters are those of the public-domain font "8x8" (crate `font8x8`), set close
 //! together, each pixel a quarter, a half or the whole of two cells. In ASCII half a
-//! cell is a quotation mark or a full stop.
+//! cell is a quotation mark or a full stop; there the smallest letters are those of
+//! [`strokes`], for no part of a cell is small enough for a pixel.
+
+mod strokes;
 
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::buffer::Buffer;
@@ -23,7 +26,10 @@ const LINE: u16 = 4;
 /// How large the letters are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Size {
-    /// Four cells for a pixel square of four; only where there are quarters of cells.
+    /// Letters of strokes, in ASCII: for a long text, where names and headings are better
+    /// short or plain.
+    Strokes,
+    /// A cell for a square of four pixels; only where there are quarters of cells.
     Small,
     /// A cell for two pixels, one above the other.
     Middle,
@@ -32,8 +38,16 @@ enum Size {
 }
 
 impl Size {
-    /// The sizes of a charset, the largest first.
-    const fn all(charset: Charset) -> &'static [Self] {
+    /// The sizes of a charset for a long text, the largest first.
+    const fn of_text(charset: Charset) -> &'static [Self] {
+        match charset {
+            Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
+            Charset::Unicode => Self::of_name(charset),
+        }
+    }
+
+    /// The sizes for a name or a heading.
+    const fn of_name(charset: Charset) -> &'static [Self] {
         match charset {
             Charset::Ascii => &[Self::Large, Self::Middle],
             Charset::Unicode => &[Self::Large, Self::Middle, Self::Small],
@@ -43,6 +57,7 @@ impl Size {
     /// Rows of a line of letters.
     const fn rows(self) -> usize {
         match self {
+            Self::Strokes => strokes::ROWS,
             Self::Small | Self::Middle => HEIGHT / 2,
             Self::Large => HEIGHT,
         }
@@ -52,7 +67,7 @@ impl Size {
     const fn columns(self, pixels: usize) -> usize {
         match self {
             Self::Small => pixels.div_ceil(2),
-            Self::Middle => pixels,
+            Self::Middle | Self::Strokes => pixels,
             Self::Large => 2 * pixels,
         }
     }
@@ -73,20 +88,22 @@ pub enum Align {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Big {
     size: Size,
-    charset: Charset,
-    /// The columns of pixels of each line; bit 0 is at the top.
-    lines: Vec<Vec<u8>>,
+    /// The rows of cells of each line.
+    lines: Vec<Vec<Vec<char>>>,
 }
 
 impl Big {
-    /// The text as large as it fits into so many columns and rows, broken at blanks;
-    /// `None` if it does not fit at all or has letters that there are no large ones of.
+    /// A name or a heading as large as it fits into so many columns and rows, broken at
+    /// blanks; `None` if it does not fit at all or has letters that there are no large ones
+    /// of.
     #[must_use]
     pub fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
-        Self::fit_all(&[text], 0, columns, rows, charset)?.pop()
+        let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
+        let sizes = Size::of_name(charset);
+        Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
     }
 
-    /// Several texts in letters of one size, as large as they fit below each other with
+    /// Long texts in letters of one size, as large as they fit below each other with
     /// `gap` rows between any two; `None` as for one.
     #[must_use]
     pub fn fit_all(
@@ -103,45 +120,43 @@ impl Big {
                 .fold(gaps, |sum, it| sum.saturating_add(it.rows()));
             high <= rows
         };
-        Self::of_one_size(texts, columns, charset, fits)
+        Self::of_one_size(texts, Size::of_text(charset), columns, charset, fits)
     }
 
-    /// Several texts in letters of one size, each in one line of at most four rows;
+    /// Several names in letters of one size, each in one line of at most four rows;
     /// `None` as for one.
     #[must_use]
     pub fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
-        Self::of_one_size(texts, columns, charset, fits)
+        Self::of_one_size(texts, Size::of_name(charset), columns, charset, fits)
     }
 
     /// The texts in the largest letters with which they are narrow enough and `fit`.
     fn of_one_size(
         texts: &[&str],
+        sizes: &[Size],
         columns: u16,
         charset: Charset,
         fit: impl Fn(&[Self]) -> bool,
     ) -> Option<Vec<Self>> {
-        let texts = texts.iter().map(|text| words(&charset.text(text)));
-        let texts = texts.collect::<Option<Vec<_>>>()?;
+        let texts: Vec<_> = texts.iter().map(|text| charset.text(text)).collect();
         let set = |size: &Size| -> Option<Vec<Self>> {
-            let each = texts.iter().map(|words| {
+            let each = texts.iter().map(|text| {
                 Some(Self {
                     size: *size,
-                    charset,
-                    lines: broken(words, *size, columns.into())?,
+                    lines: set(text, *size, columns.into(), charset)?,
                 })
             });
             each.collect()
         };
-        let sizes = Size::all(charset).iter();
-        sizes.filter_map(set).find(|all| fit(all))
+        sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
     /// The columns it takes.
     #[must_use]
     pub fn columns(&self) -> u16 {
-        let widest = self.lines.iter().map(Vec::len).max().unwrap_or(0);
-        u16::try_from(self.size.columns(widest)).unwrap_or(u16::MAX)
+        let widest = self.lines.iter().map(|line| width(line)).max().unwrap_or(0);
+        u16::try_from(widest).unwrap_or(u16::MAX)
     }
 
     /// The rows it takes.
@@ -154,66 +169,89 @@ impl Big {
     pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
         let style = look.theme.style(role);
         for (i, line) in self.lines.iter().enumerate() {
-            let width = self.size.columns(line.len());
-            let free = usize::from(area.width).saturating_sub(width);
+            let free = usize::from(area.width).saturating_sub(width(line));
             let start = match align {
                 Align::Left => 0,
                 Align::Centre => free / 2,
                 Align::Right => free,
             };
-            for row in 0..self.size.rows() {
+            for (row, cells) in line.iter().enumerate() {
                 let y = i * self.size.rows() + row;
-                for column in 0..width {
+                for (column, symbol) in cells.iter().enumerate() {
                     let x = start + column;
                     if x >= area.width.into() || y >= area.height.into() {
                         continue;
                     }
-                    let symbol = self.symbol(line, column, row);
                     let at = (area.x + x as u16, area.y + y as u16);
-                    if symbol != ' '
+                    if *symbol != ' '
                         && let Some(cell) = buf.cell_mut(at)
                     {
-                        cell.set_char(symbol).set_style(style);
+                        cell.set_char(*symbol).set_style(style);
                     }
                 }
             }
         }
     }
+}
 
-    /// What stands in a cell of a line.
-    fn symbol(&self, line: &[u8], column: usize, row: usize) -> char {
-        const QUARTERS: [char; 16] = [
-            ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
-        ];
-        let pixel = |x: usize, y: usize| line.get(x).is_some_and(|it| it >> y & 1 == 1);
-        match (self.size, self.charset) {
-            (Size::Large, charset) => match (pixel(column / 2, row), charset) {
-                (false, _) => ' ',
-                (true, Charset::Ascii) => '#',
-                (true, Charset::Unicode) => '█',
-            },
-            (Size::Middle, charset) => {
-                let halves = [pixel(column, 2 * row), pixel(column, 2 * row + 1)];
-                let symbols = match charset {
-                    Charset::Ascii => ['"', '.', '#'],
-                    Charset::Unicode => ['▀', '▄', '█'],
-                };
-                match halves {
-                    [false, false] => ' ',
-                    [true, false] => symbols[0],
-                    [false, true] => symbols[1],
-                    [true, true] => symbols[2],
-                }
+/// Columns of a line.
+fn width(line: &[Vec<char>]) -> usize {
+    line.first().map_or(0, Vec::len)
+}
+
+/// The cells of the lines of a text; `None` if a word is too long for any line, or a
+/// letter is not to be had.
+fn set(text: &str, size: Size, columns: usize, charset: Charset) -> Option<Vec<Vec<Vec<char>>>> {
+    if size == Size::Strokes {
+        let lines = strokes::set(text, columns)?;
+        return Some(lines.into_iter().map(Vec::from).collect());
+    }
+    let lines = broken(&words(text)?, size, columns)?;
+    let cells = |line: &Vec<u8>| {
+        let row = |row| {
+            let columns = 0..size.columns(line.len());
+            columns
+                .map(|column| symbol(line, column, row, size, charset))
+                .collect()
+        };
+        (0..size.rows()).map(row).collect()
+    };
+    Some(lines.iter().map(cells).collect())
+}
+
+/// What stands in a cell of a line of pixels.
+fn symbol(line: &[u8], column: usize, row: usize, size: Size, charset: Charset) -> char {
+    const QUARTERS: [char; 16] = [
+        ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
+    ];
+    let pixel = |x: usize, y: usize| line.get(x).is_some_and(|it| it >> y & 1 == 1);
+    match (size, charset) {
+        (Size::Large, charset) => match (pixel(column / 2, row), charset) {
+            (false, _) => ' ',
+            (true, Charset::Ascii) => '#',
+            (true, Charset::Unicode) => '█',
+        },
+        (Size::Middle, charset) => {
+            let halves = [pixel(column, 2 * row), pixel(column, 2 * row + 1)];
+            let symbols = match charset {
+                Charset::Ascii => ['"', '.', '#'],
+                Charset::Unicode => ['▀', '▄', '█'],
+            };
+            match halves {
+                [false, false] => ' ',
+                [true, false] => symbols[0],
+                [false, true] => symbols[1],
+                [true, true] => symbols[2],
             }
-            (Size::Small, _) => {
-                let (x, y) = (2 * column, 2 * row);
-                let quarters = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
-                let bits = quarters.iter().enumerate();
-                let index: usize = bits
-                    .map(|(bit, (x, y))| usize::from(pixel(*x, *y)) << bit)
-                    .sum();
-                QUARTERS[index]
-            }
+        }
+        (Size::Small | Size::Strokes, _) => {
+            let (x, y) = (2 * column, 2 * row);
+            let quarters = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
+            let bits = quarters.iter().enumerate();
+            let index: usize = bits
+                .map(|(bit, (x, y))| usize::from(pixel(*x, *y)) << bit)
+                .sum();
+            QUARTERS[index]
         }
     }
 }
@@ -327,6 +365,12 @@ mod tests {
         assert_eq!(size(300, 8, Charset::Ascii), Some(Size::Large));
         assert_eq!(size(60, 8, Charset::Ascii), Some(Size::Middle));
         assert_eq!(size(30, 8, Charset::Ascii), None);
+        let text = |columns| {
+            let all = Big::fit_all(&["Scores"], 0, columns, 8, Charset::Ascii)?;
+            Some(all[0].size)
+        };
+        assert_eq!(text(30), Some(Size::Strokes));
+        assert_eq!(text(15), None);
         assert_eq!(size(30, 8, Charset::Unicode), Some(Size::Small));
         assert_eq!(size(300, 3, Charset::Unicode), None);
         assert_eq!(Big::fit("蟻 ants", 300, 100, Charset::Unicode), None);

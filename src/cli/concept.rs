@@ -1,0 +1,66 @@
+//! `carrom concept`: what can be done with written questions outside the game.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::anyhow;
+
+use super::{Failure, Options, given, print_text};
+use crate::quiz::concepts::{Library, check};
+
+/// Check written questions: every field, every figure, and that no right choice gives
+/// itself away
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Check(Check),
+}
+
+/// Check written questions: that every field and every misconception is known, that every
+/// figure is what the engine computes, and that no right choice gives itself away by its
+/// length, its place or a word
+///
+/// One line a question. Exit status: 0 all is well, 2 something is not.
+#[derive(Debug, clap::Args)]
+struct Check {
+    /// Files of questions and folders of them; without any, the questions in the program
+    #[arg(value_name = "FILE|DIR")]
+    paths: Vec<PathBuf>,
+}
+
+pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+    let Command::Check(args) = &args.command;
+    let library = given::library(
+        &args.paths,
+        Library::embedded,
+        Library::add_file,
+        Library::add_dir,
+    );
+    let mut faults = library.problems.clone();
+    let found = check(&library.concepts);
+    let mut report = Vec::new();
+    for concept in &library.concepts {
+        let good = found.iter().all(|fault| !concept.is_at(fault));
+        let outcome = if good { "good" } else { "NOT GOOD" };
+        writeln!(
+            report,
+            "{}: {outcome}: {}, {}",
+            concept.id,
+            concept.topic(),
+            concept.difficulty.id()
+        )?;
+    }
+    faults.extend(found);
+    print_text(&String::from_utf8_lossy(&report), options)?;
+    given::refuse(&faults)?;
+    if library.concepts.is_empty() {
+        return Err(Failure::Input(anyhow!("no questions found")));
+    }
+    Ok(ExitCode::SUCCESS)
+}

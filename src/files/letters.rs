@@ -1,0 +1,81 @@
+//! Which characters of a text from outside are letters, and which play tricks.
+
+use unicode_width::UnicodeWidthChar;
+
+/// The most marks without a width of their own, such as accents, that may stand upon one
+/// letter of a name.
+const MOST_UPON: usize = 2;
+
+/// Whether a character is no letter but an order to whoever shows it, or nothing at all:
+/// control characters, marks that turn the direction of all that follows, blanks without a
+/// width, and what is no character.
+pub fn is_invisible(letter: char) -> bool {
+    letter.is_control()
+        || matches!(letter,
+            '\u{00ad}' | '\u{061c}' | '\u{180e}' | '\u{200b}' | '\u{200e}' | '\u{200f}'
+            | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}'
+            | '\u{fff9}'..='\u{fffb}')
+        || u32::from(letter) & 0xfffe == 0xfffe
+}
+
+/// The name of somebody as it is shown and kept: its visible letters, with one blank
+/// between words. Accents stay on their letters, but do not pile up.
+pub fn tidy_name(name: &str) -> String {
+    let mut tidy = String::new();
+    let mut upon = 0;
+    for letter in name.chars() {
+        if letter.is_whitespace() {
+            if !tidy.is_empty() && !tidy.ends_with(' ') {
+                tidy.push(' ');
+            }
+            continue;
+        }
+        let bare = letter.width().unwrap_or(0) == 0;
+        upon = if bare { upon + 1 } else { 0 };
+        let fits = !bare || (upon <= MOST_UPON && !tidy.is_empty() && !tidy.ends_with(' '));
+        if fits && !is_invisible(letter) && !joins(letter) {
+            tidy.push(letter);
+        }
+    }
+    tidy.truncate(tidy.trim_end().len());
+    tidy
+}
+
+/// Whether a character only says how those beside it look together.
+fn joins(letter: char) -> bool {
+    matches!(letter, '\u{200c}' | '\u{200d}' | '\u{fe00}'..='\u{fe0f}'
+        | '\u{e0000}'..='\u{e01ef}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_stay_and_what_is_no_letter_goes() {
+        for name in [
+            "Ada",
+            "Zoë Müller-Łukasiewicz",
+            "Zoe\u{308}",
+            "球 さん",
+            "שלום",
+            "=1+1",
+        ] {
+            assert_eq!(tidy_name(name), name);
+        }
+        assert_eq!(tidy_name("  Ada\n\x1b[31m "), "Ada [31m");
+        assert_eq!(tidy_name("a\u{202e}b\u{200b}c\u{fffe}\u{200d}"), "abc");
+        for nobody in [
+            "",
+            " \t",
+            "\u{200b}",
+            "\u{fffe}",
+            "\u{301}",
+            "\u{200d}\u{202e}",
+        ] {
+            assert_eq!(tidy_name(nobody), "", "{nobody:?}");
+        }
+        let pile = format!("e{}", "\u{301}".repeat(1000));
+        assert_eq!(tidy_name(&pile), "e\u{301}\u{301}");
+    }
+}

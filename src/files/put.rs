@@ -1,0 +1,143 @@
+//! Writes documents where someone wants them, all of them or none.
+
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use super::draft::{Draft, is_there};
+
+/// A text, and the file that is to hold it.
+pub type Document = (PathBuf, String);
+
+/// What becomes of files that are there already.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// They stay, and nothing is written.
+    Stay,
+    /// They are replaced.
+    Go,
+}
+
+/// Why documents were not written.
+#[derive(Debug, Error)]
+pub enum Unwritten {
+    /// There is something of this name.
+    #[error("{}: is there already", .0.display())]
+    There(PathBuf),
+    /// It cannot be written, or its folder cannot be made.
+    #[error("cannot write {}: {}", .0.display(), .1)]
+    Failed(PathBuf, #[source] io::Error),
+}
+
+/// Writes documents; folders that are not there are made.
+///
+/// None is put in its place before all of them are written as a whole, so that a disk
+/// that fills up leaves what was there before, and nothing else. What is no file but takes
+/// what is written to it, such as a pipe, is written to; a link is followed.
+///
+/// # Errors
+/// The first that is there and stays, or that cannot be written.
+pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> {
+    let mut made = Folders::default();
+    let mut drafts = Vec::new();
+    let mut streams = Vec::new();
+    for (path, text) in documents {
+        let failed = |error| Unwritten::Failed(path.clone(), error);
+        match kind(path).map_err(failed)? {
+            Kind::Stream => streams.push((path, text)),
+            Kind::There if existing == Existing::Stay => {
+                return Err(Unwritten::There(path.clone()));
+            }
+            Kind::There | Kind::Free => {
+                // The file that a link leads to is the one that is meant.
+                let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
+                let folder = folder(&place);
+                made.make(folder)?;
+                drafts.push((Draft::write(folder, text).map_err(failed)?, place));
+            }
+        }
+    }
+    for (path, text) in streams {
+        let opened = OpenOptions::new().write(true).open(path);
+        let written = opened.and_then(|mut stream| stream.write_all(text.as_bytes()));
+        written.map_err(|error| Unwritten::Failed(path.clone(), error))?;
+    }
+    for (mut draft, place) in drafts {
+        let placed = match existing {
+            Existing::Stay => draft.place(&place),
+            Existing::Go => draft.replace(&place).map(|()| true),
+        };
+        match placed {
+            Ok(true) => made.keep(),
+            Ok(false) => return Err(Unwritten::There(place)),
+            Err(error) => return Err(Unwritten::Failed(place, error)),
+        }
+    }
+    Ok(())
+}
+
+/// What is at a place where a document is to be.
+enum Kind {
+    /// Nothing.
+    Free,
+    /// Something that would have to go.
+    There,
+    /// Something that takes what is written to it.
+    Stream,
+}
+
+fn kind(path: &Path) -> io::Result<Kind> {
+    match fs::metadata(path) {
+        Ok(about) if about.is_dir() => Err(io::Error::other("expected a file, found a folder")),
+        Ok(about) if about.is_file() => Ok(Kind::There),
+        Ok(_) => Ok(Kind::Stream),
+        Err(_) if is_there(path) => Ok(Kind::There),
+        Err(_) => Ok(Kind::Free),
+    }
+}
+
+fn folder(path: &Path) -> &Path {
+    let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
+    folder.unwrap_or(Path::new("."))
+}
+
+/// Folders that were made, to be removed again if nothing comes into them.
+#[derive(Default)]
+struct Folders(Vec<PathBuf>);
+
+impl Folders {
+    fn make(&mut self, folder: &Path) -> Result<(), Unwritten> {
+        let failed = |at: &Path, error| Err(Unwritten::Failed(at.to_owned(), error));
+        let mut missing = Vec::new();
+        for above in folder.ancestors() {
+            match fs::metadata(above) {
+                Ok(about) if about.is_dir() => break,
+                _ if above.as_os_str().is_empty() => break,
+                Ok(_) => {
+                    let what = io::Error::other("expected a folder, found a file");
+                    return failed(above, what);
+                }
+                Err(_) => missing.push(above.to_owned()),
+            }
+        }
+        fs::create_dir_all(folder).or_else(|error| failed(folder, error))?;
+        self.0.extend(missing.into_iter().rev());
+        Ok(())
+    }
+
+    /// What was made stays.
+    fn keep(&mut self) {
+        self.0.clear();
+    }
+}
+
+impl Drop for Folders {
+    fn drop(&mut self) {
+        for folder in self.0.iter().rev() {
+            // One that somebody else has filled stays.
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}

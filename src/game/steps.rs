@@ -1,0 +1,150 @@
+//! The steps in which a player sets a stroke.
+//!
+//! What the keys of the table turn by, and so what a hint may ask for: a stroke that
+//! cannot be set is no help.
+
+use glam::DVec2;
+
+use super::placing::BaseLines;
+use super::seat::Seat;
+use crate::physics::Motion;
+use crate::physics::angle::unit_vector;
+use crate::physics::units::deg_from_rad;
+
+/// A step of the striker along the base lines, in metres.
+pub const PLACE_STEP: f64 = 0.002;
+/// Steps of the direction in a degree.
+pub const STEPS_PER_DEGREE: f64 = 10.0;
+/// Steps of the speed in 1 m/s.
+pub const STEPS_PER_SPEED: f64 = 10.0;
+
+/// The same stroke with direction and speed on the nearest steps, seen from `seat`;
+/// at least one step of speed. `None` for one that does not move.
+pub fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
+    let way = seat.turn_back(stroke.velocity.try_normalize()?);
+    let degrees = deg_from_rad(way.to_angle());
+    let direction = (degrees * STEPS_PER_DEGREE).round() / STEPS_PER_DEGREE;
+    let speed = (stroke.velocity.length() * STEPS_PER_SPEED)
+        .round()
+        .max(1.0)
+        / STEPS_PER_SPEED;
+    Some(Motion {
+        velocity: speed * seat.turn(unit_vector(direction.rem_euclid(360.0))),
+        ..stroke
+    })
+}
+
+impl BaseLines<'_> {
+    /// The legal place nearest to `at` that steps from the middle lead to: a whole
+    /// number of steps away from it, or on a base circle. `None` if there is none.
+    pub fn nearest_on_steps(&self, at: DVec2) -> Option<DVec2> {
+        let wanted = self.along(at);
+        let apart = |along: &f64| (along - wanted).abs();
+        Self::steps()
+            .filter(|along| self.check(self.at(*along)).is_ok())
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+            .map(|along| self.at(along))
+    }
+
+    /// The next legal place on the steps at least `metres` to the player's right of
+    /// `from` (negative: to the left); steps that are not legal are passed over.
+    /// `None` if there is none any more.
+    pub fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
+        // From between two steps the nearer one does.
+        let least = self.along(from) + metres - metres.signum() * PLACE_STEP / 2.0;
+        let beyond = |along: &f64| (along - least) * metres >= 0.0;
+        let legal = |along: &f64| self.check(self.at(*along)).is_ok();
+        let apart = |along: &f64| (along - least).abs();
+        Self::steps()
+            .filter(|along| beyond(along) && legal(along))
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+            .map(|along| self.at(along))
+    }
+
+    /// All steps along the lines, and both base circles, in metres from the middle.
+    fn steps() -> impl Iterator<Item = f64> {
+        let end = Self::base_circle_along();
+        let count = (end / PLACE_STEP).floor() as i32;
+        let steps = (-count..=count).map(|step| f64::from(step) * PLACE_STEP);
+        steps.chain([-end, end])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Coin, Piece, PieceSet};
+    use crate::physics::Board;
+
+    const SET: PieceSet = PieceSet::Tournament;
+
+    fn coin(along: f64) -> Coin {
+        let board = Board::default();
+        let lines = BaseLines::new(&board, SET, Seat::South, &[]);
+        Coin {
+            piece: Piece::Black,
+            at: lines.at(along),
+        }
+    }
+
+    /// Between the lines and on a base circle there is the stretch where the striker
+    /// would cut it: 182.55 mm to 214.35 mm from the middle.
+    #[test]
+    fn a_step_passes_over_what_is_not_legal() {
+        let board = Board::default();
+        for seat in Seat::ALL {
+            let lines = BaseLines::new(&board, SET, seat, &[]);
+            let mut at = lines.at(0.0);
+            let mut passed = Vec::new();
+            while let Some(next) = lines.next_on_steps(at, PLACE_STEP) {
+                assert_eq!(lines.check(next), Ok(()));
+                at = next;
+                passed.push((lines.along(at) * 1e4).round() / 10.0);
+            }
+            assert_eq!(passed.len(), 91 + 3);
+            assert_eq!(passed[89..], [180.0, 182.0, 216.0, 218.0, 219.1]);
+            // And all the way back, through the middle again.
+            let mut places = vec![at];
+            while let Some(next) = lines.next_on_steps(at, -PLACE_STEP) {
+                at = next;
+                places.push(at);
+            }
+            assert!(places.contains(&lines.at(0.0)));
+        }
+    }
+
+    #[test]
+    fn a_step_passes_over_a_coin_and_finds_back_to_the_steps() {
+        let board = Board::default();
+        let coins = [coin(0.0)];
+        let lines = BaseLines::new(&board, SET, Seat::South, &coins);
+        let beside = lines.nearest(lines.at(0.01)).unwrap();
+        let reach = SET.striker_radius() + SET.coin_radius();
+        assert!((lines.along(beside) - reach).abs() < 2e-4, "36.65 mm");
+        let next = lines.next_on_steps(beside, PLACE_STEP).unwrap();
+        assert!((lines.along(next) - 0.038).abs() < 1e-12);
+        let across = lines.next_on_steps(beside, -PLACE_STEP).unwrap();
+        assert!((lines.along(across) + 0.038).abs() < 1e-12);
+        assert_eq!(lines.nearest_on_steps(lines.at(0.001)), Some(next));
+    }
+
+    #[test]
+    fn a_stroke_is_rounded_by_less_than_half_a_step() {
+        for seat in Seat::ALL {
+            for tenth in 1..60 {
+                let turn = f64::from(tenth) * 0.1037;
+                let stroke = Motion {
+                    position: DVec2::ZERO,
+                    velocity: DVec2::from_angle(turn) * (0.3 + 0.0613 * f64::from(tenth)),
+                };
+                let rounded = on_steps(stroke, seat).unwrap();
+                let apart = stroke.velocity.angle_to(rounded.velocity).abs();
+                assert!(apart < 0.0501_f64.to_radians(), "{apart}");
+                let faster = rounded.velocity.length() - stroke.velocity.length();
+                assert!(faster.abs() < 0.0501, "{faster}");
+                assert_eq!(on_steps(rounded, seat), Some(rounded));
+            }
+        }
+        assert_eq!(on_steps(Motion::at_rest(DVec2::ZERO), Seat::South), None);
+    }
+}

@@ -1,0 +1,131 @@
+//! What is due of the quiz.
+
+use super::{Attempt, LESSON, Review, reviews};
+use crate::quiz::{Course, CourseKind, Family};
+
+/// What is due of the quiz, and what comes next. What chapters asked is not of it: they
+/// say themselves what they ask again.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Due {
+    /// The topics that are due, the longest due first.
+    pub now: Vec<String>,
+    /// The topic that is due next, and when: "in 2 days".
+    pub next: Option<(String, String)>,
+}
+
+impl Due {
+    /// What is due at `now_s`, in seconds since 1970 began, of what was answered; nothing
+    /// where nobody knows the time.
+    pub fn of(attempts: &[Attempt], now_s: Option<i64>) -> Self {
+        let Some(now_s) = now_s else {
+            return Self::default();
+        };
+        let mut due = Self::default();
+        for review in reviews(attempts).into_iter().filter(Review::is_of_quiz) {
+            if review.is_due(now_s) {
+                due.now.push(review.topic);
+            } else if due.next.is_none() {
+                let when = review.when(now_s);
+                due.next = Some((review.topic, when));
+            }
+        }
+        due
+    }
+
+    /// The topics of the next review.
+    pub fn first(&self) -> &[String] {
+        &self.now[..self.now.len().min(Course::REVIEWED)]
+    }
+
+    /// A review, if anything is due.
+    pub fn course(&self) -> Option<CourseKind> {
+        (!self.now.is_empty()).then(|| CourseKind::Review(self.now.clone()))
+    }
+}
+
+impl Review {
+    /// Whether anything asks about it again: the quiz, or the chapter that did before. A
+    /// teacher's own questions may be about what nothing else is about.
+    pub fn comes_back(&self) -> bool {
+        self.family == LESSON || self.is_of_quiz()
+    }
+
+    /// Whether the quiz can ask about it.
+    fn is_of_quiz(&self) -> bool {
+        Family::with_id(&self.family).is_some() && !Family::asking(&self.topic).is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::DAY_S;
+    use crate::quiz::{Answer, Code, Confidence, Round};
+
+    const NOW_S: i64 = 1_800_000_000;
+
+    /// A right or wrong answer to the first question of a round, so many days ago.
+    fn attempt(code: &str, right: bool, days_ago: i64) -> Attempt {
+        let round = Round::of(Code::parse(code).unwrap());
+        let question = &round.questions()[0];
+        let answer = Answer::new(question.form.truth(), Confidence::Sure);
+        Attempt {
+            time_s: Some(NOW_S - days_ago * DAY_S),
+            right,
+            ..Attempt::of_quiz("Ada", round.code(), 1, question, &answer)
+        }
+    }
+
+    fn due(attempts: &[Attempt]) -> Due {
+        Due::of(attempts, Some(NOW_S))
+    }
+
+    #[test]
+    fn what_was_missed_or_has_rested_is_due_by_topic() {
+        let known = attempt("rutherford-1", true, 0);
+        let missed = attempt("from-angle-1", false, 0);
+        let rested = attempt("from-offset-1", true, 2);
+        let found = due(&[known.clone(), missed, rested]);
+        let topics = ["equal masses, by offset", "equal masses"].map(str::to_owned);
+        assert_eq!(found.now, topics);
+        let next = ("counts at two angles".into(), "in 1 day".into());
+        assert_eq!(found.next, Some(next));
+        assert_eq!(found.course(), Some(CourseKind::Review(topics.to_vec())));
+        let none = due(&[known]);
+        assert!(none.course().is_none() && none.next.is_some());
+    }
+
+    #[test]
+    fn a_review_asks_so_many_at_once_and_the_longest_due_first() {
+        let attempts: Vec<_> = Family::ALL
+            .into_iter()
+            .filter(|family| *family != Family::WhereTo && *family != Family::Concept)
+            .zip(1..)
+            .map(|(family, days)| attempt(&format!("{}-1", family.id()), false, days))
+            .collect();
+        let found = due(&attempts);
+        assert!(found.now.len() > Course::REVIEWED);
+        assert_eq!(found.first().len(), Course::REVIEWED);
+        let course = Course::new(found.course().unwrap());
+        assert_eq!(course.count, Course::REVIEWED);
+        assert_eq!(Round::new(course, 7).questions().len(), Course::REVIEWED);
+        assert_eq!(found.now[0], attempts.last().unwrap().topic);
+    }
+
+    #[test]
+    fn without_the_time_and_without_answers_nothing_is_due() {
+        assert_eq!(due(&[]), Due::default());
+        let missed = attempt("from-angle-1", false, 0);
+        assert_eq!(Due::of(std::slice::from_ref(&missed), None), Due::default());
+        let lesson = Attempt {
+            family: LESSON.into(),
+            ..missed.clone()
+        };
+        assert_eq!(due(&[lesson]), Due::default());
+        let forgotten = Attempt {
+            topic: "what an older carrom asked".into(),
+            ..missed
+        };
+        assert_eq!(due(&[forgotten]), Due::default());
+    }
+}

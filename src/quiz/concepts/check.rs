@@ -1,0 +1,203 @@
+//! What gives a right choice away, and what is not set as it should be.
+
+use std::collections::BTreeMap;
+
+use super::Concept;
+use crate::files::Fault;
+
+/// How many questions there must be before a rule of thumb can be seen in them.
+const ENOUGH: usize = 8;
+/// By how many letters and by what factor a right choice may at most be longer or shorter
+/// than all others of its question.
+const STANDING_OUT: (usize, f64) = (8, 1.5);
+/// Words that make a choice sound wrong.
+const BROAD: [&str; 3] = ["always", "never", "nothing can"];
+
+/// Everything that is not good about these questions: of each for itself, and of all
+/// together where they are at least eight.
+pub fn check(concepts: &[Concept]) -> Vec<Fault> {
+    let mut faults: Vec<Fault> = concepts.iter().flat_map(Concept::check).collect();
+    let Some(first) = concepts.first().filter(|_| concepts.len() >= ENOUGH) else {
+        return faults;
+    };
+    let together = [lengths(concepts), places(concepts), words(concepts)];
+    let together = together.into_iter().flatten();
+    // It is nobody's fault alone, so no line can be named.
+    faults.extend(together.map(|message| Fault::of_file(&first.file, message)));
+    faults
+}
+
+impl Concept {
+    /// What is not good about this question.
+    fn check(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        let mut found = |field: &str, message: String| faults.push(self.fault(field, message));
+        if let Some(message) = self.stands_out() {
+            found("right", message);
+        }
+        let says = self.wrongs.iter().map(|wrong| ("says", &wrong.says));
+        for (field, text) in [("ask", &self.ask), ("why", &self.why)]
+            .into_iter()
+            .chain(says)
+        {
+            let end = text.trim_end_matches(['”', '"']);
+            if !end.ends_with(['.', '?', '!']) {
+                found(field, format!("expected whole sentences, found \"{text}\""));
+            }
+        }
+        for choice in self.choices() {
+            if choice.text().ends_with('.') {
+                let message = format!("expected no full stop after \"{}\"", choice.text());
+                found("choice", message);
+            }
+        }
+        for wrong in &self.wrongs {
+            if let Some([right, other]) = figures(&self.right, &wrong.choice)
+                && (right - other).abs() <= 0.1 * right.max(other)
+            {
+                let message = format!("expected figures well apart, found {right} and {other}");
+                found("choice", message);
+            }
+        }
+        if self.hit.is_some_and(|hit| !hit.outcome().hit()) {
+            found("hit", "expected discs that meet; these miss".into());
+        }
+        faults
+    }
+
+    /// How the right choice is given away by its length alone.
+    fn stands_out(&self) -> Option<String> {
+        let (by, factor) = STANDING_OUT;
+        let right = letters(&self.right);
+        let others = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
+        let (least, most) = (others.clone().min()?, others.max()?);
+        let beyond =
+            |short: usize, long: usize| long > short + by && long as f64 > factor * short as f64;
+        let gives = |which| {
+            Some(format!(
+                "expected a choice of the length of the others, found the right one {which} by \
+                 far: {right} letters to {least}-{most}"
+            ))
+        };
+        if beyond(most, right) {
+            return gives("longest");
+        }
+        if beyond(right, least) {
+            return gives("shortest");
+        }
+        None
+    }
+}
+
+/// Letters of a text.
+fn letters(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// How many questions are won by whoever always takes the longest or the shortest choice,
+/// against blind guessing.
+fn lengths(concepts: &[Concept]) -> Vec<String> {
+    let count = concepts.len() as f64;
+    let choices = concepts.iter().map(|it| it.choices().len() as f64);
+    let fair = choices.map(|all| 1.0 / all).sum::<f64>();
+    let won = |beats: fn(usize, usize) -> bool| {
+        let wins = concepts.iter().filter(|concept| {
+            let right = letters(&concept.right);
+            let mut others = concept.wrongs.iter().map(|wrong| letters(&wrong.choice));
+            others.all(|other| beats(right, other))
+        });
+        wins.count()
+    };
+    let rules = [
+        ("longest", won(|right, other| right > other)),
+        ("shortest", won(|right, other| right < other)),
+    ];
+    let mut faults: Vec<String> = rules
+        .into_iter()
+        .filter(|(_, won)| *won as f64 > fair)
+        .map(|(which, won)| {
+            format!(
+                "the right choice is the {which} in {won} of {count} questions; guessing \
+                 wins {fair:.0}"
+            )
+        })
+        .collect();
+    let mean = |concept: &Concept| {
+        let sum: usize = concept.wrongs.iter().map(|it| letters(&it.choice)).sum();
+        sum as f64 / concept.wrongs.len() as f64
+    };
+    let right: usize = concepts.iter().map(|concept| letters(&concept.right)).sum();
+    let ratio = right as f64 / concepts.iter().map(mean).sum::<f64>();
+    if (ratio - 1.0).abs() > 0.1 {
+        faults.push(format!(
+            "right choices have {ratio:.2} times as many letters as wrong ones"
+        ));
+    }
+    faults
+}
+
+/// The place of the right choice, where the choices have an order of their own; all others
+/// are shuffled.
+fn places(concepts: &[Concept]) -> Vec<String> {
+    let ordered: Vec<_> = concepts.iter().filter(|concept| concept.ordered).collect();
+    let mut places: BTreeMap<usize, usize> = BTreeMap::new();
+    for concept in &ordered {
+        *places.entry(concept.before_right).or_default() += 1;
+    }
+    let often = places
+        .into_iter()
+        .filter(|(_, count)| ordered.len() >= ENOUGH && 2 * count > ordered.len());
+    often
+        .map(|(place, count)| {
+            format!(
+                "the right choice stands at place {} in {count} of {} questions whose choices \
+                 have an order",
+                place + 1,
+                ordered.len()
+            )
+        })
+        .collect()
+}
+
+/// A first word that mostly right choices have, and "always" and "never" that only wrong
+/// ones have, tell them from afar.
+fn words(concepts: &[Concept]) -> Vec<String> {
+    let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    for choice in concepts.iter().flat_map(Concept::choices) {
+        let first = choice.text().split_whitespace().next().unwrap_or_default();
+        let (right, of) = begin.entry(first).or_default();
+        *right += usize::from(choice.is_right());
+        *of += 1;
+    }
+    let mut faults: Vec<String> = begin
+        .into_iter()
+        .filter(|(_, (right, of))| *of >= 4 && 2 * right > *of)
+        .map(|(word, (right, of))| {
+            format!("of {of} choices that begin with \"{word}\" {right} are right")
+        })
+        .collect();
+    let broad = |text: &str| BROAD.iter().any(|word| text.to_lowercase().contains(word));
+    let wrongs = concepts.iter().flat_map(|concept| &concept.wrongs);
+    let told = wrongs.filter(|wrong| broad(&wrong.choice)).count();
+    if told > concepts.len() / 10 {
+        faults.push(format!("{told} wrong choices say always or never"));
+    }
+    faults
+}
+
+/// The figures of two choices that differ in nothing else.
+fn figures(a: &str, b: &str) -> Option<[f64; 2]> {
+    let figure = |c: char| c.is_ascii_digit() || c == '.';
+    let only = |text: &str| {
+        let numbers = text
+            .split(|c| !figure(c))
+            .filter_map(|part| part.parse().ok());
+        let numbers: Vec<f64> = numbers.collect();
+        match numbers[..] {
+            [number] => Some(number),
+            _ => None,
+        }
+    };
+    let (first, second) = (only(a)?, only(b)?);
+    (a.replace(figure, "") == b.replace(figure, "")).then_some([first, second])
+}

@@ -1,0 +1,72 @@
+//! Questions from files that are not in the program: a teacher's own.
+
+use std::path::Path;
+
+use super::{Concept, read, with_id};
+use crate::files::{self, Fault, harmless};
+
+/// How the names of files of questions end.
+const ENDING: &str = "toml";
+/// The most files that are read from one folder.
+const MOST_FILES: usize = 200;
+/// Most letters of a subject, which is the name of a file.
+const LONGEST_SUBJECT: usize = 40;
+
+/// Questions read from files, in the order of the files and in them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Library {
+    /// The questions; no two have the same id, nor that of one in the program.
+    pub concepts: Vec<Concept>,
+    /// What was wrong with files that are left out.
+    pub problems: Vec<Fault>,
+}
+
+impl Library {
+    /// The questions in the program.
+    pub fn embedded() -> Self {
+        match super::embedded() {
+            Ok(concepts) => Self {
+                concepts,
+                problems: Vec::new(),
+            },
+            Err(fault) => Self {
+                concepts: Vec::new(),
+                problems: vec![fault],
+            },
+        }
+    }
+
+    /// Adds the questions of a folder. A file that is no good is left out and reported
+    /// in [`Library::problems`].
+    pub fn add_dir(&mut self, dir: &Path) {
+        match files::list(dir, ENDING, MOST_FILES) {
+            Ok(list) => list.files.iter().for_each(|file| self.add_file(file)),
+            Err(fault) => self.problems.push(fault),
+        }
+    }
+
+    /// Adds the questions of a file, whose name is their subject.
+    pub fn add_file(&mut self, path: &Path) {
+        let subject = path.file_stem().map(|stem| stem.to_string_lossy());
+        let subject = harmless(&subject.unwrap_or_default(), LONGEST_SUBJECT);
+        let name = path.display().to_string();
+        let added =
+            files::read(path, files::LARGEST).and_then(|bytes| self.add(&subject, &name, &bytes));
+        self.problems.extend(added.err());
+    }
+
+    /// Adds the questions of a file if all of them are good.
+    fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), Fault> {
+        let mut fresh = Vec::new();
+        read::file(subject, name, bytes, &mut fresh)?;
+        for concept in &fresh {
+            let known = self.concepts.iter().find(|known| known.id == concept.id);
+            if let Some(known) = known.or_else(|| with_id(&concept.id)) {
+                let message = format!("expected an id of its own; {} has it already", known.file);
+                return Err(concept.fault("id", message));
+            }
+        }
+        self.concepts.extend(fresh);
+        Ok(())
+    }
+}

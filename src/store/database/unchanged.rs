@@ -1,0 +1,45 @@
+//! A database where nothing can be written: a copy on a disk for reading, or somebody
+//! else's.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use rusqlite::{Connection, OpenFlags};
+
+use super::schema;
+use super::trouble::Trouble;
+
+/// Opens the database of this name in `folder` to look things up, without a file beside
+/// it.
+pub(super) fn open(folder: &Path, name: &str) -> Result<Connection, Trouble> {
+    let log = format!("{name}-wal");
+    let in_log = fs::metadata(folder.join(&log)).is_ok_and(|about| about.len() > 0);
+    // What cannot change needs no locks, but its log is not looked at either.
+    let how = if in_log { "mode=ro" } else { "immutable=1" };
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
+    let connection = Connection::open_with_flags(address(&folder.join(name), how), flags)?;
+    match schema::version(&connection) {
+        Ok(found) if found > schema::VERSION => Err(Trouble::Newer(found)),
+        Ok(_) => Ok(connection),
+        Err(_) if in_log => Err(Trouble::InLog(log)),
+        Err(trouble) => Err(trouble),
+    }
+}
+
+/// A path as the address of a file, all that means something there in percent.
+fn address(path: &Path, how: &str) -> String {
+    let mut address = String::from("file:");
+    for byte in path.as_os_str().as_encoded_bytes() {
+        match byte {
+            b'/' | b'-' | b'.' | b'_' | b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' => {
+                address.push(char::from(*byte));
+            }
+            byte => {
+                // Writing to a text cannot fail.
+                let _ = write!(address, "%{byte:02X}");
+            }
+        }
+    }
+    address + "?" + how
+}

@@ -1,0 +1,138 @@
+//! Letters of strokes: the smallest large type there is in ASCII, three rows and a tail.
+//!
+//! The font is "Mini" by Glenn Chappell, in the format of FIGlet: after a line with the
+//! height of its letters and the number of lines of remarks each letter from the blank on
+//! has as many lines, each with an end mark, the last with two. A dollar sign is a blank
+//! that nothing else may come into.
+
+use std::sync::LazyLock;
+
+static FONT: &str = include_str!("../../../assets/fonts/mini.flf");
+
+/// Rows of a line of letters.
+pub(super) const ROWS: usize = 4;
+/// Columns of a blank.
+const BLANK: usize = 3;
+/// A blank that nothing else may come into.
+const HARD: char = '$';
+
+/// The rows of a letter or of a line of them, all of one length.
+pub(super) type Rows = [Vec<char>; ROWS];
+
+/// The letters from the blank to the tilde.
+static LETTERS: LazyLock<Vec<Rows>> = LazyLock::new(|| {
+    let mut lines = FONT.lines();
+    let head = lines.next().unwrap_or_default();
+    let remarks = head.split(' ').nth(5).and_then(|it| it.parse().ok());
+    let lines: Vec<&str> = lines.skip(remarks.unwrap_or(0)).collect();
+    let letter = |lines: &[&str]| {
+        let row = |i| -> Vec<char> {
+            let line: &str = lines.get(i).copied().unwrap_or_default();
+            line.trim_end_matches('@').chars().collect()
+        };
+        std::array::from_fn(row)
+    };
+    lines.chunks_exact(ROWS).map(letter).take(95).collect()
+});
+
+/// The letters of a text of ASCII in lines no longer than `columns`, broken at blanks;
+/// `None` if a word is longer, or a letter has no strokes.
+pub(super) fn set(text: &str, columns: usize) -> Option<Vec<Rows>> {
+    let mut lines: Vec<Rows> = Vec::new();
+    for word in text.split_whitespace() {
+        let word = joined(word)?;
+        let width = word[0].len();
+        if width > columns {
+            return None;
+        }
+        match lines.last_mut() {
+            Some(line) if line[0].len() + BLANK + width <= columns => {
+                for (line, word) in line.iter_mut().zip(word) {
+                    line.extend([' '; BLANK]);
+                    line.extend(word);
+                }
+            }
+            _ => lines.push(word),
+        }
+    }
+    Some(lines)
+}
+
+/// The letters of a word, as close together as they go without touching.
+fn joined(word: &str) -> Option<Rows> {
+    let mut joined = Rows::default();
+    for letter in word.chars() {
+        let letter = LETTERS.get((letter as usize).checked_sub(' ' as usize)?)?;
+        let overlap = (0..ROWS)
+            .map(|row| {
+                let after = joined[row].iter().rev().take_while(|c| **c == ' ').count();
+                let before = letter[row].iter().take_while(|c| **c == ' ').count();
+                after + before
+            })
+            .min();
+        let (width, wide) = (joined[0].len(), letter[0].len());
+        let start = width.saturating_sub(overlap.unwrap_or(0).min(wide));
+        for (joined, letter) in joined.iter_mut().zip(letter) {
+            joined.resize(width.max(start + wide), ' ');
+            for (i, c) in letter.iter().enumerate().filter(|(_, c)| **c != ' ') {
+                joined[start + i] = *c;
+            }
+        }
+    }
+    let soft = |c: &mut char| {
+        if *c == HARD {
+            *c = ' ';
+        }
+    };
+    joined.iter_mut().flatten().for_each(soft);
+    // Nothing but air may stand at the ends.
+    let empty = |rows: &Rows, at: usize| rows.iter().all(|row| row.get(at) == Some(&' '));
+    while !joined[0].is_empty() && empty(&joined, joined[0].len() - 1) {
+        joined
+            .iter_mut()
+            .for_each(|row| row.truncate(row.len() - 1));
+    }
+    while !joined[0].is_empty() && empty(&joined, 0) {
+        joined.iter_mut().for_each(|row| {
+            row.remove(0);
+        });
+    }
+    Some(joined)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_letter_of_ascii_has_strokes_of_one_height() {
+        assert_eq!(LETTERS.len(), 95);
+        for (letter, rows) in (' '..='~').zip(LETTERS.iter()) {
+            let inked = rows.iter().flatten().any(|c| ![' ', HARD].contains(c));
+            assert_eq!(inked, letter != ' ', "{letter}");
+            assert!(
+                rows.iter().all(|row| row.len() == rows[0].len()),
+                "{letter}"
+            );
+            assert!(rows.iter().flatten().all(|c| (' '..='~').contains(c)));
+        }
+    }
+
+    #[test]
+    fn words_are_set_in_lines() {
+        let lines = set("a coin of 15 g", 30).unwrap();
+        let text: Vec<String> = lines[0].iter().map(|row| row.iter().collect()).collect();
+        assert_eq!(
+            text,
+            [
+                "                          _",
+                " _.    _  _  o ._     _ _|_",
+                "(_|   (_ (_) | | |   (_) | ",
+                "                           ",
+            ]
+        );
+        assert_eq!(lines.len(), 2);
+        assert!(set("unbreakable", 20).is_none());
+        assert!(set("α", 20).is_none());
+    }
+}

@@ -1,0 +1,79 @@
+//! A hit that is watched before its outcome is told.
+
+use std::time::Duration;
+
+use super::{Layers, Watch};
+use crate::messages::Key;
+
+/// What is to be watched, if anything, and whether its outcome has been told.
+#[derive(Debug, Clone)]
+pub struct Telling {
+    watch: Option<Watch>,
+    told: bool,
+}
+
+impl Telling {
+    /// Before it is watched; where there is nothing to be watched, or no motion is wanted,
+    /// it is told already.
+    pub fn new(watch: Option<Watch>) -> Self {
+        Self {
+            told: watch.as_ref().is_none_or(Watch::is_told),
+            watch,
+        }
+    }
+
+    /// The hit, where there is one.
+    pub fn watch(&self) -> Option<&Watch> {
+        self.watch.as_ref()
+    }
+
+    /// Whether the outcome has been told; it stays so while the hit is seen again.
+    pub fn is_told(&self) -> bool {
+        self.told
+    }
+
+    /// Shows another hit; what has been told stays told.
+    pub fn show(&mut self, watch: Watch) {
+        self.watch = Some(watch);
+    }
+
+    /// Takes a key of the hit's; says whether it was one.
+    pub fn update(&mut self, key: Key) -> bool {
+        let Some(watch) = &mut self.watch else {
+            return false;
+        };
+        let key = match key {
+            Key::Char(' ') if watch.clock().is_over() => Key::Char('a'),
+            key => key,
+        };
+        let taken = watch.update(key);
+        self.told |= watch.is_told();
+        taken
+    }
+
+    /// Lets time pass.
+    pub fn advance(&mut self, passed: Duration) {
+        if let Some(watch) = &mut self.watch {
+            watch.advance(passed);
+            self.told |= watch.is_told();
+        }
+    }
+
+    /// When it next needs time; `None` while nothing moves.
+    pub fn wake(&self) -> Option<Duration> {
+        self.watch.as_ref().and_then(Watch::wake)
+    }
+
+    /// Tells what happened at once.
+    pub fn tell(&mut self) {
+        if let Some(watch) = &mut self.watch {
+            watch.tell();
+        }
+        self.told = true;
+    }
+
+    /// What is drawn on top of the hit, where there is one.
+    pub fn layers(&self) -> Option<Layers> {
+        self.watch.as_ref().map(Watch::layers)
+    }
+}

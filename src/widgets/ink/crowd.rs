@@ -1,0 +1,131 @@
+//! Many discs on one board: all of one kind, and every one of them to be seen.
+
+use glam::{DVec2, dvec2};
+
+use super::disc::{token, token_rows};
+use super::sheet::Sheet;
+use crate::widgets::{Charset, Role};
+
+/// How far from its own cell a token may have to go, in cells.
+const FARTHEST: i32 = 4;
+
+/// The ring round a disc that is pointed out, in its radii.
+const RING: f64 = 1.25;
+
+/// Rows that discs among others must be high to be round. In blocks a disc of one row
+/// and a half is still told from its neighbours, and is where it is.
+const fn fewest_rows(charset: Charset) -> f64 {
+    match charset {
+        Charset::Ascii => token_rows(charset),
+        Charset::Unicode => 1.4,
+    }
+}
+
+/// A disc among others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// Its centre.
+    pub at: DVec2,
+    /// Its radius, in the same unit as the world.
+    pub radius: f64,
+    /// What it is drawn as.
+    pub role: Role,
+    /// The letter in its middle where it is large; a space for none.
+    pub letter: char,
+    /// Whether it is pointed out among the others.
+    pub pointed_out: bool,
+}
+
+/// A cell of the sheet: column and row.
+type Place = (i32, i32);
+
+impl Sheet {
+    /// Discs of one scale: round ones if even the smallest has room for it, else
+    /// [tokens](token) for all.
+    ///
+    /// Every token has cells of its own. Where two would share one, the one that lies
+    /// farther from the cell's middle moves over to the nearest free cell; the queen
+    /// never does. No stroke and no arrow hides a token, whatever is drawn when.
+    pub fn discs(&mut self, bodies: &[Body]) {
+        let smallest = bodies.iter().map(|body| body.radius);
+        let smallest = smallest.fold(f64::INFINITY, f64::min);
+        if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
+            for body in bodies.iter().filter(|body| body.radius > 0.0) {
+                self.round(body.at, body.radius, body.role, body.letter);
+            }
+            for body in bodies.iter().filter(|body| body.pointed_out) {
+                self.circle(body.at, RING * body.radius, Role::Good);
+            }
+        } else {
+            self.tokens(bodies);
+        }
+    }
+
+    fn tokens(&mut self, bodies: &[Body]) {
+        let mut crowd: Vec<(DVec2, &Body)> = bodies
+            .iter()
+            .map(|body| (self.paper(body.at), body))
+            .filter(|(at, _)| self.holds(cell_of(*at)))
+            .collect();
+        let rank = |role| match role {
+            Role::Queen => 0,
+            Role::Striker => 1,
+            _ => 2,
+        };
+        crowd.sort_by(|(a, first), (b, second)| {
+            let apart = |at: &DVec2| at.distance(middle(cell_of(*at)));
+            let ranks = rank(first.role).cmp(&rank(second.role));
+            ranks.then_with(|| apart(a).total_cmp(&apart(b)))
+        });
+        let mut taken: Vec<Place> = Vec::with_capacity(crowd.len() + 2);
+        for (at, body) in crowd {
+            let text = token(body.role, self.charset);
+            let width = text.chars().count() as i32;
+            let beside = width / 2;
+            let is_free = |(column, row): Place| {
+                (column - beside..=column + beside).all(|column| !taken.contains(&(column, row)))
+            };
+            let Some(place) = self.nearest(at, is_free) else {
+                continue;
+            };
+            taken.extend((place.0 - beside..=place.0 + beside).map(|column| (column, place.1)));
+            self.stamp(middle(place), text, body.role, false);
+            if body.pointed_out
+                && let Some(glyph) = self
+                    .cell_at(middle(place))
+                    .and_then(|cell| cell.glyph.as_mut())
+            {
+                glyph.reversed = true;
+            }
+        }
+    }
+
+    /// The cell nearest to a point on paper that is free.
+    fn nearest(&self, at: DVec2, is_free: impl Fn(Place) -> bool) -> Option<Place> {
+        let (column, row) = cell_of(at);
+        let around = (-FARTHEST..=FARTHEST)
+            .flat_map(|down| (-FARTHEST..=FARTHEST).map(move |along| (column + along, row + down)));
+        around
+            .filter(|place| self.holds(*place) && is_free(*place))
+            .min_by(|a, b| {
+                let apart = |place: &Place| middle(*place).distance_squared(at);
+                apart(a).total_cmp(&apart(b))
+            })
+    }
+
+    /// Whether a cell is on this sheet.
+    fn holds(&self, (column, row): Place) -> bool {
+        let (columns, rows) = self.size();
+        (0..columns).contains(&column) && (0..rows).contains(&row)
+    }
+}
+
+/// The cell that holds a point on paper.
+fn cell_of(at: DVec2) -> Place {
+    (at.x.floor() as i32, (at.y / 2.0).floor() as i32)
+}
+
+/// The middle of a cell on paper.
+fn middle((column, row): Place) -> DVec2 {
+    dvec2(f64::from(column) + 0.5, 2.0 * f64::from(row) + 1.0)
+}

@@ -1,0 +1,105 @@
+//! The lab on the screen, by keys.
+
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::messages::Key;
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+
+const LONG: Duration = Duration::from_secs(60);
+
+/// The lab, with nothing to be said before a hit.
+fn lab() -> Headless {
+    let settings = Settings {
+        predict: false,
+        ..Settings::default()
+    };
+    Headless::new(App::new(Place::Lab, settings, 1), 100, 30)
+}
+
+/// The value beside a name in the panel.
+fn beside(game: &mut Headless, name: &str) -> f64 {
+    let screen = game.screen();
+    let line = screen.lines().find(|line| line.contains(name));
+    let value = line
+        .and_then(|line| line.rsplit(name).next())
+        .unwrap_or_default();
+    let value = value.split_whitespace().next().unwrap_or_default();
+    value
+        .parse()
+        .unwrap_or_else(|_| panic!("{name}: {value}\n{screen}"))
+}
+
+/// Equal discs of radius r that stick at b = 2r sin α, as seen from their centre of mass:
+/// there ω r = (μ b w / I) r with μ = m/2 and I = m r² + 2 m r² is w sin α / 3.
+#[test]
+fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
+    for offset_mm in [0.0, 6.0, -15.0, 27.0] {
+        let mut game = lab();
+        game.press(&format!("b{offset_mm}<Enter><Enter>"));
+        assert!(game.settle(LONG));
+        let board = game.screen();
+        for never in ["back to back", "share one velocity", "v1 =", "v2 ="] {
+            assert!(!board.contains(never), "{board}");
+        }
+        assert!(board.contains("V = 2.00 m/s"), "{board}");
+        game.press("f");
+        let going_round = 4.0 * (offset_mm / 30.0_f64).abs() / 3.0;
+        for name in ["striker after", "coin after"] {
+            let shown = beside(&mut game, name);
+            assert!((shown - going_round).abs() < 0.006, "{name} {shown}");
+        }
+        let screen = game.screen();
+        assert!(!screen.contains("back to back"), "{screen}");
+        assert_eq!(screen.contains("do not part"), offset_mm != 0.0);
+    }
+}
+
+#[test]
+fn a_number_out_of_range_tells_the_range() {
+    let mut game = lab();
+    game.press("500<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("37.5 mm") && screen.contains("from -37.5 to 37.5 mm"));
+    game.key(Key::Down);
+    assert!(!game.screen().contains("from -37.5"));
+    game.press("<Down><Down>999<Enter>");
+    assert!(game.screen().contains("from 0.1 to 20 m/s"));
+    game.press("<Down>2<Enter>");
+    assert!(game.screen().contains("from 0 to 1"));
+    game.press("0.5<Enter>");
+    assert!(!game.screen().contains("from 0 to 1"));
+}
+
+#[test]
+fn at_the_end_both_arrows_can_be_seen_and_both_discs_are_whole() {
+    for set in 0..3 {
+        for ratio in [0.1, 0.3, 0.5, 0.75, 0.9] {
+            let mut game = lab();
+            game.press(&"s".repeat(set));
+            let reach = [30.0, 36.55, 28.0][set];
+            game.press(&format!("{:.1}<Enter><Enter>", ratio * reach));
+            assert!(game.settle(LONG));
+            let contact = game.screen();
+            game.press("<Space>");
+            assert!(game.settle(LONG));
+            let end = game.screen();
+            let picture = |screen: &str| -> Vec<String> {
+                let rows = screen.lines().skip(1).take(28);
+                rows.map(|row| row.chars().take(70).collect()).collect()
+            };
+            let heads = |screen: &str| {
+                let picture = picture(screen).join("\n");
+                ["v1 = ", "v2 = "].map(|name| picture.matches(name).count())
+            };
+            assert_eq!(heads(&end), [1, 1], "{set} {ratio}\n{end}");
+            assert_eq!(heads(&end), heads(&contact));
+            // A disc that ran out of the picture would leave its letter outside, or a
+            // rim that is cut off by the frame.
+            let rows = picture(&end);
+            let letters = |letter| rows.iter().any(|row| row.contains(letter));
+            assert!(letters('S') && letters('C'), "{set} {ratio}\n{end}");
+        }
+    }
+}
