@@ -449,7 +449,7 @@ fn the_worked_solution_speaks_of_what_is_special() {
         (&["--alpha-deg", "0", "--m1-g", "5.5"], "straight back"),
         (
             &["--alpha-deg", "30", "--stick"],
-            "go on as one at 2 m/s, turning",
+            "their centre of mass goes on at 2 m/s, and they turn about it",
         ),
         (
             &["--alpha-deg", "0", "--stick"],

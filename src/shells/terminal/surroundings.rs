@@ -11,14 +11,10 @@ use crate::widgets::{Charset, Depth};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Unusable {
     /// Standard input or output is a file, a pipe or nothing.
-    #[error(
-        "a terminal is needed, and {0} is not one; for use without one see carrom solve and carrom tape"
-    )]
+    #[error("a terminal is needed, and {0} is not one")]
     NoTerminal(&'static str),
     /// The terminal cannot place text.
-    #[error(
-        "a terminal that can place text is needed, and TERM is {0}; for use without one see carrom solve and carrom tape"
-    )]
+    #[error("a terminal that can place text is needed, and TERM is {0}")]
     Dumb(String),
 }
 
