@@ -100,8 +100,16 @@ fn bad_tapes_are_refused_with_line_and_reason() {
             1,
             "Set: expected Size, Charset, Color or Day with a value, found nothing",
         ),
-        ("Set Speed 3", 1, "Set: expected Size, Charset, Color or Day"),
-        ("Set Day 5", 1, "Set Day: expected a day, such as 2026-01-05"),
+        (
+            "Set Speed 3",
+            1,
+            "Set: expected Size, Charset, Color or Day",
+        ),
+        (
+            "Set Day 5",
+            1,
+            "Set Day: expected a day, such as 2026-01-05",
+        ),
         ("Set Day 2026-02-30", 1, "Set Day: expected a day"),
         ("Set Day 1969-01-05", 1, "Set Day: expected a day"),
         ("Set Size 80", 1, "Set Size: expected columns x rows"),
