@@ -153,6 +153,39 @@ impl Screen {
         }
     }
 
+    /// What `carrom` alone has for use without a terminal.
+    const WITHOUT_TERMINAL: &'static str = "carrom learn --plain, carrom quiz --plain, carrom \
+        solve, carrom worksheet, carrom figure, carrom progress --csv, carrom tape";
+
+    /// What serves in its place without a terminal.
+    fn without_terminal(&self) -> &'static str {
+        match self {
+            Self::Learn { .. } => "carrom learn --plain reads and asks in plain lines",
+            Self::Quiz { .. } => {
+                "carrom quiz --plain asks in plain lines, carrom worksheet puts a round on paper"
+            }
+            Self::Class { .. } => "carrom worksheet puts a round on paper",
+            Self::Lab => {
+                "carrom solve works a hit out (with --plain in plain lines), carrom figure lab \
+                 --svg FILE draws it"
+            }
+            Self::Foil => {
+                "carrom figure foil --svg FILE draws it, carrom learn 10 --plain tells of it"
+            }
+            Self::Table => {
+                "carrom simulate FILE plays a shot, carrom replay FILE an exported game, carrom \
+                 tape FILE a script"
+            }
+            Self::Progress(_) => {
+                "carrom progress --csv or --json prints it, --report FILE writes a page of it"
+            }
+            Self::Levels { .. } => {
+                "carrom level check FILE checks a level, carrom simulate FILE plays a shot, carrom \
+                 tape FILE a script"
+            }
+        }
+    }
+
     /// Where that is, with these levels, chapters, questions and options.
     ///
     /// # Errors
@@ -277,7 +310,8 @@ impl Cli {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Failure> {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(message) => {
+        Err(mut message) => {
+            plain::advise(&mut message);
             // Help asked for goes to standard output, anything else to standard
             // error; if neither can be written there is nobody to tell.
             let _ = say(&message);

@@ -4,6 +4,7 @@ use std::io;
 use std::process::ExitCode;
 
 use anyhow::anyhow;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::play::any_seed;
 use super::{Failure, Options};
@@ -37,6 +38,24 @@ pub(super) fn learn(chapter: Option<&str>, options: &Options) -> Result<ExitCode
 /// A worked solution; without steps the hit is asked for.
 pub(super) fn solve(steps: Option<&[Step]>) -> Result<ExitCode, Failure> {
     talk(|talk| plain::solve(talk, steps))
+}
+
+/// Names the commands that know `--plain` where it was given to another.
+pub(super) fn advise(message: &mut clap::Error) {
+    let unknown = message
+        .get(ContextKind::InvalidArg)
+        .map(ToString::to_string);
+    if message.kind() == ErrorKind::UnknownArgument && unknown.as_deref() == Some("--plain") {
+        message.remove(ContextKind::SuggestedArg);
+        // It would be the usage of what was suggested.
+        message.remove(ContextKind::Usage);
+        let known = "plain lines are known to: carrom learn --plain, carrom quiz --plain, carrom \
+                     solve --plain";
+        message.insert(
+            ContextKind::Suggested,
+            ContextValue::StyledStrs(vec![known.into()]),
+        );
+    }
 }
 
 fn with_keeper(

@@ -13,7 +13,10 @@ use crate::shells::terminal::{self, Ending};
 /// Opens the game at a screen and plays it until it is left.
 pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode, Failure> {
     let env = |name: &str| env::var(name).ok();
-    terminal::check(env).map_err(|error| Failure::Input(error.into()))?;
+    terminal::check(env).map_err(|error| {
+        let instead = screen.map_or(Screen::WITHOUT_TERMINAL, Screen::without_terminal);
+        Failure::Input(anyhow!("{error}; without one: {instead}"))
+    })?;
     terminal::report_crashes(options.data_dir());
     let auto = Auto {
         charset: terminal::charset(env),

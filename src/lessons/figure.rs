@@ -9,8 +9,11 @@ use super::words::Words;
 pub enum FigureKind {
     /// The hit, as in the lab.
     Lab,
-    /// The hit at the contact with the split of u.
-    Split,
+    /// The hit at the contact with n, t and the split of u.
+    Split {
+        /// Whether only the lines n and t are drawn.
+        lines: bool,
+    },
     /// The triangle of momenta, up to a step of the proof.
     Triangle {
         /// The step, 1 to 3.
@@ -63,7 +66,7 @@ impl FigureKind {
     /// Names in a file, each with its figure.
     const NAMES: [(&'static str, Self); 11] = [
         ("lab", Self::Lab),
-        ("split", Self::Split),
+        ("split", Self::Split { lines: false }),
         ("triangle", Self::Triangle { step: 3 }),
         ("frames", Self::Frames),
         ("curves", Self::Curves),
@@ -94,7 +97,7 @@ impl FigureKind {
 
     /// Whether it shows the very hit, so that rays can be turned in it.
     pub fn is_hit(self) -> bool {
-        matches!(self, Self::Lab | Self::Split)
+        matches!(self, Self::Lab | Self::Split { .. })
     }
 }
 
@@ -116,6 +119,7 @@ impl Figure {
         };
         let own = words.flag("own");
         match &mut kind {
+            FigureKind::Split { lines } => *lines = words.flag("lines"),
             FigureKind::Triangle { step } => {
                 *step = words.number("step", 1.0, 3.0)?.map_or(3, |step| step as u8);
             }

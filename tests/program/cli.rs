@@ -39,7 +39,17 @@ fn names(folder: &Folder) -> Vec<String> {
 
 #[test]
 fn without_a_terminal_it_says_so() {
-    for arguments in [&[][..], &["lab"], &["quiz", "--seed", "7"], &["levels"]] {
+    for (arguments, instead) in [
+        (&[][..], "carrom learn --plain"),
+        (&["learn"], "carrom learn --plain"),
+        (&["lab"], "carrom solve"),
+        (&["quiz", "--seed", "7"], "carrom quiz --plain"),
+        (&["class"], "carrom worksheet"),
+        (&["table"], "carrom simulate"),
+        (&["foil"], "carrom figure foil"),
+        (&["progress"], "carrom progress --csv or --json"),
+        (&["levels"], "carrom level check"),
+    ] {
         let output = carrom(arguments);
         assert_eq!(output.status.code(), Some(2));
         assert_eq!(out(&output), "");
@@ -48,7 +58,30 @@ fn without_a_terminal_it_says_so() {
             message.starts_with("carrom: a terminal is needed, and standard input is not one"),
             "{message}"
         );
+        assert!(
+            message.contains(&format!("; without one: {instead}")),
+            "{message}"
+        );
         assert_eq!(message.lines().count(), 1);
+    }
+}
+
+#[test]
+fn who_asks_for_plain_lines_is_told_where_they_are() {
+    for arguments in [
+        &["lab", "--plain"][..],
+        &["--plain"],
+        &["worksheet", "--plain"],
+    ] {
+        let output = carrom(arguments);
+        assert_eq!(output.status.code(), Some(2));
+        let message = err(&output);
+        assert!(
+            message.contains("unexpected argument '--plain'")
+                && message.contains("carrom quiz --plain")
+                && !message.contains("--player'"),
+            "{message}"
+        );
     }
 }
 
@@ -217,7 +250,7 @@ fn a_folder_that_cannot_be_written_is_named() {
     let output = carrom(&["tape", &tape, "--out", &format!("{tape}/shots")]);
     assert_eq!(output.status.code(), Some(1));
     assert!(
-        err(&output).starts_with(&format!("carrom: {tape}/shots: ")),
+        err(&output).starts_with(&format!("carrom: cannot write {tape}: expected a folder")),
         "{}",
         err(&output)
     );

@@ -64,6 +64,17 @@ fn answers(round: &Round, said: impl Fn(&Question) -> Said) -> String {
         .collect()
 }
 
+/// Every answer that was kept there.
+fn attempts(folder: &Folder) -> Vec<serde_json::Value> {
+    let kept = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(["progress", "--json", "--data-dir"])
+        .arg(folder.path())
+        .output()
+        .unwrap();
+    let kept: serde_json::Value = serde_json::from_slice(&kept.stdout).unwrap();
+    kept["attempts"].as_array().unwrap().clone()
+}
+
 fn round(code: &str) -> Round {
     Round::of(Code::parse(code).unwrap())
 }
@@ -118,13 +129,7 @@ fn every_answer_is_kept_before_it_is_told_and_whatever_comes_then() {
         let lines = format!("{}2\n{end}", typed(first, &first.form.truth()));
         talk("quiz --plain --seed 7", folder.path(), lines.as_bytes());
     }
-    let kept = Command::new(env!("CARGO_BIN_EXE_carrom"))
-        .args(["progress", "--json", "--data-dir"])
-        .arg(folder.path())
-        .output()
-        .unwrap();
-    let kept: serde_json::Value = serde_json::from_slice(&kept.stdout).unwrap();
-    let attempts = kept["attempts"].as_array().unwrap();
+    let attempts = attempts(&folder);
     assert_eq!(attempts.len(), 4);
     for attempt in attempts {
         assert_eq!(attempt["right"], true);
@@ -283,4 +288,59 @@ fn a_solution_is_asked_for_or_given() {
         "{asked}"
     );
     assert!(asked.ends_with(&given), "{asked}");
+}
+
+#[test]
+fn what_is_no_number_is_asked_again_and_not_kept() {
+    let folder = Folder::new("plain");
+    let strange = "1/2\n1e999\n1e-400\n1 000\n1,000\n2*3\n0x1\n1_0\n++1\n5 cm\n";
+    let heard = format!("{strange}quit\n");
+    let said = talk("learn 1 --plain", folder.path(), heard.as_bytes());
+    let again = "\nPlease type a number";
+    assert_eq!(said.matches(again).count(), 10, "{said}");
+    assert!(!said.contains("Not quite."), "{said}");
+    assert_eq!(attempts(&folder).len(), 0);
+    let said = talk("solve --plain", folder.path(), b"1e999\n1e1\n");
+    assert!(
+        said.contains(again) && said.contains("Mass of the target"),
+        "{said}"
+    );
+    let said = talk("learn 1 --plain", folder.path(), b"2,0 m/s\nquit\n");
+    assert!(said.contains("\nRight.\n"), "{said}");
+}
+
+#[test]
+fn the_names_of_files_are_told_as_they_are() {
+    let folder = Folder::new("plain");
+    let lessons = folder.path().join("a_2*x-1=b");
+    std::fs::create_dir_all(&lessons).unwrap();
+    let file = lessons.join("01-bad.md");
+    std::fs::write(&file, "---\n").unwrap();
+    let arguments = format!("learn --plain --lessons {}", lessons.display());
+    let said = talk(&arguments, folder.path(), b"quit\n");
+    let mut library = carrom::lessons::Library::embedded();
+    library.add_dir(&lessons);
+    let told = library.problems[0].to_string();
+    assert!(told.contains("a_2*x-1=b") && told.contains("+++"), "{told}");
+    assert!(said.contains(&format!("Left out: {told}\n")), "{said}");
+}
+
+#[test]
+fn a_chapter_gives_nothing_away_that_it_asks_later() {
+    let folder = Folder::new("plain");
+    let said = talk(
+        "learn 2 --plain",
+        folder.path(),
+        b"b\nnext\nnext\n2\nnext\nquit\n",
+    );
+    assert!(said.contains("Page 4 of 5: What can.\n"), "{said}");
+    assert!(
+        !said.contains("leaves at") && !said.contains(" 60"),
+        "{said}"
+    );
+    assert_eq!(said.matches("Figure: a disc").count(), 1, "{said}");
+    assert!(
+        said.contains("Page 1 of 5: Where can they push?\n"),
+        "{said}"
+    );
 }

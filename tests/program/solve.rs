@@ -490,7 +490,7 @@ fn bad_arguments_are_refused_by_name() {
         ),
         (
             &["--alpha-deg", "30", "--speed", "1e200"],
-            "--speed: expected components in m/s",
+            "--speed: expected a speed in m/s from -1e9 to 1e9",
         ),
         (
             &["--alpha-deg", "30", "--restitution", "-0.1"],
@@ -514,7 +514,7 @@ fn bad_arguments_are_refused_by_name() {
             "cannot be used with",
         ),
         (&["--offset-mm", "1"], "--r1-mm"),
-        (&[], "--alpha-deg"),
+        (&[], "--alpha-deg: missing: expected this, or --offset-mm"),
         (&["--batch", "--m1-g", "3"], "cannot be used with"),
         (&["--alpha-deg", "30", "--frobnicate"], "--frobnicate"),
     ] {

@@ -73,8 +73,11 @@ fn an_answer_is_kept_and_explained_at_once() {
     );
     game.press("2<Enter>");
     let screen = game.screen();
-    assert!(screen.contains("v1 = 2.00 m/s"), "{screen}");
     assert!(screen.contains("+ Along the line"), "{screen}");
+    assert!(
+        !screen.contains("v1 =") && !screen.contains("60.0"),
+        "later pages ask for it: {screen}"
+    );
     let attempt = game.attempts().remove(0);
     assert!(attempt.right && (attempt.credit - 1.0).abs() < 1e-12);
     assert_eq!((attempt.topic, attempt.number), (chapter.title.clone(), 1));
@@ -215,7 +218,7 @@ fn a_figure_opens_in_the_lab_and_is_exported() {
     game.press("2<Enter>e");
     let (name, svg) = &game.exports()[0];
     assert_eq!(name, "carrom-the-line-of-impact-1.svg");
-    assert!(svg.contains(">2.00<"));
+    assert!(svg.contains(">n<") && svg.contains(">t<"));
     // Told in a box that the next key closes.
     assert!(
         game.screen()

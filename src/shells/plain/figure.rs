@@ -1,44 +1,108 @@
 //! What the figure of a page shows, in words, computed by the engine.
 
-use crate::lessons::{Figure, FigureKind};
+use super::spoken::sentence;
+use crate::lessons::{Asked, Chapter, Expected, Figure, FigureKind, Page, Shot};
 use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::worked::{self, Given};
 use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
 use crate::quiz::words::{degrees, millimetres, significant};
 
-/// What a figure shows, a line each. Before it may be `told` that is only how the hit is
-/// set up.
-pub(super) fn describe(figure: &Figure, told: bool) -> Vec<String> {
+/// What the figure of a page shows, a line each; before the page's question is
+/// `answered`, and where a later page asks for it, no more than how the hit is set up.
+pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<String> {
+    let Some((page, figure)) = chapter
+        .pages
+        .get(at)
+        .and_then(|page| Some((page, page.figure.as_ref()?)))
+    else {
+        return Vec::new();
+    };
+    let told = answered || page.checkpoint.is_none();
+    let later = chapter.pages.get(at + 1..).unwrap_or_default();
     let collision = figure.shot.collision();
-    let outcome = collision.outcome();
-    let set_up = set_up(&collision);
     match figure.kind {
-        FigureKind::Foil { .. } => {
-            return vec![
-                "The figure throws many particles at a centre that repels them, and counts where \
-                 they go. carrom foil does so on a screen."
-                    .into(),
-            ];
-        }
-        FigureKind::Shots { space, beyond_deg } => return shots(space, beyond_deg, told),
+        FigureKind::Foil { .. } => vec![
+            "The figure throws many particles at a centre that repels them, and counts where they \
+             go. carrom foil does so on a screen."
+                .into(),
+        ],
+        FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, told),
         FigureKind::Worked { blank } => {
-            let shown = blank.filter(|_| !told).map(|step| step - 1);
-            return working(&collision, figure.shot.is_by_offset(), shown);
+            let blank = match told {
+                true => next_blank(later, &figure.shot),
+                false => blank,
+            };
+            let steps = working(&collision, figure);
+            let shown = blank.map_or(steps.len(), |step| step - 1);
+            steps.into_iter().take(shown).flatten().collect()
         }
-        FigureKind::Solve => return working(&collision, figure.shot.is_by_offset(), None),
-        _ => {}
+        FigureKind::Solve => working(&collision, figure).concat(),
+        kind => {
+            let mut lines = vec![format!("Figure: {}", set_up(figure, &collision))];
+            if told {
+                lines.push(weighed(&collision));
+                lines.extend(outcome(kind, &collision, is_asked(later, &figure.shot)));
+            } else {
+                lines.extend(plotted(kind, &collision));
+            }
+            lines
+        }
     }
-    let mut lines = vec![format!("Figure: {set_up}")];
-    lines.extend(match figure.kind {
-        FigureKind::Curves => every_ten(&collision, |alpha_deg, outcome| {
+}
+
+/// Whether one of these pages asks what becomes of a shot.
+fn is_asked(later: &[Page], shot: &Shot) -> bool {
+    later.iter().any(|page| {
+        let figure = page.figure.as_ref();
+        let in_figure = figure.is_some_and(|figure| figure.shot == *shot);
+        match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
+            Some(Asked::Rays) => in_figure,
+            Some(Asked::Number { expected, .. }) => match expected {
+                Expected::Figure(_) => in_figure,
+                Expected::Of(_, of) => of == shot,
+                Expected::Fixed(..) => false,
+            },
+            _ => false,
+        }
+    })
+}
+
+/// The first step of a shot's worked solution that one of these pages leaves blank.
+fn next_blank(later: &[Page], shot: &Shot) -> Option<usize> {
+    later.iter().find_map(|page| {
+        let figure = page.figure.as_ref().filter(|figure| figure.shot == *shot)?;
+        match figure.kind {
+            FigureKind::Worked { blank } => blank.filter(|_| page.checkpoint.is_some()),
+            _ => None,
+        }
+    })
+}
+
+/// What becomes of a hit, as a figure of this kind tells it; of what `is_asked` later
+/// only what is drawn of the hit itself.
+fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
+    match kind {
+        FigureKind::Split { lines } => split(collision, lines),
+        FigureKind::Curves | FigureKind::Angles | FigureKind::Energy => plotted(kind, collision),
+        _ if is_asked => Vec::new(),
+        FigureKind::Frames => in_the_centre(collision),
+        FigureKind::Triangle { .. } => triangle(collision),
+        _ => result(collision),
+    }
+}
+
+/// What a figure plots against the impact angle, whatever is asked beside it.
+fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
+    match kind {
+        FigureKind::Curves => every_ten(collision, |alpha_deg, outcome| {
             format!(
                 "At α = {alpha_deg}° the striker leaves with {} m/s and the other disc with {} m/s.",
                 significant(outcome.v1.length()),
                 significant(outcome.v2.length())
             )
         }),
-        FigureKind::Angles => every_ten(&collision, |_, outcome| {
+        FigureKind::Angles => every_ten(collision, |_, outcome| {
             match (outcome.theta1, outcome.theta2) {
                 (Some(theta1), Some(theta2)) => format!(
                     "θ₂ = {} goes with θ₁ = {}.",
@@ -48,7 +112,7 @@ pub(super) fn describe(figure: &Figure, told: bool) -> Vec<String> {
                 _ => "Head-on the striker stops, and has no angle.".into(),
             }
         }),
-        FigureKind::Energy => every_ten(&collision, |alpha_deg, outcome| {
+        FigureKind::Energy => every_ten(collision, |alpha_deg, outcome| {
             let share = |mass: f64, speed: f64| {
                 significant(100.0 * 0.5 * mass * speed * speed / outcome.energy_before)
             };
@@ -58,13 +122,8 @@ pub(super) fn describe(figure: &Figure, told: bool) -> Vec<String> {
                 share(collision.target.mass, outcome.v2.length())
             )
         }),
-        _ if !told => Vec::new(),
-        FigureKind::Frames => in_the_centre(&collision),
-        FigureKind::Split => split(&collision, &outcome),
-        FigureKind::Triangle { .. } => triangle(&collision, &outcome),
-        _ => result(&collision),
-    });
-    lines
+        _ => Vec::new(),
+    }
 }
 
 /// Shots that nobody aimed, between equal discs.
@@ -85,31 +144,35 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     lines
 }
 
-/// How the hit is set up.
-fn set_up(collision: &Collision) -> String {
-    let (m1, m2) = (
-        g_from_kg(collision.striker.mass),
-        g_from_kg(collision.target.mass),
-    );
+/// How the hit is set up, as far as the picture before it shows.
+fn set_up(figure: &Figure, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
-        Some(alpha) => format!(
+        Some(alpha) if !figure.shot.is_by_offset() => format!(
             "with the line of impact at {} to its path",
             degrees(alpha.abs())
         ),
-        None => format!(
-            "and misses it: the offset is {}",
+        _ => format!(
+            "with its path at b = {} beside the other\'s centre",
             millimetres(mm_from_m(collision.offset.abs()))
         ),
     };
     let target = match collision.u2.length() {
-        speed if speed > 0.0 => format!(
-            "one of {} g that moves at {} m/s",
-            significant(m2),
-            significant(speed)
-        ),
-        _ => format!("one of {} g at rest", significant(m2)),
+        speed if speed > 0.0 => format!("one that moves at {} m/s", significant(speed)),
+        _ => "one at rest".to_owned(),
     };
+    format!(
+        "a disc comes at {} m/s to {target}, {place}.",
+        significant(collision.u1.length())
+    )
+}
+
+/// What no picture shows of the two: their masses, and how they push.
+fn weighed(collision: &Collision) -> String {
+    let [m1, m2] = [collision.striker, collision.target].map(|disc| {
+        let mass_g = g_from_kg(disc.mass);
+        format!("{} g", significant(mass_g))
+    });
     let contact = match collision.bond {
         Bond::Stick => "They stick together.".to_owned(),
         Bond::Slip if collision.restitution < 1.0 => {
@@ -117,11 +180,7 @@ fn set_up(collision: &Collision) -> String {
         }
         Bond::Slip => "No energy is lost.".to_owned(),
     };
-    format!(
-        "a disc of {} g comes at {} m/s to {target}, {place}. {contact}",
-        significant(m1),
-        significant(collision.u1.length())
-    )
+    format!("The first has {m1}, the other one {m2}. {contact}")
 }
 
 /// What becomes of it, as the worked solution sums it up.
@@ -135,19 +194,16 @@ fn result(collision: &Collision) -> Vec<String> {
         .collect()
 }
 
-/// The steps of the worked solution, or the first so many of them.
-fn working(collision: &Collision, by_offset: bool, shown: Option<usize>) -> Vec<String> {
-    let given = if by_offset {
-        Given::Offset
-    } else {
-        Given::Angle
+/// The steps of the worked solution, each in lines.
+fn working(collision: &Collision, figure: &Figure) -> Vec<Vec<String>> {
+    let given = match figure.shot.is_by_offset() {
+        true => Given::Offset,
+        false => Given::Angle,
     };
-    let steps = worked::steps(collision, given);
-    let shown = shown.unwrap_or(steps.len()).min(steps.len());
-    let each = (1..).zip(&steps[..shown]);
-    each.flat_map(|(number, step)| {
-        let head = format!("Step {number}: {}. {}", step.title, step.why);
-        std::iter::once(head).chain(step.lines.iter().cloned())
+    let each = (1..).zip(worked::steps(collision, given));
+    each.map(|(number, step)| {
+        let head = format!("Step {number}: {} {}", sentence(step.title), step.why);
+        std::iter::once(head).chain(step.lines).collect()
     })
     .collect()
 }
@@ -165,21 +221,31 @@ fn every_ten(collision: &Collision, line: impl Fn(u32, &Outcome) -> String) -> V
         .collect()
 }
 
-fn split(collision: &Collision, outcome: &Outcome) -> Vec<String> {
+/// The lines at the contact, and unless it is these `lines` alone, the two parts of the
+/// striker's velocity.
+fn split(collision: &Collision, lines: bool) -> Vec<String> {
+    let Collision { u1, .. } = collision;
+    let outcome = collision.outcome();
     let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
         return Vec::new();
     };
-    let part = |v: glam::DVec2, axis: glam::DVec2| significant(v.dot(axis).abs());
-    let mut lines = vec![format!(
-        "Of the striker's velocity {} m/s lie along the line of impact and {} m/s across it.",
-        part(collision.u1, n),
-        part(collision.u1, t)
-    )];
-    lines.extend(result(collision));
-    lines
+    let part = |axis: glam::DVec2| significant(u1.dot(axis).abs());
+    match lines {
+        true => vec![
+            "Two lines run through the point where the rims touch: n through both centres, and t \
+             along the rims, square to n."
+                .into(),
+        ],
+        false => vec![format!(
+            "Of the striker's velocity {} m/s lie along the line of impact and {} m/s across it.",
+            part(n),
+            part(t)
+        )],
+    }
 }
 
-fn triangle(collision: &Collision, outcome: &Outcome) -> Vec<String> {
+fn triangle(collision: &Collision) -> Vec<String> {
+    let outcome = collision.outcome();
     let sides = [
         collision.striker.mass * collision.u1.length(),
         collision.striker.mass * outcome.v1.length(),

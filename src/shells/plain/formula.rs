@@ -1,18 +1,53 @@
 //! A formula as it is read aloud.
 
-use crate::lessons::{Formula, Node};
+use super::spoken::{is_function, spoken_formula, unit_name};
+use crate::lessons::formula::{Formula, Node, subscript, superscript};
 
-/// A formula in words and signs that [`spoken`](super::spoken()) spells.
-pub(super) fn linear(formula: &Formula) -> String {
-    let terms = formula.0.iter().map(|term| {
-        let blank = if term.apart { " " } else { "" };
-        format!("{blank}{}", of_node(&term.node))
-    });
-    terms.collect::<String>().trim().to_owned()
+/// A formula in words, which [`spoken`](super::spoken()) leaves as they are.
+pub(super) fn aloud(formula: &Formula) -> String {
+    spoken_formula(&linear(formula))
+}
+
+/// A formula in one line, its fractions in words and its signs as Unicode writes them.
+fn linear(formula: &Formula) -> String {
+    let mut line = String::new();
+    let mut after_fraction = false;
+    for term in &formula.0 {
+        // What follows a fraction would seem to stand under its line.
+        line += match () {
+            () if after_fraction && is_factor(&term.node) => " × ",
+            () if term.apart => " ",
+            () => "",
+        };
+        line += &of_node(&term.node);
+        after_fraction = matches!(&term.node, Node::Fraction(_, under) if !awaits(under));
+    }
+    line.trim().to_owned()
+}
+
+/// Whether it ends in a function, whose argument follows.
+fn awaits(formula: &Formula) -> bool {
+    match formula.0.last().map(|term| &term.node) {
+        Some(Node::Word(word)) => is_function(word),
+        Some(Node::Scripts { base, .. }) => {
+            matches!(&**base, Node::Word(word) if is_function(word))
+        }
+        _ => false,
+    }
+}
+
+/// Whether it is multiplied by what stands before it: anything but a sign.
+fn is_factor(node: &Node) -> bool {
+    match node {
+        Node::Word(word) => word.starts_with(char::is_alphanumeric),
+        _ => true,
+    }
 }
 
 fn of_node(node: &Node) -> String {
     match node {
+        // Longer than a letter, it is a unit.
+        Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),
         Node::Fraction(over, under) => format!(" {} over {} ", tight(over), tight(under)),
@@ -21,14 +56,12 @@ fn of_node(node: &Node) -> String {
         Node::Scripts { base, below, above } => {
             let mut line = of_node(base);
             if let Some(below) = below {
-                line += &format!(" {}", linear(below));
+                let below = linear(below);
+                line += &subscript(&below).unwrap_or_else(|| format!(" {below}"));
             }
             if let Some(above) = above {
-                line += &match linear(above).as_str() {
-                    "2" => " squared".to_owned(),
-                    "3" => " cubed".to_owned(),
-                    power => format!(" to the power {power}"),
-                };
+                let above = linear(above);
+                line += &superscript(&above).unwrap_or_else(|| format!(" to the power {above}"));
             }
             line
         }
@@ -59,16 +92,59 @@ mod tests {
             ),
             (
                 "v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n",
-                "v 1n equals (m 1 minus m 2) over (m 1 plus m 2) u 1n",
+                "v 1 n equals (m 1 minus m 2) over (m 1 plus m 2) times u 1 n",
+            ),
+            (
+                "v_2n = (2 m_1)/(m_1 + m_2) u_1n",
+                "v 2 n equals (2 m 1) over (m 1 plus m 2) times u 1 n",
+            ),
+            ("p = 2 m v", "p equals 2 m v"),
+            (
+                "v = 4 \"m/s\" + 15 \"mm\"",
+                "v equals 4 metres per second plus 15 millimetres",
             ),
             ("v_1 = u sin alpha", "v 1 equals u times the sine of alpha"),
+            (
+                "b = d/2 cot(Theta/2)",
+                "b equals d over 2 times the cotangent of (capital theta over 2)",
+            ),
+            (
+                "cot x = 1/(tan x)",
+                "the cotangent of x equals 1 over (the tangent of x)",
+            ),
+            (
+                "d/2 (1 + 1/sin(Theta/2))",
+                "d over 2 times (1 plus 1 over the sine of (capital theta over 2))",
+            ),
+            (
+                "theta_1 = 90 deg - arcsin(b/(2 r))",
+                "theta 1 equals 90 degrees minus the arc sine of (b over (2 r))",
+            ),
+            (
+                "dσ/dΩ = (d^2)/(16 sin^4 (Theta / 2))",
+                "d sigma over d omega equals d squared over (16 times the sine to the power 4 of \
+                 (capital theta over 2))",
+            ),
+            (
+                "E_1 : E_2 = sin^2 alpha : cos^2 alpha",
+                "E 1 to E 2 equals the sine squared of alpha to the cosine squared of alpha",
+            ),
             (
                 "m_1 vec(u) = m_1 vec(v_1) + m_2 vec(v_2)",
                 "m 1 vector u equals m 1 vector v 1 plus m 2 vector v 2",
             ),
+            (
+                "0 = 2 vec(v_1) dot vec(v_2)",
+                "0 equals 2 vector v 1 dot vector v 2",
+            ),
+            (
+                "v_1 dot v_2 = u_1 dot u_2",
+                "v 1 dot v 2 equals u 1 dot u 2",
+            ),
+            ("10^(-7)", "10 to the power minus 7"),
         ] {
             let formula = Formula::read(written).unwrap();
-            assert_eq!(spoken(&linear(&formula)), read, "{written}");
+            assert_eq!(spoken(&aloud(&formula)), read, "{written}");
         }
     }
 }

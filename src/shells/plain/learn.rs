@@ -1,8 +1,9 @@
 //! The chapters in lines.
 
-use super::answering::{self, choice, number};
-use super::quiz::Keeper;
-use super::spoken::unit_name;
+use super::answering::{self, choice};
+use super::keeper::Keeper;
+use super::number::number;
+use super::spoken::{sentence, unit_name, verbatim};
 use super::talk::{Asked as Question, Leave, Talk};
 use super::{figure, formula};
 use crate::lessons::{
@@ -29,7 +30,7 @@ pub fn learn(
 ) -> Result<(), Leave> {
     talk.say("carrom, the lessons. Type help at any time, and quit to leave.")?;
     for fault in &library.problems {
-        talk.say(&format!("Left out: {fault}"))?;
+        talk.say(&format!("Left out: {}", verbatim(&fault.to_string())))?;
     }
     let mut chosen = chapter;
     loop {
@@ -71,8 +72,9 @@ fn contents(talk: &mut Talk, keeper: &mut Keeper, library: &Library) -> Result<u
             None => String::new(),
         };
         lines.push(format!(
-            "{number}: {}. {}{read}",
-            chapter.title, chapter.about
+            "{number}: {} {}{read}",
+            sentence(&chapter.title),
+            chapter.about
         ));
     }
     lines.push("Which one? Type its number.".into());
@@ -95,27 +97,30 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
         Done::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
         _ => 0,
     };
-    talk.say(&format!("Chapter {}: {}.", chapter.number, chapter.title))?;
+    talk.say(&format!(
+        "Chapter {}: {}",
+        chapter.number,
+        sentence(&chapter.title)
+    ))?;
+    let mut shown = Shown::default();
     while let Some(page) = chapter.pages.get(at) {
         mark(talk, keeper, chapter, Bookmark::at(page))?;
         talk.say(&format!(
-            "Page {} of {}: {}.",
+            "Page {} of {}: {}",
             at + 1,
             chapter.pages.len(),
-            page.title
+            sentence(&page.title)
         ))?;
         let collision = page.figure.map(|figure| figure.shot.collision());
         let figure = collision.as_ref();
         for line in texts(&page.text, figure) {
             talk.say(&line)?;
         }
-        if let Some(shown) = &page.figure {
-            for line in figure::describe(shown, page.checkpoint.is_none()) {
-                talk.say(&line)?;
-            }
-        }
-        if let Some(checkpoint) = &page.checkpoint {
-            ask(talk, keeper, chapter, (at, page), checkpoint, figure)?;
+        shown.open(talk, figure::describe(chapter, at, false))?;
+        if let Some(checkpoint) = &page.checkpoint
+            && ask(talk, keeper, chapter, (at, page), checkpoint, figure)?
+        {
+            shown.add(talk, figure::describe(chapter, at, true))?;
         }
         let asked = Question {
             lines: &["Next?".to_owned()],
@@ -128,7 +133,10 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
             _ => Err(MOVES.to_owned()),
         })? {
             Move::On => at += 1,
-            Move::Back => at = at.saturating_sub(1),
+            Move::Back => {
+                at = at.saturating_sub(1);
+                shown = Shown::default();
+            }
             Move::Contents => return Ok(Next::Contents),
         }
     }
@@ -138,6 +146,33 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
         mark(talk, keeper, chapter, Bookmark::at(first))?;
     }
     Ok(Next::Chapter)
+}
+
+/// What the figures of a chapter have shown, so that it is said once rather than on every
+/// page anew.
+#[derive(Default)]
+struct Shown(Vec<String>);
+
+impl Shown {
+    /// Says what the figure of a page shows as the page is opened.
+    fn open(&mut self, talk: &mut Talk, lines: Vec<String>) -> Result<(), Leave> {
+        match lines.first() {
+            Some(first) if self.0.contains(first) => talk.say("Figure: the same as before.")?,
+            _ => {}
+        }
+        self.add(talk, lines)
+    }
+
+    /// Says what is new of it.
+    fn add(&mut self, talk: &mut Talk, lines: Vec<String>) -> Result<(), Leave> {
+        for line in lines {
+            if !self.0.contains(&line) {
+                talk.say(&line)?;
+                self.0.push(line);
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Where one goes from a page.
@@ -162,7 +197,7 @@ fn mark(
     Ok(())
 }
 
-/// Asks what a page asks, keeps the answer, and says how it is.
+/// Asks what a page asks, keeps the answer, and says how it is; whether there was one.
 fn ask(
     talk: &mut Talk,
     keeper: &mut Keeper,
@@ -170,10 +205,11 @@ fn ask(
     (at, page): (usize, &Page),
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
-) -> Result<(), Leave> {
+) -> Result<bool, Leave> {
     let question = texts(&checkpoint.question, figure);
     let Some(answer) = hear(talk, &question, checkpoint, figure)? else {
-        return talk.say("Left open.");
+        talk.say("Left open.")?;
+        return Ok(false);
     };
     let right = answer.is_right(checkpoint, figure);
     let attempt = attempt(keeper.player, chapter, at, &answer, checkpoint, figure);
@@ -190,15 +226,7 @@ fn ask(
     for line in texts(&checkpoint.after, figure) {
         talk.say(&line)?;
     }
-    if let Some(shown) = &page.figure {
-        let said = figure::describe(shown, false);
-        for line in figure::describe(shown, true) {
-            if !said.contains(&line) {
-                talk.say(&line)?;
-            }
-        }
-    }
-    Ok(())
+    Ok(true)
 }
 
 /// Hears the answer to a checkpoint; `None` if it is skipped.
@@ -234,9 +262,7 @@ fn hear(
             };
             talk.ask_for(&asked, |heard| match heard {
                 heard if skip(heard) => Ok(None),
-                heard => number(heard, -1e9, 1e9)
-                    .map(|number| Some(Answer::Number(number)))
-                    .map_err(|_| "Please type a number.".into()),
+                heard => number(heard, unit, -1e9, 1e9).map(|number| Some(Answer::Number(number))),
             })
         }
         Asked::Choice(choices) => {
@@ -282,7 +308,7 @@ fn tell(
             }
             let (title, text) = why::of_impact(collision, Some(*rays));
             if !right && !title.is_empty() {
-                talk.say(&format!("It looks like this: {title}."))?;
+                talk.say(&format!("It looks like this: {}", sentence(&title)))?;
             }
             talk.say(&text)
         }
@@ -322,7 +348,7 @@ fn texts(blocks: &[Block], figure: Option<&Collision>) -> Vec<String> {
             Block::Paragraph(text) => pieces(text, figure),
             Block::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
             Block::Item(None, text) => format!("Item: {}", pieces(text, figure)),
-            Block::Formula(written) => format!("Formula: {}", formula::linear(written)),
+            Block::Formula(written) => format!("Formula: {}", formula::aloud(written)),
         })
         .collect()
 }
@@ -332,8 +358,109 @@ fn pieces(pieces: &[Piece], figure: Option<&Collision>) -> String {
         .iter()
         .map(|piece| match piece {
             Piece::Text(text, _) => text.clone(),
-            Piece::Formula(written) => formula::linear(written),
+            Piece::Formula(written) => formula::aloud(written),
             Piece::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spoken;
+    use super::*;
+    use crate::lessons::Formula;
+
+    /// Every text of the chapters: what is read, asked, chosen from and explained.
+    fn every_text(library: &Library) -> Vec<(&[Block], Option<Collision>)> {
+        let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
+        pages
+            .flat_map(|page| {
+                let hit = page.figure.map(|figure| figure.shot.collision());
+                let checkpoint = page.checkpoint.iter();
+                let asked = checkpoint.flat_map(|it| [&it.question[..], &it.after]);
+                std::iter::once(&page.text[..])
+                    .chain(asked)
+                    .map(move |text| (text, hit))
+            })
+            .collect()
+    }
+
+    fn choices(library: &Library) -> impl Iterator<Item = &[Piece]> {
+        let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
+        let asked = pages.filter_map(|page| page.checkpoint.as_ref());
+        let choices = asked.flat_map(|checkpoint| match &checkpoint.asked {
+            Asked::Choice(choices) => &choices[..],
+            _ => &[],
+        });
+        choices.flat_map(|choice| [&choice.text[..], &choice.why])
+    }
+
+    fn formulas(library: &Library) -> Vec<&Formula> {
+        let texts = every_text(library);
+        let blocks = texts.into_iter().flat_map(|(text, _)| text);
+        let mut formulas = Vec::new();
+        let mut lines: Vec<&[Piece]> = choices(library).collect();
+        for block in blocks {
+            match block {
+                Block::Formula(formula) => formulas.push(formula),
+                Block::Paragraph(line) | Block::Item(_, line) => lines.push(line),
+            }
+        }
+        formulas.extend(lines.into_iter().flatten().filter_map(|piece| match piece {
+            Piece::Formula(formula) => Some(formula),
+            _ => None,
+        }));
+        formulas
+    }
+
+    #[test]
+    fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
+        let units = ["metre", "gram", "second", "joule", "volt", "percent"];
+        let formulas = formulas(Library::embedded_once());
+        assert!(formulas.len() > 100, "{}", formulas.len());
+        for formula in formulas {
+            let said = spoken(&formula::aloud(formula));
+            assert!(!units.iter().any(|unit| said.contains(unit)), "{said}");
+            super::super::assert_spoken(&said);
+        }
+    }
+
+    #[test]
+    fn every_text_of_the_chapters_is_spoken_whole() {
+        let library = Library::embedded_once();
+        for (text, hit) in every_text(library) {
+            for line in texts(text, hit.as_ref()) {
+                super::super::assert_spoken(&spoken(&line));
+            }
+        }
+        for text in choices(library) {
+            super::super::assert_spoken(&spoken(&pieces(text, None)));
+        }
+        for chapter in &library.chapters {
+            for at in 0..chapter.pages.len() {
+                for answered in [false, true] {
+                    for line in figure::describe(chapter, at, answered) {
+                        super::super::assert_spoken(&spoken(&line));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_figure_tells_what_a_later_page_of_it_asks() {
+        let library = Library::embedded_once();
+        let chapter = &library.chapters[1];
+        let asks_rays = |page: &Page| {
+            let asked = page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked);
+            matches!(asked, Some(Asked::Rays))
+        };
+        let rays = chapter.pages.iter().position(asks_rays).unwrap();
+        let leaves = |at, answered| {
+            let lines = figure::describe(chapter, at, answered);
+            lines.iter().any(|line| line.contains("leaves at"))
+        };
+        assert!((0..rays).all(|at| !leaves(at, true)));
+        assert!(!leaves(rays, false) && leaves(rays, true));
+    }
 }

@@ -8,15 +8,47 @@
 mod answering;
 mod figure;
 mod formula;
+mod keeper;
 mod learn;
+mod number;
 mod picture;
 mod quiz;
 mod solve;
 mod spoken;
 mod talk;
 
+pub use keeper::Keeper;
 pub use learn::learn;
-pub use quiz::{Keeper, quiz};
+pub use quiz::quiz;
 pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};
+
+/// Makes sure that a line is in words, down to its last sign.
+#[cfg(test)]
+fn assert_spoken(line: &str) {
+    let plain = |c: char| c.is_ascii_alphanumeric() || " .,;:?!'\"()-/".contains(c);
+    assert!(line.chars().all(plain), "{line}");
+    let words = line.split(|c: char| !c.is_ascii_alphanumeric());
+    for word in words {
+        assert!(!spoken::is_function(word), "{word}: {line}");
+    }
+    for never in [
+        "?.",
+        "!.",
+        "  ",
+        " 1 metres",
+        " 1 grams",
+        " 1 degrees",
+        "the the ",
+    ] {
+        assert!(!line.contains(never), "{never}: {line}");
+    }
+    // A unit is not followed by a number that stands below a letter.
+    for unit in ["metres ", "metre ", "grams ", "seconds "] {
+        for (at, _) in line.match_indices(unit) {
+            let next = line[at + unit.len()..].chars().next();
+            assert!(!next.is_some_and(|c| c.is_ascii_digit()), "{line}");
+        }
+    }
+}

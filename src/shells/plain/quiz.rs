@@ -3,55 +3,16 @@
 use std::sync::Arc;
 
 use super::answering::{answer, confidence};
+use super::keeper::Keeper;
 use super::picture::describe;
+use super::spoken::{sentence, verbatim};
 use super::talk::{Asked, Leave, Talk};
-use crate::messages::{Done, Request, Wish};
+use crate::messages::{Done, Wish};
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
     Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain, words,
 };
-use crate::store::Store;
-
-/// Who plays, and where what is answered is kept.
-pub struct Keeper<'a> {
-    /// The name of the player.
-    pub(super) player: &'a str,
-    store: &'a mut Store,
-    /// Whether it has been said that nothing can be kept.
-    complained: bool,
-}
-
-impl<'a> Keeper<'a> {
-    /// A keeper of what this player does.
-    pub fn new(player: &'a str, store: &'a mut Store) -> Self {
-        Self {
-            player,
-            store,
-            complained: false,
-        }
-    }
-
-    /// Asks the store, and says once what is wrong with it.
-    pub(super) fn wish(&mut self, talk: &mut Talk, wish: Wish) -> Result<Done, Leave> {
-        let answer = self.store.answer(&Request { ticket: 0, wish });
-        if let Some(notice) = answer.notice {
-            talk.say(&notice)?;
-        }
-        if let Done::Noted(Err(reason)) = &answer.done
-            && !std::mem::replace(&mut self.complained, true)
-        {
-            talk.say(&format!("Answers cannot be kept: {reason}."))?;
-        }
-        Ok(answer.done)
-    }
-
-    /// Keeps an answer, before anything is said about it.
-    pub(super) fn record(&mut self, talk: &mut Talk, attempt: Attempt) -> Result<(), Leave> {
-        self.wish(talk, Wish::Record(Box::new(attempt)))?;
-        Ok(())
-    }
-}
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
 /// to chance then.
@@ -107,9 +68,12 @@ fn choose(
     }
     let mut lines = vec!["Which round?".to_owned()];
     let each = (1..).zip(&kinds);
-    lines.extend(each.map(|(number, (about, _))| format!("{number}: {about}.")));
+    lines.extend(each.map(|(number, (about, _))| format!("{number}: {}", sentence(about))));
     let left_out = own.problems.iter();
-    lines.extend(left_out.map(|problem| format!("Left out of your own questions: {problem}.")));
+    lines.extend(left_out.map(|problem| {
+        let problem = verbatim(&problem.to_string());
+        format!("Left out of your own questions: {problem}.")
+    }));
     lines.push("Type its number, or the code of a round, such as mixed-7.".into());
     let asked = Asked {
         lines: &lines,
@@ -183,20 +147,12 @@ fn asking(round: &Round, number: u32, question: &Question) -> Vec<String> {
     let mut lines = vec![
         format!(
             "Question {number} of {count}: {}",
-            stopped(question.family.name())
+            sentence(question.family.name())
         ),
         question.text.clone(),
     ];
     lines.extend(Some(describe(question)).filter(|seen| !seen.is_empty()));
     lines
-}
-
-/// A name as a sentence of its own.
-fn stopped(name: &str) -> String {
-    match name.ends_with(['?', '.', '!']) {
-        true => name.into(),
-        false => format!("{name}."),
-    }
 }
 
 /// Says how an answer was, and why.
@@ -206,28 +162,24 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
     let form = &question.form;
     let verdict = match explanation.diagnosis {
         None if grade.right => "Right.".to_owned(),
-        Some(_) => format!("Not quite. It looks like this: {}.", explanation.title),
-        None => format!("Not quite: {}.", explanation.title),
+        Some(_) => format!(
+            "Not quite. It looks like this: {}",
+            sentence(&explanation.title)
+        ),
+        None => format!("Not quite: {}", sentence(&explanation.title)),
     };
     talk.say(&verdict)?;
     talk.say(&format!(
-        "You said: {}.",
-        unstopped(&form.words(&answer.said))
+        "You said: {}",
+        sentence(&form.words(&answer.said))
     ))?;
-    talk.say(&format!(
-        "It is: {}.",
-        unstopped(&form.words(&form.truth()))
-    ))?;
+    talk.say(&format!("It is: {}", sentence(&form.words(&form.truth()))))?;
     talk.say(&explanation.text)?;
     talk.say(&format!(
         "{} of {:.0} points.",
         words::points(grade.points()),
         Grade::MOST
     ))
-}
-
-fn unstopped(text: &str) -> &str {
-    text.trim_end_matches('.')
 }
 
 /// Looks back over what was answered.
@@ -247,8 +199,11 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     talk.say(&summary.calibration_words())?;
     if let Some((misconception, count)) = summary.most_held() {
         talk.say(&match count {
-            1 => format!("Once it looked like this: {}.", misconception.name),
-            _ => format!("Most often, {count} times: {}.", misconception.name),
+            1 => format!("Once it looked like this: {}", sentence(misconception.name)),
+            _ => format!(
+                "Most often, {count} times: {}",
+                sentence(misconception.name)
+            ),
         })?;
     }
     talk.say(&summary.advice())?;
@@ -256,7 +211,46 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
         CourseKind::Review(_) | CourseKind::Own(_) => Ok(()),
         _ => talk.say(&format!(
             "The same round for a friend: the code {}.",
-            round.code()
+            verbatim(&round.code().to_string())
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{assert_spoken, spoken};
+    use super::*;
+    use crate::quiz::{Form, concepts};
+
+    #[test]
+    fn every_question_is_spoken_whole() {
+        for family in Family::ALL {
+            for seed in 0..20 {
+                let round = Round::new(Course::new(CourseKind::Topic(family)), seed);
+                for (number, question) in (1..).zip(round.questions()) {
+                    let mut lines = asking(&round, number, question);
+                    if let Form::Choice { options, .. } = &question.form {
+                        lines.extend(options.iter().map(ToString::to_string));
+                    }
+                    for said in question.beliefs.iter().map(|belief| belief.said) {
+                        let answer = Answer::new(said, crate::quiz::Confidence::Sure);
+                        let explained = explain(question, &answer);
+                        lines.extend([sentence(&explained.title), explained.text.to_string()]);
+                        lines.push(question.form.words(&said).to_string());
+                    }
+                    lines.iter().for_each(|line| assert_spoken(&spoken(line)));
+                }
+            }
+        }
+        for concept in concepts::all() {
+            let wrongs = concept.wrongs.iter();
+            let choices = wrongs.flat_map(|wrong| [&wrong.choice, &wrong.says]);
+            for text in [&concept.ask, &concept.right, &concept.why]
+                .into_iter()
+                .chain(choices)
+            {
+                assert_spoken(&spoken(text));
+            }
+        }
     }
 }

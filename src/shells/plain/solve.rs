@@ -1,6 +1,7 @@
 //! A worked solution in lines.
 
-use super::answering::number;
+use super::number::number;
+use super::spoken::sentence;
 use super::talk::{Asked, Leave, Talk};
 use crate::physics::units::rad_from_deg;
 use crate::physics::worked::{self, Given, Step};
@@ -20,7 +21,7 @@ pub fn solve(talk: &mut Talk, given: Option<&[Step]>) -> Result<(), Leave> {
         }
     };
     for (count, step) in (1..).zip(steps) {
-        talk.say(&format!("Step {count}: {}.", step.title))?;
+        talk.say(&format!("Step {count}: {}", sentence(step.title)))?;
         talk.say(&step.why)?;
         for line in &step.lines {
             talk.say(line)?;
@@ -32,7 +33,7 @@ pub fn solve(talk: &mut Talk, given: Option<&[Step]>) -> Result<(), Leave> {
 /// Asks for each quantity in turn.
 fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
     talk.say("carrom, a hit worked out. Enter alone takes what is proposed.")?;
-    let mut one = |what: &str, proposed: f64, least: f64, most: f64| {
+    let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
         let lines = [format!("{what}? Proposed: {proposed}.")];
         let asked = Asked {
             lines: &lines,
@@ -40,19 +41,26 @@ fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
         };
         talk.ask_for(&asked, |heard| match heard {
             "" => Ok(proposed),
-            heard => number(heard, least, most),
+            heard => number(heard, unit, least, most),
         })
     };
-    let m1_g = one("Mass of the striker in grams", 15.0, 1e-3, 1e6)?;
-    let m2_g = one("Mass of the target in grams", 15.0, 1e-3, 1e6)?;
-    let speed = one("Speed of the striker in metres per second", 4.0, 1e-3, 1e3)?;
+    let m1_g = one("Mass of the striker in grams", "g", 15.0, 1e-3, 1e6)?;
+    let m2_g = one("Mass of the target in grams", "g", 15.0, 1e-3, 1e6)?;
+    let speed = one(
+        "Speed of the striker in metres per second",
+        "m/s",
+        4.0,
+        1e-3,
+        1e3,
+    )?;
     let alpha_deg = one(
         "Impact angle in degrees, positive with the target to the right",
+        "°",
         30.0,
         -89.9,
         89.9,
     )?;
-    let restitution = one("Coefficient of restitution, from 0 to 1", 1.0, 0.0, 1.0)?;
+    let restitution = one("Coefficient of restitution, from 0 to 1", "", 1.0, 0.0, 1.0)?;
     let disc = |mass_g| Disc::from_g_mm(mass_g, 15.0);
     let u1 = glam::DVec2::new(speed, 0.0);
     let collision = Collision {

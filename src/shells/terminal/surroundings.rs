@@ -11,14 +11,10 @@ use crate::widgets::{Charset, Depth};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Unusable {
     /// Standard input or output is a file, a pipe or nothing.
-    #[error(
-        "a terminal is needed, and {0} is not one; for use without one see carrom solve and carrom tape"
-    )]
+    #[error("a terminal is needed, and {0} is not one")]
     NoTerminal(&'static str),
     /// The terminal cannot place text.
-    #[error(
-        "a terminal that can place text is needed, and TERM is {0}; for use without one see carrom solve and carrom tape"
-    )]
+    #[error("a terminal that can place text is needed, and TERM is {0}")]
     Dumb(String),
 }
 
@@ -108,6 +104,18 @@ mod tests {
             let found = pairs.iter().find(|(name, _)| *name == wanted);
             found.map(|(_, value)| (*value).to_owned())
         }
+    }
+
+    #[test]
+    fn only_an_empty_no_color_is_none() {
+        for set in ["1", "0", "no"] {
+            let with = |name: &str| (name == "NO_COLOR").then(|| set.to_owned());
+            assert_eq!(depth(with), Depth::None);
+        }
+        let empty = from(&[("NO_COLOR", ""), ("TERM", "xterm-256color")]);
+        assert_eq!(depth(empty), Depth::Indexed256);
+        let empty = from(&[("NO_COLOR", ""), ("TERM", "linux")]);
+        assert_eq!(depth(empty), Depth::Ansi16);
     }
 
     #[test]

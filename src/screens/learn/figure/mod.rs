@@ -83,8 +83,10 @@ impl Shown {
         let watch = |reduced| Watch::new(self.collision, said, reduced);
         self.state = match self.figure.kind {
             FigureKind::Lab => State::Hit(Box::new(watch(reduced))),
-            FigureKind::Split if said.is_some() => State::Hit(Box::new(watch(reduced))),
-            FigureKind::Split => State::Hit(Box::new(watch(true).with_layers(split_layers()))),
+            FigureKind::Split { .. } if said.is_some() => State::Hit(Box::new(watch(reduced))),
+            FigureKind::Split { lines } => {
+                State::Hit(Box::new(watch(true).with_layers(split_layers(lines))))
+            }
             FigureKind::Frames => {
                 State::Frames(Box::new(frames::watches(&self.collision, reduced)))
             }
@@ -182,7 +184,7 @@ impl Shown {
             return "before the hit".into();
         }
         match self.figure.kind {
-            FigureKind::Lab | FigureKind::Split => "the hit".into(),
+            FigureKind::Lab | FigureKind::Split { .. } => "the hit".into(),
             FigureKind::Triangle { .. } => triangle::title(&self.collision).into(),
             FigureKind::Frames => "one hit, two frames".into(),
             FigureKind::Curves => "speeds after the hit".into(),
@@ -204,7 +206,10 @@ impl Shown {
     fn covers_outcome(&self) -> bool {
         matches!(
             self.figure.kind,
-            FigureKind::Lab | FigureKind::Split | FigureKind::Triangle { .. } | FigureKind::Frames
+            FigureKind::Lab
+                | FigureKind::Split { .. }
+                | FigureKind::Triangle { .. }
+                | FigureKind::Frames
         )
     }
 
@@ -443,11 +448,13 @@ fn turn(step: &mut usize, last: usize, key: Key, [back, on]: [Key; 2]) -> bool {
     true
 }
 
-/// Only the lines and the split.
-fn split_layers() -> Layers {
+/// Only the lines n and t, and the split of u unless it is to be the `lines` alone.
+fn split_layers(lines: bool) -> Layers {
     let mut layers = Layers::default();
+    if !lines {
+        layers.toggle(Layer::Split);
+    }
     for layer in [
-        Layer::Split,
         Layer::Velocities,
         Layer::Angles,
         Layer::Triangle,

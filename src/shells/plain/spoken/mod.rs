@@ -1,0 +1,175 @@
+//! A text as it is read aloud.
+
+mod functions;
+mod signs;
+mod units;
+
+pub(super) use functions::is_function;
+pub(super) use units::{means_unit, unit_name};
+
+/// Marks around what is to stay as it is: Unicode's own for text put into other text.
+const BEGIN: char = '\u{2068}';
+const END: char = '\u{2069}';
+
+/// A text with its signs and units spelt as they are read aloud, in one line without
+/// blanks at its ends; what is spelt is ASCII, and letters of names stay as they are.
+///
+/// ```
+/// use carrom::shells::plain::spoken;
+/// assert_eq!(spoken("θ₁ = 63.4°, v₂ = 2.12 m/s"), "theta 1 equals 63.4 degrees, v 2 equals 2.12 metres per second");
+/// ```
+pub fn spoken(text: &str) -> String {
+    let mut line = String::with_capacity(2 * text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once(BEGIN) {
+        let (kept, behind) = after.split_once(END).unwrap_or((after, ""));
+        line += &spelt(before);
+        line += &harmless(kept);
+        rest = behind;
+    }
+    line += &spelt(rest);
+    line.trim().to_owned()
+}
+
+/// A text that [`spoken`] leaves as it is: the name of a file, an error, a code to be
+/// typed, or what is spelt already.
+pub(super) fn verbatim(text: &str) -> String {
+    format!("{BEGIN}{}{END}", harmless(text))
+}
+
+/// A formula's signs as words, which [`spoken`] then leaves as they are: its m is a mass
+/// and no metre.
+pub(super) fn spoken_formula(text: &str) -> String {
+    verbatim(tidy(&signs::spell(text)).trim())
+}
+
+/// A name as a sentence of its own.
+pub(super) fn sentence(name: &str) -> String {
+    match name.ends_with(['?', '.', '!']) {
+        true => name.into(),
+        false => format!("{name}."),
+    }
+}
+
+/// Without what could move a cursor, or end too early what is to stay.
+fn harmless(text: &str) -> String {
+    let marks = |c: &char| !matches!(*c, BEGIN | END);
+    let blanked = |c: char| if c.is_control() { ' ' } else { c };
+    text.chars().filter(marks).map(blanked).collect()
+}
+
+fn spelt(text: &str) -> String {
+    tidy(&signs::spell(&units::spell(text)))
+}
+
+/// One blank between two words, and none before a stop; a blank at an end stays, for
+/// more may follow there.
+fn tidy(text: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let mut line = words.join(" ");
+    for (apart, together) in [("( ", "("), (" )", ")"), (" ,", ",")] {
+        line = line.replace(apart, together);
+    }
+    let blank = |is_there: bool| if is_there { " " } else { "" };
+    let (before, after) = match words.is_empty() {
+        true => (!text.is_empty(), false),
+        false => (
+            text.starts_with(char::is_whitespace),
+            text.ends_with(char::is_whitespace),
+        ),
+    };
+    format!("{}{line}{}", blank(before), blank(after))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_and_units_are_read_aloud() {
+        for (text, read) in [
+            ("60.0°", "60.0 degrees"),
+            ("90 - 30.0 = 60.0°", "90 minus 30.0 equals 60.0 degrees"),
+            ("-12.5°", "minus 12.5 degrees"),
+            ("25.0 %", "25.0 percent"),
+            (
+                "15.0 g at 4.00 m/s.",
+                "15.0 grams at 4.00 metres per second.",
+            ),
+            ("60.0 g m/s", "60.0 gram metres per second"),
+            (
+                "1 m/s, 1 g m/s, −1 mm, 1°, 21°, (1 g)",
+                "1 metre per second, 1 gram metre per second, minus 1 millimetre, 1 degree, \
+                 21 degrees, (1 gram)",
+            ),
+            (
+                "4.00 cos 30.0 = 3.46 m/s",
+                "4.00 times the cosine of 30.0 equals 3.46 metres per second",
+            ),
+            ("v₁² + v₂²", "v 1 squared plus v 2 squared"),
+            ("m₁/(m₁ + m₂)", "m 1 over (m 1 plus m 2)"),
+            ("2 m₁ / (m₁ + m₂)", "2 m 1 over (m 1 plus m 2)"),
+            (
+                "½ m₁u₁² = 1.23e−5 J",
+                "one half m 1 u 1 squared equals 1.23 times 10 to the power minus 5 joules",
+            ),
+            ("1/sin⁴", "1 over the sine to the power 4"),
+            (
+                "1/sin⁴ (Θ/2)",
+                "1 over the sine to the power 4 of (capital theta over 2)",
+            ),
+            (
+                "cos² 30° and cot(Θ/2)",
+                "the cosine squared of 30 degrees and the cotangent of (capital theta over 2)",
+            ),
+            ("sin α cos α", "the sine of alpha times the cosine of alpha"),
+            (
+                "using a tan, its sine is 2√3",
+                "using a tan, its sine is 2 times the square root of 3",
+            ),
+            ("the 30 g disc, of 30 g", "the 30 gram disc, of 30 grams"),
+            ("v₁·v₂ = u₁ · u₂", "v 1 dot v 2 equals u 1 dot u 2"),
+            (
+                "3m·√2 and 2·3",
+                "3m times the square root of 2 and 2 times 3",
+            ),
+            ("dσ/dΩ", "d sigma over d omega"),
+            ("E₁ : E₂", "E 1 to E 2"),
+            ("yes and/or no: 3 m/s", "yes and/or no: 3 metres per second"),
+            ("3.2×10⁻⁷", "3.2 times 10 to the power minus 7"),
+            ("well-known and off-centre", "well-known and off-centre"),
+            ("m₁u₁", "m 1 u 1"),
+            ("Ada Łoś", "Ada Łoś"),
+            ("  ", ""),
+        ] {
+            assert_eq!(spoken(text), read, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_to_stay_stays() {
+        let path = "/home/p/run-1=a_2*b/my  files/progress.db: found -1, +++ 2 m";
+        let said = spoken(&format!("θ at {}: v = 2 m/s", verbatim(path)));
+        assert_eq!(
+            said,
+            format!("theta at {path}: v equals 2 metres per second")
+        );
+        let twice = verbatim(&format!("a/{}\n/c", verbatim("b=1")));
+        assert_eq!(spoken(&twice), "a/b=1 /c");
+        assert_eq!(spoken(&format!("x{BEGIN}a=b")), "xa=b");
+    }
+
+    #[test]
+    fn nothing_that_moves_a_cursor_is_left() {
+        let all: String = (0..0x3000).filter_map(char::from_u32).collect();
+        for text in [spoken(&all), spoken(&verbatim(&all))] {
+            assert!(text.chars().all(|c| !c.is_control()));
+        }
+    }
+
+    #[test]
+    fn a_name_is_stopped_once() {
+        let said = ["Why?", "Stop!", "So.", "So"].map(sentence);
+        assert_eq!(said, ["Why?", "Stop!", "So.", "So."]);
+    }
+}

@@ -1,0 +1,163 @@
+//! Signs as words.
+
+use super::functions;
+use crate::widgets::signs::{greek, superscript};
+
+/// Signs as words, with blanks around them.
+pub(super) fn spell(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let mut plain = String::with_capacity(2 * text.len());
+    let mut i = 0;
+    while let Some((before, [letter, after @ ..])) = letters.split_at_checked(i) {
+        if let Some((words, taken)) = functions::at(&letters, i) {
+            plain += &words;
+            i += taken;
+        } else if let Some((words, taken)) = power(&letters[i..]) {
+            plain += &words;
+            i += taken;
+            separate(&mut plain, letters.get(i));
+        } else {
+            plain += &one(*letter, before, after);
+            i += 1;
+            let ends_quantity = matches!(letter, '₀'..='₉') || is_greek(*letter);
+            let begins_sign =
+                letter.is_ascii_alphabetic() && after.first().is_some_and(|c| is_greek(*c));
+            if ends_quantity || begins_sign {
+                separate(&mut plain, after.first());
+            }
+        }
+    }
+    plain
+}
+
+/// Puts a blank before a letter: another quantity begins.
+fn separate(plain: &mut String, next: Option<&char>) {
+    if next.is_some_and(|c| c.is_alphabetic()) {
+        plain.push(' ');
+    }
+}
+
+/// The power that stands at the beginning of a text, in words, and how many signs that
+/// takes.
+pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
+    let power: String = letters.iter().map_while(|c| superscript(*c)).collect();
+    let words = match power.as_str() {
+        "" => return None,
+        "2" => " squared".into(),
+        "3" => " cubed".into(),
+        power => format!(" to the power {}", power.replace('-', "minus ")),
+    };
+    Some((words, power.chars().count()))
+}
+
+/// A single sign between what stands before and after it.
+fn one(letter: char, before: &[char], after: &[char]) -> String {
+    let (last, next) = (before.last().copied(), after.first().copied());
+    let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let name = |c: Option<char>| {
+        c.is_some_and(|c| c.is_alphanumeric() || matches!(c, '(' | ')' | '₁' | '₂'))
+    };
+    let apart = last == Some(' ') && next == Some(' ');
+    let words = match letter {
+        '-' | '−' if apart => "minus",
+        '-' | '−' if digit(next) && !name(last) => " minus ",
+        '−' => " minus ",
+        '=' => " equals ",
+        '+' => " plus ",
+        '<' => " below ",
+        '>' => " above ",
+        ':' if apart => "to",
+        'e' if digit(last) && is_exponent(after) => " times 10 to the power ",
+        '/' if apart => "over",
+        '/' if last == Some('m') && next == Some('s') => "/",
+        '/' if is_word(before.iter().rev()) && is_word(after.iter()) => "/",
+        '/' if name(last) && name(next) => " over ",
+        '*' if name(last) && name(next) => " times ",
+        '·' | '∙' if is_quantity(before.iter().rev()) && is_quantity(after.iter()) => " dot ",
+        '√' if digit(last) => " times the square root of ",
+        '°' if is_one(before) => " degree",
+        'Ω' => "omega",
+        'Δ' => "delta",
+        c => match (spelling(c), greek(c)) {
+            (Some(words), _) => words,
+            (None, Some(name)) if c.is_uppercase() => {
+                return format!("capital {}", name.to_lowercase());
+            }
+            (None, Some(name)) => name,
+            (None, None) => return c.into(),
+        },
+    };
+    words.into()
+}
+
+fn is_greek(letter: char) -> bool {
+    spelling(letter).is_none() && greek(letter).is_some()
+}
+
+/// Whether two letters of the alphabet come first: a word rather than a quantity.
+fn is_word<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
+    letters.take(2).filter(|c| c.is_ascii_alphabetic()).count() == 2
+}
+
+/// Whether a letter comes first, after blanks or the digits written below it.
+fn is_quantity<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
+    let mut letters = letters.skip_while(|c| matches!(**c, ' ' | '₀'..='₉' | 'ₙ' | 'ₜ'));
+    letters.next().is_some_and(|c| c.is_alphabetic())
+}
+
+/// Whether a text ends in the number 1.
+fn is_one(letters: &[char]) -> bool {
+    let part = |c: &&char| c.is_ascii_digit() || matches!(**c, '.' | ',');
+    let number: String = letters.iter().rev().take_while(part).collect();
+    number == "1"
+}
+
+/// Whether the exponent of a power of ten begins here: "7", "-5".
+fn is_exponent(letters: &[char]) -> bool {
+    matches!(letters, ['-' | '−' | '+', c, ..] | [c, ..] if c.is_ascii_digit())
+}
+
+/// How a sign is read; `None` for a letter, Greek ones too.
+const fn spelling(letter: char) -> Option<&'static str> {
+    Some(match letter {
+        'µ' => "mu",
+        'Σ' => "the sum of",
+        '₀' => " 0",
+        '₁' => " 1",
+        '₂' => " 2",
+        '₃' => " 3",
+        'ₙ' => " n",
+        'ₜ' => " t",
+        'ₓ' => " x",
+        'ᵧ' => " y",
+        'ₛ' => " s",
+        '⟂' | '⊥' => " perpendicular",
+        '½' => "one half ",
+        '¼' => "one quarter ",
+        '¾' => "three quarters ",
+        '√' => " the square root of ",
+        '×' | '·' | '∙' => " times ",
+        '≈' => " is about ",
+        '≠' => " is not ",
+        '≤' => " at most ",
+        '≥' => " at least ",
+        '±' => " plus or minus ",
+        '∝' => " goes with ",
+        '∞' => "infinity",
+        '→' => " to ",
+        '⇒' => " so ",
+        '°' => " degrees",
+        '%' => " percent",
+        '…' => "...",
+        '′' | '‘' | '’' => "'",
+        '″' | '“' | '”' => "\"",
+        '–' => " to ",
+        '—' => ", ",
+        '[' => "(",
+        ']' => ")",
+        '*' | '`' => "",
+        '\u{a0}' => " ",
+        '\u{0}'..='\u{1f}' | '\u{7f}'..='\u{9f}' => " ",
+        _ => return None,
+    })
+}
