@@ -55,14 +55,10 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
         let thrown = run.thrown();
         let expected = |at| expected_at(&law, thrown, at).filter(|count| *count >= least);
         plot.function(expected, Pen::new(Role::StrikerOut));
-        if let Some(at) = label_at(expected) {
-            plot.label(
-                "the law",
-                at,
-                &[Side::AboveRight, Side::Above],
-                Role::StrikerOut,
-            );
-        }
+        let sides = [Side::AboveRight, Side::Above, Side::AboveLeft, Side::Right];
+        let _ = label_places(expected)
+            .into_iter()
+            .any(|at| plot.label("the law", at, &sides, Role::StrikerOut));
     }
     plot.draw(buf);
 }
@@ -78,10 +74,11 @@ fn expected_at(law: &Law, thrown: u64, degrees: f64) -> Option<f64> {
     })
 }
 
-/// Where the curve is named: past the middle, or where it ends before that.
-fn label_at(expected: impl Fn(f64) -> Option<f64>) -> Option<glam::DVec2> {
-    let mut places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
-    places.find_map(|at| expected(at).map(|count| glam::dvec2(at, count)))
+/// Where the curve may be named: past the middle, or else the nearer to its beginning.
+fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
+    let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
+    let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));
+    places.filter_map(on_curve).collect()
 }
 
 /// Writes the question before a beam.

@@ -156,6 +156,24 @@ impl Plot {
                 height,
                 role,
             });
+            self.reserve_bar(from, to, height);
+        }
+    }
+
+    /// Keeps labels off the cells of a bar, in places of the axes.
+    fn reserve_bar(&mut self, from: f64, to: f64, height: f64) {
+        let view = *self.sheet.view();
+        let paper = view.area();
+        let half = dvec2(view.per_column(), view.per_row()) / 2.0;
+        let x = |column| view.world_at(column, paper.y).x;
+        let across = |column: &u16| x(*column) + half.x > from && x(*column) - half.x < to;
+        for column in (paper.left()..paper.right()).filter(across) {
+            for row in paper.top()..paper.bottom() {
+                let at = view.world_at(column, row);
+                if at.y - half.y < height {
+                    self.sheet.reserve(at);
+                }
+            }
         }
     }
 
