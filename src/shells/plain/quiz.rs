@@ -164,9 +164,9 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
         None if grade.right => "Right.".to_owned(),
         Some(_) => format!(
             "Not quite. It looks like this: {}",
-            sentence(&explanation.title)
+            sentence(explanation.title)
         ),
-        None => format!("Not quite: {}", sentence(&explanation.title)),
+        None => format!("Not quite: {}", sentence(explanation.title)),
     };
     talk.say(&verdict)?;
     talk.say(&format!(
@@ -235,7 +235,7 @@ mod tests {
                     for said in question.beliefs.iter().map(|belief| belief.said) {
                         let answer = Answer::new(said, crate::quiz::Confidence::Sure);
                         let explained = explain(question, &answer);
-                        lines.extend([sentence(&explained.title), explained.text.to_string()]);
+                        lines.extend([sentence(explained.title), explained.text.to_string()]);
                         lines.push(question.form.words(&said).to_string());
                     }
                     lines.iter().for_each(|line| assert_spoken(&spoken(line)));
