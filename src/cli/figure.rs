@@ -56,7 +56,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let words = words.map_err(|error| Failure::Input(anyhow!(error)))?;
     let picture = draw_figure(&words, &look).map_err(|error| Failure::Input(anyhow!(error)))?;
     match &args.svg {
-        Some(path) => written::write(&[(path.clone(), picture)], args.force)?,
+        Some(path) => written::write_beside(path, &[(path.clone(), picture)], args.force)?,
         None => print(picture.as_bytes())?,
     }
     Ok(ExitCode::SUCCESS)

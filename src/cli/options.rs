@@ -239,13 +239,12 @@ fn folder(path: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// A name that can be shown: not empty, not endless, and nothing but its visible letters.
+/// A name that can be shown: not empty, not endless, nothing but visible letters.
 fn player(name: &str) -> Result<String, String> {
-    let name = tidy_name(name);
-    if !is_player_name(&name) {
+    if !is_player_name(name.trim()) {
         return Err("expected a name of 1 to 40 visible letters".into());
     }
-    Ok(name)
+    Ok(tidy_name(name))
 }
 
 /// A seed. Numbers may be as large as they are anywhere.

@@ -1,7 +1,7 @@
 //! `carrom progress`: opens the screen, or prints what was done.
 
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::anyhow;
@@ -43,6 +43,14 @@ pub(super) struct Args {
 enum ReportFile {
     Html(PathBuf),
     Markdown(PathBuf),
+}
+
+impl ReportFile {
+    fn path(&self) -> &Path {
+        match self {
+            Self::Html(path) | Self::Markdown(path) => path,
+        }
+    }
 }
 
 fn report_file(path: &str) -> Result<ReportFile, String> {
@@ -90,7 +98,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
             levels: shelf.library(),
             lessons: book.library(),
         });
-        written::write(&documents(&report, file), args.force)?;
+        written::write_beside(file.path(), &documents(&report, file), args.force)?;
         return Ok(ExitCode::SUCCESS);
     }
     let text = if args.csv {

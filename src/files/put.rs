@@ -27,7 +27,7 @@ pub enum Unwritten {
     #[error("{}: is there already", .0.display())]
     There(PathBuf),
     /// It cannot be written, or its folder cannot be made.
-    #[error("cannot write {}: {}", .0.display(), .1)]
+    #[error("cannot write {}", .0.display())]
     Failed(PathBuf, #[source] io::Error),
 }
 

@@ -13,6 +13,8 @@ use crate::physics::units::deg_from_rad;
 
 /// A step of the striker along the base lines, in metres.
 pub const PLACE_STEP: f64 = 0.002;
+/// What rounding leaves of a step of nothing, in metres.
+const SLACK: f64 = 1e-9;
 /// Steps of the direction in a degree.
 pub const STEPS_PER_DEGREE: f64 = 10.0;
 /// Steps of the speed in 1 m/s.
@@ -47,18 +49,21 @@ impl BaseLines<'_> {
     }
 
     /// The next legal place on the steps at least `metres` to the player's right of
-    /// `from` (negative: to the left); steps that are not legal are passed over.
-    /// `None` if there is none any more.
+    /// `from` (negative: to the left), over all that are not legal; where there is none
+    /// so far, the last one. `None` if there is none any more.
     pub fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
+        let (here, sense) = (self.along(from), metres.signum());
         // From between two steps the nearer one does.
-        let least = self.along(from) + metres - metres.signum() * PLACE_STEP / 2.0;
-        let beyond = |along: &f64| (along - least) * metres >= 0.0;
-        let legal = |along: &f64| self.check(self.at(*along)).is_ok();
-        let apart = |along: &f64| (along - least).abs();
-        Self::steps()
-            .filter(|along| beyond(along) && legal(along))
-            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
-            .map(|along| self.at(along))
+        let least = here + metres - sense * PLACE_STEP / 2.0;
+        let ahead: Vec<f64> = Self::steps()
+            .filter(|along| (along - here) * sense > SLACK)
+            .filter(|along| self.check(self.at(*along)).is_ok())
+            .collect();
+        let first = |a: &f64, b: &f64| (sense * a).total_cmp(&(sense * b));
+        let far_enough = ahead.iter().filter(|along| (*along - least) * sense >= 0.0);
+        let next = far_enough.copied().min_by(first);
+        let last = || ahead.iter().copied().max_by(first);
+        next.or_else(last).map(|along| self.at(along))
     }
 
     /// All steps along the lines, and both base circles, in metres from the middle.

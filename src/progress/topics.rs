@@ -53,6 +53,10 @@ impl Mastery {
         }
     }
 
+    /// What the names mean, where there are no marks.
+    pub const MEANING: &str =
+        "Solid: four of the last five right; growing: half or more; not yet: fewer.";
+
     /// What the marks mean.
     pub fn legend() -> String {
         format!(

@@ -23,11 +23,9 @@ const NO_CREDIT: f64 = 7.5;
 /// no corner at either end. Infinite earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
-    if share >= 1.0 {
-        // The cosine of what is nearly a right angle is only nearly nothing.
-        return 0.0;
-    }
-    (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2)
+    let credit = (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2);
+    // The cosine of what is nearly a right angle is only nearly nothing.
+    if credit < 1e-12 { 0.0 } else { credit }
 }
 
 /// How good one ray is.
@@ -150,7 +148,9 @@ mod tests {
         assert!((credit(0.0) - 1.0).abs() < 1e-12);
         assert!((credit(2.0) - 1.0).abs() < 1e-12);
         assert!((credit(16.0) - 0.5).abs() < 1e-12);
-        assert!(credit(30.0).abs() < 1e-12 && credit(180.0).abs() < 1e-12);
+        for wrong in [30.0, 31.0, 180.0] {
+            assert!(credit(wrong).abs() <= 0.0, "nothing, not nearly so");
+        }
         for tenth in 0..1800 {
             let (here, next) = (
                 credit(f64::from(tenth) / 10.0),

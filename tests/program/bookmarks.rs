@@ -223,7 +223,7 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
         for _ in 0..5 {
             game.press("1<Enter>n");
         }
-        game.press("<Escape><Escape>c");
+        game.press("<Escape><Escape>e");
         shows(&mut game, "1 of 1 chapters done");
         // Back to what it was: what fits it is there again.
         let mut game = own(folder.path(), &before);
@@ -290,7 +290,7 @@ fn where_nothing_can_be_kept_it_is_kept_in_memory() {
         assert!(!game.screen().contains("cannot be kept"), "it is told once");
         game.press("<Escape>");
         shows(&mut game, "3/5");
-        game.press("<Escape>c<Home><Down><Enter>");
+        game.press("<Escape>e<Home><Down><Enter>");
         shows(&mut game, "page 3 of 5");
         game.press("<Escape>Ry");
         assert!(!game.screen().contains("3/5"));

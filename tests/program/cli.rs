@@ -250,7 +250,7 @@ fn a_folder_that_cannot_be_written_is_named() {
     let output = carrom(&["tape", &tape, "--out", &format!("{tape}/shots")]);
     assert_eq!(output.status.code(), Some(1));
     assert!(
-        err(&output).starts_with(&format!("carrom: {tape}/shots: ")),
+        err(&output).starts_with(&format!("carrom: cannot write {tape}: expected a folder")),
         "{}",
         err(&output)
     );

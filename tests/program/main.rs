@@ -15,12 +15,14 @@ mod memory;
 mod plain;
 mod play;
 mod report;
+mod safe;
 mod saves;
 mod simulate;
 mod solve;
 #[cfg(unix)]
 mod terminal;
 mod worksheet;
+mod written;
 
 #[path = "../common/folder.rs"]
 mod folder;

@@ -449,7 +449,7 @@ fn the_worked_solution_speaks_of_what_is_special() {
         (&["--alpha-deg", "0", "--m1-g", "5.5"], "straight back"),
         (
             &["--alpha-deg", "30", "--stick"],
-            "go on as one at 2 m/s, turning",
+            "their centre of mass goes on at 2 m/s, and they turn about it",
         ),
         (
             &["--alpha-deg", "0", "--stick"],
@@ -490,7 +490,7 @@ fn bad_arguments_are_refused_by_name() {
         ),
         (
             &["--alpha-deg", "30", "--speed", "1e200"],
-            "--speed: expected components in m/s",
+            "--speed: expected a speed in m/s from -1e9 to 1e9",
         ),
         (
             &["--alpha-deg", "30", "--restitution", "-0.1"],
@@ -514,7 +514,7 @@ fn bad_arguments_are_refused_by_name() {
             "cannot be used with",
         ),
         (&["--offset-mm", "1"], "--r1-mm"),
-        (&[], "--alpha-deg"),
+        (&[], "--alpha-deg: missing: expected this, or --offset-mm"),
         (&["--batch", "--m1-g", "3"], "cannot be used with"),
         (&["--alpha-deg", "30", "--frobnicate"], "--frobnicate"),
     ] {

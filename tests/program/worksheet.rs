@@ -322,9 +322,13 @@ fn what_cannot_be_done_is_said() {
         (
             vec!["--out", &out, "--code", "review-7"],
             2,
-            "expected the code of a round",
+            "a review has no code",
         ),
-        (vec!["--out", &in_file, "--seed", "1"], 1, "file/sheets"),
+        (
+            vec!["--out", &in_file, "--seed", "1"],
+            1,
+            "file: expected a folder, found a file",
+        ),
     ] {
         let output = worksheet(&arguments);
         assert_eq!(output.status.code(), Some(status), "{arguments:?}");

@@ -224,7 +224,7 @@ fn a_pause_is_blank_until_someone_goes_on() {
         !paused.contains("striker") && !paused.contains("question 1"),
         "{paused}"
     );
-    for keys in ["x", "<Down>", "[", "e"] {
+    for keys in ["x", "<Down>", "[", "e", "<Enter>", " ", "<Escape>"] {
         game.press(keys);
         assert_eq!(game.screen(), paused, "{keys}");
     }
@@ -470,4 +470,56 @@ fn a_round_of_own_questions_is_taken_up_while_they_are_the_same() {
         screen.contains("cannot be read") && screen.contains("files have changed"),
         "{screen}"
     );
+}
+
+/// While a round cannot be saved, nobody is told that it is kept.
+#[test]
+fn a_round_that_cannot_be_saved_says_that_it_is_lost() {
+    let folder = Folder::new("class-unsaved");
+    fs::write(folder.path().join("classes"), "in the way").unwrap();
+    let mut game = class(folder.path(), "7", &["Ants"]);
+    game.press("<Enter><Enter><Enter>");
+    game.press("140<Enter>30<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("cannot be saved"), "{screen}");
+    game.press("<Down><Escape>");
+    let screen = game.screen();
+    assert!(screen.contains("Esc again loses the round"), "{screen}");
+    assert!(!screen.contains("kept"), "{screen}");
+    game.press("e");
+    assert!(exported(folder.path(), "class-answers-1.csv").contains("Ants"));
+    // Once it can be saved, it is, and that is said.
+    fs::remove_file(folder.path().join("classes")).unwrap();
+    game.press("<Down><Enter><Escape>");
+    let screen = game.screen();
+    assert!(screen.contains("it is kept"), "{screen}");
+    assert_eq!(kept(folder.path()).len(), 1);
+}
+
+#[test]
+fn who_plays_a_round_of_another_carrom_is_told_where_it_goes_on() {
+    let folder = Folder::new("class-two");
+    let mut game = class(folder.path(), "7", &["Ants"]);
+    game.press("<Enter><Enter><Enter>140<Enter>30<Enter>");
+    let name = folder.path().join("classes/class-1.toml");
+    let text = fs::read_to_string(&name).unwrap();
+    fs::write(&name, text.replace("first-vote", "talk") + "\n").unwrap();
+    game.press("<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("class-2.toml"), "{screen}");
+}
+
+#[test]
+fn a_long_code_is_never_half_shown() {
+    let folder = Folder::new("class-code");
+    let code = "unequal-masses60-18446744073709551615";
+    let mut game = class(folder.path(), code, &["Ants"]);
+    game.press("<Enter>");
+    let screen = game.screen();
+    let first = screen.lines().next().unwrap().trim_end();
+    assert!(first.ends_with(code) || first.ends_with(".."), "{first}");
+    game.resize(60, 20);
+    let screen = game.screen();
+    let first = screen.lines().next().unwrap().trim_end();
+    assert!(first.ends_with(".."), "{first}");
 }

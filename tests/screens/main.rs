@@ -6,6 +6,7 @@ mod article;
 mod class;
 mod every_screen;
 mod foil;
+mod keeping;
 mod lab;
 mod learn;
 mod levels;

@@ -195,6 +195,74 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     panic!("the board never ended");
 }
 
+/// How often each kind of piece is to be seen on the board: white, black, queen.
+fn seen(game: &mut Headless, charset: Charset) -> [usize; 3] {
+    let screen = game.screen();
+    let (tokens, side) = match charset {
+        Charset::Ascii => (["o", "@", "Q"], "||"),
+        Charset::Unicode => (["○W", "●B", "Q"], "││"),
+    };
+    // Without the title and the panel beside it.
+    let rows = screen.lines().skip(2);
+    let board: String = rows
+        .filter_map(|row| Some(row.split_once(side)?.0))
+        .collect();
+    tokens.map(|any| board.chars().filter(|sign| any.contains(*sign)).count())
+}
+
+#[test]
+fn every_piece_of_the_opening_is_seen_at_every_size() {
+    let aims = ["", "73<Enter>14[", "97.6<Enter>", "60<Enter>80["];
+    for charset in [Charset::Ascii, Charset::Unicode] {
+        for (columns, rows) in [(60, 20), (80, 24), (100, 30), (120, 40), (200, 60)] {
+            for aim in aims {
+                let settings = Settings { charset, ..still() };
+                let mut game = at_the_table(Options::two_people(), settings);
+                game.resize(columns, rows);
+                game.press(aim);
+                let seen = seen(&mut game, charset);
+                let told = format!("{charset:?} {columns} {aim}\n{}", game.screen());
+                assert_eq!(seen, [9, 9, 1], "{told}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_hint_that_is_set_is_what_it_said_and_legal() {
+    let mut game = at_the_table(Options::two_people(), still());
+    game.press("hhh");
+    let shown = panel(&mut game);
+    let (_, hint) = shown.split_once("Place the striker ").unwrap();
+    let (place, rest) = hint.split_once(", aim at ").unwrap();
+    let (angle, rest) = rest.split_once(" and strike with ").unwrap();
+    let (speed, _) = rest.split_once(" m/s.").unwrap();
+    assert!(shown.contains(&format!("aim {angle}")), "{shown}");
+    assert!(shown.contains(&format!("{speed} m/s place")), "{shown}");
+    let place = place.trim_end_matches(" of the middle");
+    assert!(shown.contains(&format!("place {place}")), "{shown}");
+    assert!(!shown.contains("Not from"), "{shown}");
+    // And the striker stays on the board.
+    game.press(" ");
+    assert!(panel(&mut game).contains("Enter: go on."));
+    assert!(!panel(&mut game).contains("striker fell"));
+}
+
+#[test]
+fn place_and_strength_can_be_typed() {
+    let mut game = at_the_table(Options::two_people(), still());
+    game.press("57[2.5+101<Enter>");
+    let shown = panel(&mut game);
+    assert!(shown.contains("aim 101.0 deg"), "{shown}");
+    assert!(shown.contains("2.5 m/s"), "{shown}");
+    assert!(shown.contains("place 57 mm left"), "{shown}");
+    // A place of one's own may be illegal, and is then explained; a step is not.
+    game.press("200]");
+    assert!(panel(&mut game).contains("not cut it"));
+    game.press("]");
+    assert!(panel(&mut game).contains("place 216 mm right"));
+}
+
 #[test]
 fn practice_lays_out_strikes_and_takes_back() {
     let options = Options {

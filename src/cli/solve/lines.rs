@@ -18,9 +18,9 @@ pub(super) enum Line<'a> {
 /// What went wrong between the problems and the answers.
 #[derive(Debug, Error)]
 pub(super) enum Trouble {
-    #[error("cannot read the problems: {0}")]
+    #[error("cannot read the problems")]
     Read(#[source] io::Error),
-    #[error("cannot write to standard output: {0}")]
+    #[error("cannot write to standard output")]
     Write(#[source] io::Error),
 }
 

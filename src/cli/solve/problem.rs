@@ -55,7 +55,7 @@ impl Problem {
         if self.alpha_deg.is_some() && self.offset_mm.is_some() {
             return Err(fault(
                 "alpha_deg",
-                "expected this or offset_mm, found both: each says where the two meet",
+                "expected either this or offset_mm, found both",
             ));
         }
         let mass = |field, value| number(field, required(field, value)?, SIZE, "grams");

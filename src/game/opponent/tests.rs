@@ -7,6 +7,7 @@ use rand_pcg::Pcg64;
 use super::{FASTEST, Strength, hint, think};
 use crate::game::laws::Rules;
 use crate::game::pack::pack;
+use crate::game::steps::on_steps;
 use crate::game::{Coin, Game, Hands, Piece, PieceSet, Seat, Setup, Stroke, Team};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
@@ -118,6 +119,32 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
     apply(&mut game, hint.stroke);
     let won = game.play().won().unwrap();
     assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
+}
+
+/// Whoever follows a hint by keys strikes just that stroke, and does not foul by it.
+#[test]
+fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
+    let board = Board::default();
+    let mut clean = 0;
+    for seed in 0..12 {
+        let game = scattered(seed);
+        let hint = hint(&game, &board, seed).unwrap();
+        let stroke = hint.stroke;
+        assert_eq!(game.check_place(&board, stroke.position), Ok(()));
+        let lines = game.base_lines(&board);
+        assert_eq!(
+            lines.nearest_on_steps(stroke.position),
+            Some(stroke.position)
+        );
+        assert_eq!(on_steps(stroke, game.seat()), Some(stroke));
+        let (discs, motions) = game.discs(stroke);
+        let shot = crate::physics::play(&board, &discs, &motions, Limits::default()).unwrap();
+        let fell = Stroke::from_shot(game.coins(), &shot).unwrap().pocketed;
+        assert_eq!(fell.contains(&Piece::Striker), hint.fouls, "seed {seed}");
+        assert_eq!(hint.reason.story, super::Story::of(&game, &shot));
+        clean += usize::from(!hint.fouls);
+    }
+    assert_eq!(clean, 12);
 }
 
 #[test]

@@ -52,9 +52,9 @@ fn as_one(sheet: &mut Sheet, stage: &Stage) {
                 .map(|body| way_out(stage.contact[body] - centre, stage.radius(body), direction));
             let rim = centre + rim[0].max(rim[1]) * direction;
             sheet.line(centre, rim, Stroke::new(Ink::Accent));
-            arrow(sheet, stage, rim, "v", v);
+            arrow(sheet, stage, rim, "V", v);
         }
-        None => still(sheet, stage, 0, "v"),
+        None => still(sheet, stage, 0, "V"),
     }
 }
 

@@ -175,7 +175,7 @@ impl<'a> Report<'a> {
              UTC. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
              {} A chapter is done when all of it has been read and answered.",
             Quantity::RIGHT,
-            Mastery::legend(),
+            Mastery::MEANING,
         )
     }
 }

@@ -68,8 +68,8 @@ pub(super) fn panel(history: &History, book: &Book, lines: &mut Lines) {
         row(lines, "  mean error", &degrees(Some(error)));
     }
     if let Some((first, last)) = ends_deg(attempts) {
-        row(lines, "  of the first ten", &degrees(Some(first)));
-        row(lines, "  of the last ten", &degrees(Some(last)));
+        row(lines, "  first ten", &degrees(Some(first)));
+        row(lines, "  last ten", &degrees(Some(last)));
         lines.gap();
         lines.paragraph(compared(first, last), Role::Text);
     }

@@ -8,8 +8,8 @@
 //! Set Size 100x30              columns x rows (default 80x24)
 //! Set Charset ascii            or unicode
 //! Set Color none               or 16, 256, truecolor
-//! Set Day 2026-01-05           its clock stands at noon of this day (default: it has none,
-//!                              and nothing that is kept has a time)
+//! Set Day 2026-01-05           its clock stands at noon of this day, for all that is kept
+//!                              or opened from here on (default: it has none)
 //! Type "60"                    one key a character
 //! Right 5                      a key by its name, with how often (default 1): Up
 //!                              Down Left Right Enter Escape Tab Shift+Tab Backspace

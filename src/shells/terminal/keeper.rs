@@ -118,3 +118,71 @@ fn say(words: &str) {
     // Standard error may be gone with its window, and then nobody is left to tell.
     let _ = writeln!(io::stderr(), "carrom: {}", harmless(words, 400));
 }
+
+#[cfg(test)]
+mod tests {
+    use std::{env, fs, process};
+
+    use super::*;
+    use crate::progress::{Attempt, Starred};
+
+    /// Whoever holds the database holds up neither the keys nor the picture for long.
+    #[test]
+    fn nobody_waits_long_for_an_answer_to_be_kept() {
+        let folder = env::temp_dir().join(format!("carrom-keeper-{}", process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        let (sender, messages) = mpsc::channel();
+        let mut keeper = Keeper::start(Store::in_folder(&folder), sender.clone()).unwrap();
+        let starred = Starred {
+            pack: "first".into(),
+            level: "one".into(),
+            stars: 1,
+        };
+        let attempt = Attempt {
+            time_s: None,
+            player: "Ada".into(),
+            family: "speeds".into(),
+            topic: "speeds".into(),
+            seed: 7,
+            number: 1,
+            question: "{}".into(),
+            answer: "{}".into(),
+            truth: "{}".into(),
+            error_deg: None,
+            credit: 0.0,
+            right: false,
+            confidence: None,
+            misconception: None,
+        };
+        let star = |ticket| Request {
+            ticket,
+            wish: Wish::Star("Ada".into(), starred.clone()),
+        };
+        assert!(!keeper.ask(&star(1), &sender), "nobody waits for stars");
+        messages.recv().unwrap();
+        let other = rusqlite::Connection::open(folder.join("progress.db")).unwrap();
+        other.execute_batch("BEGIN IMMEDIATE").unwrap();
+        let record = |ticket| Request {
+            ticket,
+            wish: Wish::Record(Box::new(attempt.clone())),
+        };
+        assert!(keeper.ask(&record(2), &sender), "it is being saved");
+        let start = Instant::now();
+        assert!(keeper.ask(&record(3), &sender));
+        assert!(start.elapsed() < ANSWER_PATIENCE, "nobody waits twice");
+        other.execute_batch("COMMIT").unwrap();
+        for expected in [2, 3] {
+            match messages.recv().unwrap() {
+                Message::Input(Input::Kept(answer)) => {
+                    assert_eq!(
+                        (answer.ticket, &answer.done),
+                        (expected, &Done::Noted(Ok(())))
+                    );
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        drop(keeper);
+        let _ = fs::remove_dir_all(&folder);
+    }
+}

@@ -25,10 +25,9 @@ use std::time::Instant;
 
 use crossterm::queue;
 use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
-use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
-#[cfg(unix)]
-use ratatui::layout::{Position, Rect};
+use ratatui::layout::Rect;
+use ratatui::{Terminal, TerminalOptions, Viewport};
 use thiserror::Error;
 
 pub use crash::report_crashes;
@@ -72,6 +71,15 @@ pub enum Ending {
 /// which is gone too, and panic.
 type Screen = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
+/// The largest screen that is drawn, in columns and rows; a terminal may say anything, and
+/// memory has its limits. Of a larger one the rest stays empty.
+const LARGEST: (u16, u16) = (1000, 500);
+
+/// What is drawn of a terminal of this size.
+fn drawn(columns: u16, rows: u16) -> Rect {
+    Rect::new(0, 0, columns.min(LARGEST.0), rows.min(LARGEST.1))
+}
+
 /// Runs `app` in the terminal until it is left, and keeps its games in `store`. The
 /// terminal is afterwards as it was before, however the run ends.
 ///
@@ -88,7 +96,10 @@ pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     // by wiping bold and reverse too.
     crossterm::style::force_color_output(true);
     let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
-    let screen = Terminal::new(backend).map_err(TerminalError::SetUp)?;
+    let (columns, rows) = crossterm::terminal::size().map_err(TerminalError::SetUp)?;
+    let viewport = Viewport::Fixed(drawn(columns, rows));
+    let screen = Terminal::with_options(backend, TerminalOptions { viewport });
+    let screen = screen.map_err(TerminalError::SetUp)?;
     Run {
         app,
         screen: ManuallyDrop::new(screen),
@@ -119,8 +130,7 @@ type Flow = std::ops::ControlFlow<Ending>;
 impl Run {
     fn play(mut self) -> Result<Ending, TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
-        let effects = self.app.update(&Input::Resize(size.width, size.height));
-        if let Flow::Break(ending) = self.carry_out(&effects) {
+        if let Flow::Break(ending) = self.fit(size.width, size.height)? {
             return Ok(ending);
         }
         loop {
@@ -163,6 +173,10 @@ impl Run {
 
     fn take(&mut self, message: Message) -> Result<Flow, TerminalError> {
         match message {
+            Message::Input(Input::Resize(columns, rows)) => {
+                self.pace.outdated();
+                return self.fit(columns, rows);
+            }
             Message::Input(input) => {
                 let effects = self.app.update(&input);
                 self.pace.outdated();
@@ -182,16 +196,21 @@ impl Run {
             Message::Continue => {
                 self.guard.take_again().map_err(TerminalError::SetUp)?;
                 let size = self.screen.size().map_err(TerminalError::SetUp)?;
-                // Everything is to be drawn afresh. Not by `clear`: that asks the
-                // terminal where its cursor is, and the answer goes to the reader.
-                let area = Rect::from((Position::ORIGIN, size));
-                self.screen.resize(area).map_err(TerminalError::Write)?;
-                let effects = self.app.update(&Input::Resize(size.width, size.height));
                 self.pace = Pace::new(Instant::now());
-                return Ok(self.carry_out(&effects));
+                return self.fit(size.width, size.height);
             }
         }
         Ok(Flow::Continue(()))
+    }
+
+    /// Fits the picture to a terminal of this size, to be drawn afresh.
+    fn fit(&mut self, columns: u16, rows: u16) -> Result<Flow, TerminalError> {
+        let area = drawn(columns, rows);
+        // Not by `clear`: that asks the terminal where its cursor is, and the answer goes
+        // to the reader.
+        self.screen.resize(area).map_err(TerminalError::Write)?;
+        let effects = self.app.update(&Input::Resize(area.width, area.height));
+        Ok(self.carry_out(&effects))
     }
 
     fn draw(&mut self) -> io::Result<()> {
@@ -222,5 +241,19 @@ impl Run {
             }
         }
         flow
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_screen_without_end_is_drawn_in_part() {
+        assert_eq!(drawn(80, 24), Rect::new(0, 0, 80, 24));
+        assert_eq!(drawn(300, 100), Rect::new(0, 0, 300, 100));
+        let most = drawn(u16::MAX, u16::MAX);
+        // Two pictures of it are kept.
+        assert!(most.area() < 1_000_000, "{most}");
     }
 }

@@ -107,6 +107,18 @@ mod tests {
     }
 
     #[test]
+    fn only_an_empty_no_color_is_none() {
+        for set in ["1", "0", "no"] {
+            let with = |name: &str| (name == "NO_COLOR").then(|| set.to_owned());
+            assert_eq!(depth(with), Depth::None);
+        }
+        let empty = from(&[("NO_COLOR", ""), ("TERM", "xterm-256color")]);
+        assert_eq!(depth(empty), Depth::Indexed256);
+        let empty = from(&[("NO_COLOR", ""), ("TERM", "linux")]);
+        assert_eq!(depth(empty), Depth::Ansi16);
+    }
+
+    #[test]
     fn the_first_locale_that_is_set_decides() {
         assert_eq!(charset(from(&[("LANG", "de_DE.UTF-8")])), Charset::Unicode);
         assert_eq!(charset(from(&[("LC_CTYPE", "C.utf8")])), Charset::Unicode);

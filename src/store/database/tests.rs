@@ -315,6 +315,7 @@ fn a_newer_database_is_refused_untouched() {
         let log = || fs::read(&log).unwrap_or_default();
         let files = || (fs::read(scratch.path()).unwrap(), log());
         let before = files();
+        let names = scratch.names();
         let mut database = scratch.database();
         let refusals = [
             database.record(&attempt("Ada", 1)),
@@ -331,6 +332,7 @@ fn a_newer_database_is_refused_untouched() {
         }
         assert_eq!(database.take_notice(), None);
         assert!(files() == before, "the files were changed");
+        assert_eq!(scratch.names(), names);
     }
 }
 
@@ -404,4 +406,67 @@ fn a_folder_that_cannot_be_is_no_more_than_a_message() {
     let mut database = Database::in_folder(file.join("below"));
     let message = database.record(&attempt("Ada", 1)).unwrap_err();
     assert!(message.contains("progress.db: "), "{message}");
+}
+
+/// Whoever may write everywhere may not be kept from it, so this asks for no more than to
+/// look.
+#[test]
+fn what_cannot_be_changed_can_be_looked_up() {
+    for in_log in [false, true] {
+        let scratch = Scratch::new("unchanged");
+        let mut database = scratch.database();
+        database.record(&attempt("Ada", 1)).unwrap();
+        let held = in_log.then(|| {
+            // Who has it open keeps the last changes in the log.
+            let held = Connection::open(scratch.path()).unwrap();
+            held.query_row("SELECT count(*) FROM attempt", [], |row| {
+                row.get::<_, i64>(0)
+            })
+            .unwrap();
+            held
+        });
+        database.record(&attempt("Ada", 2)).unwrap();
+        let before = (scratch.names(), fs::read(scratch.path()).unwrap());
+        let mut connection = unchanged::open(&scratch.0, NAME).unwrap();
+        let found = transact(&mut connection, TransactionBehavior::Deferred, |it| {
+            tables::attempts(it, None)
+        });
+        assert_eq!(found.unwrap().len(), 2);
+        assert!(tables::insert_attempt(&connection, &attempt("Ada", 3)).is_err());
+        drop(connection);
+        assert!((scratch.names(), fs::read(scratch.path()).unwrap()) == before);
+        drop(held);
+    }
+}
+
+#[test]
+fn the_credit_of_an_older_row_is_nothing_where_it_is_nearly_so() {
+    let scratch = Scratch::new("credit");
+    let mut database = scratch.database();
+    for credit in [3.7e-33, 0.25] {
+        let attempt = Attempt {
+            credit,
+            ..attempt("Ada", 1)
+        };
+        database.record(&attempt).unwrap();
+    }
+    let found = database.attempts(None).unwrap();
+    let credits: Vec<_> = found.iter().map(|it| it.credit).collect();
+    assert_eq!(credits, [0.0, 0.25]);
+}
+
+#[test]
+fn who_is_kept_waiting_for_long_waits_less_the_next_time() {
+    let scratch = Scratch::new("busy");
+    let mut database = scratch.database();
+    database.record(&attempt("Ada", 1)).unwrap();
+    let other = Connection::open(scratch.path()).unwrap();
+    other.execute_batch("BEGIN IMMEDIATE").unwrap();
+    database.was_busy = true;
+    let refused = database.record(&attempt("Ada", 2)).unwrap_err();
+    assert!(refused.contains("locked"), "{refused}");
+    assert!(database.was_busy);
+    other.execute_batch("COMMIT").unwrap();
+    database.record(&attempt("Ada", 3)).unwrap();
+    assert!(!database.was_busy);
 }

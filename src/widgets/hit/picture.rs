@@ -16,6 +16,9 @@ use crate::quiz::{Ray, Rays};
 use crate::widgets::ink::{self, Pen, Sheet, Side};
 use crate::widgets::{Look, Role};
 
+/// A way this short, in radii of the disc, is none.
+const STANDS: f64 = 1e-6;
+
 /// What a moment of a hit is drawn from.
 pub(super) struct Moment<'a> {
     pub(super) stage: Stage,
@@ -54,7 +57,7 @@ impl Moment<'_> {
     fn disc(&self, sheet: &mut Sheet, body: usize, face: Face, now: DVec2) {
         let radius = self.stage.radius(body);
         let gone = now - self.stage.centres[body];
-        let has_left = self.clock.has_met() && !self.clock.at_contact();
+        let has_left = self.clock.has_met() && gone.length() > STANDS * radius;
         match gone.try_normalize() {
             // Its arrow runs through its middle, so the letter stands beside it, on the side
             // further from the line of its old motion.

@@ -129,3 +129,92 @@ fn cell_of(at: DVec2) -> Place {
 fn middle((column, row): Place) -> DVec2 {
     dvec2(f64::from(column) + 0.5, 2.0 * f64::from(row) + 1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use ratatui::buffer::Buffer;
+    use ratatui::layout::Rect;
+
+    use super::*;
+    use crate::widgets::Theme;
+    use crate::widgets::ink::View;
+
+    /// A queen with two rings of coins, all touching: the opening pack.
+    fn pack() -> Vec<Body> {
+        let body = |at: DVec2, role, letter| Body {
+            at,
+            radius: 0.5,
+            role,
+            letter,
+            pointed_out: false,
+        };
+        let mut pack = Vec::new();
+        for ring in 1..=2 {
+            for side in 0..6 {
+                for step in 0..ring {
+                    let corner = DVec2::from_angle(f64::from(side) * 60_f64.to_radians());
+                    let along = DVec2::from_angle(f64::from(side + 2) * 60_f64.to_radians());
+                    let at = corner * f64::from(ring) + along * f64::from(step);
+                    pack.push(body(at, Role::Coin, 'W'));
+                }
+            }
+        }
+        pack.push(body(DVec2::ZERO, Role::Queen, 'Q'));
+        pack
+    }
+
+    fn count(buffer: &Buffer, sign: &str) -> usize {
+        buffer
+            .content
+            .iter()
+            .filter(|cell| cell.symbol() == sign)
+            .count()
+    }
+
+    #[test]
+    fn every_token_of_a_tight_pack_is_seen_whatever_is_drawn_over_it() {
+        let area = Rect::new(0, 0, 41, 21);
+        for charset in [Charset::Ascii, Charset::Unicode] {
+            // From half a column for a disc to two.
+            for scale in [0.5, 0.55, 0.61, 0.7, 0.83, 1.0, 1.3, 2.0] {
+                let mut sheet = Sheet::new(View::new(area, dvec2(0.1, 0.2), scale), charset);
+                sheet.discs(&pack());
+                let queen = sheet.view().cell_at(DVec2::ZERO).unwrap();
+                for turn in 0..12 {
+                    let tip = DVec2::from_angle(f64::from(turn) * 0.53) * 2.0;
+                    sheet.arrow(DVec2::ZERO, tip, Role::CoinOut);
+                    sheet.circle(DVec2::ZERO, 0.2 * f64::from(turn), Role::Predicted);
+                }
+                let mut buffer = Buffer::empty(area);
+                sheet.draw(&mut buffer, &Theme::default());
+                assert_eq!(buffer[queen].symbol(), "Q", "{charset:?} {scale}");
+                let coins = count(&buffer, token(Role::Coin, charset));
+                assert_eq!(coins, 18, "{charset:?} {scale}");
+            }
+        }
+    }
+
+    #[test]
+    fn all_are_tokens_or_all_are_round() {
+        let area = Rect::new(0, 0, 61, 31);
+        for (scale, round) in [(0.33, true), (0.4, false)] {
+            let mut sheet = Sheet::new(View::new(area, DVec2::ZERO, scale), Charset::Unicode);
+            // The large one alone would be round in both.
+            let large = Body {
+                at: dvec2(6.0, 0.0),
+                radius: 0.9,
+                role: Role::Striker,
+                letter: 'S',
+                pointed_out: false,
+            };
+            let mut bodies = pack();
+            bodies.push(large);
+            sheet.discs(&bodies);
+            let mut buffer = Buffer::empty(area);
+            sheet.draw(&mut buffer, &Theme::default());
+            let tokens = count(&buffer, token(Role::Coin, Charset::Unicode));
+            assert_eq!(tokens, if round { 0 } else { 18 });
+            assert_eq!(count(&buffer, "("), usize::from(!round));
+        }
+    }
+}

@@ -189,7 +189,9 @@ mod tests {
         let view = View::fit(AREAS[0], dvec2(-0.3, 0.5), dvec2(0.7, -0.1));
         for at in [dvec2(0.0, 0.0), dvec2(0.123, 0.345), dvec2(-0.29, 0.49)] {
             let moved = view.with_in_a_middle(at);
-            assert!(((moved.to_cell(at) - DVec2::splat(0.5)).fract()).length() < 1e-9);
+            let cell = moved.to_cell(at);
+            let middle = cell.floor() + DVec2::splat(0.5);
+            assert!(cell.distance(middle) < 1e-9, "{cell}");
             let shift = moved.to_cell(at) - view.to_cell(at);
             assert!(shift.abs().max_element() <= 0.5 + 1e-12, "{shift}");
             assert_eq!(moved.per_row(), view.per_row());

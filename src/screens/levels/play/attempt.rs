@@ -61,18 +61,19 @@ pub(super) struct Zoom {
     pub(super) watch: Watch,
 }
 
-/// The clock of a shot. Where nothing counts but the first hit it goes to the first
-/// cushion only, and slowly: what is seen is small and near.
-fn clock(level: &Level, shot: &Shot, reduced: bool) -> Clock {
+/// Until when a shot is seen. Where nothing counts but the first hit, that is to the next
+/// cushion after it.
+fn end(level: &Level, shot: &Shot) -> f64 {
     if !level.is_of_the_first_hit() {
-        return Clock::new(shot.duration(), reduced);
+        return shot.duration();
     }
+    let hit = |event: &Event| matches!(event.kind, EventKind::Impact { .. });
     let cushion = |event: &&Event| matches!(event.kind, EventKind::Cushion { .. });
-    let first = shot.events().iter().find(cushion);
-    let mut clock = Clock::new(first.map_or(shot.duration(), |event| event.time), reduced);
-    clock.change_rate(false);
-    clock.change_rate(false);
-    clock
+    let events = shot.events();
+    // The hit may come off a cushion itself.
+    let since = events.iter().position(hit).unwrap_or(0);
+    let next = events.iter().skip(since).find(cushion);
+    next.map_or(shot.duration(), |event| event.time)
 }
 
 /// A shot that was made.
@@ -102,13 +103,20 @@ impl Attempt {
         reduced: bool,
     ) -> Self {
         let verdict = judge(level, &shot);
-        let impacts: Vec<_> = impacts(&shot, level.scene.stroke.disc).collect();
+        let end = end(level, &shot);
+        let impacts = impacts(&shot, level.scene.stroke.disc);
+        let impacts: Vec<_> = impacts.take_while(|impact| impact.time <= end).collect();
         let right = || Some(said?.is_right(impacts.first()?));
         let win = Win {
             shots: number,
             said_right: to_say.then(|| right().unwrap_or(false)),
         };
-        let clock = clock(level, &shot, reduced);
+        let mut clock = Clock::new(end, reduced);
+        if level.is_of_the_first_hit() {
+            // What is seen is small and near.
+            clock.change_rate(false);
+            clock.change_rate(false);
+        }
         Self {
             win: verdict.won().then_some(win),
             verdict,

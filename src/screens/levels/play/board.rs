@@ -250,3 +250,44 @@ fn said(sheet: &mut Sheet, level: &Level, attempt: &Attempt) {
         sheet.label("you", tip, &Side::towards(way), Role::Predicted);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::levels::Library;
+
+    #[test]
+    fn where_the_first_hit_counts_the_discs_are_whole_and_larger() {
+        let library = Library::embedded();
+        let mut fitted = 0;
+        for level in library.packs.iter().flat_map(|pack| &pack.levels) {
+            if !level.is_of_the_first_hit() {
+                continue;
+            }
+            fitted += 1;
+            for area in [
+                Rect::new(1, 2, 32, 15),
+                Rect::new(1, 2, 48, 20),
+                Rect::new(1, 2, 80, 36),
+            ] {
+                let view = view(level, area);
+                for piece in &level.scene.pieces {
+                    for way in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
+                        // Rounding to the middle of a cell may take half of one.
+                        let edge = piece.at + piece.disc.radius * way;
+                        let cell = view.to_cell(edge);
+                        let inside = |low: u16, at: f64, high: u16| {
+                            (f64::from(low) - 0.5..f64::from(high) + 0.5).contains(&at)
+                        };
+                        let shown = inside(area.left(), cell.x, area.right())
+                            && inside(area.top(), cell.y, area.bottom());
+                        assert!(shown, "{}: {cell}", level.id);
+                    }
+                }
+                let whole = board::view(board::square(area), &level.scene.board);
+                assert!(view.per_row() < whole.per_row(), "{}", level.id);
+            }
+        }
+        assert!(fitted > 15);
+    }
+}

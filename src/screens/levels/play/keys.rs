@@ -12,7 +12,7 @@ pub(super) fn shown(play: &Play, cx: &Context) -> Vec<Hint> {
             let mut hints = vec![
                 Hint::new("Enter", go),
                 Hint::new("Left Right", "set"),
-                Hint::new(", . < >", "less, more"),
+                Hint::new(", .", "finely"),
             ];
             if play.level.adjust.dials().count() > 1 {
                 hints.push(Hint::new("Up Down", "choose"));
@@ -21,6 +21,7 @@ pub(super) fn shown(play: &Play, cx: &Context) -> Vec<Hint> {
                 Hint::new("0-9", "type"),
                 Hint::new("h", "hint"),
                 Hint::new("Esc", "back"),
+                Hint::new("< >", "by ten steps"),
             ]);
             hints
         }

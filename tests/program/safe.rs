@@ -1,0 +1,205 @@
+//! Nothing that is given plays tricks on the terminal, and what cannot be used is said.
+
+use std::fs;
+use std::process::{Command, Output, Stdio};
+
+use crate::folder::Folder;
+
+fn carrom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments)
+        .env_remove("LC_ALL")
+        .env("LANG", "C")
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn said(output: &Output) -> String {
+    let all = [&output.stdout[..], &output.stderr[..]].concat();
+    String::from_utf8(all).unwrap()
+}
+
+const CHAPTER: &str = "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n# P\n\nText.\n";
+
+#[test]
+fn no_escape_sequence_reaches_the_terminal() {
+    let folder = Folder::new("safe");
+    let red = "\u{1b}[31mred\u{7}\u{202e}";
+    let chapter = folder.file("01-a.md", CHAPTER.replace("\"T\"", "\"\\u001b[31mT\""));
+    let pack = folder.path().join(red);
+    fs::create_dir(&pack).unwrap();
+    let level = concat!(env!("CARGO_MANIFEST_DIR"), "/levels");
+    let any = fs::read_dir(level).unwrap().flatten();
+    let packs = any.map(|it| it.path()).filter(|it| it.is_dir());
+    let first = packs.flat_map(|it| fs::read_dir(it).unwrap().flatten());
+    let first = first.map(|it| it.path()).next().unwrap();
+    fs::copy(first, pack.join("a.toml")).unwrap();
+    for arguments in [
+        &["lesson", "check", &chapter][..],
+        &["level", "check", pack.to_str().unwrap()],
+        &["figure", red],
+        &["figure", "lab", red],
+        &["figure", "lab", &format!("alpha_deg={red}")],
+        &[red],
+        &["quiz", "--code", red],
+        &["--player", "", "--palette", red],
+        &["levels", red],
+        &["simulate", red],
+        &["tape", red],
+        &[
+            "progress",
+            "--csv",
+            "--data-dir",
+            &format!("/dev/null/{red}"),
+        ],
+    ] {
+        let output = carrom(arguments);
+        let said = said(&output);
+        let tricks = |c: char| c.is_control() && c != '\n' || c == '\u{202e}';
+        assert!(!said.contains(tricks), "{arguments:?}: {said:?}");
+        assert!(!said.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    let folder = Folder::new("safe-mark");
+    let mark = "\u{feff}";
+    let chapter = folder.file("01-a.md", format!("{mark}{CHAPTER}"));
+    let tape = folder.file("a.tape", format!("{mark}Expect \"carrom\"\n"));
+    let scene = "format = 1\n[[disc]]\nkind = \"striker\"\nat_mm = [0, 0]\n\
+                 [shot]\ndisc = 0\ndirection_deg = 90\nspeed = 1\n";
+    let scene = folder.file("a.toml", format!("{mark}{scene}"));
+    for arguments in [
+        ["lesson", "check", &chapter].as_slice(),
+        &["tape", &tape],
+        &["simulate", &scene],
+    ] {
+        let output = carrom(arguments);
+        assert!(output.status.success(), "{}", said(&output));
+    }
+}
+
+#[test]
+fn a_name_is_its_visible_letters() {
+    let folder = Folder::new("safe-name");
+    let data = folder.path().to_str().unwrap();
+    for (name, good) in [
+        ("\u{200b}", false),
+        ("\u{fffe}", false),
+        ("\u{202e}\u{301}", false),
+        (" ", false),
+        ("Zo\u{eb}", true),
+        ("a\u{202e}b", false),
+    ] {
+        let output = carrom(&["progress", "--csv", "--data-dir", data, "--player", name]);
+        assert_eq!(output.status.success(), good, "{name:?}");
+        if !good {
+            let said = said(&output);
+            assert!(said.contains("1 to 40 visible letters"), "{said}");
+        }
+    }
+}
+
+#[test]
+fn what_is_printed_is_what_the_terminal_shows() {
+    for arguments in [
+        &["level", "check"][..],
+        &["level", "check", "--charset", "ascii"],
+        &["lesson", "check"],
+        &["concept", "check"],
+    ] {
+        let output = carrom(arguments);
+        assert!(output.status.success());
+        assert!(output.stdout.is_ascii(), "{}", said(&output));
+    }
+    let output = carrom(&["level", "check", "--charset", "unicode"]);
+    assert!(said(&output).contains('°'));
+}
+
+#[test]
+fn what_is_expected_is_said() {
+    for (arguments, expected) in [
+        (&["quiz", "--code", "mixed61-7"][..], "1 to 60 questions"),
+        (&["quiz", "--code", "review-7"], "a review has no code"),
+        (
+            &["quiz", "--code", "hits12-7"],
+            "no number of questions for ten hits",
+        ),
+        (
+            &["quiz", "--code", "7", "--seed", "5"],
+            "--seed or --code, not both",
+        ),
+        (
+            &["class", "--code", "7", "--seed", "5"],
+            "--seed or --code, not both",
+        ),
+        (
+            &["quiz", "--seed", "-1"],
+            "expected a whole number from 0 to 18446744073709551615",
+        ),
+        (
+            &["figure", "lab", "="],
+            "expected a field such as alpha_deg=45, found =",
+        ),
+        (
+            &["figure", "lab", "marbles"],
+            "expected fields such as alpha_deg=45",
+        ),
+        (
+            &["figure", "lab", "offset_mm=5", "alpha_deg=3"],
+            "expected alpha_deg or offset_mm, found both",
+        ),
+    ] {
+        let output = carrom(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let said = said(&output);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+/// What is no file in a folder of chapters is no chapter, and is not passed over.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_named() {
+    let folder = Folder::new("safe-odd");
+    folder.file("01-a.md", CHAPTER);
+    let link = |to: &str, name: &str| {
+        std::os::unix::fs::symlink(to, folder.path().join(name)).unwrap();
+    };
+    link("nowhere", "02-b.md");
+    link("/dev/null", "03-c.md");
+    fs::create_dir(folder.path().join("04-d.md")).unwrap();
+    let output = carrom(&["lesson", "check", folder.path().to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    let said = said(&output);
+    for part in [
+        "a: good",
+        "02-b.md: expected a file, found a link that leads nowhere",
+        "03-c.md: expected a file",
+        "04-d.md: expected a file, found a folder",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told_of_as_such() {
+    let full = fs::File::options().write(true).open("/dev/full").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(["solve", "--alpha-deg", "30"])
+        .stdout(full)
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+        .wait_with_output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        said.starts_with("carrom: cannot write to standard output"),
+        "{said}"
+    );
+}
