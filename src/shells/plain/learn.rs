@@ -7,7 +7,7 @@ use super::spoken::{sentence, unit_name, verbatim};
 use super::talk::{Asked as Question, Leave, Talk};
 use super::{figure, formula};
 use crate::lessons::{
-    Answer, Asked, Block, Bookmark, Chapter, Checkpoint, Given, Library, Page, Piece,
+    Answer, Asked, Block, Bookmark, Chapter, Checkpoint, Given, Library, Page, Piece, Tone,
 };
 use crate::messages::{Done, Wish};
 use crate::physics::Collision;
@@ -357,6 +357,7 @@ fn pieces(pieces: &[Piece], figure: Option<&Collision>) -> String {
     pieces
         .iter()
         .map(|piece| match piece {
+            Piece::Text(key, Tone::Key) => verbatim(key),
             Piece::Text(text, _) => text.clone(),
             Piece::Formula(written) => formula::aloud(written),
             Piece::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
