@@ -3,7 +3,7 @@
 //! The letters are those of the public-domain font "8x8" (crate `font8x8`), set close
 //! together, each pixel a quarter, a half or the whole of two cells. In ASCII half a
 //! cell is a quotation mark or a full stop; there the smallest letters are those of
-//! [`strokes`], for no part of a cell is small enough for a pixel.
+//! `strokes`, for no part of a cell is small enough for a pixel.
 
 mod strokes;
 
