@@ -139,16 +139,20 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Text over as many rows as it takes, those after the first set in by `indent`: the
-    /// rest of an equation is no equation of its own.
-    pub fn set_in(&mut self, text: &str, indent: u16, role: Role) {
-        let rows = self.wrapped(text);
-        let Some((first, rest)) = rows.split_first() else {
-            return;
-        };
-        self.line(first, role);
-        if !rest.is_empty() {
-            self.hanging(&" ".repeat(indent.into()), &rest.join(" "), role);
+    /// An equation over as many rows as it takes, those after the first set in by
+    /// `indent`: the rest of an equation is no equation of its own.
+    pub fn equation(&mut self, equation: &str, indent: u16, role: Role) {
+        let text = self.look.charset.text(equation);
+        let rows = text::equation(
+            &text,
+            self.area.width.saturating_sub(1).into(),
+            indent.into(),
+        );
+        let mut column = 0;
+        for row in rows {
+            self.put(column, &row, role);
+            self.written += 1;
+            column = indent;
         }
     }
 

@@ -100,6 +100,61 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
+/// Breaks an equation into rows of at most `columns`, those after the first shorter by
+/// `indent`: after a comma or between two equations, else before a sign of equality, else
+/// before an operator, the outermost first, and only then as [`wrap`] does.
+pub fn equation(text: &str, columns: usize, indent: usize) -> Vec<String> {
+    let mut rows = Vec::new();
+    let mut rest = text;
+    let mut room = columns;
+    while width(rest) > room {
+        let Some(at) = equation_break(rest, room) else {
+            rows.extend(wrap(rest, room));
+            return rows;
+        };
+        let (row, after) = rest.split_at(at);
+        rows.push(row.trim_end().to_owned());
+        rest = after.trim_start();
+        room = columns.saturating_sub(indent).max(1);
+    }
+    rows.push(rest.to_owned());
+    rows
+}
+
+/// Where an equation breaks best, with no more than so many columns before.
+fn equation_break(text: &str, columns: usize) -> Option<usize> {
+    // Less than this would hardly be a row.
+    const SHORTEST: usize = 12;
+    let mut depth = 0_usize;
+    let mut best = None;
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        let (before, after) = text.split_at(at);
+        if c != ' ' || before.ends_with(' ') {
+            continue;
+        }
+        if width(before) > columns {
+            break;
+        }
+        let long = width(before.trim_start()) >= SHORTEST;
+        let rank = match after.split_whitespace().next() {
+            _ if depth == 0 && before.ends_with(',') => 0,
+            _ if after.starts_with("  ") && before.contains('=') => 0,
+            Some("=") if depth == 0 && long => 1,
+            Some("+" | "−" | "-" | "/") if long => 2 + depth,
+            _ => continue,
+        };
+        if best.is_none_or(|(least, _)| rank <= least) {
+            best = Some((rank, at));
+        }
+    }
+    best.map(|(_, at)| at)
+}
+
 /// The entries of a text set in columns, each with the width of the gap before it: gaps
 /// are of two blanks or more.
 fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
@@ -195,6 +250,41 @@ pub fn clipped(text: &str, columns: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn equations_break_where_they_can_be_read() {
+        for (text, rows) in [
+            ("u₁ₜ = 2 m/s", vec!["u₁ₜ = 2 m/s"]),
+            (
+                "energy before    ½ m₁u₁² + ½ m₂u₂² = 0.12 J",
+                vec!["energy before    ½ m₁u₁² + ½ m₂u₂²", "= 0.12 J"],
+            ),
+            (
+                "v₁ = v₁ₙ n + v₁ₜ t = (1.75, 0.433) m/s",
+                vec!["v₁ = v₁ₙ n + v₁ₜ t", "= (1.75, 0.433) m/s"],
+            ),
+            (
+                "θ₁ = 13.9° (anticlockwise from u₁), v₁ = 1.803 m/s",
+                vec!["θ₁ = 13.9° (anticlockwise from u₁),", "v₁ = 1.803 m/s"],
+            ),
+            (
+                "v₁ₙ = [(m₁ − e m₂) u₁ₙ + (1 + e) m₂ u₂ₙ] / (m₁ + m₂)",
+                vec!["v₁ₙ = [(m₁ − e m₂) u₁ₙ", "+ (1 + e) m₂ u₂ₙ] / (m₁ + m₂)"],
+            ),
+            (
+                "  = [(15 − 1 × 15) × 3.464 + 2 × 15 × 0] / 30 = 0 m/s",
+                vec!["  = [(15 − 1 × 15) × 3.464", "+ 2 × 15 × 0] / 30 = 0 m/s"],
+            ),
+            (
+                "striker  m₁ = 15 g   u₁ = (40, 0) m/s, speed 40 m/s",
+                vec!["striker  m₁ = 15 g", "u₁ = (40, 0) m/s, speed 40 m/s"],
+            ),
+        ] {
+            assert_eq!(equation(text, 37, 4), rows, "{text}");
+        }
+        let unbroken = equation("one word after another and no sign between", 20, 2);
+        assert!(unbroken.iter().all(|row| width(row) <= 20));
+    }
 
     #[test]
     fn lines_break_at_spaces() {

@@ -75,11 +75,7 @@ pub(super) fn draw(
         } else {
             line.clone()
         };
-        // What goes on with the line before is set in below it.
-        match line.strip_prefix("  ") {
-            Some(on) => lines.hanging("  ", on.trim_start(), Role::Text),
-            None => lines.set_in(&line, 4, Role::Text),
-        }
+        lines.equation(&line, 4, Role::Text);
     }
 }
 
