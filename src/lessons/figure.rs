@@ -58,6 +58,8 @@ pub struct Figure {
     pub kind: FigureKind,
     /// The shot it shows.
     pub shot: Shot,
+    /// The shot it shows once the page's question is answered: mostly the same.
+    pub after: Shot,
     /// Whether it takes the impact angle that the student set last in the chapter.
     pub own: bool,
 }
@@ -102,11 +104,13 @@ impl FigureKind {
 }
 
 impl Figure {
-    /// Reads the words of a figure: `lab carrom alpha_deg=40`.
+    /// Reads the words of a figure: `lab carrom alpha_deg=40`. What changes in its shot
+    /// once the page's question is answered stands behind `then`.
     ///
     /// # Errors
     /// What was expected.
     pub(super) fn read(text: &str, shots: &Shots) -> Result<Self, String> {
+        let (text, then) = text.split_once(" then ").unwrap_or((text, ""));
         let mut words = Words::of(text)?;
         let name = words.first().unwrap_or_default();
         let known = FigureKind::NAMES.iter().find(|(known, _)| *known == name);
@@ -138,7 +142,15 @@ impl Figure {
         }
         let shot = shots.take(&mut words, None)?.unwrap_or_default();
         words.finish()?;
-        Ok(Self { kind, shot, own })
+        let mut then = Words::of(then)?;
+        let after = shots.take(&mut then, Some(shot))?.unwrap_or(shot);
+        then.finish()?;
+        Ok(Self {
+            kind,
+            shot,
+            after,
+            own,
+        })
     }
 
     /// Reads a figure as the command line names it, with no shots but the worked one.

@@ -45,7 +45,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
                 Ray::Target => "coin",
             };
             let way = match aim.error(*offset) {
-                Some(error) => format!("The {disc} goes {} off its way.", degrees(error)),
+                Some(error) => format!("The {disc} passes the mark by {}.", degrees(error)),
                 None if aim.outcome(*offset).hit() => format!("The {disc} does not move."),
                 None => "It misses: the offset is more than both radii together.".into(),
             };

@@ -112,8 +112,7 @@ impl Summary {
         {
             "You know more than you trust yourself to."
         } else if thought > 1 && 2 * thought_right < thought {
-            "What you only think so is right less than half the time: call it a guess, \
-             which costs nothing."
+            "\"Think so\" was right less than half the time: a guess would have cost nothing."
         } else {
             "You judge well what you know."
         };
@@ -210,8 +209,8 @@ mod tests {
             ),
             (
                 vec![(ThinkSo, false), (ThinkSo, false), (ThinkSo, true)],
-                "You were never sure. What you only think so is right less than half the time: \
-                 call it a guess, which costs nothing.",
+                "You were never sure. \"Think so\" was right less than half the time: a guess \
+                 would have cost nothing.",
             ),
         ] {
             assert_eq!(summary(&answers).calibration_words(), words);

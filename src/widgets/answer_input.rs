@@ -28,6 +28,16 @@ pub enum AnswerInput {
 }
 
 impl AnswerInput {
+    /// The letters of a choice, as keys; of none for other answers.
+    pub fn letters(&self) -> &'static str {
+        const LETTERS: &str = "a b c d e f";
+        let Self::Choice { count, .. } = self else {
+            return "";
+        };
+        let taken = (2 * count).saturating_sub(1);
+        LETTERS.get(..taken).unwrap_or(LETTERS)
+    }
+
     /// Nothing said yet.
     pub fn new(form: &Form) -> Self {
         match form {

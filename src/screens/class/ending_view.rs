@@ -149,7 +149,7 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
     }
     lines.gap();
     lines.paragraph(
-        "\"right\": how many of the votes were. \"degrees off\": the mean error of angles. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs three teams.",
+        "\"right\": how many of the votes were. \"degrees off\": the mean error of angles; of two rays the one further off counts. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs three teams.",
         Role::Dim,
     );
 }

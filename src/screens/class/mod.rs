@@ -413,7 +413,7 @@ fn input_keys(input: &AnswerInput) -> Vec<Hint> {
         }
         AnswerInput::Choice { .. } => {
             vec![
-                Hint::new("a b c", "choose"),
+                Hint::new(input.letters(), "choose"),
                 Hint::new("Up Down", "likewise"),
             ]
         }

@@ -110,17 +110,18 @@ fn write(play: &Play, question: &Question, shown: &Shown, lines: &mut Lines) {
     lines.paragraph(&shown.why, Role::Text);
 }
 
-/// How many teams were right: "2 of 3".
+/// How many of the teams that voted were right: "2 of 3".
 fn right(round: &ClassRound, question: usize, vote: Vote) -> String {
-    let count = (0..round.teams().len())
-        .filter(|team| {
-            let ballot = round.ballot(question, *team);
+    let grades: Vec<_> = (0..round.teams().len())
+        .filter_map(|team| {
+            let ballot = round.ballot(question, team);
             let said = match vote {
                 Vote::First => ballot.first,
                 Vote::Second => ballot.counts(),
             };
-            round.grade(question, said).is_some_and(|grade| grade.right)
+            round.grade(question, said)
         })
-        .count();
-    format!("{count} of {}", round.teams().len())
+        .collect();
+    let count = grades.iter().filter(|grade| grade.right).count();
+    format!("{count} of {}", grades.len())
 }

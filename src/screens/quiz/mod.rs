@@ -548,7 +548,7 @@ impl Screen for Quiz {
                 ],
                 AnswerInput::Choice { .. } => vec![
                     Hint::new("Up Down", "choose"),
-                    Hint::new("a b c", "likewise"),
+                    Hint::new(asked.input.letters(), "likewise"),
                     Hint::new("Enter", "next"),
                     Hint::new("Esc", "leave"),
                 ],

@@ -19,6 +19,10 @@ pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<Stri
         return Vec::new();
     };
     let told = answered || page.checkpoint.is_none();
+    let figure = &Figure {
+        shot: if told { figure.after } else { figure.shot },
+        ..*figure
+    };
     let later = chapter.pages.get(at + 1..).unwrap_or_default();
     let collision = figure.shot.collision();
     match figure.kind {

@@ -94,7 +94,7 @@ fn ask(book: &Book, forget: &Forget, lines: &mut Lines) {
         format!("Your place and your answers in {of} are forgotten, so that you can begin anew.");
     lines.paragraph(&what, Role::Text);
     lines.gap();
-    let stays = "Your progress stays as it is: every answer that you have ever given.";
+    let stays = "Your progress goes on counting every answer that you have ever given.";
     lines.paragraph(stays, Role::Text);
     lines.gap();
     lines.paragraph("y: yes. Any other key: no.", Role::Key);

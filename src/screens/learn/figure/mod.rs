@@ -62,7 +62,10 @@ enum State {
 impl Shown {
     /// A figure with its outcome `hidden` or told. `alpha_deg` is the angle that the
     /// student set last.
-    pub(super) fn new(figure: Figure, alpha_deg: Option<f64>, hidden: bool) -> Self {
+    pub(super) fn new(mut figure: Figure, alpha_deg: Option<f64>, hidden: bool) -> Self {
+        if !hidden {
+            figure.shot = figure.after;
+        }
         let given = figure.shot.collision();
         let collision = match alpha_deg {
             Some(alpha_deg) if figure.own => given.with_alpha(rad_from_deg(alpha_deg)),
@@ -147,6 +150,10 @@ impl Shown {
     /// motion is `reduced`; anything else stands told.
     pub(super) fn reveal(&mut self, said: Option<Rays>, reduced: bool) {
         self.hidden = false;
+        if self.figure.shot != self.figure.after {
+            self.figure.shot = self.figure.after;
+            self.collision = self.figure.shot.collision();
+        }
         match self.figure.kind {
             FigureKind::Worked { .. } => {}
             FigureKind::Foil { .. } => self.set_up(said, reduced),
