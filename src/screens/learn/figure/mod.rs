@@ -248,10 +248,9 @@ impl Shown {
             }
             State::Step(_) => vec![("Left Right", "step")],
             State::Solve { .. } => vec![
-                ("Up Down", "choose"),
-                ("Left Right", "change"),
-                ("< >", "by ten"),
+                ("arrows", "choose, set"),
                 (", .", "step"),
+                ("< >", "set by ten"),
             ],
             State::Foil(plot) => plot.keys(),
             State::Plain if self.has_alpha() => vec![("Left Right", "α")],

@@ -494,7 +494,9 @@ impl Screen for Reading {
             });
             keys.push(Hint::new("n", "skip"));
         } else {
-            keys.extend([Hint::new("Enter", "next page"), leave]);
+            let is_last = self.at + 1 >= self.chapter.pages.len();
+            let on = if is_last { "finish" } else { "next page" };
+            keys.extend([Hint::new("Enter", on), leave]);
             let figure = self.figure.iter().flat_map(Shown::keys);
             keys.extend(figure.map(|(key, does)| Hint::new(key, does)));
         }
