@@ -242,6 +242,19 @@ impl Sheet {
         dvec2(cell.x, 2.0 * cell.y)
     }
 
+    /// Whether anything is drawn in a cell of the screen.
+    pub fn is_drawn(&self, (column, row): (u16, u16)) -> bool {
+        let area = self.view.area();
+        let (x, y) = (column.wrapping_sub(area.x), row.wrapping_sub(area.y));
+        let index = usize::from(y) * usize::from(area.width) + usize::from(x);
+        let inside = area.contains((column, row).into());
+        inside
+            && self
+                .cells
+                .get(index)
+                .is_some_and(|cell| cell.layer().is_some())
+    }
+
     /// The cell at a point on paper.
     pub(super) fn cell_at(&mut self, paper: DVec2) -> Option<&mut Cell> {
         let area = self.view.area();

@@ -231,10 +231,15 @@ impl Plot {
         }
     }
 
-    /// Fills a cell from below: to the eighth in Unicode, to the whole in ASCII.
+    /// Fills a cell from below: to the eighth in Unicode, to the whole in ASCII and where
+    /// a curve runs over it, which leaves only the paper behind it to fill.
     fn fill(&self, buf: &mut Buffer, at: (u16, u16), share: f64, role: Role) {
         const EIGHTHS: [&str; 8] = ["", "▁", "▂", "▃", "▄", "▅", "▆", "▇"];
         let theme = &self.look.theme;
+        let share = match self.sheet.is_drawn(at) {
+            true => share.round(),
+            false => share,
+        };
         let eighths = (share * 8.0).round() as usize;
         match (self.look.charset, EIGHTHS.get(eighths)) {
             (Charset::Ascii, _) if share < 0.5 => {}
@@ -413,6 +418,28 @@ mod tests {
             // Eleven rows for six decades: 1000 is in the middle of the sixth.
             assert!(!filled(6) && filled(8) && filled(11), "{buf:?}");
         }
+    }
+
+    #[test]
+    fn a_bar_under_a_curve_is_as_high_as_it_is_to_half_a_cell() {
+        let mut buf = Buffer::empty(Rect::new(0, 0, 40, 16));
+        let coloured = Look {
+            charset: Charset::Unicode,
+            theme: Theme::new(Palette::Dark, Depth::True),
+        };
+        let mut plot = Plot::new(
+            buf.area,
+            coloured,
+            Axis::linear("x", 0.0, 10.0),
+            Axis::linear("y", 0.0, 10.0),
+        );
+        let height = plot.sheet.view().world_at(0, 5).y + 0.3 * 10.0 / 13.0;
+        plot.bar(0.0, 10.0, height, Role::Trail);
+        plot.function(|_| Some(height), Role::StrikerOut);
+        plot.draw(&mut buf);
+        let paper = coloured.theme.fill(Role::Trail).bg;
+        assert_eq!(Some(buf[(20, 5)].bg), paper, "{buf:?}");
+        assert_ne!(Some(buf[(20, 4)].bg), paper, "{buf:?}");
     }
 
     #[test]
