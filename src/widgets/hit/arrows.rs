@@ -43,14 +43,7 @@ impl Arrows {
             Some(room.max(0.0) * fastest / v.length())
         });
         let longest = room.fold(longest, f64::min);
-        Self {
-            per_speed: if fastest > 0.0 {
-                longest / fastest
-            } else {
-                0.0
-            },
-            fastest,
-        }
+        Self::scaled(longest, fastest)
     }
 
     /// The largest scale at which u and its parts, drawn from the striker's centre, stay
@@ -69,14 +62,17 @@ impl Arrows {
             .filter_map(room)
             .chain([short])
             .fold(LONGEST * stage.unit(), f64::min);
-        Self {
-            per_speed: if fastest > 0.0 {
-                longest / fastest
-            } else {
-                0.0
-            },
-            fastest,
-        }
+        Self::scaled(longest, fastest)
+    }
+
+    /// The scale at which the greatest speed is so long, in metres on the picture.
+    fn scaled(longest: f64, fastest: f64) -> Self {
+        let per_speed = if fastest > 0.0 {
+            longest / fastest
+        } else {
+            0.0
+        };
+        Self { per_speed, fastest }
     }
 
     /// Whether `v` is nothing beside the other speeds.
