@@ -3,7 +3,7 @@
 use super::formula::Formula;
 use super::inline::{self, Meaning};
 use super::source::{Line, Source};
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ pub(super) fn read(
     source: &Source,
     lines: &[Line],
     meaning: &Meaning,
-) -> Result<Vec<Block>, Fault> {
+) -> Result<Vec<Block>, FileError> {
     let mut blocks = Vec::new();
     let mut open: Option<Open> = None;
     for &(number, line) in lines {
@@ -95,7 +95,7 @@ struct Open {
 }
 
 impl Open {
-    fn close(self, source: &Source, meaning: &Meaning) -> Result<Block, Fault> {
+    fn close(self, source: &Source, meaning: &Meaning) -> Result<Block, FileError> {
         let pieces = inline::read(source, self.line, &self.text, meaning)?;
         Ok(match self.item {
             None => Block::Paragraph(pieces),

@@ -3,7 +3,7 @@
 use super::header::{self, Header};
 use super::page::Page;
 use super::source::{Line, Source};
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// Most pages of a chapter.
 const MOST_PAGES: usize = 60;
@@ -30,11 +30,11 @@ impl Chapter {
     ///
     /// # Errors
     /// The first thing that is wrong with the file.
-    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileError> {
         let source = Source::new(file, bytes)?;
         let (number, id) = number_and_id(file).ok_or_else(|| {
             let message = "expected a file name such as 02-the-line-of-impact.md";
-            Fault::of_file(file, message)
+            FileError::of_file(file, message)
         })?;
         let Header {
             title,
@@ -92,10 +92,10 @@ impl Chapter {
     }
 
     /// A fault at a line of its file.
-    pub fn fault(&self, line: usize, message: impl Into<String>) -> Fault {
-        Fault {
+    pub fn fault(&self, line: usize, message: impl Into<String>) -> FileError {
+        FileError {
             line: Some(line),
-            ..Fault::of_file(&self.file, message)
+            ..FileError::of_file(&self.file, message)
         }
     }
 }

@@ -6,7 +6,7 @@ use super::inline::{self, Meaning};
 use super::source::{Line, Source};
 use super::words::Words;
 use super::{Quantity, Shot};
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::Collision;
 
 /// Least and most lines of a choice.
@@ -97,7 +97,7 @@ impl Checkpoint {
         inside: &[Line],
         figure: Option<&Figure>,
         meaning: &Meaning,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, FileError> {
         let fault = |message: String| source.fault(line, message);
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
         let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
@@ -201,7 +201,7 @@ fn read_choices(
     line: usize,
     lines: &[Line],
     meaning: &Meaning,
-) -> Result<Vec<Choice>, Fault> {
+) -> Result<Vec<Choice>, FileError> {
     let mut choices = Vec::new();
     let mut left = lines;
     while let [(number, first), rest @ ..] = left {

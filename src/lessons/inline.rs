@@ -9,7 +9,7 @@ use super::source::Source;
 use super::words::Words;
 use super::written::Written;
 use super::{Quantity, Shot};
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// What names in a text stand for.
 pub(super) struct Meaning<'a> {
@@ -32,7 +32,7 @@ pub(super) fn read(
     line: usize,
     text: &str,
     meaning: &Meaning,
-) -> Result<Vec<Piece>, Fault> {
+) -> Result<Vec<Piece>, FileError> {
     let mut kept: Vec<Piece> = Vec::new();
     let mut plain = String::with_capacity(text.len());
     let mut rest = text;

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::chapter::Chapter;
-use crate::files::{self, Fault};
+use crate::files::{self, FileError};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
@@ -22,7 +22,7 @@ pub struct Library {
     /// The chapters; no two have the same id.
     pub chapters: Vec<Chapter>,
     /// What was wrong with files that are left out.
-    pub problems: Vec<Fault>,
+    pub problems: Vec<FileError>,
 }
 
 impl Library {
@@ -87,7 +87,7 @@ impl Library {
             None => self.chapters.push(chapter),
             Some(known) => {
                 let message = format!("expected an id of its own; {} has it already", known.file);
-                self.problems.push(Fault::of_file(file, message));
+                self.problems.push(FileError::of_file(file, message));
             }
         }
     }

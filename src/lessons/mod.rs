@@ -4,7 +4,7 @@
 //! A [`Chapter`] is a header and pages; a [`Page`] has at most one [`Figure`], its
 //! text as [`Block`]s and at most one [`Checkpoint`]. Everything is read and checked
 //! when a file is opened: each directive, each formula, and each number in the text,
-//! which is computed again by the engine. The first [`Fault`] leaves that file out
+//! which is computed again by the engine. The first [`FileError`] leaves that file out
 //! and says file, line and what was expected. `docs/lessons.md` describes the format.
 //!
 //! Nothing here draws.
@@ -37,5 +37,5 @@ pub use library::Library;
 pub use page::Page;
 pub use source::FORMAT;
 
-pub use crate::files::Fault;
+pub use crate::files::FileError;
 pub use crate::physics::named::{Constant, Quantity, Shot};

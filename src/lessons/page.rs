@@ -6,7 +6,7 @@ use super::figure::Figure;
 use super::header::Shots;
 use super::inline::Meaning;
 use super::source::{Line, Source};
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// Most letters of a page's title.
 const TITLE: usize = 40;
@@ -36,7 +36,7 @@ impl Page {
         (line, title): Line,
         lines: &[Line],
         shots: &Shots,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, FileError> {
         let title = title.trim();
         if title.is_empty() || title.chars().count() > TITLE {
             let message = format!("expected a title of 1 to {TITLE} letters after #");
@@ -99,7 +99,7 @@ fn is_figure((_, text): Line) -> bool {
     text.starts_with("::") && !text.starts_with(":::")
 }
 
-fn figure(source: &Source, lines: &[Line], shots: &Shots) -> Result<Option<Figure>, Fault> {
+fn figure(source: &Source, lines: &[Line], shots: &Shots) -> Result<Option<Figure>, FileError> {
     let mut figures = lines.iter().copied().filter(|line| is_figure(*line));
     let Some((line, text)) = figures.next() else {
         return Ok(None);

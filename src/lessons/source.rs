@@ -1,6 +1,6 @@
 //! The lines of a file, and faults at them.
 
-use crate::files::{self, Fault};
+use crate::files::{self, FileError};
 
 /// The format of chapters that this program reads.
 pub const FORMAT: u32 = 1;
@@ -20,7 +20,7 @@ impl<'a> Source<'a> {
     ///
     /// # Errors
     /// If it is too large, or no text.
-    pub(super) fn new(name: &'a str, bytes: &'a [u8]) -> Result<Self, Fault> {
+    pub(super) fn new(name: &'a str, bytes: &'a [u8]) -> Result<Self, FileError> {
         let text = files::Source::of_bytes(name, bytes, files::LARGEST)?.text();
         let source = Self { name, text };
         let control = |c: char| c.is_control() && c != '\n' && c != '\r';
@@ -36,8 +36,8 @@ impl<'a> Source<'a> {
     }
 
     /// The fault that `message` describes, at a line.
-    pub(super) fn fault(&self, line: usize, message: impl Into<String>) -> Fault {
-        Fault {
+    pub(super) fn fault(&self, line: usize, message: impl Into<String>) -> FileError {
+        FileError {
             file: self.name.into(),
             line: Some(line),
             field: None,

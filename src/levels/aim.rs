@@ -2,7 +2,7 @@
 
 use super::fields::Fields;
 use super::quantity::{self as q, Quantity, Range};
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// Something a player may be free to set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,7 +118,7 @@ impl Adjust {
             .find_map(|(d, range)| (d == dial).then_some(range))
     }
 
-    pub(super) fn from_fields(mut fields: Fields) -> Result<Self, Fault> {
+    pub(super) fn from_fields(mut fields: Fields) -> Result<Self, FileError> {
         let mut dials = Vec::new();
         for dial in Dial::ALL {
             if let Some(range) = fields.range(dial.field(), dial.quantity())? {
@@ -134,7 +134,7 @@ impl Adjust {
     }
 
     /// Reads a setting of the dials; those that are left out stay as in `start`.
-    pub(super) fn read_setting(&self, mut fields: Fields, start: Aim) -> Result<Aim, Fault> {
+    pub(super) fn read_setting(&self, mut fields: Fields, start: Aim) -> Result<Aim, FileError> {
         let mut aim = start;
         for dial in Dial::ALL {
             let Some(setting) = fields.number(dial.field(), dial.quantity())? else {

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::fields::Fields;
 use super::quantity::{self as q, Range};
 use super::scene::{Scene, tidy};
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
 /// One thing that has to come about; a level is won when all of its goals are met.
@@ -164,7 +164,7 @@ const NAMES: [(&str, Name); 12] = [
 ];
 
 impl Goal {
-    pub(super) fn from_fields(mut fields: Fields, scene: &Scene) -> Result<Self, Fault> {
+    pub(super) fn from_fields(mut fields: Fields, scene: &Scene) -> Result<Self, FileError> {
         let count = scene.pieces.len();
         let name = fields.word("kind", &NAMES)?;
         let disc = |fields: &mut Fields| fields.disc("disc", count);
@@ -305,7 +305,7 @@ impl Goal {
 }
 
 /// How many times a disc meets a cushion at least; 0 would ask for nothing.
-fn read_least(fields: &mut Fields) -> Result<usize, Fault> {
+fn read_least(fields: &mut Fields) -> Result<usize, FileError> {
     let expected = format!("a number of cushions from 1 to {MOST_CUSHIONS}");
     match fields.whole("least", &expected, MOST_CUSHIONS)? {
         0 => Err(fields.fault_at("least", format!("expected {expected}, found 0"))),
@@ -314,7 +314,7 @@ fn read_least(fields: &mut Fields) -> Result<usize, Fault> {
 }
 
 /// As [`read_least`], or `otherwise` where the field is left out.
-fn read_optional_least(fields: &mut Fields, otherwise: usize) -> Result<usize, Fault> {
+fn read_optional_least(fields: &mut Fields, otherwise: usize) -> Result<usize, FileError> {
     if fields.has("least") {
         read_least(fields)
     } else {
@@ -331,7 +331,7 @@ fn cushions(least: usize) -> String {
 }
 
 impl Circle {
-    fn from_fields(fields: &mut Fields) -> Result<Self, Fault> {
+    fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
         let centre = fields.place("centre_mm", &q::COORDINATE)?;
         let radius = fields.required_number("radius_mm", &q::RADIUS)?;
         Ok(Self {

@@ -8,7 +8,7 @@ use super::goal::Goal;
 use super::quantity::Range;
 use super::scene::{Piece, Scene, pockets, tidy};
 use super::source::read_document;
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 
 /// The most goals a level may have.
@@ -46,16 +46,20 @@ impl Level {
     /// # Errors
     ///
     /// The first thing that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileError> {
         Self::read_beside(name, bytes, &[])
     }
 
     /// Reads a level that is to have an id of its own among others.
-    pub(super) fn read_beside(name: &str, bytes: &[u8], others: &[Self]) -> Result<Self, Fault> {
+    pub(super) fn read_beside(
+        name: &str,
+        bytes: &[u8],
+        others: &[Self],
+    ) -> Result<Self, FileError> {
         read_document(name, bytes, |fields| Self::from_fields(fields, others))
     }
 
-    pub(super) fn from_fields(fields: &mut Fields, others: &[Self]) -> Result<Self, Fault> {
+    pub(super) fn from_fields(fields: &mut Fields, others: &[Self]) -> Result<Self, FileError> {
         let mut about = fields.required_table("level")?;
         let id = read_id(&mut about)?;
         if others.iter().any(|other| other.id == id) {
@@ -140,7 +144,7 @@ fn start(scene: &Scene) -> Aim {
     }
 }
 
-fn read_id(about: &mut Fields) -> Result<String, Fault> {
+fn read_id(about: &mut Fields) -> Result<String, FileError> {
     let id = about.text("id", 40)?;
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     if id.chars().all(plain) {
@@ -153,7 +157,7 @@ fn read_id(about: &mut Fields) -> Result<String, Fault> {
 
 /// Reads what the player may set: it must hold what is set when the level opens,
 /// and the disc must find room wherever it may be placed.
-fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, Fault> {
+fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, FileError> {
     let fault = fields.clone();
     let adjust = Adjust::from_fields(fields)?;
     let start = start(scene);

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::level::Level;
-use crate::files::{self, Fault, List};
+use crate::files::{self, FileError, List};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 
@@ -43,7 +43,7 @@ pub struct Library {
     /// The packs.
     pub packs: Vec<Pack>,
     /// What was wrong with files that are left out.
-    pub problems: Vec<Fault>,
+    pub problems: Vec<FileError>,
 }
 
 impl Library {

@@ -4,7 +4,7 @@
 //! is a scene with a goal, what the player may set, hints, an explanation and an
 //! aim that wins; the aim is stored so that it can be checked by playing it. Every
 //! number of a file is checked against its bounds while it is read; the first
-//! [`Fault`] ends the reading and says file, line, field and what was expected.
+//! [`FileError`] ends the reading and says file, line, field and what was expected.
 
 mod aim;
 mod check;
@@ -20,7 +20,7 @@ mod scene;
 mod source;
 mod stars;
 
-pub use crate::files::Fault;
+pub use crate::files::FileError;
 pub use aim::{Adjust, Aim, Dial};
 pub use check::{Trial, winning_share};
 pub use goal::{Circle, Goal};

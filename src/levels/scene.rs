@@ -6,7 +6,7 @@ use super::fields::Fields;
 use super::kind::Kind;
 use super::quantity as q;
 use super::source::read_document;
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
@@ -65,7 +65,7 @@ impl Scene {
     /// # Errors
     ///
     /// The first thing that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileError> {
         read_document(name, bytes, |fields| {
             if fields.has("level") {
                 super::Level::from_fields(fields, &[]).map(|level| level.scene)
@@ -75,7 +75,7 @@ impl Scene {
         })
     }
 
-    pub(super) fn from_fields(fields: &mut Fields) -> Result<Self, Fault> {
+    pub(super) fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
         let board = match fields.table("board")? {
             Some(table) => read_board(table)?,
             None => Board::default(),
@@ -147,7 +147,7 @@ pub fn pockets(board: &Board) -> impl Iterator<Item = DVec2> + use<> {
         .map(move |(x, y)| reach * DVec2::new(x, y))
 }
 
-fn read_board(mut fields: Fields) -> Result<Board, Fault> {
+fn read_board(mut fields: Fields) -> Result<Board, FileError> {
     let usual = Board::default();
     let side = fields.number("side_mm", &q::SIDE)?;
     let pocket = fields.number("pocket_diameter_mm", &q::POCKET)?;
@@ -176,7 +176,7 @@ fn read_board(mut fields: Fields) -> Result<Board, Fault> {
 }
 
 /// Reads a disc that lies clear of the frame, the pockets and the discs before it.
-fn read_piece(mut fields: Fields, board: &Board, others: &[Piece]) -> Result<Piece, Fault> {
+fn read_piece(mut fields: Fields, board: &Board, others: &[Piece]) -> Result<Piece, FileError> {
     let kind = fields.word("kind", &Kind::NAMED)?;
     let at = fields.place("at_mm", &q::COORDINATE)?;
     let mass = fields.number("mass_g", &q::MASS)?;

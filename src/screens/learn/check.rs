@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::reading::Reading;
-use crate::lessons::{Answer, Asked, Block, Chapter, Fault, Page};
+use crate::lessons::{Answer, Asked, Block, Chapter, FileError, Page};
 use crate::quiz::Rays;
 use crate::screens::{Context, Screen, Settings};
 use crate::widgets::{Beside, Charset, formula, text};
@@ -14,7 +14,7 @@ const BODY: Rect = Rect::new(0, 1, 80, 22);
 
 /// Pages of which something would be cut off or would have to be scrolled at 80×24,
 /// in either charset; `[]` if the chapter is whole.
-pub fn check(chapter: &Chapter) -> Vec<Fault> {
+pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();
     for (at, page) in chapter.pages.iter().enumerate() {
         for charset in [Charset::Ascii, Charset::Unicode] {
@@ -90,7 +90,7 @@ fn name(charset: Charset) -> &'static str {
 }
 
 /// Formulas that are wider than the text.
-fn formulas(chapter: &Chapter, page: &Page, charset: Charset) -> Vec<Fault> {
+fn formulas(chapter: &Chapter, page: &Page, charset: Charset) -> Vec<FileError> {
     let layout = match page.figure {
         Some(_) => Beside::square(BODY),
         None => Beside::text_alone(BODY),
