@@ -8,7 +8,7 @@ use super::is_invisible;
 ///
 /// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub struct Fault {
+pub struct FileError {
     /// Name of the file, as it was given.
     pub file: String,
     /// The line, counted from 1; `None` where the file could not be read at all.
@@ -19,7 +19,7 @@ pub struct Fault {
     pub message: String,
 }
 
-impl Fault {
+impl FileError {
     /// A fault of a whole file.
     pub fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self {
@@ -39,17 +39,17 @@ impl Fault {
     }
 
     fn what(&self) -> String {
-        let message = harmless(&self.message, 400);
+        let message = escape_control(&self.message, 400);
         match &self.field {
-            Some(field) => format!("{}: {message}", harmless(field, 80)),
+            Some(field) => format!("{}: {message}", escape_control(field, 80)),
             None => message,
         }
     }
 }
 
-impl fmt::Display for Fault {
+impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&harmless(&self.file, 200))?;
+        f.write_str(&escape_control(&self.file, 200))?;
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
@@ -59,14 +59,14 @@ impl fmt::Display for Fault {
 
 /// A message of one or more lines that may quote anything, likewise without control
 /// characters: what is written to the terminal outside of its screen goes through this.
-pub fn harmless_lines(text: &str) -> String {
-    let lines = text.lines().map(|line| harmless(line, usize::MAX));
+pub fn escape_control_lines(text: &str) -> String {
+    let lines = text.lines().map(|line| escape_control(line, usize::MAX));
     lines.collect::<Vec<_>>().join("\n")
 }
 
 /// Text from outside on one line, without control characters and not endless, so
 /// that a message cannot play tricks on the terminal that shows it.
-pub fn harmless(text: &str, most: usize) -> String {
+pub fn escape_control(text: &str, most: usize) -> String {
     let mut kept = String::new();
     let mut characters = text.chars();
     for c in characters.by_ref().take(most) {
