@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use super::{Ballot, ClassRound, Place, Step, Vote, team_names};
-use crate::files::{Fault, Source};
+use crate::files::{FileError, Source};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question, Said};
 
@@ -107,7 +107,7 @@ impl ClassRound {
     /// that its code or its teams are none; that it asks questions of the teacher's own
     /// that are not there or have changed; that a vote says nothing, or something else
     /// than was asked for.
-    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileError> {
         let source = Source::of_bytes(name, bytes, LARGEST)?;
         let read: Read = source.tables("a class round", FORMAT)?;
         let Some(code) = Code::parse(read.code.get_ref()) else {
@@ -151,7 +151,7 @@ impl ClassRound {
 
     /// The place in the round that a file gives: without one the first question that
     /// nobody has voted on.
-    fn read_place(&self, source: Source, read: &Read) -> Result<Place, Fault> {
+    fn read_place(&self, source: Source, read: &Read) -> Result<Place, FileError> {
         let last = self.questions().len().saturating_sub(1);
         let question = match &read.number {
             None => self.begun().min(last),

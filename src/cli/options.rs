@@ -178,7 +178,7 @@ impl Options {
         if self.levels.is_empty() {
             return Shelf::default();
         }
-        let mut library = levels::Library::embedded();
+        let mut library = levels::LevelLibrary::embedded();
         for dir in &self.levels {
             library.add_dir(dir);
         }
@@ -191,7 +191,7 @@ impl Options {
         if self.lessons.is_empty() {
             return Book::default();
         }
-        let mut library = lessons::Library::embedded();
+        let mut library = lessons::ChapterLibrary::embedded();
         for dir in &self.lessons {
             library.add_dir(dir);
         }

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use super::{Failure, Options, print, written};
-use crate::files::{Document, harmless_lines};
+use crate::files::{Document, escape_control_lines};
 use crate::messages::{Done, Request, Wish};
 use crate::paper::report::{Report, Sources};
 use crate::progress::{csv, json};
@@ -114,7 +114,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
 fn ask(store: &mut Store, wish: Wish) -> Done {
     let answer = store.answer(&Request { ticket: 0, wish });
     if let Some(notice) = answer.notice {
-        eprintln!("carrom: {}", harmless_lines(&notice));
+        eprintln!("carrom: {}", escape_control_lines(&notice));
     }
     answer.done
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::lessons::{Bookmark, Chapter, Library};
+use crate::lessons::{Bookmark, Chapter, ChapterLibrary};
 use crate::messages::Forget;
 
 /// All chapters, with a bookmark in each.
@@ -11,7 +11,7 @@ use crate::messages::Forget;
 pub struct Book {
     /// `None` where there are those of the program alone, which are read only when
     /// they are looked at.
-    library: Option<Arc<Library>>,
+    library: Option<Arc<ChapterLibrary>>,
     /// The line of the contents that was looked at last.
     pub at: usize,
     /// By the ids of the chapters; `None` until it is known what was kept.
@@ -20,7 +20,7 @@ pub struct Book {
 
 impl Book {
     /// A book of other chapters than those of the program alone.
-    pub fn new(library: Library) -> Self {
+    pub fn new(library: ChapterLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
             ..Self::default()
@@ -28,9 +28,9 @@ impl Book {
     }
 
     /// The chapters, and what was wrong with files that are left out.
-    pub fn library(&self) -> &Library {
+    pub fn library(&self) -> &ChapterLibrary {
         let own = self.library.as_deref();
-        own.unwrap_or_else(|| Library::embedded_once())
+        own.unwrap_or_else(|| ChapterLibrary::embedded_once())
     }
 
     /// A chapter; `None` beyond the last.

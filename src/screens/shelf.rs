@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::levels::{Best, Level, Library, MOST_STARS, Pack, Win};
+use crate::levels::{Best, Level, LevelLibrary, MOST_STARS, Pack, Win};
 use crate::progress::Starred;
 
 /// All levels, numbered from 0 through all packs, with the best that was done in each.
@@ -10,7 +10,7 @@ use crate::progress::Starred;
 pub struct Shelf {
     /// `None` where there are those of the program alone, which are read only when
     /// they are looked at.
-    library: Option<Arc<Library>>,
+    library: Option<Arc<LevelLibrary>>,
     best: Best,
     /// The level, or after the last of them the problem, that was looked at last.
     pub at: usize,
@@ -18,7 +18,7 @@ pub struct Shelf {
 
 impl Shelf {
     /// A shelf of other levels than those of the program alone, none of them won yet.
-    pub fn new(library: Library) -> Self {
+    pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
             ..Self::default()
@@ -26,9 +26,9 @@ impl Shelf {
     }
 
     /// The levels and what was wrong with files that are left out.
-    pub fn library(&self) -> &Library {
+    pub fn library(&self) -> &LevelLibrary {
         let own = self.library.as_deref();
-        own.unwrap_or_else(|| Library::embedded_once())
+        own.unwrap_or_else(|| LevelLibrary::embedded_once())
     }
 
     /// The levels with their packs, by number.

@@ -7,7 +7,7 @@ use std::time::{Duration, SystemTime};
 
 use super::shelf::{Shelf, free_number, number};
 use super::turn::Turn;
-use crate::files::{self, Draft, Fault, UNFINISHED, settle};
+use crate::files::{self, Draft, FileError, UNFINISHED, settle};
 
 /// The file that stands for the right to write to a folder.
 const LOCK: &str = ".lock";
@@ -123,7 +123,7 @@ impl Shelf for Disk {
         Ok(names)
     }
 
-    fn read(&self, name: &str) -> Result<Vec<u8>, Fault> {
+    fn read(&self, name: &str) -> Result<Vec<u8>, FileError> {
         files::read(&self.path(name), self.largest)
     }
 

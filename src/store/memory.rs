@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::shelf::{Shelf, free_number};
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// Texts in memory, the latest last.
 pub(super) struct Memory {
@@ -30,10 +30,10 @@ impl Shelf for Memory {
         Ok(names.collect())
     }
 
-    fn read(&self, name: &str) -> Result<Vec<u8>, Fault> {
+    fn read(&self, name: &str) -> Result<Vec<u8>, FileError> {
         let found = self.texts.iter().find(|(known, _)| known == name);
         let text = found.map(|(_, text)| text.clone().into_bytes());
-        text.ok_or_else(|| Fault::of_file(&self.place(name), "is no longer there"))
+        text.ok_or_else(|| FileError::of_file(&self.place(name), "is no longer there"))
     }
 
     fn age(&self, _name: &str) -> Option<Duration> {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// A place for texts with names. What fails is said in words.
 pub(super) trait Shelf: Send {
@@ -10,7 +10,7 @@ pub(super) trait Shelf: Send {
     fn names(&self) -> Result<Vec<String>, String>;
 
     /// What stands under a name; of what is too large one byte more than may be read.
-    fn read(&self, name: &str) -> Result<Vec<u8>, Fault>;
+    fn read(&self, name: &str) -> Result<Vec<u8>, FileError>;
 
     /// How long ago it was put there.
     fn age(&self, name: &str) -> Option<Duration>;

@@ -41,9 +41,9 @@ pub struct Sources<'a> {
     /// The levels that player has won.
     pub stars: &'a [Starred],
     /// The levels there are.
-    pub levels: &'a levels::Library,
+    pub levels: &'a levels::LevelLibrary,
     /// The chapters there are.
-    pub lessons: &'a lessons::Library,
+    pub lessons: &'a lessons::ChapterLibrary,
 }
 
 /// The one-page report of what a player has done.

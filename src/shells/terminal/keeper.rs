@@ -7,7 +7,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use super::message::Message;
-use crate::files::harmless;
+use crate::files::escape_control;
 use crate::messages::{Answer, Done, Input, Request, Wish};
 use crate::store::Store;
 
@@ -116,7 +116,7 @@ fn tell(answer: Answer, sender: &Sender<Message>) {
 /// Says something when the screen is no longer ours.
 fn say(words: &str) {
     // Standard error may be gone with its window, and then nobody is left to tell.
-    let _ = writeln!(io::stderr(), "carrom: {}", harmless(words, 400));
+    let _ = writeln!(io::stderr(), "carrom: {}", escape_control(words, 400));
 }
 
 #[cfg(test)]
