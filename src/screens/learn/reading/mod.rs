@@ -12,7 +12,7 @@ use super::figure::{Shown, svg_of};
 use super::question::{Question, Said};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
-use crate::messages::{Done, Input, Key, Mouse, MouseKind};
+use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
 use crate::screens::{Context, Help, Hint, Next, Place, Screen};
 use crate::widgets::{Beside, Scroll, overflow};
 
@@ -427,7 +427,7 @@ impl Screen for Reading {
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
         if !self.is_open {
-            if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+            if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
                 self.open_where_left(cx);
             }
             return Next::Ignored;
