@@ -6,9 +6,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use carrom::app::{App, Data};
-use carrom::lessons::Library;
+use carrom::lessons::{Book, ChapterLibrary};
 use carrom::messages::{Done, Effect, Input, Key, Request, Wish};
-use carrom::screens::{Book, Place, Settings};
+use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};
@@ -173,7 +173,7 @@ const ASKED: &str =
 fn own(folder: &Path, pages: &str) -> Headless {
     let file = folder.join("77-mine.md");
     fs::write(&file, format!("{HEADER}{pages}")).unwrap();
-    let mut library = Library::default();
+    let mut library = ChapterLibrary::default();
     library.add_file(&file);
     assert_eq!(library.problems, []);
     let place = Place::Chapter { number: 0 };
@@ -353,7 +353,7 @@ fn four_who_read_at_once_lose_nothing() {
     for player in readers.map(start) {
         assert_eq!(player.end(), Some(8));
     }
-    let library = Library::embedded_once();
+    let library = ChapterLibrary::embedded_once();
     for (name, number) in [("Ada", 0), ("Ada", 1), ("球", 1)] {
         let chapter = &library.chapters[number];
         let mark = &marks(folder.path(), name)[&chapter.id];
@@ -367,7 +367,7 @@ fn four_who_read_at_once_lose_nothing() {
 fn a_reader_who_is_killed_goes_on_at_the_page_last_seen() {
     let folder = Folder::new("bookmarks-killed");
     let mut chance = Pcg64::seed_from_u64(12);
-    let chapter = &Library::embedded_once().chapters[2];
+    let chapter = &ChapterLibrary::embedded_once().chapters[2];
     for _ in 0..15 {
         let before = marks(folder.path(), "Ada");
         let at = before.get(&chapter.id).map_or(0, |mark| mark.page(chapter));

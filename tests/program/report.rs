@@ -7,12 +7,13 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use carrom::app::App;
-use carrom::lessons::{self, Answer, Bookmark, Chapter, Given};
+use carrom::lessons::{self, Bookmark, Chapter, CheckpointAnswer, GivenAnswer};
 use carrom::levels;
+use carrom::levels::Starred;
 use carrom::messages::{Done, History, Request, Wish};
 use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
-use carrom::progress::{Attempt, LESSON, Starred, csv, json};
+use carrom::progress::{Attempt, LESSON, csv, json};
 use carrom::quiz::Confidence;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -105,7 +106,7 @@ fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
 }
 
 fn first_level() -> (String, String) {
-    let pack = &levels::Library::embedded_once().packs[0];
+    let pack = &levels::LevelLibrary::embedded_once().packs[0];
     (pack.name.clone(), pack.levels[0].id.clone())
 }
 
@@ -125,8 +126,8 @@ fn with_marks<'a>(
         history,
         marks,
         stars,
-        levels: levels::Library::embedded_once(),
-        lessons: lessons::Library::embedded_once(),
+        levels: levels::LevelLibrary::embedded_once(),
+        lessons: lessons::ChapterLibrary::embedded_once(),
     })
 }
 
@@ -267,9 +268,9 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
     for page in &chapter.pages {
         let given = page.checkpoint.as_ref().map(|checkpoint| {
             asked += 1;
-            Given {
+            GivenAnswer {
                 asked: checkpoint.written.clone(),
-                answer: Answer::Choice(0),
+                answer: CheckpointAnswer::Choice(0),
                 right: asked <= right,
             }
         });
@@ -280,7 +281,7 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
 
 #[test]
 fn chapters_stand_in_the_report_as_they_do_in_learn() {
-    let chapters = &lessons::Library::embedded_once().chapters;
+    let chapters = &lessons::ChapterLibrary::embedded_once().chapters;
     let (first, second) = (&chapters[0], &chapters[1]);
     let marks = BTreeMap::from([
         (first.id.clone(), read_through(first, 2)),
@@ -363,7 +364,7 @@ fn one_answer_makes_a_report() {
 
 #[test]
 fn thousands_of_answers_fit_the_page_too() {
-    let library = lessons::Library::embedded_once();
+    let library = lessons::ChapterLibrary::embedded_once();
     let attempts: Vec<_> = (0..5_000_u32)
         .map(|i| {
             let read = i % 5 == 0;

@@ -7,7 +7,8 @@ use super::spoken::{sentence, unit_name, verbatim};
 use super::talk::{Asked as Question, Leave, Talk};
 use super::{figure, formula};
 use crate::lessons::{
-    Answer, Asked, Block, Bookmark, Chapter, Checkpoint, Given, Library, Page, Piece, Tone,
+    Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointAnswer, CheckpointKind,
+    GivenAnswer, Inline, TextBlock, Tone,
 };
 use crate::messages::{Done, Wish};
 use crate::physics::Collision;
@@ -25,7 +26,7 @@ const MOVES: &str = "Enter or next for the next page, back for the one before, c
 pub fn learn(
     talk: &mut Talk,
     keeper: &mut Keeper,
-    library: &Library,
+    library: &ChapterLibrary,
     chapter: Option<usize>,
 ) -> Result<(), Leave> {
     talk.say("carrom, the lessons. Type help at any time, and quit to leave.")?;
@@ -54,7 +55,11 @@ enum Next {
 }
 
 /// Asks which chapter it shall be.
-fn contents(talk: &mut Talk, keeper: &mut Keeper, library: &Library) -> Result<usize, Leave> {
+fn contents(
+    talk: &mut Talk,
+    keeper: &mut Keeper,
+    library: &ChapterLibrary,
+) -> Result<usize, Leave> {
     let player = keeper.player.to_owned();
     let marks = match keeper.wish(talk, Wish::Marks(player))? {
         Done::Marks(Ok(marks)) => marks,
@@ -202,7 +207,7 @@ fn ask(
     talk: &mut Talk,
     keeper: &mut Keeper,
     chapter: &Chapter,
-    (at, page): (usize, &Page),
+    (at, page): (usize, &ChapterPage),
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<bool, Leave> {
@@ -214,7 +219,7 @@ fn ask(
     let right = answer.is_right(checkpoint, figure);
     let attempt = attempt(keeper.player, chapter, at, &answer, checkpoint, figure);
     keeper.record(talk, attempt)?;
-    let given = Given {
+    let given = GivenAnswer {
         asked: checkpoint.written.clone(),
         answer,
         right,
@@ -235,21 +240,21 @@ fn hear(
     question: &[String],
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
-) -> Result<Option<Answer>, Leave> {
+) -> Result<Option<CheckpointAnswer>, Leave> {
     let skip = |heard: &str| matches!(heard.to_lowercase().as_str(), "skip" | "s");
     match &checkpoint.asked {
-        Asked::Rays => {
+        CheckpointKind::Rays => {
             let side = match figure.map(|collision| collision.offset) {
                 Some(offset) if offset < 0.0 => -1.0,
                 _ => 1.0,
             };
             let said = answering::rays(talk, question, side, "coin")?;
             Ok(said.and_then(|said| match said {
-                Said::Rays(rays) => Some(Answer::Rays(rays)),
+                Said::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
                 _ => None,
             }))
         }
-        Asked::Number { expected, .. } => {
+        CheckpointKind::Number { expected, .. } => {
             let (_, unit) = expected.sign_and_unit();
             let line = match unit {
                 "" => "Your answer?".to_owned(),
@@ -262,10 +267,11 @@ fn hear(
             };
             talk.ask_for(&asked, |heard| match heard {
                 heard if skip(heard) => Ok(None),
-                heard => number(heard, unit, -1e9, 1e9).map(|number| Some(Answer::Number(number))),
+                heard => number(heard, unit, -1e9, 1e9)
+                    .map(|number| Some(CheckpointAnswer::Number(number))),
             })
         }
-        Asked::Choice(choices) => {
+        CheckpointKind::Choice(choices) => {
             let mut lines = question.to_vec();
             let each = choices.iter().enumerate();
             lines.extend(each.map(|(i, it)| {
@@ -278,7 +284,8 @@ fn hear(
             };
             talk.ask_for(&asked, |heard| match heard {
                 heard if skip(heard) => Ok(None),
-                heard => choice(heard, choices.len()).map(|chosen| Some(Answer::Choice(chosen))),
+                heard => choice(heard, choices.len())
+                    .map(|chosen| Some(CheckpointAnswer::Choice(chosen))),
             })
         }
     }
@@ -287,14 +294,14 @@ fn hear(
 /// Says how an answer was.
 fn tell(
     talk: &mut Talk,
-    answer: &Answer,
+    answer: &CheckpointAnswer,
     right: bool,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<(), Leave> {
     talk.say(if right { "Right." } else { "Not quite." })?;
     match (answer, &checkpoint.asked) {
-        (Answer::Rays(rays), Asked::Rays) => {
+        (CheckpointAnswer::Rays(rays), CheckpointKind::Rays) => {
             let Some(collision) = figure else {
                 return Ok(());
             };
@@ -312,19 +319,21 @@ fn tell(
             }
             talk.say(&text)
         }
-        (Answer::Number(_), Asked::Number { expected, .. }) => match expected.value(figure) {
-            Some(truth) => {
-                let (_, unit) = expected.sign_and_unit();
-                let truth = crate::physics::worked::number(truth);
-                let gap = if unit == "°" { "" } else { " " };
-                talk.say(&format!(
-                    "It is {}.",
-                    format!("{truth}{gap}{unit}").trim_end()
-                ))
+        (CheckpointAnswer::Number(_), CheckpointKind::Number { expected, .. }) => {
+            match expected.value(figure) {
+                Some(truth) => {
+                    let (_, unit) = expected.sign_and_unit();
+                    let truth = crate::physics::worked::number(truth);
+                    let gap = if unit == "°" { "" } else { " " };
+                    talk.say(&format!(
+                        "It is {}.",
+                        format!("{truth}{gap}{unit}").trim_end()
+                    ))
+                }
+                None => Ok(()),
             }
-            None => Ok(()),
-        },
-        (Answer::Choice(chosen), Asked::Choice(choices)) => {
+        }
+        (CheckpointAnswer::Choice(chosen), CheckpointKind::Choice(choices)) => {
             if let Some(chosen) = choices.get(*chosen) {
                 talk.say(&pieces(&chosen.why, figure))?;
             }
@@ -341,26 +350,26 @@ fn tell(
 }
 
 /// Blocks of text, a line each.
-fn texts(blocks: &[Block], figure: Option<&Collision>) -> Vec<String> {
+fn texts(blocks: &[TextBlock], figure: Option<&Collision>) -> Vec<String> {
     blocks
         .iter()
         .map(|block| match block {
-            Block::Paragraph(text) => pieces(text, figure),
-            Block::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
-            Block::Item(None, text) => format!("Item: {}", pieces(text, figure)),
-            Block::Formula(written) => format!("Formula: {}", formula::aloud(written)),
+            TextBlock::Paragraph(text) => pieces(text, figure),
+            TextBlock::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
+            TextBlock::Item(None, text) => format!("Item: {}", pieces(text, figure)),
+            TextBlock::Formula(written) => format!("Formula: {}", formula::aloud(written)),
         })
         .collect()
 }
 
-fn pieces(pieces: &[Piece], figure: Option<&Collision>) -> String {
+fn pieces(pieces: &[Inline], figure: Option<&Collision>) -> String {
     pieces
         .iter()
         .map(|piece| match piece {
-            Piece::Text(key, Tone::Key) => verbatim(key),
-            Piece::Text(text, _) => text.clone(),
-            Piece::Formula(written) => formula::aloud(written),
-            Piece::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
+            Inline::Text(key, Tone::Key) => verbatim(key),
+            Inline::Text(text, _) => text.clone(),
+            Inline::Formula(written) => formula::aloud(written),
+            Inline::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
         })
         .collect()
 }
@@ -372,7 +381,7 @@ mod tests {
     use crate::lessons::Formula;
 
     /// Every text of the chapters: what is read, asked, chosen from and explained.
-    fn every_text(library: &Library) -> Vec<(&[Block], Option<Collision>)> {
+    fn every_text(library: &ChapterLibrary) -> Vec<(&[TextBlock], Option<Collision>)> {
         let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
         pages
             .flat_map(|page| {
@@ -386,29 +395,29 @@ mod tests {
             .collect()
     }
 
-    fn choices(library: &Library) -> impl Iterator<Item = &[Piece]> {
+    fn choices(library: &ChapterLibrary) -> impl Iterator<Item = &[Inline]> {
         let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
         let asked = pages.filter_map(|page| page.checkpoint.as_ref());
         let choices = asked.flat_map(|checkpoint| match &checkpoint.asked {
-            Asked::Choice(choices) => &choices[..],
+            CheckpointKind::Choice(choices) => &choices[..],
             _ => &[],
         });
         choices.flat_map(|choice| [&choice.text[..], &choice.why])
     }
 
-    fn formulas(library: &Library) -> Vec<&Formula> {
+    fn formulas(library: &ChapterLibrary) -> Vec<&Formula> {
         let texts = every_text(library);
         let blocks = texts.into_iter().flat_map(|(text, _)| text);
         let mut formulas = Vec::new();
-        let mut lines: Vec<&[Piece]> = choices(library).collect();
+        let mut lines: Vec<&[Inline]> = choices(library).collect();
         for block in blocks {
             match block {
-                Block::Formula(formula) => formulas.push(formula),
-                Block::Paragraph(line) | Block::Item(_, line) => lines.push(line),
+                TextBlock::Formula(formula) => formulas.push(formula),
+                TextBlock::Paragraph(line) | TextBlock::Item(_, line) => lines.push(line),
             }
         }
         formulas.extend(lines.into_iter().flatten().filter_map(|piece| match piece {
-            Piece::Formula(formula) => Some(formula),
+            Inline::Formula(formula) => Some(formula),
             _ => None,
         }));
         formulas
@@ -417,7 +426,7 @@ mod tests {
     #[test]
     fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
         let units = ["metre", "gram", "second", "joule", "volt", "percent"];
-        let formulas = formulas(Library::embedded_once());
+        let formulas = formulas(ChapterLibrary::embedded_once());
         assert!(formulas.len() > 100, "{}", formulas.len());
         for formula in formulas {
             let said = spoken(&formula::aloud(formula));
@@ -428,7 +437,7 @@ mod tests {
 
     #[test]
     fn every_text_of_the_chapters_is_spoken_whole() {
-        let library = Library::embedded_once();
+        let library = ChapterLibrary::embedded_once();
         for (text, hit) in every_text(library) {
             for line in texts(text, hit.as_ref()) {
                 super::super::assert_spoken(&spoken(&line));
@@ -450,11 +459,11 @@ mod tests {
 
     #[test]
     fn no_figure_tells_what_a_later_page_of_it_asks() {
-        let library = Library::embedded_once();
+        let library = ChapterLibrary::embedded_once();
         let chapter = &library.chapters[1];
-        let asks_rays = |page: &Page| {
+        let asks_rays = |page: &ChapterPage| {
             let asked = page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked);
-            matches!(asked, Some(Asked::Rays))
+            matches!(asked, Some(CheckpointKind::Rays))
         };
         let rays = chapter.pages.iter().position(asks_rays).unwrap();
         let leaves = |at, answered| {
