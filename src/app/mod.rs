@@ -13,6 +13,8 @@ use std::time::Duration;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
+use crate::lessons::Book;
+use crate::levels::Shelf;
 use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
 use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
@@ -24,7 +26,7 @@ use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{Book, Context, Next, Place, Screen, Settings, Shelf};
+use crate::screens::{Context, Next, Place, Screen, Settings};
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);

@@ -9,8 +9,10 @@ use etcetera::BaseStrategy;
 
 use crate::files::tidy_name;
 use crate::game::is_player_name;
+use crate::lessons::Book;
+use crate::levels::Shelf;
 use crate::quiz::concepts::Library;
-use crate::screens::{Book, Settings, Shelf};
+use crate::screens::Settings;
 use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};

@@ -11,6 +11,7 @@
 
 mod answer;
 mod block;
+mod book;
 mod bookmark;
 mod chapter;
 mod checkpoint;
@@ -28,6 +29,7 @@ mod written;
 
 pub use answer::CheckpointAnswer;
 pub use block::{Inline, TextBlock, Tone};
+pub use book::{Book, Forget};
 pub use bookmark::{Bookmark, GivenAnswer};
 pub use chapter::Chapter;
 pub use checkpoint::{Checkpoint, CheckpointChoice, CheckpointKind, Expected};

@@ -17,6 +17,7 @@ mod library;
 mod play;
 mod quantity;
 mod scene;
+mod shelf;
 mod source;
 mod stars;
 
@@ -30,5 +31,6 @@ pub use level::Level;
 pub use library::{LevelLibrary, Pack};
 pub use quantity::{NumberSpec, Range};
 pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene, pockets};
+pub use shelf::Shelf;
 pub use source::FORMAT;
-pub use stars::{Best, FEW_SHOTS, MOST_STARS, Win};
+pub use stars::{Best, FEW_SHOTS, MOST_STARS, Starred, Win};

@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use crate::class::ClassRound;
 use crate::game::{Game, SavedGame};
-use crate::lessons::Bookmark;
-use crate::progress::{Attempt, Starred};
+use crate::lessons::{Bookmark, Forget};
+use crate::levels::Starred;
+use crate::progress::Attempt;
 
 /// Something to be done with what is kept.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,22 +67,6 @@ pub enum Wish {
     Forget(String, Forget),
     /// Say how far this player has read the chapters.
     Marks(String),
-}
-
-/// What is to be forgotten of bookmarks. The record of answers stays in any case.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Forget {
-    /// The answer given on a page.
-    Answer {
-        /// The id of the chapter.
-        chapter: String,
-        /// The title of the page.
-        page: String,
-    },
-    /// All of the chapter of this id.
-    Chapter(String),
-    /// All of all chapters.
-    All,
 }
 
 /// What came of a [`Request`]; where it failed, the reason in words.

@@ -12,6 +12,6 @@ mod thought;
 
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
-pub use keeping::{Answer, Done, Forget, History, Kept, KeptRound, Request, Wish};
+pub use keeping::{Answer, Done, History, Kept, KeptRound, Request, Wish};
 pub use key::Key;
 pub use thought::{Found, Task, Thought, Wanted};

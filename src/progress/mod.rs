@@ -14,7 +14,6 @@ mod calibration;
 mod due;
 mod export;
 mod schedule;
-mod star;
 mod tally;
 mod topics;
 pub mod words;
@@ -26,6 +25,5 @@ pub use calibration::{Calibrated, calibration, calibration_over_time, calibratio
 pub use due::Due;
 pub use export::{csv, json, table, utc};
 pub use schedule::{DAY_S, Review, reviews};
-pub use star::Starred;
 pub use tally::{Tally, ends_deg, smoothed_errors_deg};
 pub use topics::{LATELY, Mastery, Topic, topics};

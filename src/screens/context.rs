@@ -6,11 +6,10 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
-use super::{Book, Shelf};
 use crate::game::Game;
-use crate::lessons::Bookmark;
-use crate::levels::Win;
-use crate::messages::{Effect, Forget, Request, Task, Wanted, Wish};
+use crate::lessons::{Book, Bookmark, Forget};
+use crate::levels::{Shelf, Win};
+use crate::messages::{Effect, Request, Task, Wanted, Wish};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};

@@ -6,9 +6,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use carrom::app::{App, Data};
-use carrom::lessons::ChapterLibrary;
+use carrom::lessons::{Book, ChapterLibrary};
 use carrom::messages::{Done, Effect, Input, Key, Request, Wish};
-use carrom::screens::{Book, Place, Settings};
+use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};

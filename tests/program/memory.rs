@@ -6,8 +6,9 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use carrom::app::App;
+use carrom::levels::Starred;
 use carrom::messages::{Done, Request, Wish};
-use carrom::progress::{Attempt, DAY_S, Due, Starred};
+use carrom::progress::{Attempt, DAY_S, Due};
 use carrom::quiz::{Code, Course, Round};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;

@@ -12,11 +12,12 @@ use std::collections::BTreeMap;
 use super::clean;
 use crate::lessons::{self, Bookmark};
 use crate::levels;
+use crate::levels::Starred;
 use crate::messages::History;
 use crate::progress::words::answers;
 use crate::progress::{
-    Attempt, Belief, Calibrated, LESSON, Mastery, Starred, Tally, Topic, advice, beliefs,
-    calibration, ends_deg, topics, utc,
+    Attempt, Belief, Calibrated, LESSON, Mastery, Tally, Topic, advice, beliefs, calibration,
+    ends_deg, topics, utc,
 };
 use crate::quiz::{Quantity, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};

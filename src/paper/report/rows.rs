@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::lessons::{self, Bookmark};
-use crate::levels::{self, MOST_STARS};
+use crate::levels::{self, MOST_STARS, Starred};
 use crate::paper::clean;
-use crate::progress::Starred;
 
 /// Columns of a name in a table.
 const NAME: usize = 34;

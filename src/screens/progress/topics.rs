@@ -1,9 +1,9 @@
 //! How each topic stands.
 
 use super::words::{brief, degrees, padded, percent};
+use crate::lessons::Book;
 use crate::messages::History;
 use crate::progress::{Due, LESSON, Mastery, Topic, reviews, topics};
-use crate::screens::book::Book;
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role, text};
 

@@ -124,7 +124,8 @@ mod tests {
     use std::{env, fs, process};
 
     use super::*;
-    use crate::progress::{Attempt, Starred};
+    use crate::levels::Starred;
+    use crate::progress::Attempt;
 
     /// Whoever holds the database holds up neither the keys nor the picture for long.
     #[test]

@@ -8,8 +8,7 @@ use std::collections::BTreeMap;
 
 use rusqlite::{Connection, Row, params};
 
-use crate::lessons::{Bookmark, CheckpointAnswer, GivenAnswer};
-use crate::messages::Forget;
+use crate::lessons::{Bookmark, CheckpointAnswer, Forget, GivenAnswer};
 
 const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player = ?1";
 

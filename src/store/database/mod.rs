@@ -29,9 +29,9 @@ use std::time::{Duration, Instant};
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 
 use super::turn::Turn;
-use crate::lessons::Bookmark;
-use crate::messages::Forget;
-use crate::progress::{Attempt, Starred};
+use crate::lessons::{Bookmark, Forget};
+use crate::levels::Starred;
+use crate::progress::Attempt;
 use trouble::Trouble;
 
 /// How long SQLite waits by itself for others.

@@ -5,9 +5,10 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::messages::{Done, Forget, Input, Key};
+use crate::lessons::{Book, Forget};
+use crate::messages::{Done, Input, Key};
 use crate::screens::list::{Chosen, chosen as chosen_by};
-use crate::screens::{Book, Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, Place, Screen};
 
 /// The contents. Which line is chosen belongs to the [`Book`].
 #[derive(Debug, Clone, Default)]

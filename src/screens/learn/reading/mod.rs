@@ -11,8 +11,8 @@ use ratatui::layout::Rect;
 use super::figure::{Shown, svg_of};
 use super::question::{Question, Said};
 use super::record;
-use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, GivenAnswer};
-use crate::messages::{Done, Forget, Input, Key, Mouse, MouseKind};
+use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
+use crate::messages::{Done, Input, Key, Mouse, MouseKind};
 use crate::screens::{Context, Help, Hint, Next, Place, Screen};
 use crate::widgets::{Beside, Scroll, overflow};
 

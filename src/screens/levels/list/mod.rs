@@ -5,9 +5,10 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::levels::Shelf;
 use crate::messages::{Done, Input, Key, Wish};
 use crate::screens::list::{Chosen, chosen};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen, Shelf};
+use crate::screens::{Context, Help, Hint, Next, Place, Screen};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]

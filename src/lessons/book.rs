@@ -3,8 +3,25 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::lessons::{Bookmark, Chapter, ChapterLibrary};
-use crate::messages::Forget;
+use super::bookmark::Bookmark;
+use super::chapter::Chapter;
+use super::library::ChapterLibrary;
+
+/// What is to be forgotten of bookmarks. The record of answers stays in any case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Forget {
+    /// The answer given on a page.
+    Answer {
+        /// The id of the chapter.
+        chapter: String,
+        /// The title of the page.
+        page: String,
+    },
+    /// All of the chapter of this id.
+    Chapter(String),
+    /// All of all chapters.
+    All,
+}
 
 /// All chapters, with a bookmark in each.
 #[derive(Debug, Clone, Default)]
@@ -54,13 +71,13 @@ impl Book {
     }
 
     /// Adds to the bookmark in a chapter what was done there.
-    pub(super) fn merge(&mut self, id: &str, later: Bookmark) {
+    pub(crate) fn merge(&mut self, id: &str, later: Bookmark) {
         let marks = self.marks.get_or_insert_default();
         marks.entry(id.to_owned()).or_default().merge(later);
     }
 
     /// Forgets what is to be forgotten.
-    pub(super) fn forget(&mut self, what: &Forget) {
+    pub(crate) fn forget(&mut self, what: &Forget) {
         let Some(marks) = &mut self.marks else {
             return;
         };

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::levels::{Best, Level, LevelLibrary, MOST_STARS, Pack, Win};
-use crate::progress::Starred;
+use super::level::Level;
+use super::library::{LevelLibrary, Pack};
+use super::stars::{Best, MOST_STARS, Starred, Win};
 
 /// All levels, numbered from 0 through all packs, with the best that was done in each.
 #[derive(Debug, Clone, Default)]
