@@ -66,7 +66,7 @@ impl Attempt {
             time_s: None,
             player: player.to_owned(),
             family: question.family.id().to_owned(),
-            topic: question.topic.clone(),
+            topic: question.topic.name(),
             seed: code.seed,
             number,
             question: Value::Object(figures).to_string(),

@@ -104,7 +104,7 @@ fn written(question: &Question) -> Value {
     json!({
         "family": question.family.id(),
         "difficulty": question.difficulty.id(),
-        "topic": question.topic,
+        "topic": question.topic.id(),
         "text": question.text,
         "picture": picture(&question.picture),
         "form": form(&question.form),

@@ -136,7 +136,7 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
             .questions()
             .get(item.question)
             .map_or(String::new(), |question| {
-                text::clipped(&question.topic, topic)
+                text::clipped(&question.topic.name(), topic)
             });
         lines.line(&row(&item, &about, topic), Role::Title);
         if let Some((misconception, count)) = item.commonest {
