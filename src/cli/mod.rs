@@ -34,7 +34,7 @@ pub use options::Options;
 use crate::app::{App, Data};
 use crate::class::team_names;
 use crate::files::{escape_control_lines, is_invisible};
-use crate::lessons::Library;
+use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
 use crate::screens::Place;
 use options::Auto;
@@ -261,7 +261,7 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
 ///
 /// # Errors
 /// If there is none, in words.
-fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
+fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
     library.find(name).ok_or_else(|| {
         format!(
             "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",

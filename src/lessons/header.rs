@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::CollisionSpec;
-use super::source::{FORMAT, Line, Source};
+use super::Shot;
+use super::source::{FORMAT, Source, SourceLine};
 use super::words::Words;
 use crate::files::{FileError, newer};
 
@@ -80,7 +80,7 @@ pub(super) fn read(source: &Source) -> Result<Header, FileError> {
     if first != Some(FENCE) {
         return Err(source.fault(1, "expected a header between two lines of +++"));
     }
-    let inside: Vec<Line> = lines
+    let inside: Vec<SourceLine> = lines
         .take_while(|(_, line)| line.trim_end() != FENCE)
         .collect();
     let ends = inside.len() + 2;

@@ -13,7 +13,7 @@ pub(super) struct Source<'a> {
 }
 
 /// A line and its number, from 1.
-pub(super) type Line<'a> = (usize, &'a str);
+pub(super) type SourceLine<'a> = (usize, &'a str);
 
 impl<'a> Source<'a> {
     /// The text of a file.
@@ -31,7 +31,7 @@ impl<'a> Source<'a> {
     }
 
     /// Its lines.
-    pub(super) fn lines(&self) -> impl Iterator<Item = Line<'a>> + use<'a> {
+    pub(super) fn lines(&self) -> impl Iterator<Item = SourceLine<'a>> + use<'a> {
         (1..).zip(self.text.lines())
     }
 

@@ -4,7 +4,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::quantity::{Quantity, Range};
+use super::quantity::{NumberSpec, Range};
 use crate::files::{FileError, Source, escape_control};
 use glam::DVec2;
 
@@ -130,7 +130,7 @@ impl<'a> Fields<'a> {
     pub(super) fn number(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
+        quantity: &NumberSpec,
     ) -> Result<Option<f64>, FileError> {
         self.get(name)
             .map(|value| {
@@ -145,7 +145,7 @@ impl<'a> Fields<'a> {
     pub(super) fn required_number(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
+        quantity: &NumberSpec,
     ) -> Result<f64, FileError> {
         self.number(name, quantity)?
             .ok_or_else(|| self.missing(name, &quantity.to_string()))
@@ -155,7 +155,7 @@ impl<'a> Fields<'a> {
     pub(super) fn range(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
+        quantity: &NumberSpec,
     ) -> Result<Option<Range>, FileError> {
         let Some(value) = self.get(name) else {
             return Ok(None);
@@ -173,7 +173,7 @@ impl<'a> Fields<'a> {
     pub(super) fn required_range(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
+        quantity: &NumberSpec,
     ) -> Result<Range, FileError> {
         self.range(name, quantity)?
             .ok_or_else(|| self.missing(name, &format!("[from, to], {quantity}")))
@@ -183,7 +183,7 @@ impl<'a> Fields<'a> {
     pub(super) fn place(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
+        quantity: &NumberSpec,
     ) -> Result<DVec2, FileError> {
         let expected = format!("[x, y], {quantity}");
         let value = self.require(name, &expected)?;

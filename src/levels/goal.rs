@@ -45,14 +45,14 @@ pub enum Goal {
         /// The disc.
         disc: usize,
         /// The circle.
-        circle: Circle,
+        circle: GoalCircle,
     },
     /// The centre of a disc passes through a circle.
     Pass {
         /// The disc.
         disc: usize,
         /// The circle.
-        circle: Circle,
+        circle: GoalCircle,
     },
     /// A disc meets cushions before it meets another disc for the first time.
     Bank {
@@ -121,7 +121,7 @@ impl Goal {
 
 /// A circle marked on the board.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Circle {
+pub struct GoalCircle {
     /// Its centre in metres.
     pub centre: DVec2,
     /// Its radius in metres.
@@ -193,11 +193,11 @@ impl Goal {
             },
             Name::Rest => Self::Rest {
                 disc: disc(&mut fields)?,
-                circle: Circle::from_fields(&mut fields)?,
+                circle: GoalCircle::from_fields(&mut fields)?,
             },
             Name::Pass => Self::Pass {
                 disc: disc(&mut fields)?,
-                circle: Circle::from_fields(&mut fields)?,
+                circle: GoalCircle::from_fields(&mut fields)?,
             },
             Name::Bank => Self::Bank {
                 disc: disc(&mut fields)?,
@@ -231,7 +231,7 @@ impl Goal {
     }
 
     /// The circle that belongs on the board.
-    pub fn circle(&self) -> Option<Circle> {
+    pub fn circle(&self) -> Option<GoalCircle> {
         match self {
             Self::Rest { circle, .. } | Self::Pass { circle, .. } => Some(*circle),
             _ => None,
@@ -330,7 +330,7 @@ fn cushions(least: usize) -> String {
     }
 }
 
-impl Circle {
+impl GoalCircle {
     fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
         let centre = fields.place("centre_mm", &q::COORDINATE)?;
         let radius = fields.required_number("radius_mm", &q::RADIUS)?;

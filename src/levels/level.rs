@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 
-use super::aim::{Adjust, Aim, Dial};
+use super::aim::{Adjust, Dial, LevelAim};
 use super::fields::Fields;
 use super::goal::Goal;
 use super::quantity::Range;
-use super::scene::{Piece, Scene, pockets, tidy};
+use super::scene::{PlacedDisc, Scene, pockets, tidy};
 use super::source::read_document;
 use crate::files::FileError;
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
@@ -37,7 +37,7 @@ pub struct Level {
     /// What has to come about, all of it.
     pub goals: Vec<Goal>,
     /// An aim that wins.
-    pub solution: Aim,
+    pub solution: LevelAim,
 }
 
 impl Level {
@@ -104,7 +104,7 @@ impl Level {
     }
 
     /// The aim with which the level opens.
-    pub fn start(&self) -> Aim {
+    pub fn start(&self) -> LevelAim {
         start(&self.scene)
     }
 
@@ -115,7 +115,7 @@ impl Level {
     }
 
     /// The scene with an aim, which is first brought within what the player may set.
-    pub fn aimed(&self, aim: &Aim) -> Scene {
+    pub fn aimed(&self, aim: &LevelAim) -> Scene {
         let mut within = self.start();
         for (dial, range) in self.adjust.dials() {
             within = within.with(dial, range.nearest(aim.get(dial)));
@@ -133,9 +133,9 @@ impl Level {
 }
 
 /// The dials as the shot of a scene has them.
-fn start(scene: &Scene) -> Aim {
+fn start(scene: &Scene) -> LevelAim {
     let piece = scene.pieces.get(scene.stroke.disc);
-    Aim {
+    LevelAim {
         direction_deg: scene.stroke.direction_deg,
         speed: scene.stroke.speed,
         place_mm: piece.map_or(0.0, |piece| mm_from_m(piece.at.x)),
@@ -193,7 +193,7 @@ fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     let holes = pockets(&scene.board).map(|hole| hole.x);
     let nearest = discs.chain(holes).map(|x| range.nearest(x));
     for x in nearest.chain([range.from, range.to]) {
-        let moved = Piece {
+        let moved = PlacedDisc {
             at: DVec2::new(x, piece.at.y),
             ..piece
         };

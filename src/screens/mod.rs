@@ -1,11 +1,9 @@
 //! The screens: one folder each, with its state and update, and its view beside it.
 
-mod book;
 mod context;
 mod list;
 mod place;
 mod recall;
-mod shelf;
 pub(crate) mod why;
 
 pub mod class;
@@ -23,10 +21,8 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub use book::Book;
 pub use context::{Context, Settings};
 pub use place::Place;
-pub use shelf::Shelf;
 
 use crate::messages::Input;
 

@@ -17,7 +17,7 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::{Difficulty, Misconception};
+use super::{Difficulty, Misconception, Topic};
 use crate::files::FileError;
 use crate::physics::Collision;
 
@@ -96,8 +96,8 @@ impl<'a> Choice<'a> {
 
 impl Concept {
     /// What it is about, in words: "right angle".
-    pub fn topic(&self) -> String {
-        self.subject.replace('-', " ")
+    pub fn topic(&self) -> Topic {
+        Topic::of_subject(&self.subject)
     }
 
     /// What is wrong with a field of it, with its place.
