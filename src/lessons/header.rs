@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::Shot;
+use super::CollisionSpec;
 use super::source::{FORMAT, Source, SourceLine};
 use super::words::Words;
 use crate::files::{FileError, newer};
