@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::reading::Reading;
 use crate::lessons::{Answer, Asked, Block, Chapter, Fault, Page};
 use crate::quiz::Rays;
-use crate::screens::{Context, Screen, Settings};
+use crate::screens::{Context, OldScreen, Settings};
 use crate::widgets::{Beside, Charset, formula, text};
 
 /// The body of a screen of 80×24, below the title and above the keys.

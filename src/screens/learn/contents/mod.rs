@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use crate::messages::{Done, Forget, Input, Key};
 use crate::screens::list::{Chosen, chosen as chosen_by};
-use crate::screens::{Book, Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Book, Context, Help, Hint, Next, OldScreen, Place};
 
 /// The contents. Which line is chosen belongs to the [`Book`].
 #[derive(Debug, Clone, Default)]
@@ -87,7 +87,7 @@ fn open(book: &Book) -> Next {
     }
 }
 
-impl Screen for Contents {
+impl OldScreen for Contents {
     fn title(&self) -> String {
         "learn".into()
     }

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use crate::messages::{Done, Input, Key, Wish};
 use crate::screens::list::{Chosen, chosen};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen, Shelf};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place, Shelf};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]
@@ -41,7 +41,7 @@ fn open(shelf: &Shelf) -> Next {
     }
 }
 
-impl Screen for Levels {
+impl OldScreen for Levels {
     fn title(&self) -> String {
         "levels".into()
     }
