@@ -14,7 +14,9 @@ use std::time::Duration;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
-use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::lessons::Book;
+use crate::levels::Shelf;
+use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
 use crate::screens::foil::Foil;
@@ -25,7 +27,7 @@ use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Book, Context, Next, Old, Place, Settings, SharedAction, Shelf};
+use crate::screens::{AnyScreen, Context, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
 
 use layer::Layer;
@@ -149,7 +151,7 @@ impl App {
             }
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Thought(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Searched(_) | Input::Exported(_) => return self.pass_on(input),
             Input::Saving(ticket) => {
                 self.saving.insert(*ticket);
             }
@@ -172,33 +174,35 @@ impl App {
     }
 
     /// Takes what is for no screen alone of what came of a request.
-    fn note(&mut self, answer: &Answer) {
+    fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
             self.tell(notice.clone());
         }
         match &answer.done {
-            Done::Stars(Ok(stars)) => {
+            StoreReply::Stars(Ok(stars)) => {
                 for starred in stars {
                     self.context.shelf.recall(starred);
                 }
             }
-            Done::Marks(marks) => {
+            StoreReply::Marks(marks) => {
                 let book = &mut self.context.book;
                 book.recall(marks.as_ref().cloned().unwrap_or_default());
             }
             _ => {}
         }
         match &answer.done {
-            Done::Noted(Ok(())) => self.losing = false,
-            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason)) => {
+            StoreReply::Noted(Ok(())) => self.losing = false,
+            StoreReply::Noted(Err(reason))
+            | StoreReply::Stars(Err(reason))
+            | StoreReply::Marks(Err(reason)) => {
                 if !self.losing {
                     self.tell(format!(
                         "What you do cannot be kept: {reason}. You can go on all the same."
                     ));
                 }
                 self.losing = true;
-                self.lost += usize::from(matches!(answer.done, Done::Noted(_)));
+                self.lost += usize::from(matches!(answer.done, StoreReply::Noted(_)));
             }
             _ => {}
         }

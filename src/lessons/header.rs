@@ -6,9 +6,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::Shot;
-use super::source::{FORMAT, Line, Source};
+use super::source::{FORMAT, Source, SourceLine};
 use super::words::Words;
-use crate::files::{Fault, newer};
+use crate::files::{FileError, newer};
 
 /// What stands before and after a header.
 const FENCE: &str = "+++";
@@ -74,13 +74,13 @@ impl Shots {
 ///
 /// # Errors
 /// The first thing that is wrong with it.
-pub(super) fn read(source: &Source) -> Result<Header, Fault> {
+pub(super) fn read(source: &Source) -> Result<Header, FileError> {
     let mut lines = source.lines();
     let first = lines.next().map(|(_, line)| line.trim_end());
     if first != Some(FENCE) {
         return Err(source.fault(1, "expected a header between two lines of +++"));
     }
-    let inside: Vec<Line> = lines
+    let inside: Vec<SourceLine> = lines
         .take_while(|(_, line)| line.trim_end() != FENCE)
         .collect();
     let ends = inside.len() + 2;
@@ -130,7 +130,7 @@ pub(super) fn read(source: &Source) -> Result<Header, Fault> {
     Ok(header)
 }
 
-fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), Fault> {
+fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), FileError> {
     let expected = f64::from(FORMAT);
     match format {
         None => Err(tables
@@ -163,12 +163,17 @@ struct Tables<'a> {
 
 impl Tables<'_> {
     /// A fault at a byte of the header.
-    fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
+    fn fault(&self, at: usize, message: impl Into<String>) -> FileError {
         let before = self.text.bytes().take(at).filter(|byte| *byte == b'\n');
         self.source.fault(2 + before.count(), message)
     }
 
-    fn words(&self, value: &Spanned<DeValue>, name: &str, most: usize) -> Result<String, Fault> {
+    fn words(
+        &self,
+        value: &Spanned<DeValue>,
+        name: &str,
+        most: usize,
+    ) -> Result<String, FileError> {
         let text = value.get_ref().as_str().map(str::trim);
         if text.is_some_and(|text| text.contains(|c: char| c.is_control() && c != '\n')) {
             // The text of the file has none, but an escape may stand for one.
@@ -185,7 +190,7 @@ impl Tables<'_> {
         }
     }
 
-    fn shots(&self, value: &Spanned<DeValue>) -> Result<Shots, Fault> {
+    fn shots(&self, value: &Spanned<DeValue>) -> Result<Shots, FileError> {
         let DeValue::Table(shots) = value.get_ref() else {
             return Err(self.fault(value.span().start, "shot: expected tables [shot.NAME]"));
         };

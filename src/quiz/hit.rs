@@ -6,7 +6,7 @@ use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, Outcome};
 
 use super::words::significant;
-use super::{Pieces, Rays, words};
+use super::{Pieces, Rays, Topic, words};
 
 /// How it is said where the two meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,27 +105,23 @@ impl Hit {
         mm_from_m(self.collision().reach())
     }
 
-    /// What it is about, in a few words: "equal masses, by offset".
-    pub fn topic(&self) -> String {
+    /// What it is about: "equal masses, by offset".
+    pub fn topic(&self) -> Topic {
         let ratio = self.mass_ratio();
         let pieces = if ratio > 1.0 {
-            "heavier striker"
+            "heavier-striker"
         } else if ratio < 1.0 {
-            "heavier target"
+            "heavier-target"
         } else {
-            "equal masses"
+            "equal-masses"
         };
         let place = match self.given {
-            _ if self.head_on() => ", head-on",
+            _ if self.head_on() => "-head-on",
             Given::Angle { .. } => "",
-            Given::Offset { .. } => ", by offset",
+            Given::Offset { .. } => "-by-offset",
         };
-        let loss = if self.restitution < 1.0 {
-            ", lossy"
-        } else {
-            ""
-        };
-        format!("{pieces}{place}{loss}")
+        let loss = if self.restitution < 1.0 { "-lossy" } else { "" };
+        Topic::with_id(format!("{pieces}{place}{loss}"))
     }
 
     /// The question where both will go, in words.

@@ -33,7 +33,7 @@ mod reasoning;
 mod review;
 mod round;
 mod summary;
-mod topics;
+mod topic;
 pub mod words;
 
 pub use answer::{Answer, Said};
@@ -56,3 +56,4 @@ pub use rays::{Ray, Rays};
 pub use reasoning::reasoning;
 pub use round::Round;
 pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};
+pub use topic::Topic;

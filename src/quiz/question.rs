@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
 
-use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said};
+use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said, Topic};
 
 /// Answers nearer to each other than this cannot be told apart, counted in the widest
 /// that can count as right; more than 2, so that no answer fits two.
@@ -18,8 +18,8 @@ pub struct Question {
     pub family: Family,
     /// How hard it is.
     pub difficulty: Difficulty,
-    /// What it is about, in a few words: "equal masses, by offset".
-    pub topic: String,
+    /// What it is about: "equal masses, by offset".
+    pub topic: Topic,
     /// The question in words.
     pub text: String,
     /// What is seen beside it.

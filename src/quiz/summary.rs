@@ -1,7 +1,7 @@
 //! A look back over a round.
 
 use super::misconceptions::all;
-use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question};
+use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
 
 /// Fewest angles whose mean error says something.
 pub const ENOUGH_ANGLES: usize = 3;
@@ -17,7 +17,7 @@ pub struct Summary {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SummaryLine {
     /// What it was about: "equal masses, by offset".
-    pub topic: String,
+    pub topic: Topic,
     /// How good the answer was.
     pub grade: Grade,
     /// The misconception it fitted.

@@ -1,12 +1,10 @@
 //! The screens: one folder each, with its state and update, and its view beside it.
 
-mod book;
 mod context;
 mod hosted;
 mod list;
 mod place;
 mod recall;
-mod shelf;
 pub(crate) mod why;
 
 pub mod class;
@@ -24,11 +22,9 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub use book::Book;
 pub use context::{Context, Settings};
 pub use hosted::{AnyScreen, Hosted, Old, SharedAction};
 pub use place::Place;
-pub use shelf::Shelf;
 
 use crate::messages::{Input, Key};
 use crate::widgets::input::KeyTable;

@@ -8,8 +8,9 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::FRAME;
+use super::search::search;
 use crate::app::App;
-use crate::messages::{Done, Effect, Input, Key, Mouse, MouseKind, Request, Wish};
+use crate::messages::{Effect, Input, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest};
 use crate::progress::Attempt;
 use crate::store::Store;
 use crate::widgets::cells::text;
@@ -78,9 +79,9 @@ impl Headless {
 
     /// The answers that are kept, in order; none where they cannot be looked up.
     pub fn attempts(&mut self) -> Vec<Attempt> {
-        let wish = Wish::Recall(None);
-        match self.store.answer(&Request { ticket: 0, wish }).done {
-            Done::Recalled(Ok(history)) => history.attempts,
+        let wish = StoreRequest::Recall(None);
+        match self.store.answer(&StoreCall { ticket: 0, wish }).done {
+            StoreReply::Recalled(Ok(history)) => history.attempts,
             _ => Vec::new(),
         }
     }
@@ -182,7 +183,7 @@ impl Headless {
             match effect {
                 Effect::Quit => self.quit = true,
                 // On the spot, so that it is the same every time.
-                Effect::Think(task) => self.input(&Input::Thought(Box::new(task.think()))),
+                Effect::Search(task) => self.input(&Input::Searched(Box::new(search(task)))),
                 Effect::Keep(request) => {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));

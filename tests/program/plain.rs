@@ -318,7 +318,7 @@ fn the_names_of_files_are_told_as_they_are() {
     std::fs::write(&file, "---\n").unwrap();
     let arguments = format!("learn --plain --lessons {}", lessons.display());
     let said = talk(&arguments, folder.path(), b"quit\n");
-    let mut library = carrom::lessons::Library::embedded();
+    let mut library = carrom::lessons::ChapterLibrary::embedded();
     library.add_dir(&lessons);
     let told = library.problems[0].to_string();
     assert!(told.contains("a_2*x-1=b") && told.contains("+++"), "{told}");

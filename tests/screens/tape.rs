@@ -1,6 +1,5 @@
 //! Tapes: what they can say, what is wrong with a bad one, what they keep.
 
-use std::path::Path;
 use std::time::Duration;
 
 use carrom::app::App;
@@ -19,28 +18,6 @@ fn tape(text: &str) -> Tape {
 
 fn played(text: &str) -> Result<Vec<Screenshot>, PlayError> {
     play(&tape(text), cli::open)
-}
-
-/// Every tape under `tests/tapes` plays to its end.
-#[test]
-fn the_tapes_in_the_folder_play() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tapes");
-    let mut count = 0;
-    for entry in folder.read_dir().unwrap() {
-        let path = entry.unwrap().path();
-        if path
-            .extension()
-            .is_some_and(|extension| extension == "tape")
-        {
-            let text = std::fs::read_to_string(&path).unwrap();
-            let tape = Tape::parse(&text).unwrap_or_else(|error| panic!("{path:?}:{error}"));
-            if let Err(error) = play(&tape, cli::open) {
-                panic!("{path:?}:{error}");
-            }
-            count += 1;
-        }
-    }
-    assert!(count > 0);
 }
 
 #[test]

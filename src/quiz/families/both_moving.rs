@@ -144,7 +144,7 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     Some(Question {
         family: Family::BothMoving,
         difficulty,
-        topic: "both moving".into(),
+        topic: "both-moving".into(),
         text,
         picture: Picture::Before {
             collision,

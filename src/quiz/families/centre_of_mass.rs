@@ -14,10 +14,9 @@ use crate::physics::units::{deg_from_rad, g_from_kg, rad_from_deg};
 use crate::physics::{Collision, Outcome};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
-    DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, LINEAR_OFFSET, SCALAR_MOMENTUM,
-    UPSIDE_DOWN,
+    DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
 };
-use crate::quiz::misconceptions::{COPIED_ANGLE, SWAPPED};
+use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
 use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
     Belief, Difficulty, Family, Form, Given, Hit, Picture, Pieces, Quantity, Question, Shown,
@@ -89,7 +88,7 @@ fn question(hit: &Hit, target_velocity: DVec2, shown: Shown, asked: Asked) -> Qu
     Question {
         family: Family::CentreOfMass,
         difficulty: Difficulty::Middle,
-        topic: "the centre of mass".into(),
+        topic: "centre-of-mass".into(),
         text: asked.text,
         picture: Picture::Before {
             collision: Collision {
@@ -174,7 +173,7 @@ fn turn_from_offset(hit: &Hit) -> Option<Question> {
     let turn = cm_scattering_angle(alpha, hit.restitution)?;
     let mut beliefs = turned(alpha, &hit.outcome()).to_vec();
     beliefs.push(number(
-        &LINEAR_OFFSET,
+        &OFFSET_AS_ANGLE,
         180.0 * (1.0 - share),
         "You let the angle shrink in step with the offset. It is the sine of α that goes with \
          the offset."

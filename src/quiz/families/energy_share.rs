@@ -86,7 +86,7 @@ fn kept(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
     let asked = Asked {
         family: Family::EnergyShare,
         difficulty,
-        topic: "energy the striker keeps".into(),
+        topic: "energy-of-striker".into(),
         ask: "What share of its energy does it keep?".into(),
         form,
         beliefs,
@@ -181,7 +181,7 @@ fn passed(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
     let asked = Asked {
         family: Family::EnergyShare,
         difficulty,
-        topic: format!("energy the {name} takes"),
+        topic: "energy-of-target".into(),
         ask: format!("What share of its energy does the {name} get?"),
         form,
         beliefs,
@@ -234,7 +234,7 @@ fn lost(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
     let asked = Asked {
         family: Family::EnergyShare,
         difficulty,
-        topic: "energy lost".into(),
+        topic: "energy-lost".into(),
         ask: "What share of its energy is lost?".into(),
         form,
         beliefs,

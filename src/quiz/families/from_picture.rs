@@ -20,7 +20,7 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     };
     let collision = *question.picture.collision()?;
     Some(Question {
-        topic: "from the picture".into(),
+        topic: "from-the-picture".into(),
         text: format!(
             "Two alike, one at rest, no energy lost, and no figures. {eye} where will they go?"
         ),

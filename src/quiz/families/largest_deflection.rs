@@ -9,10 +9,11 @@ use crate::physics::resting_target::LargestDeflection;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
-    BEYOND_LARGEST, DOUBLE_ANGLE_FORGOTTEN, LINEAR_OFFSET, SINE_COSINE, UPSIDE_DOWN,
+    BEYOND_LARGEST, DOUBLE_ANGLE_FORGOTTEN, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HALF_AND_HALF, HEAVY_UNMOVED, LOSSLESS, OFF_A_WALL,
+    OFFSET_AS_ANGLE,
 };
 use crate::quiz::words::{bare_degrees, degrees, millimetres, significant};
 use crate::quiz::{Belief, Difficulty, Family, Form, Given, Hit, Picture, Quantity, Question};
@@ -187,7 +188,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::LargestDeflection,
         difficulty: Difficulty::Easy,
-        topic: "is there a limit?".into(),
+        topic: "limit-of-turn".into(),
         ask: "You choose the offset. How far can it be turned?".into(),
         form: Form::Choice {
             options: LIMITS.map(str::to_owned).into(),
@@ -246,7 +247,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     let asked = Asked {
         family: Family::LargestDeflection,
         difficulty,
-        topic: "the largest turn".into(),
+        topic: "largest-turn".into(),
         ask: "By how many degrees can it be turned at most?".into(),
         form,
         beliefs,
@@ -286,7 +287,7 @@ fn aimed(dice: &mut Dice) -> Option<((u32, u32), Hit, f64, f64)> {
 }
 
 /// What both ask about that ask where to aim.
-const AIM: &str = "aim for the largest turn";
+const AIM: &str = "aim-for-largest-turn";
 
 /// To aim head-on for the largest turn.
 fn head_on() -> Option<Belief> {
@@ -366,7 +367,7 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
         &form,
         [
             number(
-                &LINEAR_OFFSET,
+                &OFFSET_AS_ANGLE,
                 reach_mm * deg_from_rad(alpha) / 90.0,
                 format!(
                     "You took the offset in proportion to {}. It goes with the sine.",

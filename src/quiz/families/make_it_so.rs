@@ -8,12 +8,12 @@ use super::setting::{more, wrong};
 use crate::physics::Disc;
 use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use crate::quiz::dice::Dice;
-use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, LINEAR_OFFSET, SINE_COSINE};
-use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, SIDES_EXCHANGED};
+use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
+use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
 use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
     Aim, Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question,
-    Ray, Said, Shown,
+    Ray, Said, Shown, Topic,
 };
 
 /// Lighter strikers, which can be turned by any angle.
@@ -63,7 +63,7 @@ fn target(hit: &Hit, side: f64, wanted_deg: f64) -> Question {
     let offset_mm = reach_mm * wanted.sin();
     let beliefs = [
         (
-            &LINEAR_OFFSET,
+            &OFFSET_AS_ANGLE,
             reach_mm * wanted_deg / 90.0,
             "You took the offset in proportion to the angle. It goes with the sine.".to_owned(),
         ),
@@ -112,7 +112,7 @@ fn striker(hit: &Hit, side: f64, wanted_deg: f64, difficulty: Difficulty) -> Que
             .to_owned(),
     );
     let linear = (
-        &LINEAR_OFFSET,
+        &OFFSET_AS_ANGLE,
         reach_mm * deg_from_rad(alpha) / 90.0,
         format!(
             "You took the offset in proportion to α = {}. It goes with the sine.",
@@ -251,7 +251,7 @@ fn question(hit: &Hit, difficulty: Difficulty, asked: Asked) -> Question {
     Question {
         family: Family::MakeItSo,
         difficulty,
-        topic: format!("send the {sent}"),
+        topic: Topic::with_id(format!("send-{sent}")),
         text,
         picture: Picture::Before {
             collision,

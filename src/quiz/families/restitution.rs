@@ -94,7 +94,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Easy,
-        topic: "90° in spite of loss".into(),
+        topic: "square-in-spite-of-loss".into(),
         ask: "With which striker do the two part at exactly 90°?".into(),
         form: Form::Choice {
             options: order.iter().map(|i| STRIKERS[*i].to_owned()).collect(),
@@ -167,7 +167,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Easy,
-        topic: "e of a head-on hit".into(),
+        topic: "e-head-on".into(),
         ask: "What is e?".into(),
         form,
         beliefs,
@@ -222,7 +222,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Middle,
-        topic: "90° in spite of loss".into(),
+        topic: "square-in-spite-of-loss".into(),
         ask: "With which mass of the striker do they part at exactly 90°?".into(),
         form,
         beliefs,
@@ -272,7 +272,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Middle,
-        topic: "e for a right angle".into(),
+        topic: "e-for-square".into(),
         ask: "They part at exactly 90°. What is e?".into(),
         form,
         beliefs,
@@ -343,7 +343,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Hard,
-        topic: "the corner with loss".into(),
+        topic: "corner-with-loss".into(),
         ask: "How many degrees apart do they leave?".into(),
         form,
         beliefs,
@@ -396,7 +396,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Hard,
-        topic: "e from the angles".into(),
+        topic: "e-from-angles".into(),
         ask: "What is e?".into(),
         form,
         beliefs,

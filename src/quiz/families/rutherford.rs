@@ -139,7 +139,7 @@ fn whole_ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Easy,
-        topic: "counts at two angles".into(),
+        topic: "counts-at-two-angles".into(),
         text: format!(
             "{} Compared with {}, how many does the same small screen count at {}?",
             beam.words(),
@@ -183,7 +183,7 @@ fn ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Middle,
-        topic: "counts at two angles".into(),
+        topic: "counts-at-two-angles".into(),
         text: format!(
             "{} How many times as many does a small screen count at {} as at {}?",
             beam.words(),
@@ -242,7 +242,7 @@ fn ratio_of_energies(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Hard,
-        topic: "counts, angle and energy".into(),
+        topic: "counts-angle-and-energy".into(),
         text: format!(
             "{} How many times as many does a screen count at {} with {} MeV as at {} with {} \
              MeV?",
@@ -314,7 +314,7 @@ fn angle(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Hard,
-        topic: "the angle of a count".into(),
+        topic: "angle-of-count".into(),
         text: format!(
             "{} At which angle does a small screen count 1/{fewer} of what it counts at {}?",
             beam.words(),

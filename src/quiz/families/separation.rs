@@ -167,9 +167,9 @@ fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<
         family: Family::Separation,
         difficulty,
         topic: if lossy {
-            "the corner, with loss".into()
+            "corner-with-loss".into()
         } else {
-            "the corner, without loss".into()
+            "corner-without-loss".into()
         },
         ask: "How large is the angle between their ways out?".into(),
         form,
@@ -288,9 +288,9 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         family: Family::Separation,
         difficulty,
         topic: if heavy {
-            "the corner, heavier striker".into()
+            "corner-heavier-striker".into()
         } else {
-            "the corner, lighter striker".into()
+            "corner-lighter-striker".into()
         },
         ask: "How many degrees apart do they leave?".into(),
         form,

@@ -12,7 +12,7 @@ use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::SINE_COSINE;
 use crate::quiz::{
     Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question, Said,
-    Shown,
+    Shown, Topic,
 };
 
 /// What a hit on a resting target is drawn from.
@@ -53,7 +53,7 @@ impl Setting<'_> {
 pub(super) struct Asked {
     pub(super) family: Family,
     pub(super) difficulty: Difficulty,
-    pub(super) topic: String,
+    pub(super) topic: Topic,
     /// What is asked, after the hit has been described.
     pub(super) ask: String,
     pub(super) form: Form,

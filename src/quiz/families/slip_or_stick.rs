@@ -404,9 +404,9 @@ fn question(hit: &Hit, rims: Rims, difficulty: Difficulty, asked: Asked) -> Ques
         family: Family::SlipOrStick,
         difficulty,
         topic: match rims {
-            Rims::Lossless => "smooth, no loss".into(),
-            Rims::Slip => "smooth, e = 0".into(),
-            Rims::Stick => "sticking together".into(),
+            Rims::Lossless => "smooth-no-loss".into(),
+            Rims::Slip => "smooth-no-spring".into(),
+            Rims::Stick => "sticking".into(),
         },
         text: format!("{} {} {}", in_short(hit), rims.words(), asked.text),
         picture: Picture::Before {

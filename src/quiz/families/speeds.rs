@@ -111,7 +111,7 @@ fn target(hit: &Hit, difficulty: Difficulty) -> Question {
     let asked = Asked {
         family: Family::Speeds,
         difficulty,
-        topic: format!("{name}'s speed"),
+        topic: "target-speed".into(),
         ask: format!("How fast does the {name} leave?"),
         form,
         beliefs,
@@ -157,7 +157,7 @@ fn striker(hit: &Hit, difficulty: Difficulty) -> Question {
     let asked = Asked {
         family: Family::Speeds,
         difficulty,
-        topic: "striker's speed".into(),
+        topic: "striker-speed".into(),
         ask: "How fast does the striker go on?".into(),
         form,
         beliefs,

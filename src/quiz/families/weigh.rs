@@ -149,7 +149,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Weigh,
         difficulty: Difficulty::Easy,
-        topic: "which is heavier?".into(),
+        topic: "which-is-heavier".into(),
         ask: "No energy was lost. What is the coin?".into(),
         form: Form::Choice {
             options: WEIGHTS.map(str::to_owned).into(),
@@ -202,7 +202,7 @@ fn by_momentum(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Weigh,
         difficulty: Difficulty::Middle,
-        topic: "mass from the momentum".into(),
+        topic: "mass-from-momentum".into(),
         ask: format!(
             "Speeds: {} m/s before, then {} m/s, the coin {} m/s. Its mass?",
             significant(seen.hit.speed),
@@ -281,7 +281,7 @@ fn by_angles(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Weigh,
         difficulty: Difficulty::Hard,
-        topic: "mass from the angles".into(),
+        topic: "mass-from-angles".into(),
         ask: if e < 1.0 {
             format!("e = {}. What is the coin's mass?", significant(e))
         } else {

@@ -101,8 +101,12 @@ impl Misconception {
         }
     }
 
-    /// The misconception of an `id`.
+    /// The misconception of an `id`; ids of former versions have theirs for ever.
     pub fn with_id(id: &str) -> Option<&'static Self> {
+        let id = match id {
+            "linear-offset" => OFFSET_AS_ANGLE.id,
+            id => id,
+        };
         all().find(|misconception| misconception.id == id)
     }
 
@@ -214,5 +218,7 @@ mod tests {
             assert_eq!(Misconception::with_id(a.id), Some(a));
         }
         assert_eq!(Misconception::with_id("none"), None);
+        let merged = Misconception::with_id("linear-offset");
+        assert_eq!(merged, Some(&OFFSET_AS_ANGLE));
     }
 }

@@ -1,7 +1,7 @@
 //! What the figure of a page shows, in words, computed by the engine.
 
 use super::spoken::sentence;
-use crate::lessons::{Asked, Chapter, Expected, Figure, FigureKind, Page, Shot};
+use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind, Shot};
 use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::worked::{self, Given};
@@ -56,13 +56,13 @@ pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<Stri
 }
 
 /// Whether one of these pages asks what becomes of a shot.
-fn is_asked(later: &[Page], shot: &Shot) -> bool {
+fn is_asked(later: &[ChapterPage], shot: &Shot) -> bool {
     later.iter().any(|page| {
         let figure = page.figure.as_ref();
         let in_figure = figure.is_some_and(|figure| figure.shot == *shot);
         match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
-            Some(Asked::Rays) => in_figure,
-            Some(Asked::Number { expected, .. }) => match expected {
+            Some(CheckpointKind::Rays) => in_figure,
+            Some(CheckpointKind::Number { expected, .. }) => match expected {
                 Expected::Figure(_) => in_figure,
                 Expected::Of(_, of) => of == shot,
                 Expected::Fixed(..) => false,
@@ -73,7 +73,7 @@ fn is_asked(later: &[Page], shot: &Shot) -> bool {
 }
 
 /// The first step of a shot's worked solution that one of these pages leaves blank.
-fn next_blank(later: &[Page], shot: &Shot) -> Option<usize> {
+fn next_blank(later: &[ChapterPage], shot: &Shot) -> Option<usize> {
     later.iter().find_map(|page| {
         let figure = page.figure.as_ref().filter(|figure| figure.shot == *shot)?;
         match figure.kind {

@@ -237,7 +237,7 @@ fn assert_figures(question: &Question) {
 
 /// Every word can be read where it will stand, and none gives the answer away.
 fn assert_words(question: &Question) {
-    assert_readable(&question.topic, PANEL, 1);
+    assert_readable(&question.topic.name(), PANEL, 1);
     assert_readable(&question.text, PANEL, 10);
     assert!(
         question.text.ends_with(['?', '.', ':']),

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::levels::{Aim, Dial, Level, Range};
+use crate::levels::{Dial, Level, LevelAim, Range};
 use crate::messages::Key;
 use crate::physics::units::mm_from_m;
 use crate::widgets::{NumberEntry, Outcome};
@@ -15,7 +15,7 @@ const BIG: f64 = 10.0;
 /// The dials of a level, the one that keys turn and the number being typed for it.
 #[derive(Debug, Clone)]
 pub(super) struct Dials {
-    pub(super) aim: Aim,
+    pub(super) aim: LevelAim,
     chosen: usize,
     entry: NumberEntry,
     /// What the mouse drags.
