@@ -1,6 +1,6 @@
 //! The votes of the teams.
 
-use super::Place;
+use super::ClassPlace;
 use crate::quiz::{Answer, Code, Confidence, Diagnosis, Grade, Question, Response, Round};
 
 /// Which of the two votes on a question.
@@ -43,7 +43,7 @@ pub struct ClassRound {
     teams: Vec<String>,
     /// A row a question, a ballot a team.
     ballots: Vec<Vec<Ballot>>,
-    place: Place,
+    place: ClassPlace,
 }
 
 impl ClassRound {
@@ -56,7 +56,7 @@ impl ClassRound {
             round,
             teams,
             ballots,
-            place: Place::default(),
+            place: ClassPlace::default(),
         }
     }
 
@@ -76,12 +76,12 @@ impl ClassRound {
     }
 
     /// Where in the round the class is.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> ClassPlace {
         self.place
     }
 
     /// Goes to a place in the round; to one behind the last question it does not.
-    pub fn go(&mut self, place: Place) {
+    pub fn go(&mut self, place: ClassPlace) {
         if place.question < self.questions().len() {
             self.place = place;
         }

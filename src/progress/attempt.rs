@@ -86,7 +86,7 @@ impl Attempt {
     /// names in files; none where that was not noted.
     pub(super) fn could_show(&self) -> Vec<&str> {
         serde_json::from_str(&self.question)
-            .map_or_else(|_| Vec::new(), |it: Figures| it.misconceptions)
+            .map_or_else(|_| Vec::new(), |it: StoredFigures| it.misconceptions)
     }
 
     /// Whether the player was sure, and wrong: what is worth most attention.
@@ -100,7 +100,7 @@ const MISCONCEPTIONS: &str = "misconceptions";
 
 /// What of the figures of a question is read again.
 #[derive(Deserialize)]
-struct Figures<'a> {
+struct StoredFigures<'a> {
     #[serde(borrow, default)]
     misconceptions: Vec<&'a str>,
 }

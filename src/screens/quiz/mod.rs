@@ -15,7 +15,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Place, Screen};
+use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::progress::Attempt;
@@ -23,7 +23,7 @@ use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
 };
 use crate::widgets::hit::{Layers, Telling, Watch};
-use crate::widgets::{AnswerInput, Scroll, Turned};
+use crate::widgets::{AnswerInput, Outcome, Scroll};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
@@ -238,13 +238,13 @@ impl Quiz {
         }
         match &mut self.phase {
             Phase::Asked(asked) => match asked.input.update(key) {
-                Turned::Turning => {}
-                Turned::Done => {
+                Outcome::Used => {}
+                Outcome::Done(()) => {
                     let asked = asked.clone();
                     self.enter(Phase::Confidence(asked, Confidence::ThinkSo));
                 }
-                Turned::Ignored if key == Key::Escape => return self.leave(leaving),
-                Turned::Ignored => return Next::Ignored,
+                Outcome::Ignored if key == Key::Escape => return self.leave(leaving),
+                Outcome::Ignored => return Next::Ignored,
             },
             Phase::Confidence(..) => return self.confidence_key(key, cx),
             Phase::Watch(_) => return self.watch_key(key, leaving, cx),
@@ -415,7 +415,7 @@ impl Asked {
     /// Puts the mark at a choice.
     fn choose(&mut self, choice: usize) {
         if let AnswerInput::Choice { chosen, .. } = &mut self.input {
-            *chosen = choice;
+            *chosen = Some(choice);
         }
     }
 }
@@ -455,7 +455,7 @@ fn beside(confidence: Confidence, steps: isize) -> Confidence {
     Confidence::ALL[index]
 }
 
-impl Screen for Quiz {
+impl OldScreen for Quiz {
     fn title(&self) -> String {
         "quiz".into()
     }
@@ -548,7 +548,7 @@ impl Screen for Quiz {
                 ],
                 AnswerInput::Choice { .. } => vec![
                     Hint::new("Up Down", "choose"),
-                    Hint::new(asked.input.letters(), "likewise"),
+                    Hint::new("a b c", "likewise"),
                     Hint::new("Enter", "next"),
                     Hint::new("Esc", "leave"),
                 ],

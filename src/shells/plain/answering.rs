@@ -1,7 +1,7 @@
 //! Answering a question in lines.
 
 use super::number::number;
-use super::talk::{Asked, Leave, Talk};
+use super::talk::{Leave, Prompt, Talk};
 use crate::physics::units::{m_from_mm, rad_from_deg};
 use crate::quiz::{Confidence, Form, Measure, Rays, Response, letter};
 
@@ -17,7 +17,7 @@ pub(super) fn answer(
             let unit = unit_words(*quantity);
             let help = format!("Type a number{unit}, such as 2.5. Type skip to leave it open.");
             let lines = [question, &[format!("Your answer{unit}?")]].concat();
-            let asked = Asked {
+            let asked = Prompt {
                 lines: &lines,
                 help: &help,
             };
@@ -32,7 +32,7 @@ pub(super) fn answer(
             let choices = options.iter().enumerate();
             lines.extend(choices.map(|(i, option)| format!("{}: {option}", letter(i))));
             lines.push("Which one?".into());
-            let asked = Asked {
+            let asked = Prompt {
                 lines: &lines,
                 help: "Type the letter of your choice. Type skip to leave it open.",
             };
@@ -43,7 +43,7 @@ pub(super) fn answer(
             let most_mm = (1.1e3 * aim.collision.reach()).ceil();
             let line = "Your offset in millimetres? A minus puts the coin to the left.";
             let lines = [question, &[line.to_owned()]].concat();
-            let asked = Asked {
+            let asked = Prompt {
                 lines: &lines,
                 help: "The offset is how far the coin's centre lies from the striker's path: 0 is \
                        head-on. Type a number in millimetres, or skip.",
@@ -86,7 +86,7 @@ pub(super) fn rays(
     };
     let mut angles = [None; 2];
     for (angle, lines) in angles.iter_mut().zip([striker.as_slice(), &target]) {
-        let asked = Asked { lines, help: &help };
+        let asked = Prompt { lines, help: &help };
         match talk.ask_for(&asked, read)? {
             Some(said) => *angle = said,
             None => return Ok(None),
@@ -102,7 +102,7 @@ pub(super) fn rays(
 /// Hears how sure the player is.
 pub(super) fn confidence(talk: &mut Talk) -> Result<Confidence, Leave> {
     let lines = ["How sure are you? 1 guess, 2 think so, 3 sure.".to_owned()];
-    let asked = Asked {
+    let asked = Prompt {
         lines: &lines,
         help: "Sure brings 10 points if you are right and takes 6 if you are not; think so brings \
                9 or takes 2; guess brings 7 or nothing. The honest answer is the one that pays.",

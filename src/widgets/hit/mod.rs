@@ -22,4 +22,4 @@ pub use playback::{FRAME, Playback};
 pub use setup::{Markings, drag_offset, draw_aim, draw_setup, draw_setup_of, point_at};
 pub use stage::{Stage, degrees, side};
 pub use telling::Telling;
-pub use watch::{Face, Watch};
+pub use watch::{Face, Watch, WatchAction};

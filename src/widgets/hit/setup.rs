@@ -222,7 +222,7 @@ fn turned(
     faces: [Face; 2],
     rays: &RayInput,
 ) {
-    let said = rays.said();
+    let said = rays.so_far();
     for (body, ray) in Ray::BOTH.into_iter().enumerate() {
         if !rays.asks(ray) {
             continue;
@@ -230,7 +230,8 @@ fn turned(
         let name = faces[body].letter;
         let centre = stage.centres[body];
         let Some(angle) = said.get(ray) else {
-            let text = format!("{name} stays still");
+            let still = rays.is_said(ray);
+            let text = format!("{name} {}", if still { "stays still" } else { "?" });
             labels.add(&text, centre, Side::towards(DVec2::Y), Role::Predicted);
             continue;
         };
@@ -264,7 +265,7 @@ pub fn point_at(
 ) {
     let stage = Stage::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
-    let said = rays.said();
+    let said = rays.so_far();
     let distance = |body: usize, ray: Ray| {
         let centre = stage.centres[body];
         let tip = match said.get(ray) {

@@ -1,9 +1,11 @@
 //! Giving a number: typed, or dialled with the arrows.
 
-use super::entry::{NumberEntry, Typed};
-use super::{Lines, Role, Turned};
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::quiz::Measure;
+use crate::widgets::{Lines, Role};
 
 /// A number in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,6 +15,23 @@ pub struct NumberInput {
     range: (f64, f64),
     value: Option<f64>,
     entry: NumberEntry,
+}
+
+/// What keys do to a number that is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum NumberAction {
+    /// dial the number: Left and Right in small steps, Up and Down in big ones
+    Dial {
+        /// Further up, or down.
+        up: bool,
+        /// In big steps.
+        coarse: bool,
+    },
+    /// give the number
+    Enter,
+    /// a number typed
+    Number(EntryAction),
 }
 
 impl NumberInput {
@@ -42,31 +61,77 @@ impl NumberInput {
         self.value = Some(value.clamp(self.range.0, self.range.1) + 0.0);
     }
 
-    /// Takes a key; Enter is done once there is a number.
-    pub fn update(&mut self, key: Key) -> Turned {
-        match self.entry.update(key) {
-            Typed::Editing => {
-                if let Some(value) = self.entry.value() {
+    /// The keys that give it.
+    pub fn keys(&self) -> KeyTable<NumberAction> {
+        use NumberAction::{Dial, Enter};
+        let number = self.entry.keys().map(NumberAction::Number);
+        KeyTable::new("dial")
+            .with(number, |action| action)
+            .each(
+                [
+                    (
+                        Key::Up,
+                        Dial {
+                            up: true,
+                            coarse: true,
+                        },
+                    ),
+                    (
+                        Key::Down,
+                        Dial {
+                            up: false,
+                            coarse: true,
+                        },
+                    ),
+                    (
+                        Key::Left,
+                        Dial {
+                            up: false,
+                            coarse: false,
+                        },
+                    ),
+                    (
+                        Key::Right,
+                        Dial {
+                            up: true,
+                            coarse: false,
+                        },
+                    ),
+                ],
+                "dial",
+            )
+            .on(Key::Enter, Enter, "next")
+    }
+
+    /// Does what a key stands for; done by Enter once there is a number.
+    pub fn act(&mut self, action: NumberAction) -> Outcome {
+        match action {
+            NumberAction::Dial { up, coarse } => {
+                let (small, large) = steps(self.quantity);
+                let by = if coarse { large } else { small };
+                self.step(if up { by } else { -by });
+            }
+            NumberAction::Enter if self.value.is_some() => return Outcome::Done(()),
+            NumberAction::Enter => {}
+            NumberAction::Number(action) => match self.entry.act(action) {
+                Outcome::Done(value) => {
                     self.set(value);
+                    return Outcome::Done(());
                 }
-                return Turned::Turning;
-            }
-            Typed::Entered(value) => {
-                self.set(value);
-                return Turned::Done;
-            }
-            Typed::Ignored => {}
+                _ => {
+                    if let Some(value) = self.entry.value() {
+                        self.set(value);
+                    }
+                }
+            },
         }
-        let (fine, coarse) = steps(self.quantity);
-        match key {
-            Key::Right => self.step(fine),
-            Key::Left => self.step(-fine),
-            Key::Up => self.step(coarse),
-            Key::Down => self.step(-coarse),
-            Key::Enter if self.value.is_some() => return Turned::Done,
-            _ => return Turned::Ignored,
-        }
-        Turned::Turning
+        Outcome::Used
+    }
+
+    /// Takes a key.
+    pub fn update(&mut self, key: Key) -> Outcome {
+        let action = self.keys().find(key);
+        action.map_or(Outcome::Ignored, |action| self.act(action))
     }
 
     /// As it reads: as typed so far, or as it stands.
@@ -123,20 +188,20 @@ fn dialled(value: f64) -> String {
 mod tests {
     use super::*;
 
-    fn press(number: &mut NumberInput, keys: &[Key]) -> Turned {
+    fn press(number: &mut NumberInput, keys: &[Key]) -> Outcome {
         let each = keys.iter().map(|key| number.update(*key));
-        each.last().unwrap_or(Turned::Ignored)
+        each.last().unwrap_or(Outcome::Ignored)
     }
 
     #[test]
     fn nothing_is_done_before_there_is_a_number() {
         let mut number = NumberInput::new(Measure::Speed);
-        assert_eq!(press(&mut number, &[Key::Enter]), Turned::Ignored);
+        assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Used);
         assert_eq!(number.value(), None);
         let typed = [Key::Char('2'), Key::Char('.'), Key::Char('1')];
         press(&mut number, &typed);
         assert_eq!(number.shown(), "2.1_ m/s");
-        assert_eq!(press(&mut number, &[Key::Enter]), Turned::Done);
+        assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Done(()));
         assert_eq!(number.value(), Some(2.1));
     }
 
