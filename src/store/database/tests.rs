@@ -46,7 +46,7 @@ fn attempt(player: &str, number: u32) -> Attempt {
         time_s: Some(1_800_000_000),
         player: player.into(),
         family: "where-to".into(),
-        topic: "equal masses".into(),
+        topic: "equal-masses".into(),
         seed: u64::MAX - 1,
         number,
         question: "{\"alpha_deg\":30}".into(),
