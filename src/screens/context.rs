@@ -12,6 +12,7 @@ use crate::levels::{Shelf, Win};
 use crate::messages::{Effect, SearchTask, StoreCall, StoreRequest, Wanted};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
+use crate::widgets::input::Rebound;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -29,6 +30,8 @@ pub struct Settings {
     pub predict: bool,
     /// Name of the player, as shown.
     pub player: String,
+    /// Keys of the player's own choice.
+    pub keys: Rebound,
 }
 
 impl Default for Settings {
@@ -40,6 +43,7 @@ impl Default for Settings {
             reduced_motion: false,
             predict: true,
             player: "player".into(),
+            keys: Rebound::default(),
         }
     }
 }

@@ -25,7 +25,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Screen};
+use super::{Context, Help, Hint, Next, OldScreen};
 use crate::class::ClassStep;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Code;
@@ -188,7 +188,7 @@ impl Class {
     }
 }
 
-impl Screen for Class {
+impl OldScreen for Class {
     fn title(&self) -> String {
         "class".into()
     }
@@ -415,7 +415,7 @@ fn input_keys(input: &AnswerInput) -> Vec<Hint> {
         }
         AnswerInput::Choice { .. } => {
             vec![
-                Hint::new(input.letters(), "choose"),
+                Hint::new("a b c", "choose"),
                 Hint::new("Up Down", "likewise"),
             ]
         }

@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 use crate::lessons::{Book, Forget};
 use crate::messages::{Input, Key, StoreReply};
 use crate::screens::list::{Chosen, chosen as chosen_by};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The contents. Which line is chosen belongs to the [`Book`].
 #[derive(Debug, Clone, Default)]
@@ -88,7 +88,7 @@ fn open(book: &Book) -> Next {
     }
 }
 
-impl Screen for Contents {
+impl OldScreen for Contents {
     fn title(&self) -> String {
         "learn".into()
     }

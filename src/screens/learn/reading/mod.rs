@@ -13,7 +13,7 @@ use super::question::{Question, Said};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::widgets::{Beside, Scroll, overflow};
 
 /// A chapter being read.
@@ -413,7 +413,7 @@ impl Reading {
     }
 }
 
-impl Screen for Reading {
+impl OldScreen for Reading {
     fn title(&self) -> String {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }

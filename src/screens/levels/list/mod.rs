@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 use crate::levels::Shelf;
 use crate::messages::{Input, Key, StoreReply, StoreRequest};
 use crate::screens::list::{Chosen, chosen};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]
@@ -42,7 +42,7 @@ fn open(shelf: &Shelf) -> Next {
     }
 }
 
-impl Screen for Levels {
+impl OldScreen for Levels {
     fn title(&self) -> String {
         "levels".into()
     }
