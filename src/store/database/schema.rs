@@ -50,7 +50,11 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let found = version(&transaction)?;
     let tables: i64 =
         transaction.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get(0))?;
-    if found < 0 || (found == 0 && tables > 0) {
+    let is_ours = match found {
+        0 => tables == 0,
+        _ => found > 0 && tables::check(&transaction).is_ok(),
+    };
+    if !is_ours {
         return Err(DatabaseError::Damaged(
             "it is no database of carrom's".into(),
         ));
