@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::{Asked, Watched};
 use crate::quiz::words;
-use crate::quiz::{Confidence, Form, Grade, Ray, Said, explain, letter};
+use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{AnswerInput, Charset, Lines, Look, Role};
@@ -120,9 +120,9 @@ fn said(asked: &Asked, lines: &mut Lines) {
 }
 
 /// An answer in words, a choice with its letter.
-fn lettered(form: &Form, said: &Said) -> String {
+fn lettered(form: &Form, said: &Response) -> String {
     match said {
-        Said::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
+        Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
         _ => form.words(said),
     }
 }
@@ -234,7 +234,7 @@ fn write_answers(watched: &Watched, lines: &mut Lines) {
     if let Some([said, truth]) = said_and_truth(watched) {
         lines.hanging(YOU, &said, Role::Predicted);
         lines.hanging(TRUTH, &truth, Role::Good);
-    } else if let (Some(watch), Form::Rays { target, .. }, Said::Rays(said)) = (
+    } else if let (Some(watch), Form::Rays { target, .. }, Response::Rays(said)) = (
         watched.telling.watch(),
         &watched.question.form,
         &watched.answer.said,
