@@ -1,12 +1,16 @@
 //! The pictures of the report.
 
 use glam::{DVec2, dvec2};
+use ratatui::layout::Rect;
 
 use super::Report;
-use crate::paper::{Anchor, Chart, Ink, Mark, Stroke, Svg};
+use crate::paper::{LOOK, svg};
 use crate::progress::{Calibrated, calibration_over_time, calibration_words, smoothed_errors_deg};
 use crate::quiz::{Confidence, RIGHT_DEG};
-use crate::widgets::plot::Axis;
+use crate::widgets::Role;
+use crate::widgets::picture::{self, Pen, Side, View};
+use crate::widgets::plot::{Axis, Plot};
+use crate::widgets::svg::Svg;
 
 /// How many answers the line of errors takes the mean of.
 const REACH: usize = 5;
@@ -16,8 +20,11 @@ const SHARED: usize = 10;
 const GROUPS: usize = 40;
 /// More answers than this are drawn as means of groups.
 const MOST_MARKS: usize = 120;
-/// Least distance of two labels.
-const APART: f64 = 12.0;
+/// Columns and rows of a picture over the whole width, and of one beside another.
+const WIDE: Rect = Rect::new(0, 0, 60, 14);
+const NARROW: Rect = Rect::new(0, 0, 40, 14);
+/// What fills the range that is hoped for.
+const WASH: Pen = Pen::new(Role::Border).aged(0.8);
 
 /// A picture of the report.
 #[derive(Debug, Clone)]
@@ -72,24 +79,19 @@ fn errors(report: &Report) -> Option<Picture> {
         errors.len()
     );
     let x = Axis::linear("answer", from - 0.5, to + 0.5);
-    let mut chart = Chart::new(
-        &words,
-        410.0,
-        176.0,
-        x,
-        Axis::linear("off by (°)", 0.0, top),
-    );
-    chart.band(0.0, RIGHT_DEG, Ink::Wash);
-    chart.curve(line.iter().copied(), Stroke::new(Ink::Accent).wide(2.0));
+    let y = Axis::linear("off by (°)", 0.0, top);
+    let mut plot = Plot::new(WIDE, LOOK, x, y);
+    plot.band(0.0, RIGHT_DEG, WASH);
+    plot.curve(line.iter().copied(), Pen::new(Role::StrikerOut).bold());
     if group == 1 {
         for (number, error, _) in &errors {
             let right = report.attempts.get(number - 1).is_some_and(|it| it.right);
-            let (mark, ink) = if right {
-                (Mark::Dot, Ink::Accent)
+            let (mark, role) = if right {
+                ('●', Role::StrikerOut)
             } else {
-                (Mark::Ring, Ink::Dim)
+                ('○', Role::Dim)
             };
-            chart.mark(at(*number, *error), mark, ink);
+            plot.mark(at(*number, *error), mark, role);
         }
     }
     let legend = match group {
@@ -100,7 +102,7 @@ fn errors(report: &Report) -> Option<Picture> {
         name: "errors",
         title: "How far off, over time",
         legend,
-        svg: chart.picture(),
+        svg: svg(&words, &plot.picture()),
     })
 }
 
@@ -114,76 +116,56 @@ fn calibration(report: &Report) -> Option<Picture> {
     if !report.calibration.iter().any(said) {
         return None;
     }
-    const WIDTH: f64 = 262.0;
-    const ROW: f64 = 42.0;
-    let (left, right) = (58.0, WIDTH - 14.0);
-    let mut svg = Svg::new(
-        "Share of right answers of each confidence, beside the range it is for",
-        WIDTH,
-        176.0,
-    );
-    let x = |share: f64| left + share * (right - left);
-    let bottom = 3.0 * ROW + 12.0;
+    let rows = report.calibration.len() as f64;
+    let paper = Rect {
+        x: 9,
+        width: NARROW.width - 11,
+        height: NARROW.height - 3,
+        ..NARROW
+    };
+    let view = View::stretch(paper, DVec2::ZERO, dvec2(100.0, rows));
+    let mut picture = picture::Picture::new(view).within(NARROW);
+    let below = |rows: f64| -rows * view.per_row();
     for percent in [0, 50, 80, 100] {
-        let at = x(f64::from(percent) / 100.0);
-        svg.line(
-            dvec2(at, 8.0),
-            dvec2(at, bottom),
-            Stroke::new(Ink::Faint).wide(0.6),
-        );
-        let text = format!("{percent}");
-        svg.label(&text, dvec2(at, bottom + 10.0), Anchor::Middle, Ink::Dim);
+        let x = f64::from(percent);
+        picture.line(dvec2(x, 0.0), dvec2(x, rows), Role::BoardLine);
+        picture.text(dvec2(x, below(1.0)), percent.to_string(), Role::Dim);
     }
-    svg.label(
-        "right (%)",
-        dvec2(x(0.25), bottom + 28.0),
-        Anchor::Middle,
-        Ink::Dim,
-    );
-    svg.rectangle(
-        dvec2(x(0.56), bottom + 23.0),
-        dvec2(x(0.64), bottom + 33.0),
-        Ink::Wash,
-    );
-    svg.label(
-        "honest range",
-        dvec2(x(0.67), bottom + 28.0),
-        Anchor::Start,
-        Ink::Dim,
-    );
-    for (row, it) in report.calibration.iter().rev().enumerate() {
-        let y = 8.0 + ROW * (row as f64 + 0.5);
+    picture.text(dvec2(25.0, below(2.2)), "right (%)", Role::Dim);
+    picture.fill(dvec2(55.0, below(2.5)), dvec2(63.0, below(1.9)), WASH);
+    picture.text(dvec2(84.0, below(2.2)), "honest range", Role::Dim);
+    for (row, it) in report.calibration.iter().enumerate() {
+        let y = row as f64 + 0.5;
         let (from, to) = Calibrated::honest(it.confidence);
-        svg.rectangle(dvec2(x(from), y - 13.0), dvec2(x(to), y + 13.0), Ink::Wash);
-        svg.label(
-            it.confidence.name(),
-            dvec2(0.0, y),
-            Anchor::Start,
-            Ink::Text,
+        picture.fill(
+            dvec2(100.0 * from, y - 0.3),
+            dvec2(100.0 * to, y + 0.3),
+            WASH,
         );
+        let name = dvec2(-5.0 * view.per_column(), y);
+        picture.text(name, it.confidence.name(), Role::Text);
         let Some(share) = it.tally.share_right() else {
-            svg.label("none yet", dvec2(x(0.5), y), Anchor::Middle, Ink::Dim);
+            picture.text(dvec2(50.0, y), "none yet", Role::Dim);
             continue;
         };
-        svg.line(
-            dvec2(x(0.0), y),
-            dvec2(x(share), y),
-            Stroke::new(Ink::Accent).wide(2.0),
-        );
-        svg.circle(dvec2(x(share), y), 4.5, Some(Ink::Accent), None);
+        let end = dvec2(100.0 * share, y);
+        let pen = Pen::new(Role::StrikerOut).bold();
+        picture.line(dvec2(0.0, y), end, pen);
+        picture.text(end, "●", Role::StrikerOut);
         let counted = format!("{} of {}", it.tally.right, it.tally.attempts);
-        let (anchor, off) = if share > 0.6 {
-            (Anchor::End, -10.0)
+        let side = if share > 0.6 {
+            Side::AboveLeft
         } else {
-            (Anchor::Start, 10.0)
+            Side::AboveRight
         };
-        svg.label(&counted, dvec2(x(share) + off, y - 9.0), anchor, Ink::Text);
+        picture.label(counted, end, &[side], Role::Text);
     }
+    let words = "Share of right answers of each confidence, beside the range it is for";
     Some(Picture {
         name: "calibration",
         title: "How sure, and how right",
         legend: calibration_words(&report.calibration).into(),
-        svg,
+        svg: svg(words, &picture),
     })
 }
 
@@ -196,19 +178,20 @@ fn over_time(report: &Report) -> Option<Picture> {
     let first = points().map(|(number, _)| *number).min()? as f64;
     let last = points().map(|(number, _)| *number).max()? as f64;
     let words = "Share of right answers among the last few of each confidence, over time";
-    let x = Axis::linear("answer", first - 0.5, last.max(first + 9.0) + 0.5);
+    // With room for the names at the end of the lines.
+    let x = Axis::linear(
+        "answer",
+        first - 0.5,
+        first + 1.3 * (last - first).max(9.0) + 0.5,
+    );
     let y = Axis::linear("right (%)", 0.0, 100.0).every(50.0);
-    // Room for the names at the end of the lines.
-    let mut chart = Chart::with_room(words, 262.0, 176.0, 58.0, x, y);
-    chart.band(50.0, 80.0, Ink::Wash);
-    chart.level(50.0, Stroke::new(Ink::Faint));
-    chart.level(80.0, Stroke::new(Ink::Faint));
-    let mut names = Vec::new();
+    let mut plot = Plot::new(NARROW, LOOK, x, y);
+    plot.band(50.0, 80.0, WASH);
     for (confidence, shares) in Confidence::ALL.into_iter().zip(&shares) {
-        let stroke = match confidence {
-            Confidence::Sure => Stroke::new(Ink::Accent).wide(2.2),
-            Confidence::ThinkSo => Stroke::new(Ink::Text).wide(1.5).dashed(),
-            Confidence::Guess => Stroke::new(Ink::Dim).wide(1.5).dotted(),
+        let pen = match confidence {
+            Confidence::Sure => Pen::new(Role::StrikerOut).bold(),
+            Confidence::ThinkSo => Pen::new(Role::Text).dashed(),
+            Confidence::Guess => Pen::new(Role::Dim).dotted(),
         };
         let step = shares.len().div_ceil(MOST_MARKS).max(1);
         // Thinned from the end, so that the last one is always there.
@@ -218,25 +201,14 @@ fn over_time(report: &Report) -> Option<Picture> {
             .iter()
             .map(|(n, share)| at(*n, 100.0 * share))
             .collect();
-        if let ([only], Some(_)) = (line.as_slice(), shares.last()) {
-            chart.mark(*only, Mark::Dot, Ink::Accent);
+        if let [only] = line[..] {
+            plot.mark(only, '●', Role::StrikerOut);
         }
-        chart.curve(line.iter().copied(), stroke);
+        plot.curve(line.iter().copied(), pen);
         if let Some(end) = line.last() {
-            names.push((*end, confidence.name()));
+            let sides = [Side::Right, Side::AboveRight, Side::BelowRight];
+            plot.label(confidence.name(), *end, &sides, Role::Text);
         }
-    }
-    // Names keep their distance, from the lowest line up.
-    names.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
-    let mut lowest = f64::INFINITY;
-    for (end, name) in names {
-        let Some(height) = chart.height(end.y) else {
-            continue;
-        };
-        let wanted = height.min(lowest - APART);
-        lowest = wanted;
-        let off = dvec2(6.0, wanted - height);
-        chart.label(name, end, off, Anchor::Start, Ink::Text);
     }
     Some(Picture {
         name: "calibration-over-time",
@@ -245,6 +217,6 @@ fn over_time(report: &Report) -> Option<Picture> {
             "Right of the last {reach} answers of each. Honest is: sure above 80, think so \
              from 50 to 80, guess below."
         ),
-        svg: chart.picture(),
+        svg: svg(words, &plot.picture()),
     })
 }

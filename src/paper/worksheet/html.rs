@@ -3,8 +3,9 @@
 use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
-use crate::paper::{Page, Svg};
+use crate::paper::Page;
 use crate::quiz::{Confidence, Form, Quantity, Question, letter};
+use crate::widgets::svg::Svg;
 
 /// The widest picture that stands beside its question: 96 mm.
 const BESIDE: f64 = 363.0;
@@ -54,7 +55,7 @@ pub(super) fn questions(worksheet: &Worksheet) -> Markup {
 
 fn one(number: usize, question: &Question) -> Markup {
     let picture = pictures::of_question(question);
-    let is_wide = picture.as_ref().is_some_and(|it| it.size().x > BESIDE);
+    let is_wide = picture.as_ref().is_some_and(|it| it.size()[0] > BESIDE);
     html! {
         article.question.wide[is_wide] {
             h2 { (number) }

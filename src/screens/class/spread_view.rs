@@ -15,8 +15,8 @@ use crate::quiz::{Form, Question, Ray, Said, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::hit::{Stage, degrees};
-use crate::widgets::ink::{Pen, Sheet, Side};
 use crate::widgets::panel::draw_panel;
+use crate::widgets::picture::{Pen, Picture, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Beside, Lines, Look, Role, brief, draw_question};
 
@@ -136,7 +136,7 @@ fn listed(question: &Question, votes: &[Said], ray: Ray) -> String {
 /// All rays, from where the two will meet.
 fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer, look: &Look) {
     let stage = Stage::new(area, collision);
-    let mut sheet = Sheet::new(stage.view, look.charset);
+    let mut picture = Picture::new(stage.view);
     let bodies = [
         (Ray::Striker, "S", Role::StrikerOut),
         (Ray::Target, "C", Role::CoinOut),
@@ -156,11 +156,11 @@ fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer,
                 Ray::Striker => Pen::new(role),
                 Ray::Target => Pen::new(role).dashed(),
             };
-            sheet.line(start, tip, pen);
-            sheet.label(name, tip, &Side::towards(direction), role);
+            picture.line(start, tip, pen);
+            picture.label(name, tip, &Side::towards(direction), role);
         }
     }
-    sheet.draw(buf, &look.theme);
+    picture.draw(buf, look);
 }
 
 /// Columns of a letter or a number in large type beside a bar, with air.

@@ -17,6 +17,6 @@ pub(super) fn svg_of(foil: &Foil, look: Look) -> String {
     buf.set_style(area, look.theme.base());
     let title = view::title(foil);
     let inside = draw_panel(&mut buf, area, title, look.charset, &look.theme);
-    view::draw_picture(foil, inside, &mut buf, look);
-    svg::write(&buf)
+    let picture = view::picture(foil, inside, look);
+    svg::of_screen_with(&buf, &[picture], &look)
 }

@@ -1,14 +1,13 @@
 //! What Geiger and Marsden counted, beside the law.
 
 use glam::dvec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::setup::Setup;
 use super::words;
 use crate::beams::{Angle, Series, geiger_marsden};
 use crate::physics::rutherford::{GOLD_DENSITY, MEASURED_SHARE, Rutherford};
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::picture::{Pen, Picture, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Lines, Look, Role};
 
@@ -57,11 +56,8 @@ fn series() -> Result<[Option<Series>; 2], String> {
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
 }
 
-/// Draws the counts: against 1/sin⁴(φ/2), or as what they are above the law.
-pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
-    let Ok(series) = series() else {
-        return;
-    };
+/// The counts: against 1/sin⁴(φ/2), or as what they are above the law.
+pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     let law = Axis::log("1/sin⁴(φ/2), small φ right", 1.0, 5000.0);
     let mut plot = if levelled {
         let excess = Axis::linear("above the law (%)", -25.0, 50.0).every(25.0);
@@ -74,6 +70,7 @@ pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
             Axis::log("scintillations counted", 10.0, 300_000.0),
         )
     };
+    let series = series().into_iter().flatten();
     for (metal, series) in METALS.iter().zip(series) {
         if let Some(series) = series {
             if levelled {
@@ -83,7 +80,7 @@ pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
             }
         }
     }
-    plot.draw(buf);
+    plot.picture()
 }
 
 /// Counts with the line that the law draws through them.

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Field, Foil, Page, Run, Setup, tracks_page, view};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
+use crate::widgets::picture::Picture;
 
 /// Ten million particles: enough for some to be turned back, by a foil too.
 const PARTICLES_EXPONENT: u32 = 7;
@@ -119,9 +119,9 @@ impl Plot {
         self.is_running().then_some(Duration::ZERO)
     }
 
-    /// Draws it.
-    pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
-        view::draw_picture(&self.0, area, buf, *look);
+    /// What it shows.
+    pub fn picture(&self, area: Rect, look: &Look) -> Picture {
+        view::picture(&self.0, area, *look)
     }
 }
 

@@ -8,7 +8,7 @@ use super::words::percent;
 use crate::messages::History;
 use crate::progress::{Calibrated, calibration_over_time};
 use crate::quiz::Confidence;
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::picture::{Pen, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role};
 

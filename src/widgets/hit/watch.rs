@@ -3,18 +3,18 @@
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::layers::{Layer, Layers};
-use super::mark::Mark;
-use super::picture::Moment;
+use super::moment::Moment;
 use super::playback::{FRAME, Playback};
+use super::sketch::WantedWay;
 use super::stage::{Stage, time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
-use crate::widgets::{Look, Role};
+use crate::widgets::Role;
+use crate::widgets::picture::Picture;
 
 /// Share of the whole that `,` and `.` step by.
 const STEP: f64 = 1.0 / 96.0;
@@ -32,7 +32,8 @@ pub struct Watch {
     layers: Layers,
     frame: Frame,
     said: Option<Rays>,
-    mark: Option<Mark>,
+    wanted: Option<WantedWay>,
+    measured: bool,
     faces: [Face; 2],
 }
 
@@ -73,7 +74,8 @@ impl Watch {
             layers: Layers::default(),
             frame: Frame::Laboratory,
             said,
-            mark: None,
+            wanted: None,
+            measured: false,
             faces: Face::STRIKER_AND_COIN,
         }
     }
@@ -84,11 +86,20 @@ impl Watch {
         Self { faces, ..self }
     }
 
-    /// The same with a mark to which one of the two was to be sent.
+    /// The same with the way that one of the two was to be sent.
     #[must_use]
-    pub fn with_mark(self, mark: Mark) -> Self {
+    pub fn with_wanted(self, wanted: WantedWay) -> Self {
         Self {
-            mark: Some(mark),
+            wanted: Some(wanted),
+            ..self
+        }
+    }
+
+    /// The same with the masses and the impact angle written beside it.
+    #[must_use]
+    pub fn with_measures(self) -> Self {
+        Self {
+            measured: true,
             ..self
         }
     }
@@ -203,8 +214,9 @@ impl Watch {
         self.clock.is_running().then_some(FRAME)
     }
 
-    /// Draws it.
-    pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+    /// The picture of the moment that its clock shows.
+    #[must_use]
+    pub fn picture(&self, area: Rect) -> Picture {
         let moment = Moment {
             stage: Stage::new(area, &self.collision),
             outcome: &self.outcome,
@@ -214,10 +226,11 @@ impl Watch {
             frame: self.frame,
             layers: self.layers,
             said: self.said.as_ref(),
-            mark: self.mark,
+            wanted: self.wanted,
+            measured: self.measured,
             faces: self.faces,
         };
-        moment.draw(buf, look);
+        moment.picture()
     }
 }
 

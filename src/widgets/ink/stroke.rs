@@ -6,7 +6,7 @@
 
 use glam::{DVec2, dvec2};
 
-use super::pen::{Dash, Pen};
+use crate::widgets::picture::{Dash, Pen};
 
 /// The samples of one stroke, in the order it goes through the cells.
 #[derive(Debug, Clone)]

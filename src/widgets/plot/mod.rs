@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};
-//! use carrom::widgets::ink::Side;
+//! use carrom::widgets::picture::Side;
 //! use carrom::widgets::plot::{Axis, Plot};
 //! use glam::dvec2;
 //! use ratatui::{buffer::Buffer, layout::Rect};

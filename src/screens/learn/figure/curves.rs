@@ -1,7 +1,6 @@
 //! What a hit gives at every impact angle, with a point to drag and its hit below.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::Shown;
@@ -9,7 +8,7 @@ use crate::lessons::FigureKind;
 use crate::physics::RestingTarget;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::widgets::hit::{Layer, Layers, Watch};
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::picture::{Pen, Picture, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Look, Role};
 
@@ -102,8 +101,8 @@ fn heavier_target(shown: &Shown) -> bool {
     pair(shown).k() > 1.0 + 1e-9
 }
 
-/// Draws the plot with the point, and the hit at that point.
-pub(super) fn draw(shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
+/// The plot with the point, and the hit at that point.
+pub(super) fn pictures(shown: &Shown, area: Rect, look: &Look) -> [Picture; 2] {
     let (room, hit) = rooms(area);
     let mut plot = empty(shown, room, look);
     let pair = pair(shown);
@@ -123,9 +122,9 @@ pub(super) fn draw(shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
         FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha),
         _ => curves(&mut plot, look, &SPEEDS, &pair, alpha),
     }
-    plot.draw(buf);
     let watch = Watch::new(*shown.collision(), None, true).with_layers(bare());
-    watch.draw(hit.inner(Margin::new(1, 0)), buf, look);
+    let hit = watch.picture(hit.inner(Margin::new(1, 0)));
+    [plot.picture(), hit]
 }
 
 /// Draws curves against α with the points at one angle.

@@ -31,6 +31,6 @@ pub(in crate::screens::learn) fn svg_of(shown: &Shown, look: &Look) -> String {
     let mut buf = Buffer::empty(area);
     buf.set_style(area, look.theme.base());
     let inside = draw_panel(&mut buf, area, &shown.title(), look.charset, &look.theme);
-    shown.draw(inside, &mut buf, look, None);
-    svg::write(&buf)
+    shown.write(inside, &mut buf, look);
+    svg::of_screen_with(&buf, &shown.pictures(inside, look, None), look)
 }

@@ -20,7 +20,8 @@ use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{self, Hit, Rays};
 use crate::screens::foil as foil_screen;
 use crate::screens::lab::{Field, Setup};
-use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, draw_setup_of, point_at};
+use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, point_at, setup_picture};
+use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
 
 pub(super) use export::svg_of;
@@ -410,6 +411,14 @@ impl Shown {
 
     /// Draws it, with the rays that are turned.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
+        for picture in self.pictures(area, look, rays) {
+            picture.draw(buf, look);
+        }
+        self.write(area, buf, look);
+    }
+
+    /// What is drawn of it.
+    fn pictures(&self, area: Rect, look: &Look, rays: Option<&RayInput>) -> Vec<Picture> {
         if self.hidden && self.covers_outcome() {
             let given = Given {
                 offset: self.figure.shot.is_by_offset(),
@@ -417,17 +426,36 @@ impl Shown {
                 figures: true,
             };
             let faces = Face::STRIKER_AND_COIN;
-            return draw_setup_of(faces, area, buf, look, &self.collision, given, rays);
+            return vec![setup_picture(area, faces, &self.collision, given, rays)];
         }
         match (&self.state, self.figure.kind) {
-            (State::Hit(watch), _) => watch.draw(area, buf, look),
-            (State::Frames(watches), _) => frames::draw(watches, area, buf, look),
-            (_, FigureKind::Triangle { step }) => triangle::draw(self, step, area, buf, look),
-            (State::Foil(plot), _) => plot.draw(area, buf, look),
-            (_, FigureKind::Foil { .. }) => foil::draw(area, buf, look),
-            (_, FigureKind::Shots { space, beyond_deg }) => {
-                let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
-                shots::draw(space, beyond, area, buf, look);
+            (State::Hit(watch), _) => vec![watch.picture(area)],
+            (State::Frames(watches), _) => frames::pictures(watches, area),
+            (_, FigureKind::Triangle { step }) => {
+                vec![triangle::picture(&self.collision, step, area)]
+            }
+            (State::Foil(plot), _) => vec![plot.picture(area, look)],
+            (_, FigureKind::Foil { .. }) => vec![foil::picture(area)],
+            (_, FigureKind::Shots { space, .. }) => {
+                vec![shots::picture(space, self.beyond(), area)]
+            }
+            (State::Step(_) | State::Solve { .. }, _) => vec![],
+            _ => curves::pictures(self, area, look).into(),
+        }
+    }
+
+    /// Writes what is read in it.
+    fn write(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+        if self.hidden && self.covers_outcome() {
+            return;
+        }
+        match (&self.state, self.figure.kind) {
+            (State::Frames(_), _) => frames::write(&self.collision, area, buf, look),
+            (State::Plain, FigureKind::Triangle { step }) => {
+                triangle::write(&self.collision, step, area, buf, look);
+            }
+            (_, FigureKind::Shots { space, .. }) => {
+                shots::write(space, self.beyond(), area, buf, look);
             }
             (State::Step(_), FigureKind::Worked { blank }) => {
                 let blank = blank.filter(|_| self.hidden);
@@ -436,7 +464,15 @@ impl Shown {
             (State::Solve { field, .. }, _) => {
                 worked::draw(self, Some(*field), None, area, buf, look);
             }
-            _ => curves::draw(self, area, buf, look),
+            _ => {}
+        }
+    }
+
+    /// The angle in radians beyond which shots are counted, once that may be told.
+    fn beyond(&self) -> Option<f64> {
+        match self.figure.kind {
+            FigureKind::Shots { beyond_deg, .. } if !self.hidden => Some(rad_from_deg(beyond_deg)),
+            _ => None,
         }
     }
 }
