@@ -316,7 +316,9 @@ impl Sketch {
         let below = tail.y.min(joint.y).min(tip.y);
         let caption = DVec2::new(middle.x, below);
         let sides = [Side::Below, Side::Above];
-        picture.label("p = p₁ + p₂", caption, &sides, Role::Dim);
+        picture
+            .label("p = p₁ + p₂", caption, &sides, Role::Dim)
+            .apart();
     }
 }
 

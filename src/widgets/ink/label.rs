@@ -45,7 +45,8 @@ impl Canvas {
     /// the surroundings of the others' anchors to them. What has found no place near by
     /// stands farther away, but clear of what others name.
     pub(super) fn write(&mut self, labels: &[Label]) {
-        let anchors = labels.iter().map(|label| label.places[0].0);
+        let known = labels.iter().filter(|label| label.keeps_others_off);
+        let anchors = known.map(|label| label.places[0].0);
         let cells = anchors.map(|anchor| self.view().to_cell(anchor));
         self.expected = cells
             .filter(|cell| cell.is_finite())

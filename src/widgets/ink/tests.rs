@@ -6,8 +6,8 @@ use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::Canvas;
-use crate::widgets::picture::{Body, Pen, Side, View};
-use crate::widgets::{Charset, Role, Theme};
+use crate::widgets::picture::{Body, Pen, Picture, Side, View};
+use crate::widgets::{Charset, Look, Role, Theme};
 
 const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
 const AREA: Rect = Rect::new(2, 1, 60, 30);
@@ -288,41 +288,33 @@ fn a_disc_hides_the_board_below_it_whatever_the_order() {
 
 /// A picture with one of everything.
 fn everything(view: View, charset: Charset, size: f64) -> Canvas {
-    let mut canvas = Canvas::new(view, charset);
-    canvas.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);
-    canvas.circle(DVec2::ZERO, size / 3.0, Role::BoardLine);
-    canvas.disc(&Body::new(
-        dvec2(size / 9.0, 0.0),
-        size / 5.0,
-        Role::Striker,
-        'θ',
-    ));
-    for (i, role) in [Role::Coin, Role::Black, Role::Queen, Role::Marble]
-        .into_iter()
-        .enumerate()
-    {
+    let mut it = Picture::new(view);
+    it.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);
+    it.circle(DVec2::ZERO, size / 3.0, Role::BoardLine);
+    it.disc(dvec2(size / 9.0, 0.0), size / 5.0, Role::Striker, 'θ');
+    let coins = [Role::Coin, Role::Black, Role::Queen, Role::Marble];
+    for (i, role) in coins.into_iter().enumerate() {
         let at = DVec2::from_angle(i as f64) * size * 0.7;
-        canvas.disc(&Body::new(at, size / 20.0, role, 'C'));
-        canvas.line(at, -at, Pen::new(Role::Predicted).dashed());
-        canvas.arrow(at * 0.5, at, Pen::new(Role::CoinOut).bold());
-        canvas.dot(at * 0.9, Pen::new(Role::Trail).aged(0.5));
-        canvas.label("θ₁ = 60°", at, &Side::towards(at), Role::Arc);
+        it.disc(at, size / 20.0, role, 'C');
+        it.line(at, -at, Pen::new(Role::Predicted).dashed());
+        it.arrow(at * 0.5, at, Pen::new(Role::CoinOut).bold());
+        it.dot(at * 0.9, Pen::new(Role::Trail).aged(0.5));
+        it.fill(-at, at, Role::Trail);
+        it.text(at, "θ", Role::Text);
+        it.label("θ₁ = 60°", at, &Side::towards(at), Role::Arc);
     }
-    canvas.arc(
-        DVec2::ZERO,
-        size / 2.0,
-        0.2,
-        2.2,
-        Pen::new(Role::Arc).dotted(),
+    let arc = Pen::new(Role::Arc).dotted();
+    it.arc(DVec2::ZERO, size / 2.0, 0.2, 2.2, arc);
+    let ways = [DVec2::X, DVec2::Y];
+    it.square_corner(DVec2::ZERO, ways, size / 8.0, Role::SquareCorner);
+    it.draw(
+        &mut Buffer::empty(Rect::new(0, 0, 64, 32)),
+        &Look {
+            charset,
+            theme: Theme::default(),
+        },
     );
-    canvas.square_corner(
-        DVec2::ZERO,
-        DVec2::X,
-        DVec2::Y,
-        size / 8.0,
-        Role::SquareCorner,
-    );
-    canvas
+    Canvas::of(&it, charset)
 }
 
 #[test]

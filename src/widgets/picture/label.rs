@@ -14,9 +14,18 @@ pub struct Label {
     /// The points it may stand beside, the dearest first, each with the sides it would
     /// like; there is always one.
     pub places: Vec<(DVec2, Vec<Side>)>,
+    /// Whether others leave the surroundings of its point to it.
+    pub(in crate::widgets) keeps_others_off: bool,
 }
 
 impl Label {
+    /// The same for what stands apart, so that nobody takes it for the name of
+    /// something else: others need not keep away from its point.
+    pub fn apart(&mut self) -> &mut Self {
+        self.keeps_others_off = false;
+        self
+    }
+
     /// Another place, where there is no room at those before.
     pub fn or(&mut self, anchor: DVec2, sides: &[Side]) -> &mut Self {
         self.places.push((anchor, sides.to_vec()));

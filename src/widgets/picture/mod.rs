@@ -267,6 +267,7 @@ impl Picture {
             text: text.into(),
             role,
             places: vec![(anchor, sides.to_vec())],
+            keeps_others_off: true,
         });
         let last = self.labels.len() - 1;
         &mut self.labels[last]

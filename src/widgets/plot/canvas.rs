@@ -171,7 +171,7 @@ impl Plot {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::widgets::{Depth, Palette, Theme};
+    use crate::widgets::{Charset, Depth, Palette, Theme};
 
     const AREA: Rect = Rect::new(2, 1, 44, 14);
 

@@ -17,6 +17,8 @@ const LETTERS: f64 = 14.0;
 const HEAD: (f64, f64) = (11.0, 4.2);
 /// The ring round a disc that is pointed out, in its radii.
 const POINTED_OUT: f64 = 1.25;
+/// Pieces of an arc that is not wholly in the view.
+const PIECES: u32 = 180;
 /// A disc of a smaller radius is a plain dot of this one.
 const DOT: f64 = 3.5;
 
@@ -29,26 +31,19 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
     };
     let mut marks: Vec<&Mark> = picture.marks().iter().collect();
     marks.sort_by_key(|mark| layer(mark));
-    let paper = picture.view().area();
-    let [x, y, width, height] = [
-        usize::from(paper.x) * CELL.0,
-        usize::from(paper.y) * CELL.1,
-        usize::from(paper.width) * CELL.0,
-        usize::from(paper.height) * CELL.1,
-    ];
     vectors.put(format_args!(
         "<g font-family=\"Helvetica Neue,Helvetica,Arial,Liberation Sans,DejaVu Sans,sans-serif\" \
-         font-size=\"{LETTERS}\">\n<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"{x} {y} {width} {height}\" fill=\"none\" stroke-linecap=\"round\" \
+         font-size=\"{LETTERS}\">\n<g stroke-linecap=\"round\" \
          stroke-linejoin=\"round\">\n"
     ));
     marks.iter().for_each(|mark| vectors.mark(mark));
-    vectors.put("</svg>\n");
+    vectors.put("</g>\n");
     // What may stand out over the edges of the view.
     for mark in marks {
         match mark {
             Mark::Axes(axes) => vectors.axes(axes, picture),
             Mark::Text { at, text, role } => vectors.sign(*at, text, *role),
+            Mark::Disc(body) => vectors.letter(body),
             _ => {}
         }
     }
@@ -94,6 +89,30 @@ enum Anchor {
 
 fn cell() -> DVec2 {
     dvec2(CELL.0 as f64, CELL.1 as f64)
+}
+
+/// The part of a straight line that lies in a rectangle, if any does.
+fn clipped([from, to]: [DVec2; 2], low: DVec2, high: DVec2) -> Option<[DVec2; 2]> {
+    let way = to - from;
+    // Where along the way each pair of edges is crossed; no way along them is no crossing.
+    let [a, b] = [(low - from) / way, (high - from) / way];
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        if way[axis] == 0.0 {
+            if !(low[axis]..=high[axis]).contains(&from[axis]) {
+                return None;
+            }
+        } else {
+            first = first.max(a[axis].min(b[axis]));
+            last = last.min(a[axis].max(b[axis]));
+        }
+    }
+    let end = |share: f64| match share {
+        0.0 => from,
+        1.0 => to,
+        _ => from + share * way,
+    };
+    (way.is_finite() && first <= last).then(|| [end(first), end(last)])
 }
 
 struct Vectors<'a> {
@@ -181,28 +200,35 @@ impl Vectors<'_> {
     }
 
     fn path(&mut self, path: &str, fill: Option<Rgb>, stroke: &str) {
-        let fill = fill.map_or(String::new(), |fill| format!(" fill=\"{fill}\""));
-        self.put(format_args!("<path d=\"{path}\"{fill}{stroke}/>\n"));
+        let fill = fill.map_or("none".into(), |fill| fill.to_string());
+        self.put(format_args!(
+            "<path d=\"{path}\" fill=\"{fill}\"{stroke}/>\n"
+        ));
     }
 
     fn circle(&mut self, centre: DVec2, radius: f64, fill: Option<Rgb>, stroke: &str) {
         let at = self.at(centre);
-        let fill = fill.map_or(String::new(), |fill| format!(" fill=\"{fill}\""));
+        let fill = fill.map_or("none".into(), |fill| fill.to_string());
         let (x, y, r) = (Number(at.x), Number(at.y), Number(radius));
         self.put(format_args!(
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{stroke}/>\n"
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"{stroke}/>\n"
         ));
     }
 
+    /// A line through points of the world, as far as it lies in the view.
     fn curve(&mut self, points: &[DVec2], pen: Pen) {
         let mut path = String::new();
-        let mut order = 'M';
-        for point in points {
-            let at = self.at(*point);
-            if at.is_finite() {
-                let _ = write!(path, "{order}{} {}", Number(at.x), Number(at.y));
+        let mut last = None;
+        let [low, high] = self.corners();
+        for pair in points.windows(2) {
+            let Some([from, to]) = clipped([self.at(pair[0]), self.at(pair[1])], low, high) else {
+                continue;
+            };
+            if last != Some(from) {
+                let _ = write!(path, "M{} {}", Number(from.x), Number(from.y));
             }
-            order = if at.is_finite() { 'L' } else { 'M' };
+            let _ = write!(path, "L{} {}", Number(to.x), Number(to.y));
+            last = Some(to);
         }
         if !path.is_empty() {
             let stroke = self.stroke(pen);
@@ -210,9 +236,26 @@ impl Vectors<'_> {
         }
     }
 
+    /// The corners of the view.
+    fn corners(&self) -> [DVec2; 2] {
+        let area = self.view.area();
+        let corner = |x: u16, y: u16| dvec2(f64::from(x), f64::from(y)) * cell();
+        [
+            corner(area.left(), area.top()),
+            corner(area.right(), area.bottom()),
+        ]
+    }
+
     fn arc(&mut self, (centre, radius): (DVec2, f64), from: f64, to: f64, pen: Pen) {
-        let stroke = self.stroke(pen);
         let r = self.length(radius);
+        let (middle, [low, high]) = (self.at(centre), self.corners());
+        let is_inside = (middle - r).cmpge(low).all() && (middle + r).cmple(high).all();
+        if !is_inside {
+            let at = |i: u32| from + (to - from) * f64::from(i) / f64::from(PIECES);
+            let points = (0..=PIECES).map(|i| centre + radius * DVec2::from_angle(at(i)));
+            return self.curve(&points.collect::<Vec<_>>(), pen);
+        }
+        let stroke = self.stroke(pen);
         if (to - from).abs() >= TAU {
             return self.circle(centre, r, None, &stroke);
         }
@@ -258,10 +301,22 @@ impl Vectors<'_> {
         if radius <= DOT {
             return self.circle(body.at, DOT, Some(role), "");
         }
-        let pale = self.rgb(Role::Background).mixed(role, 0.3);
         let stroke = format!(" stroke=\"{role}\" stroke-width=\"1.8\"");
-        self.circle(body.at, radius, Some(pale), &stroke);
-        self.letter(body, radius, self.rgb(Role::Text));
+        self.circle(body.at, radius, Some(self.pale(body.role)), &stroke);
+    }
+
+    fn pale(&self, role: Role) -> Rgb {
+        self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
+    }
+
+    /// The letter of a disc of a hit, over what is drawn on the disc.
+    fn letter(&mut self, body: &Body) {
+        let radius = self.length(body.radius);
+        if body.letter != ' ' && radius > DOT {
+            let colours = [self.rgb(Role::Text), self.pale(body.role)];
+            let at = self.at(body.at);
+            self.write(&body.letter.to_string(), at, Anchor::Middle, colours);
+        }
     }
 
     /// A disc among others, in its full colour.
@@ -272,7 +327,9 @@ impl Vectors<'_> {
         let stroke = format!(" stroke=\"{rim}\" stroke-width=\"1\"");
         self.circle(body.at, radius, Some(role), &stroke);
         if radius >= 0.5 * LETTERS {
-            self.letter(body, radius, role.ink());
+            let at = self.at(body.at);
+            let sign = body.letter.to_string();
+            self.write(&sign, at, Anchor::Middle, [role.ink(), role]);
         }
         if body.pointed_out {
             let stroke = self.stroke(Pen::new(Role::Good).bold());
@@ -280,33 +337,22 @@ impl Vectors<'_> {
         }
     }
 
-    /// The letter in the middle of a disc.
-    fn letter(&mut self, body: &Body, radius: f64, ink: Rgb) {
-        if body.letter != ' ' {
-            let size = LETTERS.min(1.3 * radius);
-            let at = self.at(body.at) + 0.35 * size * DVec2::Y;
-            self.put(format_args!(
-                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"{}\" \
-                 font-weight=\"bold\" fill=\"{ink}\">{}</text>\n",
-                Number(at.x),
-                Number(at.y),
-                Number(size),
-                escape(&body.letter.to_string())
-            ));
-        }
+    /// A text on the background whose middle line is at a place.
+    fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
+        let colours = [self.rgb(role), self.rgb(Role::Background)];
+        self.write(text, at, anchor, colours);
     }
 
-    /// A text whose middle line is at a place; a rim of the background keeps it readable
-    /// where a line runs behind it.
-    fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
+    /// A text with a rim of what is behind it, which keeps it readable where a line runs
+    /// there.
+    fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, [ink, rim]: [Rgb; 2]) {
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
             Anchor::End => "end",
         };
-        let (ink, paper) = (self.rgb(role), self.rgb(Role::Background));
         self.put(format_args!(
-            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{ink}\" stroke=\"{paper}\" \
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{ink}\" stroke=\"{rim}\" \
              stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
             Number(at.x),
             Number(at.y + 0.35 * LETTERS),
@@ -413,7 +459,7 @@ mod tests {
             found.contains("<circle cx=\"49.5\" cy=\"45\" r=\"18\""),
             "{found}"
         );
-        assert!(found.contains("r=\"9\" stroke="), "{found}");
+        assert!(found.contains("r=\"9\" fill=\"none\" stroke="), "{found}");
         assert!(found.contains(">C</text>"), "{found}");
     }
 
