@@ -4,13 +4,13 @@ use std::env;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use carrom::files::harmless_lines;
+use carrom::files::escape_control_lines;
 
 fn main() -> ExitCode {
     carrom::cli::run(env::args_os()).unwrap_or_else(|failure| {
         // Standard error may be gone with its window, and then nobody is left to tell.
         let message = format!("{:#}", failure.error());
-        let _ = writeln!(io::stderr(), "carrom: {}", harmless_lines(&message));
+        let _ = writeln!(io::stderr(), "carrom: {}", escape_control_lines(&message));
         ExitCode::from(failure.status())
     })
 }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
-use super::{Ballot, ClassRound, Place, Step, Vote, team_names};
-use crate::files::{Fault, Source};
+use super::{Ballot, ClassPlace, ClassRound, ClassStep, Vote, team_names};
+use crate::files::{FileError, Source};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, CourseKind, Question, Said};
+use crate::quiz::{Code, CourseKind, Question, Response};
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -40,7 +40,7 @@ struct Votes {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Read {
+struct ReadRound {
     #[serde(rename = "format")]
     _format: u32,
     code: Spanned<String>,
@@ -71,7 +71,7 @@ impl ClassRound {
     pub fn text(&self) -> Result<String, String> {
         let votes = |question: usize, vote: Vote| {
             let said = |team| self.ballot(question, team).vote(vote);
-            let text = |team| said(team).map(Said::to_text).unwrap_or_default();
+            let text = |team| said(team).map(Response::to_text).unwrap_or_default();
             (0..self.teams().len()).map(text).collect()
         };
         let written = Written {
@@ -107,9 +107,9 @@ impl ClassRound {
     /// that its code or its teams are none; that it asks questions of the teacher's own
     /// that are not there or have changed; that a vote says nothing, or something else
     /// than was asked for.
-    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileError> {
         let source = Source::of_bytes(name, bytes, LARGEST)?;
-        let read: Read = source.tables("a class round", FORMAT)?;
+        let read: ReadRound = source.tables("a class round", FORMAT)?;
         let Some(code) = Code::parse(read.code.get_ref()) else {
             let message = "expected the code of a round, such as mixed-7";
             return Err(source.fault(read.code.span().start, "code", message));
@@ -151,7 +151,7 @@ impl ClassRound {
 
     /// The place in the round that a file gives: without one the first question that
     /// nobody has voted on.
-    fn read_place(&self, source: Source, read: &Read) -> Result<Place, Fault> {
+    fn read_place(&self, source: Source, read: &ReadRound) -> Result<ClassPlace, FileError> {
         let last = self.questions().len().saturating_sub(1);
         let question = match &read.number {
             None => self.begun().min(last),
@@ -168,9 +168,9 @@ impl ClassRound {
             }
         };
         let step = match &read.step {
-            None => Step::default(),
-            Some(step) => Step::with_id(step.get_ref()).ok_or_else(|| {
-                let ids: Vec<_> = Step::ALL.into_iter().map(Step::id).collect();
+            None => ClassStep::default(),
+            Some(step) => ClassStep::with_id(step.get_ref()).ok_or_else(|| {
+                let ids: Vec<_> = ClassStep::ALL.into_iter().map(ClassStep::id).collect();
                 let message = format!(
                     "expected one of {}, found \"{}\"",
                     ids.join(", "),
@@ -179,7 +179,7 @@ impl ClassRound {
                 source.fault(step.span().start, "step", message)
             })?,
         };
-        Ok(Place { question, step })
+        Ok(ClassPlace { question, step })
     }
 
     /// Takes a vote from a file.
@@ -194,7 +194,7 @@ impl ClassRound {
         if text.is_empty() {
             return Ok(());
         }
-        let said = Said::parse(text);
+        let said = Response::parse(text);
         self.vote(question, team, vote, said);
         if said.is_none() || self.ballot(question, team).vote(vote) != said {
             return Err(format!(

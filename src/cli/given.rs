@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use anyhow::anyhow;
 
 use super::Failure;
-use crate::files::{self, Fault};
+use crate::files::{self, FileError};
 
 /// The name of a file for messages, and its bytes, up to one more than the `most` that
 /// may be read; `-` is standard input.
 ///
 /// # Errors
 /// If it cannot be read.
-pub(super) fn bytes(path: &Path, most: usize) -> Result<(String, Vec<u8>), Fault> {
+pub(super) fn bytes(path: &Path, most: usize) -> Result<(String, Vec<u8>), FileError> {
     if path.as_os_str() == "-" {
         let name = "standard input";
         return Ok((name.into(), files::read_stdin(name, most)?));
@@ -39,7 +39,7 @@ pub(super) fn library<L: Default>(
 }
 
 /// Refuses files that have faults, and tells all of these.
-pub(super) fn refuse(faults: &[Fault]) -> Result<(), Failure> {
+pub(super) fn refuse(faults: &[FileError]) -> Result<(), Failure> {
     if faults.is_empty() {
         return Ok(());
     }

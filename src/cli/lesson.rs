@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use super::{Failure, Options, given, print_text};
-use crate::lessons::Library;
+use crate::lessons::ChapterLibrary;
 
 /// Check chapters: every directive, every number, every page
 #[derive(Debug, clap::Args)]
@@ -36,9 +36,9 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,
-        Library::embedded,
-        Library::add_file,
-        Library::add_dir,
+        ChapterLibrary::embedded,
+        ChapterLibrary::add_file,
+        ChapterLibrary::add_dir,
     );
     let mut report = Vec::new();
     let mut faults = library.problems.clone();

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use super::{Failure, Options, given, print_text};
-use crate::levels::{Level, Library, Trial, Verdict, winning_share};
+use crate::levels::{Judgement, Level, LevelLibrary, Trial, winning_share};
 
 /// How many aims the measure of difficulty tries.
 const TRIES: u32 = 4000;
@@ -43,9 +43,9 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,
-        Library::embedded,
-        Library::add_file,
-        Library::add_dir,
+        LevelLibrary::embedded,
+        LevelLibrary::add_file,
+        LevelLibrary::add_dir,
     );
     let mut report = Vec::new();
     let mut lost = 0;
@@ -100,7 +100,7 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut Vec<u8>) -> io::Res
 }
 
 /// What happened, the goals that are not met first.
-fn summary(verdict: &Verdict) -> String {
+fn summary(verdict: &Judgement) -> String {
     let told = |met| {
         let findings = verdict.0.iter().filter(move |finding| finding.met == met);
         findings.map(|finding| finding.told.as_str())

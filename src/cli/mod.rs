@@ -33,8 +33,8 @@ pub use options::Options;
 
 use crate::app::{App, Data};
 use crate::class::team_names;
-use crate::files::{harmless_lines, is_invisible};
-use crate::lessons::Library;
+use crate::files::{escape_control_lines, is_invisible};
+use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
 use crate::screens::Place;
 use options::Auto;
@@ -261,7 +261,7 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
 ///
 /// # Errors
 /// If there is none, in words.
-fn find_chapter(library: &Library, name: &str) -> Result<usize, String> {
+fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
     library.find(name).ok_or_else(|| {
         format!(
             "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
@@ -354,10 +354,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
 /// unless it quotes what would play tricks on the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let plain = message.to_string();
-    let harmless = harmless_lines(&plain);
+    let escape_control = escape_control_lines(&plain);
     let quoted = env::args_os().any(|word| word.to_string_lossy().contains(is_invisible));
     if quoted && message.use_stderr() {
-        return writeln!(io::stderr(), "{harmless}");
+        return writeln!(io::stderr(), "{escape_control}");
     }
     message.print()
 }
@@ -396,7 +396,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
 
 /// Writes words to standard output, in glyphs that it shows. They may quote anything.
 fn print_text(text: &str, options: &Options) -> io::Result<()> {
-    let mut text = harmless_lines(&options.printed().text(text));
+    let mut text = escape_control_lines(&options.printed().text(text));
     if !text.is_empty() {
         text.push('\n');
     }

@@ -9,8 +9,10 @@ use etcetera::BaseStrategy;
 
 use crate::files::tidy_name;
 use crate::game::is_player_name;
+use crate::lessons::Book;
+use crate::levels::Shelf;
 use crate::quiz::concepts::Library;
-use crate::screens::{Book, Settings, Shelf};
+use crate::screens::Settings;
 use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
@@ -178,7 +180,7 @@ impl Options {
         if self.levels.is_empty() {
             return Shelf::default();
         }
-        let mut library = levels::Library::embedded();
+        let mut library = levels::LevelLibrary::embedded();
         for dir in &self.levels {
             library.add_dir(dir);
         }
@@ -191,7 +193,7 @@ impl Options {
         if self.lessons.is_empty() {
             return Book::default();
         }
-        let mut library = lessons::Library::embedded();
+        let mut library = lessons::ChapterLibrary::embedded();
         for dir in &self.lessons {
             library.add_dir(dir);
         }

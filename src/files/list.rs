@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use include_dir::{Dir, File};
 
-use super::Fault;
+use super::FileError;
 
 /// What is in a folder, in the order of the names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -17,7 +17,7 @@ pub struct List {
     /// would wait for whoever writes to it.
     pub files: Vec<PathBuf>,
     /// What else has such a name and is no folder: pipes, devices, links that lead nowhere.
-    pub odd: Vec<Fault>,
+    pub odd: Vec<FileError>,
 }
 
 /// The folders in a folder, and at most so many files there with this ending (without
@@ -25,8 +25,8 @@ pub struct List {
 ///
 /// # Errors
 /// If the folder cannot be read, or there are more files.
-pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, Fault> {
-    let fault = |message| Fault::of_file(&folder.display().to_string(), message);
+pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError> {
+    let fault = |message| FileError::of_file(&folder.display().to_string(), message);
     let paths = fs::read_dir(folder).and_then(|entries| {
         let paths = entries.map(|entry| Ok(entry?.path()));
         paths.collect::<io::Result<Vec<_>>>()
@@ -61,14 +61,14 @@ pub fn embedded<'a>(folder: &'a Dir<'a>, ending: &str) -> Vec<&'a File<'a>> {
 }
 
 /// The fault of what should be a file and is none.
-pub fn not_a_file(path: &Path) -> Fault {
+pub fn not_a_file(path: &Path) -> FileError {
     let found = match fs::metadata(path) {
         Ok(about) if about.is_dir() => "a folder",
         Ok(_) => "something else",
         Err(_) => "a link that leads nowhere",
     };
     let message = format!("expected a file, found {found}");
-    Fault::of_file(&path.display().to_string(), message)
+    FileError::of_file(&path.display().to_string(), message)
 }
 
 fn has_ending(path: &Path, ending: &str) -> bool {

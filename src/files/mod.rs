@@ -2,7 +2,7 @@
 //! wrong with them, and how whole ones are written.
 
 mod draft;
-mod fault;
+mod error;
 mod letters;
 mod list;
 mod put;
@@ -10,8 +10,8 @@ mod read;
 mod source;
 mod tables;
 
-pub use draft::{Draft, UNFINISHED, settle};
-pub use fault::{Fault, harmless, harmless_lines};
+pub use draft::{Draft, UNFINISHED, fsync_dir};
+pub use error::{FileError, escape_control, escape_control_lines};
 pub use letters::{is_invisible, tidy_name};
 pub use list::{List, embedded, list, not_a_file};
 pub use put::{Document, Existing, Unwritten, put};

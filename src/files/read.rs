@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::Fault;
+use super::FileError;
 
 /// Largest text file that is looked at where nothing else is said, in bytes.
 pub const LARGEST: usize = 1 << 20;
@@ -14,7 +14,7 @@ pub const LARGEST: usize = 1 << 20;
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, Fault> {
+pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     let bytes = File::open(path).and_then(|file| take(file, most));
     bytes.map_err(|error| unreadable(&path.display().to_string(), &error))
 }
@@ -23,7 +23,7 @@ pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, Fault> {
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, Fault> {
+pub fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, FileError> {
     take(io::stdin(), most).map_err(|error| unreadable(name, &error))
 }
 
@@ -34,6 +34,6 @@ fn take(source: impl Read, most: usize) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn unreadable(name: &str, error: &io::Error) -> Fault {
-    Fault::of_file(name, format!("cannot be read: {error}"))
+fn unreadable(name: &str, error: &io::Error) -> FileError {
+    FileError::of_file(name, format!("cannot be read: {error}"))
 }

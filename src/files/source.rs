@@ -1,6 +1,6 @@
 //! The text of a file, and what is wrong with it where.
 
-use super::fault::Fault;
+use super::error::FileError;
 
 /// U+FEFF in UTF-8.
 pub const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
@@ -17,7 +17,7 @@ impl<'a> Source<'a> {
     ///
     /// # Errors
     /// If there are more than `most` of them, or they are no UTF-8.
-    pub fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, Fault> {
+    pub fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
         let empty = Source { name, text: "" };
         if bytes.len() > most {
             let message = format!("expected a file of at most {} MiB, found more", most >> 20);
@@ -42,9 +42,9 @@ impl<'a> Source<'a> {
     }
 
     /// The fault that `message` describes, at a byte of the text.
-    pub fn fault(&self, at: usize, field: &str, message: impl Into<String>) -> Fault {
+    pub fn fault(&self, at: usize, field: &str, message: impl Into<String>) -> FileError {
         let before = self.text.as_bytes().iter().take(at);
-        Fault {
+        FileError {
             file: self.name.into(),
             line: Some(1 + before.filter(|&&byte| byte == b'\n').count()),
             field: (!field.is_empty()).then(|| field.into()),

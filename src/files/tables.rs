@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Fault, Source};
+use super::{FileError, Source};
 
 /// What stands in a file of any format.
 #[derive(Debug, Deserialize)]
@@ -18,12 +18,12 @@ impl<'a> Source<'a> {
     /// # Errors
     /// The first thing that is wrong with it: that it is no TOML, of no format, of another
     /// or a newer one, or that its fields are not those of `T`.
-    pub fn tables<T: Deserialize<'a>>(self, what: &str, format: u32) -> Result<T, Fault> {
+    pub fn tables<T: Deserialize<'a>>(self, what: &str, format: u32) -> Result<T, FileError> {
         self.check_format(what, format)?;
         self.parse()
     }
 
-    fn check_format(self, what: &str, format: u32) -> Result<(), Fault> {
+    fn check_format(self, what: &str, format: u32) -> Result<(), FileError> {
         let expected = format!("expected {what} with `format = {format}`");
         if self.text().trim().is_empty() {
             return Err(self.fault(0, "", format!("{expected}, found an empty file")));
@@ -40,12 +40,12 @@ impl<'a> Source<'a> {
         Err(self.fault(found.span().start, "format", message))
     }
 
-    fn parse<T: Deserialize<'a>>(self) -> Result<T, Fault> {
+    fn parse<T: Deserialize<'a>>(self) -> Result<T, FileError> {
         toml::from_str(self.text()).map_err(|error| self.fault_of(&error))
     }
 
     /// What a reader of TOML found wrong with it.
-    pub fn fault_of(self, error: &toml::de::Error) -> Fault {
+    pub fn fault_of(self, error: &toml::de::Error) -> FileError {
         let at = error.span().map_or(0, |span| span.start);
         self.fault(at, self.key_near(at), error.message().trim())
     }

@@ -2,13 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::checkpoint::{Asked, Checkpoint};
+use super::checkpoint::{Checkpoint, CheckpointKind};
 use crate::physics::Collision;
 use crate::quiz::{Ray, RayGrade, Rays};
 
 /// An answer at a checkpoint.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Answer {
+pub enum CheckpointAnswer {
     /// Where both will go.
     Rays(Rays),
     /// A number.
@@ -17,20 +17,20 @@ pub enum Answer {
     Choice(usize),
 }
 
-impl Answer {
+impl CheckpointAnswer {
     /// Credit from 0 to 1. `figure` is the collision as the page's figure has it.
     ///
     /// Rays are marked as in the quiz. A number earns full credit within the
     /// tolerance, and then less in a straight line, down to none at four times it.
     pub fn credit(&self, checkpoint: &Checkpoint, figure: Option<&Collision>) -> f64 {
         match (self, &checkpoint.asked) {
-            (Self::Rays(rays), Asked::Rays) => {
+            (Self::Rays(rays), CheckpointKind::Rays) => {
                 let [striker, target] = grades(rays, figure).map(|grade| grade.credit());
                 f64::midpoint(striker, target)
             }
             (
                 Self::Number(number),
-                Asked::Number {
+                CheckpointKind::Number {
                     expected,
                     tolerance,
                 },
@@ -39,7 +39,7 @@ impl Answer {
                 let beyond = (number - truth).abs() / tolerance - 1.0;
                 (1.0 - (beyond - ROUNDING).max(0.0) / 3.0).max(0.0)
             }
-            (Self::Choice(chosen), Asked::Choice(choices)) => {
+            (Self::Choice(chosen), CheckpointKind::Choice(choices)) => {
                 let right = choices.get(*chosen).is_some_and(|choice| choice.right);
                 f64::from(u8::from(right))
             }
@@ -64,7 +64,7 @@ impl Answer {
         }
     }
 
-    /// An answer as [`Answer::json`] writes it; `None` if it is none.
+    /// An answer as [`CheckpointAnswer::json`] writes it; `None` if it is none.
     pub fn of_json(value: &Value) -> Option<Self> {
         if let Some(number) = value.get("number") {
             return number
@@ -101,16 +101,16 @@ mod tests {
             target: Some(0.5),
         };
         for answer in [
-            Answer::Number(-0.1),
-            Answer::Choice(0),
-            Answer::Choice(4),
-            Answer::Rays(Rays::new(0.0, -1.0)),
-            Answer::Rays(still),
+            CheckpointAnswer::Number(-0.1),
+            CheckpointAnswer::Choice(0),
+            CheckpointAnswer::Choice(4),
+            CheckpointAnswer::Rays(Rays::new(0.0, -1.0)),
+            CheckpointAnswer::Rays(still),
         ] {
             let text = answer.json().to_string();
             let read: Value = serde_json::from_str(&text).unwrap();
-            match (Answer::of_json(&read), answer) {
-                (Some(Answer::Rays(read)), Answer::Rays(said)) => {
+            match (CheckpointAnswer::of_json(&read), answer) {
+                (Some(CheckpointAnswer::Rays(read)), CheckpointAnswer::Rays(said)) => {
                     for ray in Ray::BOTH {
                         let apart = read.apart(&said, ray).unwrap();
                         assert!(apart < 1e-12, "{text}");
@@ -129,7 +129,7 @@ mod tests {
             "{\"theta1_deg\":1}",
         ] {
             let read: Value = serde_json::from_str(nonsense).unwrap();
-            assert_eq!(Answer::of_json(&read), None, "{nonsense}");
+            assert_eq!(CheckpointAnswer::of_json(&read), None, "{nonsense}");
         }
     }
 }

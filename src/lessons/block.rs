@@ -2,23 +2,23 @@
 
 use super::formula::Formula;
 use super::inline::{self, Meaning};
-use super::source::{Line, Source};
-use crate::files::Fault;
+use super::source::{Source, SourceLine};
+use crate::files::FileError;
 
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Block {
+pub enum TextBlock {
     /// Text over as many rows as it takes.
-    Paragraph(Vec<Piece>),
+    Paragraph(Vec<Inline>),
     /// A line of a list, with its number in a numbered one.
-    Item(Option<u32>, Vec<Piece>),
+    Item(Option<u32>, Vec<Inline>),
     /// A formula in rows of its own.
     Formula(Formula),
 }
 
 /// A piece of a paragraph.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Piece {
+pub enum Inline {
     /// Words.
     Text(String, Tone),
     /// A formula in the line.
@@ -46,11 +46,11 @@ pub enum Tone {
 /// The first thing that is wrong with them.
 pub(super) fn read(
     source: &Source,
-    lines: &[Line],
+    lines: &[SourceLine],
     meaning: &Meaning,
-) -> Result<Vec<Block>, Fault> {
+) -> Result<Vec<TextBlock>, FileError> {
     let mut blocks = Vec::new();
-    let mut open: Option<Open> = None;
+    let mut open: Option<OpenBlock> = None;
     for &(number, line) in lines {
         let text = line.trim();
         let formula = text
@@ -64,7 +64,7 @@ pub(super) fn read(
         if let Some(formula) = formula {
             let formula = Formula::read(formula);
             let formula = formula.map_err(|message| source.fault(number, message))?;
-            blocks.push(Block::Formula(formula));
+            blocks.push(TextBlock::Formula(formula));
         } else if !text.is_empty() {
             match &mut open {
                 Some(open) => {
@@ -72,7 +72,7 @@ pub(super) fn read(
                     open.text.push_str(text);
                 }
                 None => {
-                    open = Some(Open {
+                    open = Some(OpenBlock {
                         line: number,
                         item,
                         text: rest.to_owned(),
@@ -88,18 +88,18 @@ pub(super) fn read(
 }
 
 /// A paragraph or a line of a list, being read.
-struct Open {
+struct OpenBlock {
     line: usize,
     item: Option<Option<u32>>,
     text: String,
 }
 
-impl Open {
-    fn close(self, source: &Source, meaning: &Meaning) -> Result<Block, Fault> {
+impl OpenBlock {
+    fn close(self, source: &Source, meaning: &Meaning) -> Result<TextBlock, FileError> {
         let pieces = inline::read(source, self.line, &self.text, meaning)?;
         Ok(match self.item {
-            None => Block::Paragraph(pieces),
-            Some(number) => Block::Item(number, pieces),
+            None => TextBlock::Paragraph(pieces),
+            Some(number) => TextBlock::Item(number, pieces),
         })
     }
 }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::answer::Answer;
+use super::answer::CheckpointAnswer;
 use super::chapter::Chapter;
-use super::page::Page;
+use super::page::ChapterPage;
 
 /// How far a chapter has been read.
 ///
@@ -18,23 +18,23 @@ pub struct Bookmark {
     /// The impact angle that the student set last in its figures, in degrees.
     pub alpha_deg: Option<f64>,
     /// The pages that have been seen, by title, each with the answer given there.
-    pub pages: BTreeMap<String, Option<Given>>,
+    pub pages: BTreeMap<String, Option<GivenAnswer>>,
 }
 
 /// An answer that was given at a checkpoint.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Given {
+pub struct GivenAnswer {
     /// What was asked: [`Checkpoint::written`](super::Checkpoint::written).
     pub asked: String,
     /// What was answered.
-    pub answer: Answer,
+    pub answer: CheckpointAnswer,
     /// Whether it was right.
     pub right: bool,
 }
 
 impl Bookmark {
     /// A bookmark at a page, which is seen with that.
-    pub fn at(page: &Page) -> Self {
+    pub fn at(page: &ChapterPage) -> Self {
         Self {
             place: Some(page.title.clone()),
             pages: BTreeMap::from([(page.title.clone(), None)]),
@@ -44,25 +44,25 @@ impl Bookmark {
 
     /// The page it is open at, from 0; the first where that page is gone.
     pub fn page(&self, chapter: &Chapter) -> usize {
-        let here = |page: &Page| Some(&page.title) == self.place.as_ref();
+        let here = |page: &ChapterPage| Some(&page.title) == self.place.as_ref();
         chapter.pages.iter().position(here).unwrap_or(0)
     }
 
     /// How many pages of the chapter have been seen.
     pub fn seen(&self, chapter: &Chapter) -> usize {
-        let seen = |page: &&Page| self.pages.contains_key(&page.title);
+        let seen = |page: &&ChapterPage| self.pages.contains_key(&page.title);
         chapter.pages.iter().filter(seen).count()
     }
 
     /// The answer that was given to what a page asks.
-    pub fn given(&self, page: &Page) -> Option<&Given> {
+    pub fn given(&self, page: &ChapterPage) -> Option<&GivenAnswer> {
         let asked = &page.checkpoint.as_ref()?.written;
         let given = self.pages.get(&page.title)?.as_ref();
         given.filter(|given| given.asked == *asked)
     }
 
     /// All answers given to what the chapter asks.
-    pub fn answers(&self, chapter: &Chapter) -> impl Iterator<Item = &Given> {
+    pub fn answers(&self, chapter: &Chapter) -> impl Iterator<Item = &GivenAnswer> {
         chapter.pages.iter().filter_map(|page| self.given(page))
     }
 
@@ -123,10 +123,10 @@ mod tests {
         mark
     }
 
-    fn answer(page: &Page, line: usize, right: bool) -> Bookmark {
-        let given = Given {
+    fn answer(page: &ChapterPage, line: usize, right: bool) -> Bookmark {
+        let given = GivenAnswer {
             asked: page.checkpoint.as_ref().unwrap().written.clone(),
-            answer: Answer::Choice(line),
+            answer: CheckpointAnswer::Choice(line),
             right,
         };
         Bookmark {

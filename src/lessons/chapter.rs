@@ -1,9 +1,9 @@
 //! A chapter: a header and its pages.
 
 use super::header::{self, Header};
-use super::page::Page;
-use super::source::{Line, Source};
-use crate::files::Fault;
+use super::page::ChapterPage;
+use super::source::{Source, SourceLine};
+use crate::files::FileError;
 
 /// Most pages of a chapter.
 const MOST_PAGES: usize = 60;
@@ -20,7 +20,7 @@ pub struct Chapter {
     /// What it is about, in one line.
     pub about: String,
     /// Its pages, at least one; no two have the same title.
-    pub pages: Vec<Page>,
+    pub pages: Vec<ChapterPage>,
     /// The file it was read from, for messages.
     pub file: String,
 }
@@ -30,11 +30,11 @@ impl Chapter {
     ///
     /// # Errors
     /// The first thing that is wrong with the file.
-    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileError> {
         let source = Source::new(file, bytes)?;
         let (number, id) = number_and_id(file).ok_or_else(|| {
             let message = "expected a file name such as 02-the-line-of-impact.md";
-            Fault::of_file(file, message)
+            FileError::of_file(file, message)
         })?;
         let Header {
             title,
@@ -42,9 +42,9 @@ impl Chapter {
             shots,
             ends,
         } = header::read(&source)?;
-        let lines: Vec<Line> = source.lines().skip(ends - 1).collect();
-        let is_heading = |(_, text): &Line| text.starts_with("# ") || *text == "#";
-        let mut pages: Vec<Page> = Vec::new();
+        let lines: Vec<SourceLine> = source.lines().skip(ends - 1).collect();
+        let is_heading = |(_, text): &SourceLine| text.starts_with("# ") || *text == "#";
+        let mut pages: Vec<ChapterPage> = Vec::new();
         let mut left = lines.as_slice();
         while let [(number, text), rest @ ..] = left {
             if !is_heading(&(*number, text)) {
@@ -57,7 +57,7 @@ impl Chapter {
             let length = rest.iter().position(is_heading).unwrap_or(rest.len());
             let (inside, after) = rest.split_at(length);
             let title = text.trim_start_matches('#');
-            let page = Page::read(&source, (*number, title), inside, &shots)?;
+            let page = ChapterPage::read(&source, (*number, title), inside, &shots)?;
             if let Some(other) = pages.iter().find(|other| other.title == page.title) {
                 let message = format!(
                     "expected a title of its own; the page at line {} has it already",
@@ -92,10 +92,10 @@ impl Chapter {
     }
 
     /// A fault at a line of its file.
-    pub fn fault(&self, line: usize, message: impl Into<String>) -> Fault {
-        Fault {
+    pub fn fault(&self, line: usize, message: impl Into<String>) -> FileError {
+        FileError {
             line: Some(line),
-            ..Fault::of_file(&self.file, message)
+            ..FileError::of_file(&self.file, message)
         }
     }
 }

@@ -1,12 +1,12 @@
 //! Checkpoints: what is asked before it is shown.
 
-use super::block::{self, Block, Piece};
+use super::block::{self, Inline, TextBlock};
 use super::figure::Figure;
 use super::inline::{self, Meaning};
-use super::source::{Line, Source};
+use super::source::{Source, SourceLine};
 use super::words::Words;
-use super::{Quantity, Shot};
-use crate::files::Fault;
+use super::{CollisionSpec, Quantity};
+use crate::files::FileError;
 use crate::physics::Collision;
 
 /// Least and most lines of a choice.
@@ -18,11 +18,11 @@ const UNIT: usize = 8;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checkpoint {
     /// What is asked for.
-    pub asked: Asked,
+    pub asked: CheckpointKind,
     /// The question.
-    pub question: Vec<Block>,
+    pub question: Vec<TextBlock>,
     /// What is said after the answer.
-    pub after: Vec<Block>,
+    pub after: Vec<TextBlock>,
     /// All that it asks, as it is written: an answer belongs to this and to nothing else.
     pub written: String,
     /// Its line in the file.
@@ -31,7 +31,7 @@ pub struct Checkpoint {
 
 /// What a checkpoint asks for.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Asked {
+pub enum CheckpointKind {
     /// Where both discs of the figure will go.
     Rays,
     /// A number.
@@ -42,14 +42,14 @@ pub enum Asked {
         tolerance: f64,
     },
     /// One of several lines.
-    Choice(Vec<Choice>),
+    Choice(Vec<CheckpointChoice>),
 }
 
 /// The number that is right.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A quantity of a shot.
-    Of(Quantity, Shot),
+    Of(Quantity, CollisionSpec),
     /// A quantity of the figure as the student has set it.
     Figure(Quantity),
     /// This one, in a unit.
@@ -77,11 +77,11 @@ impl Expected {
 
 /// A line of a choice.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Choice {
+pub struct CheckpointChoice {
     /// What it says.
-    pub text: Vec<Piece>,
+    pub text: Vec<Inline>,
     /// What is said to whoever chose it.
-    pub why: Vec<Piece>,
+    pub why: Vec<Inline>,
     /// Whether it is right.
     pub right: bool,
 }
@@ -93,11 +93,11 @@ impl Checkpoint {
     /// The first thing that is wrong with it.
     pub(super) fn read(
         source: &Source,
-        (line, words): Line,
-        inside: &[Line],
+        (line, words): SourceLine,
+        inside: &[SourceLine],
         figure: Option<&Figure>,
         meaning: &Meaning,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, FileError> {
         let fault = |message: String| source.fault(line, message);
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
         let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
@@ -114,7 +114,9 @@ impl Checkpoint {
         let asked = match name.as_str() {
             "rays" => rays(figure),
             "number" => number(&mut words, meaning),
-            "choice" => Ok(Asked::Choice(read_choices(source, line, choices, meaning)?)),
+            "choice" => Ok(CheckpointKind::Choice(read_choices(
+                source, line, choices, meaning,
+            )?)),
             other => Err(format!(
                 "expected :::rays, :::number or :::choice, found {other}"
             )),
@@ -131,7 +133,8 @@ impl Checkpoint {
         if checkpoint.question.is_empty() {
             return Err(fault("expected a question, found none".into()));
         }
-        if checkpoint.after.is_empty() && matches!(checkpoint.asked, Asked::Number { .. }) {
+        if checkpoint.after.is_empty() && matches!(checkpoint.asked, CheckpointKind::Number { .. })
+        {
             return Err(fault(
                 "expected an explanation after ---, found none".into(),
             ));
@@ -140,10 +143,10 @@ impl Checkpoint {
     }
 }
 
-fn rays(figure: Option<&Figure>) -> Result<Asked, String> {
+fn rays(figure: Option<&Figure>) -> Result<CheckpointKind, String> {
     match figure {
         Some(figure) if figure.kind.is_hit() && figure.shot.collision().outcome().hit() => {
-            Ok(Asked::Rays)
+            Ok(CheckpointKind::Rays)
         }
         _ => {
             Err("expected a figure of a hit on the page (lab or split), to turn the rays in".into())
@@ -151,7 +154,7 @@ fn rays(figure: Option<&Figure>) -> Result<Asked, String> {
     }
 }
 
-fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
+fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String> {
     let tolerance = words.number("tolerance", 1e-9, 1e6)?;
     let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
     let expected = match words.field("answer") {
@@ -167,7 +170,7 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<Asked, String> {
         }
         None => named(words, meaning)?,
     };
-    Ok(Asked::Number {
+    Ok(CheckpointKind::Number {
         expected,
         tolerance,
     })
@@ -199,9 +202,9 @@ fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
 fn read_choices(
     source: &Source,
     line: usize,
-    lines: &[Line],
+    lines: &[SourceLine],
     meaning: &Meaning,
-) -> Result<Vec<Choice>, Fault> {
+) -> Result<Vec<CheckpointChoice>, FileError> {
     let mut choices = Vec::new();
     let mut left = lines;
     while let [(number, first), rest @ ..] = left {
@@ -227,7 +230,7 @@ fn read_choices(
             let message = "expected indented lines that are said to whoever chooses this";
             return Err(source.fault(*number, message));
         }
-        choices.push(Choice {
+        choices.push(CheckpointChoice {
             text: inline::read(source, *number, text, meaning)?,
             why: inline::read(source, number + 1, &told.join("\n"), meaning)?,
             right,

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::Shot;
-use super::source::{FORMAT, Line, Source};
+use super::CollisionSpec;
+use super::source::{FORMAT, Source, SourceLine};
 use super::words::Words;
-use crate::files::{Fault, newer};
+use crate::files::{FileError, newer};
 
 /// What stands before and after a header.
 const FENCE: &str = "+++";
@@ -29,7 +29,7 @@ pub(super) struct Header {
 
 /// The named shots of a chapter.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Shots(BTreeMap<String, Shot>);
+pub(super) struct Shots(BTreeMap<String, CollisionSpec>);
 
 impl Shots {
     /// Takes a shot out of the words of a directive: its name, or else `usual`, and
@@ -37,14 +37,14 @@ impl Shots {
     pub(super) fn take(
         &self,
         words: &mut Words,
-        usual: Option<Shot>,
-    ) -> Result<Option<Shot>, String> {
+        usual: Option<CollisionSpec>,
+    ) -> Result<Option<CollisionSpec>, String> {
         let named = match words.first() {
             None => None,
             Some(name) => Some(*self.0.get(&name).ok_or_else(|| self.unknown(&name))?),
         };
-        let fields = words.fields(Shot::has);
-        Shot::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
+        let fields = words.fields(CollisionSpec::has);
+        CollisionSpec::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
         let mut shot = match named.or(usual) {
             None if fields.is_empty() => return Ok(None),
             shot => shot.unwrap_or_default(),
@@ -74,13 +74,13 @@ impl Shots {
 ///
 /// # Errors
 /// The first thing that is wrong with it.
-pub(super) fn read(source: &Source) -> Result<Header, Fault> {
+pub(super) fn read(source: &Source) -> Result<Header, FileError> {
     let mut lines = source.lines();
     let first = lines.next().map(|(_, line)| line.trim_end());
     if first != Some(FENCE) {
         return Err(source.fault(1, "expected a header between two lines of +++"));
     }
-    let inside: Vec<Line> = lines
+    let inside: Vec<SourceLine> = lines
         .take_while(|(_, line)| line.trim_end() != FENCE)
         .collect();
     let ends = inside.len() + 2;
@@ -130,7 +130,7 @@ pub(super) fn read(source: &Source) -> Result<Header, Fault> {
     Ok(header)
 }
 
-fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), Fault> {
+fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), FileError> {
     let expected = f64::from(FORMAT);
     match format {
         None => Err(tables
@@ -163,12 +163,17 @@ struct Tables<'a> {
 
 impl Tables<'_> {
     /// A fault at a byte of the header.
-    fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
+    fn fault(&self, at: usize, message: impl Into<String>) -> FileError {
         let before = self.text.bytes().take(at).filter(|byte| *byte == b'\n');
         self.source.fault(2 + before.count(), message)
     }
 
-    fn words(&self, value: &Spanned<DeValue>, name: &str, most: usize) -> Result<String, Fault> {
+    fn words(
+        &self,
+        value: &Spanned<DeValue>,
+        name: &str,
+        most: usize,
+    ) -> Result<String, FileError> {
         let text = value.get_ref().as_str().map(str::trim);
         if text.is_some_and(|text| text.contains(|c: char| c.is_control() && c != '\n')) {
             // The text of the file has none, but an escape may stand for one.
@@ -185,7 +190,7 @@ impl Tables<'_> {
         }
     }
 
-    fn shots(&self, value: &Spanned<DeValue>) -> Result<Shots, Fault> {
+    fn shots(&self, value: &Spanned<DeValue>) -> Result<Shots, FileError> {
         let DeValue::Table(shots) = value.get_ref() else {
             return Err(self.fault(value.span().start, "shot: expected tables [shot.NAME]"));
         };
@@ -202,8 +207,8 @@ impl Tables<'_> {
                 return Err(self.fault(at, "shot: expected a table of fields"));
             };
             let names = fields.keys().map(|name| name.get_ref().as_ref());
-            Shot::check_fields(names).map_err(|message| self.fault(at, message))?;
-            let mut shot = Shot::default();
+            CollisionSpec::check_fields(names).map_err(|message| self.fault(at, message))?;
+            let mut shot = CollisionSpec::default();
             for (field, value) in fields {
                 let at = value.span().start;
                 let written = match value.get_ref() {

@@ -2,21 +2,21 @@
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-use super::block::{Piece, Tone};
+use super::block::{Inline, Tone};
 use super::formula::Formula;
 use super::header::Shots;
 use super::source::Source;
 use super::words::Words;
-use super::written::Written;
-use super::{Quantity, Shot};
-use crate::files::Fault;
+use super::written::WrittenFigure;
+use super::{CollisionSpec, Quantity};
+use crate::files::FileError;
 
 /// What names in a text stand for.
 pub(super) struct Meaning<'a> {
     /// The shots of the chapter.
     pub(super) shots: &'a Shots,
     /// The shot of the page's figure.
-    pub(super) figure: Option<Shot>,
+    pub(super) figure: Option<CollisionSpec>,
 }
 
 /// A letter that no text holds stands for each formula and number while the Markdown
@@ -32,8 +32,8 @@ pub(super) fn read(
     line: usize,
     text: &str,
     meaning: &Meaning,
-) -> Result<Vec<Piece>, Fault> {
-    let mut kept: Vec<Piece> = Vec::new();
+) -> Result<Vec<Inline>, FileError> {
+    let mut kept: Vec<Inline> = Vec::new();
     let mut plain = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find(['$', '{', '}']) {
@@ -52,7 +52,7 @@ pub(super) fn read(
         };
         let inner = inner.replace('\n', " ");
         let piece = match opening {
-            "$" => Formula::read(&inner).map(Piece::Formula),
+            "$" => Formula::read(&inner).map(Inline::Formula),
             _ => number(&inner, meaning),
         };
         plain.push(stand_in(kept.len()).ok_or_else(|| fault("expected fewer formulas".into()))?);
@@ -68,9 +68,9 @@ fn stand_in(number: usize) -> Option<char> {
 }
 
 /// A number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for one that lives.
-fn number(text: &str, meaning: &Meaning) -> Result<Piece, String> {
+fn number(text: &str, meaning: &Meaning) -> Result<Inline, String> {
     let (what, written) = match text.split_once(':') {
-        Some((what, written)) => (what, Some(Written::read(written)?)),
+        Some((what, written)) => (what, Some(WrittenFigure::read(written)?)),
         None => (text, None),
     };
     let mut words = Words::of(what)?;
@@ -86,7 +86,7 @@ fn number(text: &str, meaning: &Meaning) -> Result<Piece, String> {
     let Some(written) = written else {
         words.finish()?;
         return match meaning.figure {
-            Some(_) => Ok(Piece::Live(quantity)),
+            Some(_) => Ok(Inline::Live(quantity)),
             None => Err(format!(
                 "expected a figure on the page for {name} to follow"
             )),
@@ -99,10 +99,10 @@ fn number(text: &str, meaning: &Meaning) -> Result<Piece, String> {
     agreed(&name, &written, quantity.of(&shot.collision()))
 }
 
-fn agreed(name: &str, written: &Written, truth: Option<f64>) -> Result<Piece, String> {
+fn agreed(name: &str, written: &WrittenFigure, truth: Option<f64>) -> Result<Inline, String> {
     let shown = &written.shown;
     match truth {
-        Some(truth) if written.agrees(truth) => Ok(Piece::Text(shown.clone(), Tone::Plain)),
+        Some(truth) if written.agrees(truth) => Ok(Inline::Text(shown.clone(), Tone::Plain)),
         Some(truth) => {
             let corrected = written.corrected(truth);
             Err(format!("{name} is {corrected}, found {shown}"))
@@ -112,15 +112,15 @@ fn agreed(name: &str, written: &Written, truth: Option<f64>) -> Result<Piece, St
 }
 
 /// The pieces of a text with stand-ins for those that are kept.
-fn markdown(text: &str, kept: &[Piece]) -> Result<Vec<Piece>, String> {
+fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     let mut pieces = Vec::new();
     let mut tones = vec![Tone::Plain];
     for event in Parser::new_ext(text, Options::empty()) {
         let tone = tones.last().copied().unwrap_or(Tone::Plain);
         match event {
             Event::Text(words) => substitute(&words, tone, kept, &mut pieces),
-            Event::Code(words) => pieces.push(Piece::Text(words.to_string(), Tone::Key)),
-            Event::SoftBreak | Event::HardBreak => pieces.push(Piece::Text(" ".into(), tone)),
+            Event::Code(words) => pieces.push(Inline::Text(words.to_string(), Tone::Key)),
+            Event::SoftBreak | Event::HardBreak => pieces.push(Inline::Text(" ".into(), tone)),
             Event::Start(Tag::Emphasis) => tones.push(Tone::Emphasis),
             Event::Start(Tag::Strong) => tones.push(Tone::Strong),
             Event::End(TagEnd::Emphasis | TagEnd::Strong) => {
@@ -139,23 +139,23 @@ fn markdown(text: &str, kept: &[Piece]) -> Result<Vec<Piece>, String> {
 }
 
 /// Adds a text, with what is kept in the place of its stand-ins.
-fn substitute(text: &str, tone: Tone, kept: &[Piece], pieces: &mut Vec<Piece>) {
+fn substitute(text: &str, tone: Tone, kept: &[Inline], pieces: &mut Vec<Inline>) {
     let mut words = String::new();
     for letter in text.chars() {
         let number = (letter as u32).checked_sub(STAND_IN);
         match number.and_then(|number| kept.get(number as usize)) {
             None => words.push(letter),
             // A number takes the tone of what is around it.
-            Some(Piece::Text(figure, _)) => words.push_str(figure),
+            Some(Inline::Text(figure, _)) => words.push_str(figure),
             Some(piece) => {
                 if !words.is_empty() {
-                    pieces.push(Piece::Text(std::mem::take(&mut words), tone));
+                    pieces.push(Inline::Text(std::mem::take(&mut words), tone));
                 }
                 pieces.push(piece.clone());
             }
         }
     }
     if !words.is_empty() {
-        pieces.push(Piece::Text(words, tone));
+        pieces.push(Inline::Text(words, tone));
     }
 }

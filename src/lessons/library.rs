@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::chapter::Chapter;
-use crate::files::{self, Fault};
+use crate::files::{self, FileError};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
 
@@ -18,18 +18,18 @@ const MOST_FILES: usize = 200;
 /// All chapters there are to read, in the order of their numbers; the program's own
 /// first.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Library {
+pub struct ChapterLibrary {
     /// The chapters; no two have the same id.
     pub chapters: Vec<Chapter>,
     /// What was wrong with files that are left out.
-    pub problems: Vec<Fault>,
+    pub problems: Vec<FileError>,
 }
 
-impl Library {
+impl ChapterLibrary {
     /// The chapters that come with the program, read once for the whole process, as
     /// they never change.
     pub fn embedded_once() -> &'static Self {
-        static READ: LazyLock<Library> = LazyLock::new(Library::embedded);
+        static READ: LazyLock<ChapterLibrary> = LazyLock::new(ChapterLibrary::embedded);
         &READ
     }
 
@@ -43,7 +43,7 @@ impl Library {
     }
 
     /// Adds the chapters of a folder. A file that is no good is left out and reported
-    /// in [`Library::problems`].
+    /// in [`ChapterLibrary::problems`].
     pub fn add_dir(&mut self, dir: &Path) {
         match files::list(dir, ENDING, MOST_FILES) {
             Ok(list) => {
@@ -87,7 +87,7 @@ impl Library {
             None => self.chapters.push(chapter),
             Some(known) => {
                 let message = format!("expected an id of its own; {} has it already", known.file);
-                self.problems.push(Fault::of_file(file, message));
+                self.problems.push(FileError::of_file(file, message));
             }
         }
     }

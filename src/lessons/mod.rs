@@ -1,16 +1,17 @@
 //! Lessons: chapters as Markdown files, with figures, checkpoints and numbers that
 //! are checked.
 //!
-//! A [`Chapter`] is a header and pages; a [`Page`] has at most one [`Figure`], its
-//! text as [`Block`]s and at most one [`Checkpoint`]. Everything is read and checked
+//! A [`Chapter`] is a header and pages; a [`ChapterPage`] has at most one [`Figure`], its
+//! text as [`TextBlock`]s and at most one [`Checkpoint`]. Everything is read and checked
 //! when a file is opened: each directive, each formula, and each number in the text,
-//! which is computed again by the engine. The first [`Fault`] leaves that file out
+//! which is computed again by the engine. The first [`FileError`] leaves that file out
 //! and says file, line and what was expected. `docs/lessons.md` describes the format.
 //!
 //! Nothing here draws.
 
 mod answer;
 mod block;
+mod book;
 mod bookmark;
 mod chapter;
 mod checkpoint;
@@ -26,16 +27,18 @@ mod tests;
 mod words;
 mod written;
 
-pub use answer::Answer;
-pub use block::{Block, Piece, Tone};
-pub use bookmark::{Bookmark, Given};
+pub use answer::CheckpointAnswer;
+pub use block::{Inline, TextBlock, Tone};
+pub use book::{Book, Forget};
+pub use bookmark::{Bookmark, GivenAnswer};
 pub use chapter::Chapter;
-pub use checkpoint::{Asked, Checkpoint, Choice, Expected};
+pub use checkpoint::{Checkpoint, CheckpointChoice, CheckpointKind, Expected};
 pub use figure::{Figure, FigureKind};
 pub use formula::{Formula, Node, Term};
-pub use library::Library;
-pub use page::Page;
+pub use library::ChapterLibrary;
+pub use page::ChapterPage;
 pub use source::FORMAT;
 
-pub use crate::files::Fault;
-pub use crate::physics::named::{Constant, Quantity, Shot};
+pub use crate::files::FileError;
+pub use crate::physics::CollisionSpec;
+pub use crate::physics::named::{Constant, Quantity};

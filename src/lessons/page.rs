@@ -1,42 +1,42 @@
 //! A page of a chapter.
 
-use super::block::{self, Block};
+use super::block::{self, TextBlock};
 use super::checkpoint::Checkpoint;
 use super::figure::Figure;
 use super::header::Shots;
 use super::inline::Meaning;
-use super::source::{Line, Source};
-use crate::files::Fault;
+use super::source::{Source, SourceLine};
+use crate::files::FileError;
 
 /// Most letters of a page's title.
 const TITLE: usize = 40;
 
 /// A page: a figure, text, and a checkpoint at its end.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Page {
+pub struct ChapterPage {
     /// Its title.
     pub title: String,
     /// Its figure.
     pub figure: Option<Figure>,
     /// Its text.
-    pub text: Vec<Block>,
+    pub text: Vec<TextBlock>,
     /// What it asks.
     pub checkpoint: Option<Checkpoint>,
     /// Its line in the file.
     pub line: usize,
 }
 
-impl Page {
+impl ChapterPage {
     /// Reads a page: its heading and the lines up to the next one.
     ///
     /// # Errors
     /// The first thing that is wrong with it.
     pub(super) fn read(
         source: &Source,
-        (line, title): Line,
-        lines: &[Line],
+        (line, title): SourceLine,
+        lines: &[SourceLine],
         shots: &Shots,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, FileError> {
         let title = title.trim();
         if title.is_empty() || title.chars().count() > TITLE {
             let message = format!("expected a title of 1 to {TITLE} letters after #");
@@ -47,7 +47,7 @@ impl Page {
             shots,
             figure: figure.map(|figure| figure.shot),
         };
-        let is_checkpoint = |(_, text): &Line| text.starts_with(":::");
+        let is_checkpoint = |(_, text): &SourceLine| text.starts_with(":::");
         let start = lines.iter().position(is_checkpoint).unwrap_or(lines.len());
         let (before, asked) = lines.split_at(start);
         let text: Vec<_> = before
@@ -95,11 +95,15 @@ impl Page {
     }
 }
 
-fn is_figure((_, text): Line) -> bool {
+fn is_figure((_, text): SourceLine) -> bool {
     text.starts_with("::") && !text.starts_with(":::")
 }
 
-fn figure(source: &Source, lines: &[Line], shots: &Shots) -> Result<Option<Figure>, Fault> {
+fn figure(
+    source: &Source,
+    lines: &[SourceLine],
+    shots: &Shots,
+) -> Result<Option<Figure>, FileError> {
     let mut figures = lines.iter().copied().filter(|line| is_figure(*line));
     let Some((line, text)) = figures.next() else {
         return Ok(None);

@@ -4,7 +4,7 @@ use super::formula::superscript;
 
 /// A written figure.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Written {
+pub(super) struct WrittenFigure {
     /// As the screen shows it.
     pub(super) shown: String,
     value: f64,
@@ -15,7 +15,7 @@ pub(super) struct Written {
 /// Rounding noise beside a figure that is exact.
 const NOISE: f64 = 1e-9;
 
-impl Written {
+impl WrittenFigure {
     /// Reads `3.46`, `-1`, `3.2e-7`, `sqrt 5` or `2 sqrt 3`.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ mod tests {
             ("0.5", 0.45, true),
         ] {
             assert_eq!(
-                Written::read(written).unwrap().agrees(truth),
+                WrittenFigure::read(written).unwrap().agrees(truth),
                 agrees,
                 "{written}"
             );
@@ -109,13 +109,15 @@ mod tests {
 
     #[test]
     fn figures_are_shown_as_on_paper() {
-        let shown = |text| Written::read(text).unwrap().shown;
+        let shown = |text| WrittenFigure::read(text).unwrap().shown;
         assert_eq!(shown("3.2e-7"), "3.2×10⁻⁷");
         assert_eq!(shown("2 sqrt 3"), "2√3");
         assert_eq!(shown("sqrt 5"), "√5");
         assert_eq!(shown("-1.00"), "−1.00");
         assert_eq!(
-            Written::read("3.50").unwrap().corrected(12.0_f64.sqrt()),
+            WrittenFigure::read("3.50")
+                .unwrap()
+                .corrected(12.0_f64.sqrt()),
             "3.46"
         );
     }
@@ -125,7 +127,7 @@ mod tests {
         for text in [
             "", "abc", "nan", "inf", "1e999", "sqrt", "sqrt -2", "2 sqrt x", "1 2", "--1",
         ] {
-            assert!(Written::read(text).is_err(), "{text}");
+            assert!(WrittenFigure::read(text).is_err(), "{text}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What a player may set before the shot of a level, and what was set.
 
 use super::fields::Fields;
-use super::quantity::{self as q, Quantity, Range};
-use crate::files::Fault;
+use super::quantity::{self as q, NumberSpec, Range};
+use crate::files::FileError;
 
 /// Something a player may be free to set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl Dial {
         }
     }
 
-    const fn quantity(self) -> &'static Quantity {
+    const fn quantity(self) -> &'static NumberSpec {
         match self {
             Self::Direction => &q::DIRECTION,
             Self::Speed => &q::SPEED,
@@ -63,7 +63,7 @@ impl Dial {
 
 /// The setting of every dial, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Aim {
+pub struct LevelAim {
     /// Direction of the shot, in degrees from +x, anticlockwise.
     pub direction_deg: f64,
     /// Speed of the shot, in m/s.
@@ -76,7 +76,7 @@ pub struct Aim {
     pub restitution: f64,
 }
 
-impl Aim {
+impl LevelAim {
     /// The setting of a dial.
     pub const fn get(&self, dial: Dial) -> f64 {
         match dial {
@@ -118,7 +118,7 @@ impl Adjust {
             .find_map(|(d, range)| (d == dial).then_some(range))
     }
 
-    pub(super) fn from_fields(mut fields: Fields) -> Result<Self, Fault> {
+    pub(super) fn from_fields(mut fields: Fields) -> Result<Self, FileError> {
         let mut dials = Vec::new();
         for dial in Dial::ALL {
             if let Some(range) = fields.range(dial.field(), dial.quantity())? {
@@ -134,7 +134,11 @@ impl Adjust {
     }
 
     /// Reads a setting of the dials; those that are left out stay as in `start`.
-    pub(super) fn read_setting(&self, mut fields: Fields, start: Aim) -> Result<Aim, Fault> {
+    pub(super) fn read_setting(
+        &self,
+        mut fields: Fields,
+        start: LevelAim,
+    ) -> Result<LevelAim, FileError> {
         let mut aim = start;
         for dial in Dial::ALL {
             let Some(setting) = fields.number(dial.field(), dial.quantity())? else {

@@ -1,7 +1,7 @@
 //! Whether a level can be won, and how hard it is.
 
-use super::aim::Aim;
-use super::judge::{Verdict, judge};
+use super::aim::LevelAim;
+use super::judge::{Judgement, judge};
 use super::level::Level;
 use crate::physics::{Engine, EngineError, Shot};
 
@@ -9,7 +9,7 @@ use crate::physics::{Engine, EngineError, Shot};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     /// What became of the goals.
-    pub verdict: Verdict,
+    pub verdict: Judgement,
     /// Whether the aim with which the level opens wins as well, so that there is
     /// nothing to find out.
     pub opens_won: bool,
@@ -22,7 +22,7 @@ impl Trial {
     ///
     /// If a shot has too many events to be played to its end.
     pub fn of(level: &Level) -> Result<Self, EngineError> {
-        let verdict = |aim: &Aim| {
+        let verdict = |aim: &LevelAim| {
             let shot = level.aimed(aim).play()?;
             Ok(judge(level, &shot))
         };

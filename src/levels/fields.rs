@@ -4,8 +4,8 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::quantity::{Quantity, Range};
-use crate::files::{Fault, Source, harmless};
+use super::quantity::{NumberSpec, Range};
+use crate::files::{FileError, Source, escape_control};
 use glam::DVec2;
 
 /// A table whose fields are asked for one by one.
@@ -38,13 +38,13 @@ impl<'a> Fields<'a> {
     }
 
     /// A fault of a field: at its value, or at the table where it is missing.
-    pub(super) fn fault_at(&self, name: &str, message: impl Into<String>) -> Fault {
+    pub(super) fn fault_at(&self, name: &str, message: impl Into<String>) -> FileError {
         let at = self.table.get(name).map_or(self.at, |v| v.span().start);
         self.source.fault(at, &self.path_of(name), message)
     }
 
     /// A fault of the table itself.
-    pub(super) fn fault(&self, message: impl Into<String>) -> Fault {
+    pub(super) fn fault(&self, message: impl Into<String>) -> FileError {
         self.source.fault(self.at, &self.path, message)
     }
 
@@ -56,11 +56,11 @@ impl<'a> Fields<'a> {
         }
     }
 
-    fn unlike(&self, name: &str, expected: &str, found: &DeValue) -> Fault {
+    fn unlike(&self, name: &str, expected: &str, found: &DeValue) -> FileError {
         self.fault_at(name, format!("expected {expected}, found {}", shown(found)))
     }
 
-    fn missing(&self, name: &str, expected: &str) -> Fault {
+    fn missing(&self, name: &str, expected: &str) -> FileError {
         self.fault_at(name, format!("expected {expected}, found nothing"))
     }
 
@@ -69,7 +69,7 @@ impl<'a> Fields<'a> {
         self.table.get(name)
     }
 
-    fn require(&mut self, name: &'static str, expected: &str) -> Result<Value<'a>, Fault> {
+    fn require(&mut self, name: &'static str, expected: &str) -> Result<Value<'a>, FileError> {
         self.get(name).ok_or_else(|| self.missing(name, expected))
     }
 
@@ -79,7 +79,7 @@ impl<'a> Fields<'a> {
     }
 
     /// A table in the table.
-    pub(super) fn table(&mut self, name: &'static str) -> Result<Option<Self>, Fault> {
+    pub(super) fn table(&mut self, name: &'static str) -> Result<Option<Self>, FileError> {
         let Some(value) = self.get(name) else {
             return Ok(None);
         };
@@ -88,14 +88,18 @@ impl<'a> Fields<'a> {
     }
 
     /// A table that must be there.
-    pub(super) fn required_table(&mut self, name: &'static str) -> Result<Self, Fault> {
+    pub(super) fn required_table(&mut self, name: &'static str) -> Result<Self, FileError> {
         let expected = format!("a table [{name}]");
         let value = self.require(name, &expected)?;
         self.as_table(name, &expected, value)
     }
 
     /// At least one and at most `most` tables of the same name.
-    pub(super) fn tables(&mut self, name: &'static str, most: usize) -> Result<Vec<Self>, Fault> {
+    pub(super) fn tables(
+        &mut self,
+        name: &'static str,
+        most: usize,
+    ) -> Result<Vec<Self>, FileError> {
         let expected = format!("1 to {most} tables [[{name}]]");
         let value = self.require(name, &expected)?;
         let DeValue::Array(list) = value.get_ref() else {
@@ -110,7 +114,7 @@ impl<'a> Fields<'a> {
             .collect()
     }
 
-    fn as_table(&self, name: &str, expected: &str, value: Value<'a>) -> Result<Self, Fault> {
+    fn as_table(&self, name: &str, expected: &str, value: Value<'a>) -> Result<Self, FileError> {
         match value.get_ref() {
             DeValue::Table(table) => Ok(Self::new(
                 self.source,
@@ -126,8 +130,8 @@ impl<'a> Fields<'a> {
     pub(super) fn number(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
-    ) -> Result<Option<f64>, Fault> {
+        quantity: &NumberSpec,
+    ) -> Result<Option<f64>, FileError> {
         self.get(name)
             .map(|value| {
                 number(value.get_ref())
@@ -141,8 +145,8 @@ impl<'a> Fields<'a> {
     pub(super) fn required_number(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
-    ) -> Result<f64, Fault> {
+        quantity: &NumberSpec,
+    ) -> Result<f64, FileError> {
         self.number(name, quantity)?
             .ok_or_else(|| self.missing(name, &quantity.to_string()))
     }
@@ -151,8 +155,8 @@ impl<'a> Fields<'a> {
     pub(super) fn range(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
-    ) -> Result<Option<Range>, Fault> {
+        quantity: &NumberSpec,
+    ) -> Result<Option<Range>, FileError> {
         let Some(value) = self.get(name) else {
             return Ok(None);
         };
@@ -169,8 +173,8 @@ impl<'a> Fields<'a> {
     pub(super) fn required_range(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
-    ) -> Result<Range, Fault> {
+        quantity: &NumberSpec,
+    ) -> Result<Range, FileError> {
         self.range(name, quantity)?
             .ok_or_else(|| self.missing(name, &format!("[from, to], {quantity}")))
     }
@@ -179,8 +183,8 @@ impl<'a> Fields<'a> {
     pub(super) fn place(
         &mut self,
         name: &'static str,
-        quantity: &Quantity,
-    ) -> Result<DVec2, Fault> {
+        quantity: &NumberSpec,
+    ) -> Result<DVec2, FileError> {
         let expected = format!("[x, y], {quantity}");
         let value = self.require(name, &expected)?;
         pair(value.get_ref())
@@ -195,7 +199,7 @@ impl<'a> Fields<'a> {
         name: &'static str,
         expected: &str,
         most: usize,
-    ) -> Result<usize, Fault> {
+    ) -> Result<usize, FileError> {
         let value = self.require(name, expected)?;
         whole(value.get_ref())
             .filter(|&n| n <= most)
@@ -203,7 +207,7 @@ impl<'a> Fields<'a> {
     }
 
     /// The number of one of `count` discs.
-    pub(super) fn disc(&mut self, name: &'static str, count: usize) -> Result<usize, Fault> {
+    pub(super) fn disc(&mut self, name: &'static str, count: usize) -> Result<usize, FileError> {
         self.whole(name, &disc_number(count), count.saturating_sub(1))
     }
 
@@ -213,7 +217,7 @@ impl<'a> Fields<'a> {
         name: &'static str,
         count: usize,
         most: usize,
-    ) -> Result<Vec<usize>, Fault> {
+    ) -> Result<Vec<usize>, FileError> {
         let expected = format!(
             "a list of 1 to {most} different discs, {}",
             disc_number(count)
@@ -237,7 +241,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Printable text of 1 to `most` characters; line breaks count as spaces do.
-    pub(super) fn text(&mut self, name: &'static str, most: usize) -> Result<&'a str, Fault> {
+    pub(super) fn text(&mut self, name: &'static str, most: usize) -> Result<&'a str, FileError> {
         let expected = format!("text of 1 to {most} characters");
         let value = self.require(name, &expected)?;
         text(value.get_ref(), most).ok_or_else(|| self.no_text(name, &expected, value.get_ref()))
@@ -249,7 +253,7 @@ impl<'a> Fields<'a> {
         name: &'static str,
         items: usize,
         most: usize,
-    ) -> Result<Vec<String>, Fault> {
+    ) -> Result<Vec<String>, FileError> {
         let expected = format!("a list of 1 to {items} texts of 1 to {most} characters");
         let value = self.require(name, &expected)?;
         let DeValue::Array(list) = value.get_ref() else {
@@ -267,7 +271,7 @@ impl<'a> Fields<'a> {
             .collect()
     }
 
-    fn no_text(&self, name: &str, expected: &str, found: &DeValue) -> Fault {
+    fn no_text(&self, name: &str, expected: &str, found: &DeValue) -> FileError {
         match found.as_str() {
             Some(text) if !text.chars().all(is_printable) => {
                 let expected = format!("{expected}, none of them a control character");
@@ -282,7 +286,7 @@ impl<'a> Fields<'a> {
         &mut self,
         name: &'static str,
         words: &[(&str, T)],
-    ) -> Result<T, Fault> {
+    ) -> Result<T, FileError> {
         let names: Vec<_> = words.iter().map(|(word, _)| *word).collect();
         let expected = format!("one of {}", names.join(", "));
         let value = self.require(name, &expected)?;
@@ -295,7 +299,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Faults the first field that nobody asked for.
-    pub(super) fn finish(self) -> Result<(), Fault> {
+    pub(super) fn finish(self) -> Result<(), FileError> {
         let unknown = self
             .table
             .keys()
@@ -354,9 +358,9 @@ fn is_printable(c: char) -> bool {
 /// A value as a message shows it.
 fn shown(value: &DeValue) -> String {
     match value {
-        DeValue::String(text) => format!("the text \"{}\"", harmless(text, 40)),
-        DeValue::Integer(n) => harmless(&n.to_string(), 40),
-        DeValue::Float(x) => harmless(x.as_str(), 40),
+        DeValue::String(text) => format!("the text \"{}\"", escape_control(text, 40)),
+        DeValue::Integer(n) => escape_control(&n.to_string(), 40),
+        DeValue::Float(x) => escape_control(x.as_str(), 40),
         DeValue::Boolean(truth) => truth.to_string(),
         DeValue::Datetime(_) => "a date".into(),
         DeValue::Array(list) => shown_list(list.iter().map(Spanned::get_ref)),

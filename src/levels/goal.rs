@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::fields::Fields;
 use super::quantity::{self as q, Range};
 use super::scene::{Scene, tidy};
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
 /// One thing that has to come about; a level is won when all of its goals are met.
@@ -45,14 +45,14 @@ pub enum Goal {
         /// The disc.
         disc: usize,
         /// The circle.
-        circle: Circle,
+        circle: GoalCircle,
     },
     /// The centre of a disc passes through a circle.
     Pass {
         /// The disc.
         disc: usize,
         /// The circle.
-        circle: Circle,
+        circle: GoalCircle,
     },
     /// A disc meets cushions before it meets another disc for the first time.
     Bank {
@@ -121,7 +121,7 @@ impl Goal {
 
 /// A circle marked on the board.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Circle {
+pub struct GoalCircle {
     /// Its centre in metres.
     pub centre: DVec2,
     /// Its radius in metres.
@@ -164,7 +164,7 @@ const NAMES: [(&str, Name); 12] = [
 ];
 
 impl Goal {
-    pub(super) fn from_fields(mut fields: Fields, scene: &Scene) -> Result<Self, Fault> {
+    pub(super) fn from_fields(mut fields: Fields, scene: &Scene) -> Result<Self, FileError> {
         let count = scene.pieces.len();
         let name = fields.word("kind", &NAMES)?;
         let disc = |fields: &mut Fields| fields.disc("disc", count);
@@ -193,11 +193,11 @@ impl Goal {
             },
             Name::Rest => Self::Rest {
                 disc: disc(&mut fields)?,
-                circle: Circle::from_fields(&mut fields)?,
+                circle: GoalCircle::from_fields(&mut fields)?,
             },
             Name::Pass => Self::Pass {
                 disc: disc(&mut fields)?,
-                circle: Circle::from_fields(&mut fields)?,
+                circle: GoalCircle::from_fields(&mut fields)?,
             },
             Name::Bank => Self::Bank {
                 disc: disc(&mut fields)?,
@@ -231,7 +231,7 @@ impl Goal {
     }
 
     /// The circle that belongs on the board.
-    pub fn circle(&self) -> Option<Circle> {
+    pub fn circle(&self) -> Option<GoalCircle> {
         match self {
             Self::Rest { circle, .. } | Self::Pass { circle, .. } => Some(*circle),
             _ => None,
@@ -305,7 +305,7 @@ impl Goal {
 }
 
 /// How many times a disc meets a cushion at least; 0 would ask for nothing.
-fn read_least(fields: &mut Fields) -> Result<usize, Fault> {
+fn read_least(fields: &mut Fields) -> Result<usize, FileError> {
     let expected = format!("a number of cushions from 1 to {MOST_CUSHIONS}");
     match fields.whole("least", &expected, MOST_CUSHIONS)? {
         0 => Err(fields.fault_at("least", format!("expected {expected}, found 0"))),
@@ -314,7 +314,7 @@ fn read_least(fields: &mut Fields) -> Result<usize, Fault> {
 }
 
 /// As [`read_least`], or `otherwise` where the field is left out.
-fn read_optional_least(fields: &mut Fields, otherwise: usize) -> Result<usize, Fault> {
+fn read_optional_least(fields: &mut Fields, otherwise: usize) -> Result<usize, FileError> {
     if fields.has("least") {
         read_least(fields)
     } else {
@@ -330,8 +330,8 @@ fn cushions(least: usize) -> String {
     }
 }
 
-impl Circle {
-    fn from_fields(fields: &mut Fields) -> Result<Self, Fault> {
+impl GoalCircle {
+    fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
         let centre = fields.place("centre_mm", &q::COORDINATE)?;
         let radius = fields.required_number("radius_mm", &q::RADIUS)?;
         Ok(Self {

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use super::goal::{Circle, Goal, between, between_deg};
+use super::goal::{Goal, GoalCircle, between, between_deg};
 use super::level::Level;
 use super::quantity::Range;
 use super::scene::{Scene, figures, pockets, tidy};
@@ -13,7 +13,7 @@ use crate::physics::{Event, EventKind, Shot, State};
 
 /// What became of a level's goals, one finding each, in their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Verdict(pub Vec<Finding>);
+pub struct Judgement(pub Vec<Finding>);
 
 /// What became of one goal.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub struct Finding {
     pub told: String,
 }
 
-impl Verdict {
+impl Judgement {
     /// Whether all goals are met.
     pub fn won(&self) -> bool {
         self.0.iter().all(|finding| finding.met)
@@ -37,10 +37,10 @@ impl Verdict {
 }
 
 /// Judges a shot of a level.
-pub fn judge(level: &Level, shot: &Shot) -> Verdict {
+pub fn judge(level: &Level, shot: &Shot) -> Judgement {
     let scene = &level.scene;
     let judged = level.goals.iter().map(|goal| judge_goal(goal, scene, shot));
-    Verdict(judged.collect())
+    Judgement(judged.collect())
 }
 
 fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
@@ -145,7 +145,7 @@ fn degrees(angle: f64) -> String {
 }
 
 /// The first time two discs meet.
-struct FirstHit {
+struct FirstImpact {
     discs: [usize; 2],
     /// Velocity of body 1, the disc that was set off, before.
     before: DVec2,
@@ -154,7 +154,7 @@ struct FirstHit {
     afters: [DVec2; 2],
 }
 
-impl FirstHit {
+impl FirstImpact {
     fn of(shot: &Shot) -> Option<Self> {
         shot.events().iter().find_map(|event| match event.kind {
             EventKind::Impact {
@@ -192,8 +192,8 @@ impl FirstHit {
     }
 }
 
-fn measured(shot: &Shot, of: impl Fn(&FirstHit) -> Option<Finding>) -> Option<Finding> {
-    of(&FirstHit::of(shot)?)
+fn measured(shot: &Shot, of: impl Fn(&FirstImpact) -> Option<Finding>) -> Option<Finding> {
+    of(&FirstImpact::of(shot)?)
 }
 
 /// The discs that fall, in order.
@@ -315,7 +315,7 @@ fn banked(disc: usize, target: usize, least: usize, scene: &Scene, shot: &Shot) 
     finding(false, format!("{name} never met {target_name}"))
 }
 
-fn inside(circle: &Circle, point: DVec2, name: &str, verb: &str) -> Finding {
+fn inside(circle: &GoalCircle, point: DVec2, name: &str, verb: &str) -> Finding {
     let outside = circle.outside_mm(point);
     if outside <= 0.0 {
         let off = figures(mm_from_m(circle.centre.distance(point)));

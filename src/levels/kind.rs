@@ -4,7 +4,7 @@ use crate::physics::Disc;
 
 /// What a disc is on the board; it gives its mass and size unless the file does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum DiscKind {
     /// The disc that is flicked: 15 g and 41.3 mm across, the most the Laws allow.
     Striker,
     /// A white coin: 5.5 g and 31.8 mm across, the most the Laws allow.
@@ -17,7 +17,7 @@ pub enum Kind {
     Marble,
 }
 
-impl Kind {
+impl DiscKind {
     /// All kinds with their names in a file.
     pub(super) const NAMED: [(&'static str, Self); 5] = [
         ("striker", Self::Striker),

@@ -2,13 +2,13 @@
 
 use glam::DVec2;
 
-use super::aim::{Adjust, Aim, Dial};
+use super::aim::{Adjust, Dial, LevelAim};
 use super::fields::Fields;
 use super::goal::Goal;
 use super::quantity::Range;
-use super::scene::{Piece, Scene, pockets, tidy};
+use super::scene::{PlacedDisc, Scene, pockets, tidy};
 use super::source::read_document;
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 
 /// The most goals a level may have.
@@ -37,7 +37,7 @@ pub struct Level {
     /// What has to come about, all of it.
     pub goals: Vec<Goal>,
     /// An aim that wins.
-    pub solution: Aim,
+    pub solution: LevelAim,
 }
 
 impl Level {
@@ -46,16 +46,20 @@ impl Level {
     /// # Errors
     ///
     /// The first thing that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileError> {
         Self::read_beside(name, bytes, &[])
     }
 
     /// Reads a level that is to have an id of its own among others.
-    pub(super) fn read_beside(name: &str, bytes: &[u8], others: &[Self]) -> Result<Self, Fault> {
+    pub(super) fn read_beside(
+        name: &str,
+        bytes: &[u8],
+        others: &[Self],
+    ) -> Result<Self, FileError> {
         read_document(name, bytes, |fields| Self::from_fields(fields, others))
     }
 
-    pub(super) fn from_fields(fields: &mut Fields, others: &[Self]) -> Result<Self, Fault> {
+    pub(super) fn from_fields(fields: &mut Fields, others: &[Self]) -> Result<Self, FileError> {
         let mut about = fields.required_table("level")?;
         let id = read_id(&mut about)?;
         if others.iter().any(|other| other.id == id) {
@@ -100,7 +104,7 @@ impl Level {
     }
 
     /// The aim with which the level opens.
-    pub fn start(&self) -> Aim {
+    pub fn start(&self) -> LevelAim {
         start(&self.scene)
     }
 
@@ -111,7 +115,7 @@ impl Level {
     }
 
     /// The scene with an aim, which is first brought within what the player may set.
-    pub fn aimed(&self, aim: &Aim) -> Scene {
+    pub fn aimed(&self, aim: &LevelAim) -> Scene {
         let mut within = self.start();
         for (dial, range) in self.adjust.dials() {
             within = within.with(dial, range.nearest(aim.get(dial)));
@@ -129,9 +133,9 @@ impl Level {
 }
 
 /// The dials as the shot of a scene has them.
-fn start(scene: &Scene) -> Aim {
+fn start(scene: &Scene) -> LevelAim {
     let piece = scene.pieces.get(scene.stroke.disc);
-    Aim {
+    LevelAim {
         direction_deg: scene.stroke.direction_deg,
         speed: scene.stroke.speed,
         place_mm: piece.map_or(0.0, |piece| mm_from_m(piece.at.x)),
@@ -140,7 +144,7 @@ fn start(scene: &Scene) -> Aim {
     }
 }
 
-fn read_id(about: &mut Fields) -> Result<String, Fault> {
+fn read_id(about: &mut Fields) -> Result<String, FileError> {
     let id = about.text("id", 40)?;
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     if id.chars().all(plain) {
@@ -153,7 +157,7 @@ fn read_id(about: &mut Fields) -> Result<String, Fault> {
 
 /// Reads what the player may set: it must hold what is set when the level opens,
 /// and the disc must find room wherever it may be placed.
-fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, Fault> {
+fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, FileError> {
     let fault = fields.clone();
     let adjust = Adjust::from_fields(fields)?;
     let start = start(scene);
@@ -189,7 +193,7 @@ fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     let holes = pockets(&scene.board).map(|hole| hole.x);
     let nearest = discs.chain(holes).map(|x| range.nearest(x));
     for x in nearest.chain([range.from, range.to]) {
-        let moved = Piece {
+        let moved = PlacedDisc {
             at: DVec2::new(x, piece.at.y),
             ..piece
         };

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::level::Level;
-use crate::files::{self, Fault, List};
+use crate::files::{self, FileError, List};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 
@@ -39,18 +39,18 @@ impl Pack {
 
 /// All levels there are to play.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Library {
+pub struct LevelLibrary {
     /// The packs.
     pub packs: Vec<Pack>,
     /// What was wrong with files that are left out.
-    pub problems: Vec<Fault>,
+    pub problems: Vec<FileError>,
 }
 
-impl Library {
+impl LevelLibrary {
     /// The packs that come with the program, read when they are first asked for and
     /// then kept for the whole process, as they never change.
     pub fn embedded_once() -> &'static Self {
-        static READ: LazyLock<Library> = LazyLock::new(Library::embedded);
+        static READ: LazyLock<LevelLibrary> = LazyLock::new(LevelLibrary::embedded);
         &READ
     }
 
@@ -70,7 +70,7 @@ impl Library {
 
     /// Adds the level files of a folder as a pack, and those of each folder in it as
     /// a pack of its own. A file that is no good is left out and reported in
-    /// [`Library::problems`].
+    /// [`LevelLibrary::problems`].
     pub fn add_dir(&mut self, dir: &Path) {
         let mut folders = self.add_files_of(dir);
         folders.sort_by_key(|folder| order(folder));

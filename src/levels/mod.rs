@@ -4,7 +4,7 @@
 //! is a scene with a goal, what the player may set, hints, an explanation and an
 //! aim that wins; the aim is stored so that it can be checked by playing it. Every
 //! number of a file is checked against its bounds while it is read; the first
-//! [`Fault`] ends the reading and says file, line, field and what was expected.
+//! [`FileError`] ends the reading and says file, line, field and what was expected.
 
 mod aim;
 mod check;
@@ -17,18 +17,20 @@ mod library;
 mod play;
 mod quantity;
 mod scene;
+mod shelf;
 mod source;
 mod stars;
 
-pub use crate::files::Fault;
-pub use aim::{Adjust, Aim, Dial};
+pub use crate::files::FileError;
+pub use aim::{Adjust, Dial, LevelAim};
 pub use check::{Trial, winning_share};
-pub use goal::{Circle, Goal};
-pub use judge::{Finding, Verdict, judge};
-pub use kind::Kind;
+pub use goal::{Goal, GoalCircle};
+pub use judge::{Finding, Judgement, judge};
+pub use kind::DiscKind;
 pub use level::Level;
-pub use library::{Library, Pack};
-pub use quantity::{Quantity, Range};
-pub use scene::{MOST_DISCS, Piece, Scene, Stroke, pockets};
+pub use library::{LevelLibrary, Pack};
+pub use quantity::{NumberSpec, Range};
+pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene, pockets};
+pub use shelf::Shelf;
 pub use source::FORMAT;
-pub use stars::{Best, FEW_SHOTS, MOST_STARS, Win};
+pub use stars::{Best, FEW_SHOTS, MOST_STARS, Starred, Win};

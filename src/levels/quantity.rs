@@ -4,14 +4,14 @@ use std::fmt;
 
 /// A kind of number with its unit and bounds, in the unit of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quantity {
+pub struct NumberSpec {
     what: &'static str,
     unit: &'static str,
     /// The bounds, both allowed.
     bounds: Range,
 }
 
-impl Quantity {
+impl NumberSpec {
     const fn new(what: &'static str, unit: &'static str, from: f64, to: f64) -> Self {
         let bounds = Range { from, to };
         Self { what, unit, bounds }
@@ -23,7 +23,7 @@ impl Quantity {
     }
 }
 
-impl fmt::Display for Quantity {
+impl fmt::Display for NumberSpec {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Range { from, to } = self.bounds;
         write!(f, "{} from {from} to {to}{}", self.what, self.unit)
@@ -32,17 +32,17 @@ impl fmt::Display for Quantity {
 
 // The bounds keep every number where f64 has room to spare; they are far wider
 // than anything that is still carrom.
-pub(super) const SIDE: Quantity = Quantity::new("a side", " mm", 50.0, 100_000.0);
-pub(super) const POCKET: Quantity = Quantity::new("a diameter", " mm", 0.0, 1000.0);
-pub(super) const FRICTION: Quantity = Quantity::new("a coefficient of friction", "", 0.0, 10.0);
-pub(super) const RESTITUTION: Quantity = Quantity::new("a restitution", "", 0.0, 1.0);
-pub(super) const MASS: Quantity = Quantity::new("a mass", " g", 0.001, 100_000.0);
-pub(super) const RADIUS: Quantity = Quantity::new("a radius", " mm", 0.1, 1000.0);
-pub(super) const COORDINATE: Quantity = Quantity::new("each", " mm", -50_000.0, 50_000.0);
-pub(super) const DIRECTION: Quantity = Quantity::new("a direction", " degrees", -360.0, 360.0);
-pub(super) const SPEED: Quantity = Quantity::new("a speed", " m/s", 0.0, 100.0);
-pub(super) const ANGLE: Quantity = Quantity::new("an angle", " degrees", 0.0, 180.0);
-pub(super) const PERCENT: Quantity = Quantity::new("a share", " percent", 0.0, 100.0);
+pub(super) const SIDE: NumberSpec = NumberSpec::new("a side", " mm", 50.0, 100_000.0);
+pub(super) const POCKET: NumberSpec = NumberSpec::new("a diameter", " mm", 0.0, 1000.0);
+pub(super) const FRICTION: NumberSpec = NumberSpec::new("a coefficient of friction", "", 0.0, 10.0);
+pub(super) const RESTITUTION: NumberSpec = NumberSpec::new("a restitution", "", 0.0, 1.0);
+pub(super) const MASS: NumberSpec = NumberSpec::new("a mass", " g", 0.001, 100_000.0);
+pub(super) const RADIUS: NumberSpec = NumberSpec::new("a radius", " mm", 0.1, 1000.0);
+pub(super) const COORDINATE: NumberSpec = NumberSpec::new("each", " mm", -50_000.0, 50_000.0);
+pub(super) const DIRECTION: NumberSpec = NumberSpec::new("a direction", " degrees", -360.0, 360.0);
+pub(super) const SPEED: NumberSpec = NumberSpec::new("a speed", " m/s", 0.0, 100.0);
+pub(super) const ANGLE: NumberSpec = NumberSpec::new("an angle", " degrees", 0.0, 180.0);
+pub(super) const PERCENT: NumberSpec = NumberSpec::new("a share", " percent", 0.0, 100.0);
 
 /// Two bounds, both included.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use super::fields::Fields;
-use super::kind::Kind;
+use super::kind::DiscKind;
 use super::quantity as q;
 use super::source::read_document;
-use crate::files::Fault;
+use crate::files::FileError;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
@@ -19,9 +19,9 @@ const SLACK: f64 = 1e-10;
 
 /// A disc and where it lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct PlacedDisc {
     /// What it is on the board.
-    pub kind: Kind,
+    pub kind: DiscKind,
     /// Its mass and radius.
     pub disc: Disc,
     /// Its centre in metres from the centre of the board.
@@ -30,7 +30,7 @@ pub struct Piece {
 
 /// How one of the discs is set off.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
+pub struct Launch {
     /// The disc.
     pub disc: usize,
     /// Its direction in degrees from +x, anticlockwise. Kept as the file has it, so
@@ -40,7 +40,7 @@ pub struct Stroke {
     pub speed: f64,
 }
 
-impl Stroke {
+impl Launch {
     /// The velocity in m/s; exact along the axes and alike in all four quadrants.
     pub fn velocity(&self) -> DVec2 {
         self.speed * unit_vector(self.direction_deg)
@@ -53,9 +53,9 @@ pub struct Scene {
     /// The board.
     pub board: Board,
     /// The discs, by number.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<PlacedDisc>,
     /// The shot.
-    pub stroke: Stroke,
+    pub stroke: Launch,
 }
 
 impl Scene {
@@ -65,7 +65,7 @@ impl Scene {
     /// # Errors
     ///
     /// The first thing that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileError> {
         read_document(name, bytes, |fields| {
             if fields.has("level") {
                 super::Level::from_fields(fields, &[]).map(|level| level.scene)
@@ -75,7 +75,7 @@ impl Scene {
         })
     }
 
-    pub(super) fn from_fields(fields: &mut Fields) -> Result<Self, Fault> {
+    pub(super) fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
         let board = match fields.table("board")? {
             Some(table) => read_board(table)?,
             None => Board::default(),
@@ -86,7 +86,7 @@ impl Scene {
             pieces.push(piece);
         }
         let mut table = fields.required_table("shot")?;
-        let stroke = Stroke {
+        let stroke = Launch {
             disc: table.disc("disc", pieces.len())?,
             direction_deg: table.required_number("direction_deg", &q::DIRECTION)?,
             speed: table.required_number("speed", &q::SPEED)?,
@@ -123,7 +123,7 @@ impl Scene {
         let Some(kind) = self.pieces.get(disc).map(|piece| piece.kind) else {
             return format!("disc {disc}");
         };
-        let alike = |pieces: &[Piece]| pieces.iter().filter(|p| p.kind == kind).count();
+        let alike = |pieces: &[PlacedDisc]| pieces.iter().filter(|p| p.kind == kind).count();
         match alike(&self.pieces) {
             0 | 1 => format!("the {}", kind.name()),
             _ => {
@@ -147,7 +147,7 @@ pub fn pockets(board: &Board) -> impl Iterator<Item = DVec2> + use<> {
         .map(move |(x, y)| reach * DVec2::new(x, y))
 }
 
-fn read_board(mut fields: Fields) -> Result<Board, Fault> {
+fn read_board(mut fields: Fields) -> Result<Board, FileError> {
     let usual = Board::default();
     let side = fields.number("side_mm", &q::SIDE)?;
     let pocket = fields.number("pocket_diameter_mm", &q::POCKET)?;
@@ -176,13 +176,17 @@ fn read_board(mut fields: Fields) -> Result<Board, Fault> {
 }
 
 /// Reads a disc that lies clear of the frame, the pockets and the discs before it.
-fn read_piece(mut fields: Fields, board: &Board, others: &[Piece]) -> Result<Piece, Fault> {
-    let kind = fields.word("kind", &Kind::NAMED)?;
+fn read_piece(
+    mut fields: Fields,
+    board: &Board,
+    others: &[PlacedDisc],
+) -> Result<PlacedDisc, FileError> {
+    let kind = fields.word("kind", &DiscKind::NAMED)?;
     let at = fields.place("at_mm", &q::COORDINATE)?;
     let mass = fields.number("mass_g", &q::MASS)?;
     let radius = fields.number("radius_mm", &q::RADIUS)?;
     let usual = kind.disc();
-    let piece = Piece {
+    let piece = PlacedDisc {
         kind,
         disc: Disc {
             mass: mass.map_or(usual.mass, kg_from_g),
@@ -197,7 +201,7 @@ fn read_piece(mut fields: Fields, board: &Board, others: &[Piece]) -> Result<Pie
     Ok(piece)
 }
 
-impl Piece {
+impl PlacedDisc {
     /// Whether the disc lies inside the frame, outside the pockets and clear of
     /// other discs; if not, what was expected.
     pub(super) fn check_place<'a>(

@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::fields::Fields;
-use crate::files::{self, Fault, Source, newer};
+use crate::files::{self, FileError, Source, newer};
 
 /// The format that this program reads and writes.
 pub const FORMAT: u32 = 1;
@@ -18,8 +18,8 @@ pub const FORMAT: u32 = 1;
 pub(super) fn read_document<T>(
     name: &str,
     bytes: &[u8],
-    read: impl FnOnce(&mut Fields) -> Result<T, Fault>,
-) -> Result<T, Fault> {
+    read: impl FnOnce(&mut Fields) -> Result<T, FileError>,
+) -> Result<T, FileError> {
     let source = Source::of_bytes(name, bytes, files::LARGEST)?;
     let document = parse(source)?;
     let mut fields = Fields::of_document(source, &document);
@@ -29,11 +29,11 @@ pub(super) fn read_document<T>(
     Ok(made)
 }
 
-fn parse<'a>(source: Source<'a>) -> Result<Spanned<DeTable<'a>>, Fault> {
+fn parse<'a>(source: Source<'a>) -> Result<Spanned<DeTable<'a>>, FileError> {
     DeTable::parse(source.text()).map_err(|error| source.fault_of(&error))
 }
 
-fn check_format(fields: &mut Fields, source: Source) -> Result<(), Fault> {
+fn check_format(fields: &mut Fields, source: Source) -> Result<(), FileError> {
     let expected = format!("`format = {FORMAT}`");
     if source.text().trim().is_empty() {
         let message = format!("expected {expected}, found an empty file");

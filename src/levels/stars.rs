@@ -36,6 +36,17 @@ impl Win {
     }
 }
 
+/// A level that was won, with the most stars it was ever won with.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Starred {
+    /// The name of its pack.
+    pub pack: String,
+    /// Its id.
+    pub level: String,
+    /// How many, from 1.
+    pub stars: u8,
+}
+
 /// The best that was done in each level.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Best(BTreeMap<(String, String), u8>);

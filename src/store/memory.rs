@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use super::shelf::{Shelf, free_number};
-use crate::files::Fault;
+use super::text_store::{TextStore, free_number};
+use crate::files::FileError;
 
 /// Texts in memory, the latest last.
 pub(super) struct Memory {
@@ -14,7 +14,7 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// An empty shelf that goes by this name, whose texts have this ending.
+    /// An empty text_store that goes by this name, whose texts have this ending.
     pub(super) fn new(folder: &'static str, ending: &'static str) -> Self {
         Self {
             folder,
@@ -24,16 +24,16 @@ impl Memory {
     }
 }
 
-impl Shelf for Memory {
+impl TextStore for Memory {
     fn names(&self) -> Result<Vec<String>, String> {
         let names = self.texts.iter().rev().map(|(name, _)| name.clone());
         Ok(names.collect())
     }
 
-    fn read(&self, name: &str) -> Result<Vec<u8>, Fault> {
+    fn read(&self, name: &str) -> Result<Vec<u8>, FileError> {
         let found = self.texts.iter().find(|(known, _)| known == name);
         let text = found.map(|(_, text)| text.clone().into_bytes());
-        text.ok_or_else(|| Fault::of_file(&self.place(name), "is no longer there"))
+        text.ok_or_else(|| FileError::of_file(&self.place(name), "is no longer there"))
     }
 
     fn age(&self, _name: &str) -> Option<Duration> {

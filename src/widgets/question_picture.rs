@@ -3,10 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::hit::{Face, Given, Saying, after_picture, setup_picture};
+use super::hit::{Face, Markings, Saying, after_picture, setup_picture};
+use super::picture::Picture;
 use super::tracks::tracks_picture;
-use super::{AnswerInput, Look, picture};
-use crate::quiz::{Form, Picture, Question, Said};
+use super::{AnswerInput, Look};
+use crate::quiz::{Form, Illustration, Question, Response};
 
 /// What a question shows, with no more in it than it gives, and what is being said to
 /// it; nothing for a question of words alone.
@@ -15,28 +16,30 @@ pub fn question_picture(
     area: Rect,
     question: &Question,
     input: Option<&AnswerInput>,
-) -> Option<picture::Picture> {
+) -> Option<Picture> {
     let faces = Face::STRIKER_AND_COIN;
     Some(match (&question.picture, &question.form) {
-        (Picture::Before { shown, .. }, Form::Shot(aim)) => {
+        (Illustration::Before { shown, .. }, Form::Shot(aim)) => {
             let offset = match input.and_then(AnswerInput::said) {
-                Some(Said::Shot(offset)) => offset,
+                Some(Response::Shot(offset)) => offset,
                 _ => 0.0,
             };
-            let given = Given {
+            let given = Markings {
                 offset: true,
                 ..*shown
             };
             let saying = Saying::Shot(aim.into());
             setup_picture(area, faces, &aim.with(offset), given, saying)
         }
-        (Picture::Before { collision, shown }, _) => {
+        (Illustration::Before { collision, shown }, _) => {
             let rays = input.and_then(AnswerInput::rays);
             setup_picture(area, faces, collision, *shown, rays)
         }
-        (Picture::After { collision }, _) => after_picture(area, collision),
-        (Picture::Tracks { rutherford, angles }, _) => tracks_picture(area, rutherford, *angles),
-        (Picture::Nothing, _) => return None,
+        (Illustration::After { collision }, _) => after_picture(area, collision),
+        (Illustration::Tracks { rutherford, angles }, _) => {
+            tracks_picture(area, rutherford, *angles)
+        }
+        (Illustration::Nothing, _) => return None,
     })
 }
 
@@ -60,13 +63,13 @@ mod tests {
     use super::*;
     use crate::physics::rutherford::Rutherford;
     use crate::physics::{Collision, Disc};
-    use crate::quiz::{Aim, Code, Quantity, Ray, Round, Shown};
+    use crate::quiz::{AimTask, Code, Markings, Measure, Ray, Round};
     use crate::widgets::cells::text;
     use crate::widgets::{Charset, Depth, Palette, Theme};
 
     const AREA: Rect = Rect::new(0, 0, 48, 20);
 
-    fn drawn(picture: Picture, form: Form) -> String {
+    fn drawn(picture: Illustration, form: Form) -> String {
         let round = Round::of(Code::hits(7));
         let question = Question {
             picture,
@@ -84,7 +87,7 @@ mod tests {
 
     fn number() -> Form {
         Form::Number {
-            quantity: Quantity::Mass,
+            quantity: Measure::Mass,
             truth: 10.0,
         }
     }
@@ -100,7 +103,7 @@ mod tests {
     fn a_hit_that_was_seen_shows_its_angles_alone() {
         let collision = hit(30.0);
         let outcome = collision.outcome();
-        let picture = drawn(Picture::After { collision }, number());
+        let picture = drawn(Illustration::After { collision }, number());
         for angle in [outcome.theta1, outcome.theta2] {
             let shown = format!("{:.1}", angle.unwrap().to_degrees());
             assert!(picture.contains(&shown), "{shown}\n{picture}");
@@ -115,7 +118,7 @@ mod tests {
             ..collision
         };
         assert_eq!(
-            drawn(Picture::After { collision: faster }, number()),
+            drawn(Illustration::After { collision: faster }, number()),
             picture
         );
     }
@@ -124,7 +127,7 @@ mod tests {
     fn two_ways_past_a_nucleus_have_their_angles() {
         for angles in [[60.0, 120.0], [15.0, 90.0], [5.0, 10.0], [180.0, 0.0]] {
             let picture = drawn(
-                Picture::Tracks {
+                Illustration::Tracks {
                     rutherford: Rutherford::radium_c_on_gold(),
                     angles: angles.map(f64::to_radians),
                 },
@@ -138,15 +141,15 @@ mod tests {
 
     #[test]
     fn a_shot_shows_its_mark() {
-        let aim = Aim {
+        let aim = AimTask {
             collision: hit(0.0),
             ray: Ray::Target,
             wanted: 0.7,
             offset: 0.01,
         };
-        let picture = Picture::Before {
+        let picture = Illustration::Before {
             collision: aim.collision,
-            shown: Shown::default(),
+            shown: Markings::default(),
         };
         let picture = drawn(picture, Form::Shot(aim));
         assert!(

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 use std::process::Command;
 
-use carrom::levels::{Level, Library, Trial, winning_share};
+use carrom::levels::{Level, LevelLibrary, Trial, winning_share};
 
 fn levels() -> Vec<Level> {
-    let library = Library::embedded();
+    let library = LevelLibrary::embedded();
     assert_eq!(library.problems, []);
     library
         .packs
@@ -18,7 +18,7 @@ fn levels() -> Vec<Level> {
 #[test]
 fn there_are_at_least_forty_from_the_first_hits_to_design() {
     assert!(levels().len() >= 40);
-    let packs = Library::embedded().packs;
+    let packs = LevelLibrary::embedded().packs;
     let names: Vec<_> = packs.iter().map(|pack| pack.name.as_str()).collect();
     assert_eq!(
         names,

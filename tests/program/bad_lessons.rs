@@ -4,7 +4,7 @@
 //! `tests/bad-lessons/NAME.expected` is the message for `NAME.md`.
 
 use carrom::cli;
-use carrom::lessons::{Chapter, Library};
+use carrom::lessons::{Chapter, ChapterLibrary};
 use carrom::screens::learn::check;
 use carrom::shells::Headless;
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ fn every_bad_file_gives_its_message() {
 
 #[test]
 fn the_rest_of_the_book_opens_beside_bad_files() {
-    let mut library = Library::embedded();
+    let mut library = ChapterLibrary::embedded();
     let own = library.chapters.len();
     library.add_dir(&BAD.path());
     // Those that are only too long for a small screen can be read.
@@ -52,7 +52,10 @@ fn the_chapters_in_the_program_are_good() {
     assert_eq!(message(&output), "");
     assert_eq!(output.status.code(), Some(0));
     let report = String::from_utf8(output.stdout).unwrap();
-    assert_eq!(report.lines().count(), Library::embedded().chapters.len());
+    assert_eq!(
+        report.lines().count(),
+        ChapterLibrary::embedded().chapters.len()
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! `tests/bad-levels/NAME.expected` is the message for `NAME.toml`, or for the
 //! folder `NAME`.
 
-use carrom::levels::{Level, Library, Scene, judge};
+use carrom::levels::{Level, LevelLibrary, Scene, judge};
 use proptest::prelude::*;
 
 use crate::bad_files::{self, BadFiles, message};
@@ -64,7 +64,7 @@ fn a_missing_file_is_named() {
 
 #[test]
 fn a_bad_file_does_not_keep_the_rest_of_a_folder_from_opening() {
-    let mut library = Library::default();
+    let mut library = LevelLibrary::default();
     library.add_dir(&BAD.path());
     // The folder of two levels with one id gives one level and one fault.
     assert_eq!(library.packs.len(), 1);

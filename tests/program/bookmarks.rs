@@ -6,9 +6,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use carrom::app::{App, Data};
-use carrom::lessons::Library;
-use carrom::messages::{Done, Effect, Input, Key, Request, Wish};
-use carrom::screens::{Book, Place, Settings};
+use carrom::lessons::{Book, ChapterLibrary};
+use carrom::messages::{Effect, Input, Key, StoreCall, StoreReply, StoreRequest};
+use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};
@@ -173,7 +173,7 @@ const ASKED: &str =
 fn own(folder: &Path, pages: &str) -> Headless {
     let file = folder.join("77-mine.md");
     fs::write(&file, format!("{HEADER}{pages}")).unwrap();
-    let mut library = Library::default();
+    let mut library = ChapterLibrary::default();
     library.add_file(&file);
     assert_eq!(library.problems, []);
     let place = Place::Chapter { number: 0 };
@@ -250,7 +250,7 @@ fn nothing_is_said_and_nothing_kept_before_it_is_known_where_a_chapter_was_left(
         let [Effect::Keep(request)] = &asked[..] else {
             panic!("{asked:?}");
         };
-        assert_eq!(request.wish, Wish::Marks("Ada".into()));
+        assert_eq!(request.wish, StoreRequest::Marks("Ada".into()));
         for key in [
             Key::Char('n'),
             Key::Down,
@@ -326,14 +326,14 @@ fn marks(
     folder: &Path,
     player: &str,
 ) -> std::collections::BTreeMap<String, carrom::lessons::Bookmark> {
-    let request = Request {
+    let request = StoreCall {
         ticket: 0,
-        wish: Wish::Marks(player.into()),
+        wish: StoreRequest::Marks(player.into()),
     };
     let answer = Store::in_folder(folder).answer(&request);
     assert_eq!(answer.notice, None);
     match answer.done {
-        Done::Marks(Ok(marks)) => marks,
+        StoreReply::Marks(Ok(marks)) => marks,
         other => panic!("{other:?}"),
     }
 }
@@ -353,7 +353,7 @@ fn four_who_read_at_once_lose_nothing() {
     for player in readers.map(start) {
         assert_eq!(player.end(), Some(8));
     }
-    let library = Library::embedded_once();
+    let library = ChapterLibrary::embedded_once();
     for (name, number) in [("Ada", 0), ("Ada", 1), ("球", 1)] {
         let chapter = &library.chapters[number];
         let mark = &marks(folder.path(), name)[&chapter.id];
@@ -367,7 +367,7 @@ fn four_who_read_at_once_lose_nothing() {
 fn a_reader_who_is_killed_goes_on_at_the_page_last_seen() {
     let folder = Folder::new("bookmarks-killed");
     let mut chance = Pcg64::seed_from_u64(12);
-    let chapter = &Library::embedded_once().chapters[2];
+    let chapter = &ChapterLibrary::embedded_once().chapters[2];
     for _ in 0..15 {
         let before = marks(folder.path(), "Ada");
         let at = before.get(&chapter.id).map_or(0, |mark| mark.page(chapter));

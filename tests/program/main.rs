@@ -12,6 +12,7 @@ mod cli;
 #[cfg(unix)]
 mod kill;
 mod memory;
+mod old_files;
 mod plain;
 mod play;
 mod report;

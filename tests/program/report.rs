@@ -7,12 +7,13 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use carrom::app::App;
-use carrom::lessons::{self, Answer, Bookmark, Chapter, Given};
+use carrom::lessons::{self, Bookmark, Chapter, CheckpointAnswer, GivenAnswer};
 use carrom::levels;
-use carrom::messages::{Done, History, Request, Wish};
+use carrom::levels::Starred;
+use carrom::messages::{History, StoreCall, StoreReply, StoreRequest};
 use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
-use carrom::progress::{Attempt, LESSON, Starred, csv, json};
+use carrom::progress::{Attempt, LESSON, csv, json};
 use carrom::quiz::Confidence;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -75,16 +76,16 @@ fn attempt(player: &str, number: u32) -> Attempt {
     }
 }
 
-fn ask(store: &mut Store, wish: Wish) -> Done {
-    store.answer(&Request { ticket: 0, wish }).done
+fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
+    store.answer(&StoreCall { ticket: 0, wish }).done
 }
 
 /// What a store has of a player who answered six questions and won a level.
 fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
     let mut store = Store::in_folder(folder);
     for number in 1..=6 {
-        let wish = Wish::Record(Box::new(attempt(player, number)));
-        assert_eq!(ask(&mut store, wish), Done::Noted(Ok(())));
+        let wish = StoreRequest::Record(Box::new(attempt(player, number)));
+        assert_eq!(ask(&mut store, wish), StoreReply::Noted(Ok(())));
     }
     let (pack, level) = first_level();
     let star = Starred {
@@ -92,12 +93,14 @@ fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
         level,
         stars: 2,
     };
-    ask(&mut store, Wish::Star(player.into(), star));
+    ask(&mut store, StoreRequest::Star(player.into(), star));
     let mut store = Store::in_folder(folder);
-    let Done::Recalled(Ok(history)) = ask(&mut store, Wish::Recall(Some(player.into()))) else {
+    let StoreReply::Recalled(Ok(history)) =
+        ask(&mut store, StoreRequest::Recall(Some(player.into())))
+    else {
         panic!("nothing is recalled");
     };
-    let Done::Stars(Ok(stars)) = ask(&mut store, Wish::Stars(player.into())) else {
+    let StoreReply::Stars(Ok(stars)) = ask(&mut store, StoreRequest::Stars(player.into())) else {
         panic!("no stars are recalled");
     };
     assert_eq!((history.attempts.len(), stars.len()), (6, 1));
@@ -105,7 +108,7 @@ fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
 }
 
 fn first_level() -> (String, String) {
-    let pack = &levels::Library::embedded_once().packs[0];
+    let pack = &levels::LevelLibrary::embedded_once().packs[0];
     (pack.name.clone(), pack.levels[0].id.clone())
 }
 
@@ -125,8 +128,8 @@ fn with_marks<'a>(
         history,
         marks,
         stars,
-        levels: levels::Library::embedded_once(),
-        lessons: lessons::Library::embedded_once(),
+        levels: levels::LevelLibrary::embedded_once(),
+        lessons: lessons::ChapterLibrary::embedded_once(),
     })
 }
 
@@ -267,9 +270,9 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
     for page in &chapter.pages {
         let given = page.checkpoint.as_ref().map(|checkpoint| {
             asked += 1;
-            Given {
+            GivenAnswer {
                 asked: checkpoint.written.clone(),
-                answer: Answer::Choice(0),
+                answer: CheckpointAnswer::Choice(0),
                 right: asked <= right,
             }
         });
@@ -280,7 +283,7 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
 
 #[test]
 fn chapters_stand_in_the_report_as_they_do_in_learn() {
-    let chapters = &lessons::Library::embedded_once().chapters;
+    let chapters = &lessons::ChapterLibrary::embedded_once().chapters;
     let (first, second) = (&chapters[0], &chapters[1]);
     let marks = BTreeMap::from([
         (first.id.clone(), read_through(first, 2)),
@@ -363,7 +366,7 @@ fn one_answer_makes_a_report() {
 
 #[test]
 fn thousands_of_answers_fit_the_page_too() {
-    let library = lessons::Library::embedded_once();
+    let library = lessons::ChapterLibrary::embedded_once();
     let attempts: Vec<_> = (0..5_000_u32)
         .map(|i| {
             let read = i % 5 == 0;

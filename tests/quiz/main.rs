@@ -6,4 +6,5 @@
 mod class_round;
 mod codes;
 mod families;
+mod frozen;
 mod rounds;

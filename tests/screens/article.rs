@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use carrom::app::App;
-use carrom::lessons::{Block, Chapter, Formula, Library, Page};
+use carrom::lessons::{Chapter, ChapterLibrary, ChapterPage, Formula, TextBlock};
 use carrom::physics::units::{deg_from_rad, rad_from_deg};
 use carrom::physics::{Collision, Disc};
 use carrom::screens::{Place, Settings};
@@ -256,7 +256,7 @@ fn text_on(screen: &str) -> Vec<String> {
 /// Every page of every chapter as it is drawn, by chapter and title.
 fn walk(charset: Charset) -> BTreeMap<(String, String), Seen> {
     let mut pages = BTreeMap::new();
-    for (number, chapter) in Library::embedded_once().chapters.iter().enumerate() {
+    for (number, chapter) in ChapterLibrary::embedded_once().chapters.iter().enumerate() {
         let settings = Settings {
             charset,
             reduced_motion: true,
@@ -284,11 +284,11 @@ fn walk(charset: Charset) -> BTreeMap<(String, String), Seen> {
 }
 
 fn chapter(id: &str) -> &'static Chapter {
-    let library = Library::embedded_once();
+    let library = ChapterLibrary::embedded_once();
     &library.chapters[library.find(id).unwrap()]
 }
 
-fn page(id: &str, title: &str) -> &'static Page {
+fn page(id: &str, title: &str) -> &'static ChapterPage {
     let pages = chapter(id).pages.iter();
     let mut wanted = pages.filter(|page| page.title == title);
     wanted.next().unwrap_or_else(|| panic!("{id}: {title}"))
@@ -352,9 +352,9 @@ fn every_figure_of_the_article_is_computed() {
     }
 }
 
-fn formulas(blocks: &[Block]) -> impl Iterator<Item = &Formula> {
+fn formulas(blocks: &[TextBlock]) -> impl Iterator<Item = &Formula> {
     blocks.iter().filter_map(|block| match block {
-        Block::Formula(formula) => Some(formula),
+        TextBlock::Formula(formula) => Some(formula),
         _ => None,
     })
 }

@@ -2,7 +2,7 @@
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::lessons::{Asked, Chapter, Library, Page};
+use carrom::lessons::{Chapter, ChapterLibrary, ChapterPage, CheckpointKind};
 use carrom::messages::Key;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -20,14 +20,14 @@ fn open(number: usize, charset: Charset, size: (u16, u16)) -> Headless {
 }
 
 fn chapter(name: &str) -> (usize, &'static Chapter) {
-    let library = Library::embedded_once();
+    let library = ChapterLibrary::embedded_once();
     let number = library.find(name).unwrap();
     (number, &library.chapters[number])
 }
 
 #[test]
 fn every_chapter_is_walked_from_first_page_to_last() {
-    for (number, chapter) in Library::embedded_once().chapters.iter().enumerate() {
+    for (number, chapter) in ChapterLibrary::embedded_once().chapters.iter().enumerate() {
         for charset in [Charset::Ascii, Charset::Unicode] {
             for size in [(80, 24), (120, 40), (60, 20)] {
                 let mut game = open(number, charset, size);
@@ -154,7 +154,7 @@ fn a_checkpoint_can_be_skipped() {
 
 /// The page of a chapter with this figure.
 fn page_with(chapter: &Chapter, figure: carrom::lessons::FigureKind) -> usize {
-    let has = |page: &Page| page.figure.is_some_and(|shown| shown.kind == figure);
+    let has = |page: &ChapterPage| page.figure.is_some_and(|shown| shown.kind == figure);
     chapter.pages.iter().position(has).unwrap()
 }
 
@@ -253,21 +253,21 @@ fn a_chapter_is_opened_by_number_or_name() {
 
 #[test]
 fn what_is_typed_can_be_seen_on_a_small_screen() {
-    for (number, chapter) in Library::embedded_once().chapters.iter().enumerate() {
+    for (number, chapter) in ChapterLibrary::embedded_once().chapters.iter().enumerate() {
         let mut game = open(number, Charset::Ascii, (60, 20));
         for page in &chapter.pages {
             let asked = page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked);
             match asked {
-                Some(Asked::Number { .. }) => {
+                Some(CheckpointKind::Number { .. }) => {
                     game.press("48");
                     assert!(game.screen().contains("48_"), "{}", game.screen());
                 }
-                Some(Asked::Choice(_)) => {
+                Some(CheckpointKind::Choice(_)) => {
                     game.key(Key::Up);
                     let screen = game.screen();
                     assert!(screen.contains("|>") || screen.contains(" >"), "{screen}");
                 }
-                Some(Asked::Rays) => {
+                Some(CheckpointKind::Rays) => {
                     game.press("48");
                     assert!(game.screen().contains("48_"), "{}", game.screen());
                 }
@@ -275,7 +275,7 @@ fn what_is_typed_can_be_seen_on_a_small_screen() {
             }
             let keys = game.screen().lines().last().unwrap_or_default().to_owned();
             assert!(keys.contains("Enter") && keys.contains("Esc"), "{keys}");
-            if let Some(Asked::Number { .. } | Asked::Rays) = asked {
+            if let Some(CheckpointKind::Number { .. } | CheckpointKind::Rays) = asked {
                 // Gives up what was typed.
                 game.press("<Escape>");
             }

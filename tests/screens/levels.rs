@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::levels::Level;
+use carrom::levels::{Level, Shelf};
 use carrom::messages::{Key, MouseKind};
-use carrom::screens::{Place, Settings, Shelf};
+use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;

@@ -2,16 +2,16 @@
 
 use std::time::Duration;
 
-use carrom::lessons::{Asked, Page};
+use carrom::lessons::{ChapterPage, CheckpointKind};
 use carrom::shells::Headless;
 
 /// Presses what answers a page's question, if it has one: anything will do.
-pub fn answer(game: &mut Headless, page: &Page) {
+pub fn answer(game: &mut Headless, page: &ChapterPage) {
     match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
         None => return,
-        Some(Asked::Rays) => game.press("40<Enter>40<Enter>"),
-        Some(Asked::Number { .. }) => game.press("1<Enter>"),
-        Some(Asked::Choice(_)) => game.press("2<Enter>"),
+        Some(CheckpointKind::Rays) => game.press("40<Enter>40<Enter>"),
+        Some(CheckpointKind::Number { .. }) => game.press("1<Enter>"),
+        Some(CheckpointKind::Choice(_)) => game.press("2<Enter>"),
     }
     assert!(game.settle(Duration::from_secs(60)));
 }

@@ -1,55 +1,194 @@
-//! The tapes under `tests/tapes`, each played in both charsets at two sizes. Their
-//! screenshots are snapshots: accepted after they were looked at.
+//! The tapes under `tests/tapes`, each played in both charsets at two sizes. What they
+//! expect and refuse holds in all four; their screenshots are kept as one snapshot a
+//! tape and variant, accepted after they were looked at: two variants of every tape,
+//! and all four of those that together show every kind of picture. Some screenshots are
+//! kept with their colours too.
 
+use std::collections::BTreeSet;
 use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::thread;
 
 use carrom::cli;
-use carrom::shells::tape::{Tape, play};
+use carrom::shells::tape::{Screenshot, Tape, play};
+use carrom::widgets::Depth::{self, Ansi16, Indexed256, True};
+use carrom::widgets::Palette::{self, Dark, Light, Mono};
+use carrom::widgets::Theme;
 
-fn tapes() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tapes");
-    let mut paths: Vec<_> = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|ending| ending == "tape"))
-        .collect();
-    paths.sort();
-    paths
+use super::colours;
+
+/// Charset and size of each variant, and whether every tape has a snapshot of it.
+const VARIANTS: [(&str, &str, bool); 4] = [
+    ("ascii", "80x24", true),
+    ("ascii", "120x40", false),
+    ("unicode", "80x24", false),
+    ("unicode", "120x40", true),
+];
+
+/// The tapes that have a snapshot of every variant.
+const IN_ALL_VARIANTS: [&str; 17] = [
+    "board",
+    "class-round",
+    "family-from-offset",
+    "family-make-it-so",
+    "family-rutherford",
+    "foil-1913",
+    "foil-beam",
+    "foil-particle",
+    "home",
+    "learn-04",
+    "learn-09",
+    "levels",
+    "mystery-coin",
+    "progress",
+    "quiz-right",
+    "stick",
+    "worked-shot",
+];
+
+/// The screenshots that are kept with their colours, at 80x24.
+const COLOURED: [(&str, &str, &str, Palette, Depth); 22] = [
+    ("home", "home", "unicode", Dark, True),
+    ("home", "home-help", "ascii", Light, Ansi16),
+    ("worked-shot", "say-it", "ascii", Dark, Ansi16),
+    ("worked-shot", "split", "unicode", Dark, True),
+    ("worked-shot", "contact", "unicode", Light, True),
+    ("worked-shot", "departure", "ascii", Light, Ansi16),
+    ("worked-shot", "departure", "unicode", Mono, True),
+    ("worked-shot", "centre-of-mass", "unicode", Dark, Indexed256),
+    ("board", "aim", "unicode", Dark, True),
+    ("board", "queen", "ascii", Light, Ansi16),
+    ("learn-04", "page4-moved", "unicode", Dark, True),
+    ("learn-09", "page2-answered", "unicode", Light, True),
+    ("levels", "missed", "unicode", Dark, Ansi16),
+    ("levels", "won", "unicode", Light, True),
+    ("foil-beam", "foil", "unicode", Dark, True),
+    ("foil-particle", "nucleus", "unicode", Light, Ansi16),
+    ("family-from-picture", "diagnosed", "unicode", Dark, True),
+    ("quiz-right", "right", "ascii", Dark, Ansi16),
+    ("progress", "sure", "unicode", Dark, True),
+    ("class-round", "second-vote", "unicode", Light, True),
+    ("stick", "turning", "unicode", Dark, True),
+    ("saved-games", "list", "ascii", Dark, Ansi16),
+];
+
+fn folder(of: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(of)
 }
 
-/// The tape with charset and size set after its first instruction, `Run`.
-fn set(text: &str, charset: &str, size: &str) -> String {
+/// Names of the files in `folder` that end in `ending`, without it, in order.
+fn names(folder: &Path, ending: &str) -> BTreeSet<String> {
+    let files = fs::read_dir(folder).unwrap();
+    let files = files.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let stem = |name: String| name.strip_suffix(ending).map(str::to_owned);
+    files.filter_map(stem).collect()
+}
+
+/// Plays the tape `name` with charset and size set after its first instruction, `Run`.
+fn played(name: &str, charset: &str, size: &str, theme: Theme) -> Vec<Screenshot> {
+    let text = fs::read_to_string(folder("tapes").join(format!("{name}.tape"))).unwrap();
     let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
     let run = lines.iter().position(|line| line.starts_with("Run"));
     let setting = format!("Set Size {size}\nSet Charset {charset}");
     lines.insert(run.map_or(0, |i| i + 1), setting);
-    lines.join("\n")
+    let tape = Tape::parse(&lines.join("\n")).unwrap_or_else(|error| panic!("{name}:{error}"));
+    let open = |arguments: &str| {
+        let mut app = cli::open(arguments)?;
+        let settings = app.settings_mut();
+        (settings.palette, settings.depth) = (theme.palette, theme.depth);
+        Ok(app)
+    };
+    play(&tape, open).unwrap_or_else(|error| panic!("{name} in {charset} at {size}:{error}"))
+}
+
+/// All screenshots of a tape in one text.
+fn album(screenshots: &[Screenshot]) -> String {
+    let pages = screenshots
+        .iter()
+        .map(|shot| format!("== {} ==\n{}\n", shot.name, shot.text().trim_end()));
+    pages.collect::<Vec<_>>().join("\n")
+}
+
+/// Compares `text` with the snapshot `name` in `tests/snapshots/<folder>`.
+fn compare(folder: &str, name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(format!("../snapshots/{folder}"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+/// Fails unless the snapshots in `tests/snapshots/<of>` are those that are `wanted`.
+fn assert_kept(of: &str, wanted: &BTreeSet<String>) {
+    let kept = names(&folder("snapshots").join(of), ".snap");
+    let wrong: Vec<_> = kept.symmetric_difference(wanted).collect();
+    assert!(wrong.is_empty(), "left over or missing: {wrong:?}");
+}
+
+/// Runs `check` on every item, on all cores; fails at the end with all that failed.
+fn check_each<T: Send + std::fmt::Debug>(items: Vec<T>, check: impl Fn(&T) + Sync) {
+    let left = Mutex::new(items);
+    let failed = Mutex::new(Vec::new());
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                loop {
+                    let next = left.lock().unwrap().pop();
+                    let Some(item) = next else { break };
+                    if catch_unwind(AssertUnwindSafe(|| check(&item))).is_err() {
+                        failed.lock().unwrap().push(format!("{item:?}"));
+                    }
+                }
+            });
+        }
+    });
+    let failed = failed.into_inner().unwrap();
+    assert!(failed.is_empty(), "these failed:\n{}", failed.join("\n"));
 }
 
 #[test]
 fn every_tape_plays_and_looks_as_it_did() {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../snapshots/tapes");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    for path in tapes() {
-        let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
-        let text = fs::read_to_string(&path).unwrap();
-        for charset in ["ascii", "unicode"] {
-            for size in ["80x24", "120x40"] {
-                let tape = Tape::parse(&set(&text, charset, size))
-                    .unwrap_or_else(|error| panic!("{name}:{error}"));
-                let screenshots = play(&tape, cli::open)
-                    .unwrap_or_else(|error| panic!("{name} in {charset} at {size}:{error}"));
-                for screenshot in screenshots {
-                    let screen = screenshot.text();
-                    assert!(!screen.contains("NaN") && !screen.contains("inf "));
-                    assert!(charset == "unicode" || screen.is_ascii(), "{screen}");
-                    let snapshot = format!("{name}-{}-{charset}-{size}", screenshot.name);
-                    settings.bind(|| insta::assert_snapshot!(snapshot, screen));
-                }
+    let mut plays = Vec::new();
+    let mut expected = BTreeSet::new();
+    for name in names(&folder("tapes"), ".tape") {
+        for (charset, size, always) in VARIANTS {
+            let kept = always || IN_ALL_VARIANTS.contains(&name.as_str());
+            if kept {
+                expected.insert(format!("{name}-{charset}-{size}"));
             }
+            plays.push((name.clone(), charset, size, kept));
         }
     }
+    check_each(plays, |(name, charset, size, kept)| {
+        let screenshots = played(name, charset, size, Theme::new(Dark, Depth::None));
+        for screenshot in &screenshots {
+            let screen = screenshot.text();
+            assert!(!screen.contains("NaN") && !screen.contains("inf "));
+            assert!(*charset == "unicode" || screen.is_ascii(), "{screen}");
+        }
+        if *kept {
+            let snapshot = format!("{name}-{charset}-{size}");
+            compare("tapes", &snapshot, &album(&screenshots));
+        }
+    });
+    assert_kept("tapes", &expected);
+}
+
+#[test]
+fn some_pictures_are_coloured_as_they_were() {
+    let file = |(tape, shot, charset, palette, depth): (&str, &str, &str, Palette, Depth)| {
+        format!("{tape}-{shot}-{charset}-{palette:?}-{depth:?}").to_lowercase()
+    };
+    check_each(COLOURED.to_vec(), |&picture| {
+        let (tape, shot, charset, palette, depth) = picture;
+        let theme = Theme::new(palette, depth);
+        let screenshots = played(tape, charset, "80x24", theme);
+        let screenshot = screenshots.iter().find(|other| other.name == shot);
+        let text = colours::written(screenshot.unwrap(), theme);
+        compare("colours", &file(picture), &text);
+    });
+    assert_kept("colours", &COLOURED.map(file).into());
 }

@@ -14,7 +14,7 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 use super::table::Game;
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -44,7 +44,7 @@ impl SavedGame {
     /// The first thing that is wrong with it: that it is no such file, or a newer
     /// one; that one of its moves cannot be made; that it does not lead where it
     /// says.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), Fault> {
+    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileError> {
         read::read(name, bytes)
     }
 

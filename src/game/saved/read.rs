@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use super::company::Players;
 use super::{Aids, Company, FORMAT, Fingerprint, SavedGame, is_player_name};
-use crate::files::{Fault, Source};
+use crate::files::{FileError, Source};
 use crate::game::opponent::Strength;
 use crate::game::record::{Move, Record};
 use crate::game::table::{Game, Setup};
@@ -26,7 +26,7 @@ struct File {
     end: Spanned<String>,
 }
 
-pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), Fault> {
+pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), FileError> {
     let source = Source::of_bytes(name, bytes, SavedGame::LARGEST_FILE)?;
     let file: File = source.tables("a saved game", FORMAT)?;
     if !is_player_name(file.player.get_ref()) {

@@ -17,7 +17,7 @@ pub(super) fn read(text: &str) -> Result<Formula, String> {
             "expected a formula of at most {LONGEST} characters"
         ));
     }
-    let mut reader = Reader {
+    let mut reader = FormulaReader {
         letters: &letters,
         at: 0,
         depth: 0,
@@ -29,13 +29,13 @@ pub(super) fn read(text: &str) -> Result<Formula, String> {
     }
 }
 
-struct Reader<'a> {
+struct FormulaReader<'a> {
     letters: &'a [char],
     at: usize,
     depth: usize,
 }
 
-impl Reader<'_> {
+impl FormulaReader<'_> {
     fn peek(&self) -> Option<char> {
         self.letters.get(self.at).copied()
     }

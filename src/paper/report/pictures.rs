@@ -28,7 +28,7 @@ const WASH: Pen = Pen::new(Role::Border).aged(0.8);
 
 /// A picture of the report.
 #[derive(Debug, Clone)]
-pub struct Picture {
+pub struct ReportPicture {
     /// Its name, fit for a file.
     pub name: &'static str,
     /// What it is about.
@@ -40,14 +40,14 @@ pub struct Picture {
 }
 
 /// All pictures there are.
-pub(super) fn all(report: &Report) -> Vec<Picture> {
+pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
     let pictures = [errors(report), calibration(report), over_time(report)];
     pictures.into_iter().flatten().collect()
 }
 
 /// The error of each answer and the mean of the last few; of many answers, the means of
 /// groups of them.
-fn errors(report: &Report) -> Option<Picture> {
+fn errors(report: &Report) -> Option<ReportPicture> {
     let errors = smoothed_errors_deg(report.attempts, REACH);
     let (first, last) = (errors.first()?, errors.last()?);
     let group = errors.len().div_ceil(MOST_MARKS);
@@ -98,7 +98,7 @@ fn errors(report: &Report) -> Option<Picture> {
         1 => format!("Dots are right, rings not yet; the line is the mean of {REACH}."),
         _ => format!("The line is the mean of each {group} answers; right is within {RIGHT_DEG}°."),
     };
-    Some(Picture {
+    Some(ReportPicture {
         name: "errors",
         title: "How far off, over time",
         legend,
@@ -111,7 +111,7 @@ fn at(number: usize, y: f64) -> DVec2 {
 }
 
 /// Of each confidence the share that was right, on the range for which it pays.
-fn calibration(report: &Report) -> Option<Picture> {
+fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {
         return None;
@@ -161,7 +161,7 @@ fn calibration(report: &Report) -> Option<Picture> {
         picture.label(counted, end, &[side], Role::Text);
     }
     let words = "Share of right answers of each confidence, beside the range it is for";
-    Some(Picture {
+    Some(ReportPicture {
         name: "calibration",
         title: "How sure, and how right",
         legend: calibration_words(&report.calibration).into(),
@@ -170,7 +170,7 @@ fn calibration(report: &Report) -> Option<Picture> {
 }
 
 /// Of each confidence the share that was right among the last few, as time went by.
-fn over_time(report: &Report) -> Option<Picture> {
+fn over_time(report: &Report) -> Option<ReportPicture> {
     // Of many answers, the share of more of them: the line shall not tremble.
     let reach = SHARED.max(report.attempts.len() / GROUPS / 10 * 10);
     let shares = calibration_over_time(report.attempts, reach);
@@ -210,7 +210,7 @@ fn over_time(report: &Report) -> Option<Picture> {
             plot.label(confidence.name(), *end, &sides, Role::Text);
         }
     }
-    Some(Picture {
+    Some(ReportPicture {
         name: "calibration-over-time",
         title: "How sure, and how right, over time",
         legend: format!(

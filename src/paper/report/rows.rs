@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::lessons::{self, Bookmark};
-use crate::levels::{self, MOST_STARS};
+use crate::levels::{self, MOST_STARS, Starred};
 use crate::paper::clean;
-use crate::progress::Starred;
 
 /// Columns of a name in a table.
 const NAME: usize = 34;
@@ -45,7 +44,7 @@ pub(super) struct ChapterRow {
 
 /// The chapters that were begun, in their order, as they stand in the contents.
 pub(super) fn chapters(
-    library: &lessons::Library,
+    library: &lessons::ChapterLibrary,
     marks: &BTreeMap<String, Bookmark>,
 ) -> Vec<ChapterRow> {
     let row = |chapter: &lessons::Chapter| {
@@ -74,7 +73,7 @@ pub(super) struct PackRow {
 }
 
 /// All packs with the stars won in them.
-pub(super) fn packs(library: &levels::Library, stars: &[Starred]) -> Vec<PackRow> {
+pub(super) fn packs(library: &levels::LevelLibrary, stars: &[Starred]) -> Vec<PackRow> {
     let row = |pack: &levels::Pack| {
         let won = |level: &levels::Level| {
             let of_it = stars

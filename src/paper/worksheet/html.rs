@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
 use crate::paper::Page;
-use crate::quiz::{Confidence, Form, Quantity, Question, letter};
+use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
 
 /// The widest picture that stands beside its question: 96 mm.
@@ -100,7 +100,7 @@ fn room(form: &Form) -> Markup {
             (work())
             p.answer {
                 "Answer: "
-                @if *quantity == Quantity::Restitution { "e = " }
+                @if *quantity == Measure::Restitution { "e = " }
                 (blank(quantity.unit()))
             }
         },

@@ -11,14 +11,14 @@ use crate::widgets::svg::Svg;
 
 /// A picture with the name of its file.
 #[derive(Debug)]
-pub struct Picture {
+pub struct WorksheetPicture {
     /// What the file is called, without what follows the dot: "question-01".
     pub name: String,
     /// The picture.
     pub svg: Svg,
 }
 
-impl Picture {
+impl WorksheetPicture {
     /// Whether a file of this name is a picture of some worksheet: `answer-07.svg`.
     #[must_use]
     pub fn is_file_name(name: &str) -> bool {
@@ -44,10 +44,10 @@ pub(super) fn answer_name(number: usize) -> String {
     format!("{ANSWER}{number:02}")
 }
 
-pub(super) fn all(round: &Round) -> Vec<Picture> {
+pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
     let mut all = Vec::new();
     for (number, question) in (1..).zip(round.questions()) {
-        let picture = |name, svg| Picture { name, svg };
+        let picture = |name, svg| WorksheetPicture { name, svg };
         all.extend(of_question(question).map(|svg| picture(question_name(number), svg)));
         all.extend(of_answer(question).map(|svg| picture(answer_name(number), svg)));
     }
@@ -58,24 +58,24 @@ pub(super) fn all(round: &Round) -> Vec<Picture> {
 /// both ways are asked for, a scale where an offset is.
 pub(super) fn of_question(question: &Question) -> Option<Svg> {
     let picture = match (&question.picture, &question.form) {
-        (quiz::Picture::Before { .. }, Form::Shot(aim)) => scale_picture(aim),
-        (quiz::Picture::Before { collision, shown }, Form::Rays { .. }) => {
+        (quiz::Illustration::Before { .. }, Form::Shot(aim)) => scale_picture(aim),
+        (quiz::Illustration::Before { collision, shown }, Form::Rays { .. }) => {
             protractor_picture(collision, *shown)
         }
         _ => question_picture(AREA, question, None)?,
     };
     let words = match (&question.picture, &question.form) {
-        (quiz::Picture::Tracks { .. }, _) => {
+        (quiz::Illustration::Tracks { .. }, _) => {
             "Two particles pass a nucleus, each turned by an angle".into()
         }
         (_, Form::Shot(_)) => "A striker on its way to a disc at rest, a scale of offsets across \
              the way, and where one of the two is to go, seen from above"
             .into(),
-        (quiz::Picture::Before { collision, .. }, Form::Rays { .. }) => {
+        (quiz::Illustration::Before { collision, .. }, Form::Rays { .. }) => {
             let protractor = ", with an empty protractor for where both go";
             words(collision, protractor)
         }
-        (quiz::Picture::After { collision }, _) => words(collision, ", and both go on"),
+        (quiz::Illustration::After { collision }, _) => words(collision, ", and both go on"),
         _ => question
             .picture
             .collision()

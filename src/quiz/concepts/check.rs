@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Concept;
-use crate::files::Fault;
+use crate::files::FileError;
 
 /// How many questions there must be before a rule of thumb can be seen in them.
 const ENOUGH: usize = 8;
@@ -15,21 +15,21 @@ const BROAD: [&str; 3] = ["always", "never", "nothing can"];
 
 /// Everything that is not good about these questions: of each for itself, and of all
 /// together where they are at least eight.
-pub fn check(concepts: &[Concept]) -> Vec<Fault> {
-    let mut faults: Vec<Fault> = concepts.iter().flat_map(Concept::check).collect();
+pub fn check(concepts: &[Concept]) -> Vec<FileError> {
+    let mut faults: Vec<FileError> = concepts.iter().flat_map(Concept::check).collect();
     let Some(first) = concepts.first().filter(|_| concepts.len() >= ENOUGH) else {
         return faults;
     };
     let together = [lengths(concepts), places(concepts), words(concepts)];
     let together = together.into_iter().flatten();
     // It is nobody's fault alone, so no line can be named.
-    faults.extend(together.map(|message| Fault::of_file(&first.file, message)));
+    faults.extend(together.map(|message| FileError::of_file(&first.file, message)));
     faults
 }
 
 impl Concept {
     /// What is not good about this question.
-    fn check(&self) -> Vec<Fault> {
+    fn check(&self) -> Vec<FileError> {
         let mut faults = Vec::new();
         let mut found = |field: &str, message: String| faults.push(self.fault(field, message));
         if let Some(message) = self.stands_out() {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{Concept, read, with_id};
-use crate::files::{self, Fault, harmless};
+use crate::files::{self, FileError, escape_control};
 
 /// How the names of files of questions end.
 const ENDING: &str = "toml";
@@ -18,7 +18,7 @@ pub struct Library {
     /// The questions; no two have the same id, nor that of one in the program.
     pub concepts: Vec<Concept>,
     /// What was wrong with files that are left out.
-    pub problems: Vec<Fault>,
+    pub problems: Vec<FileError>,
 }
 
 impl Library {
@@ -48,7 +48,7 @@ impl Library {
     /// Adds the questions of a file, whose name is their subject.
     pub fn add_file(&mut self, path: &Path) {
         let subject = path.file_stem().map(|stem| stem.to_string_lossy());
-        let subject = harmless(&subject.unwrap_or_default(), LONGEST_SUBJECT);
+        let subject = escape_control(&subject.unwrap_or_default(), LONGEST_SUBJECT);
         let name = path.display().to_string();
         let added =
             files::read(path, files::LARGEST).and_then(|bytes| self.add(&subject, &name, &bytes));
@@ -56,7 +56,7 @@ impl Library {
     }
 
     /// Adds the questions of a file if all of them are good.
-    fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), Fault> {
+    fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileError> {
         let mut fresh = Vec::new();
         read::file(subject, name, bytes, &mut fresh)?;
         for concept in &fresh {

@@ -17,8 +17,8 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::{Difficulty, Misconception};
-use crate::files::Fault;
+use super::{Difficulty, Misconception, Topic};
+use crate::files::FileError;
 use crate::physics::Collision;
 
 pub use check::check;
@@ -96,13 +96,13 @@ impl<'a> Choice<'a> {
 
 impl Concept {
     /// What it is about, in words: "right angle".
-    pub fn topic(&self) -> String {
-        self.subject.replace('-', " ")
+    pub fn topic(&self) -> Topic {
+        Topic::of_subject(&self.subject)
     }
 
     /// What is wrong with a field of it, with its place.
-    fn fault(&self, field: &str, message: impl Into<String>) -> Fault {
-        Fault {
+    fn fault(&self, field: &str, message: impl Into<String>) -> FileError {
+        FileError {
             file: self.file.clone(),
             line: Some(self.line),
             field: Some(format!("{}.{field}", self.id)),
@@ -111,7 +111,7 @@ impl Concept {
     }
 
     /// Whether a fault is one of this question.
-    pub fn is_at(&self, fault: &Fault) -> bool {
+    pub fn is_at(&self, fault: &FileError) -> bool {
         fault.file == self.file && fault.line == Some(self.line)
     }
 
@@ -144,7 +144,7 @@ pub fn with_id(id: &str) -> Option<&'static Concept> {
 ///
 /// # Errors
 /// The first thing that is wrong with them.
-fn embedded() -> Result<Vec<Concept>, Fault> {
+fn embedded() -> Result<Vec<Concept>, FileError> {
     let mut files: Vec<_> = FILES.files().collect();
     files.sort_by_key(|file| file.path());
     let mut concepts: Vec<Concept> = Vec::new();
@@ -154,7 +154,7 @@ fn embedded() -> Result<Vec<Concept>, Fault> {
         match name.strip_suffix(".toml") {
             Some(subject) => read::file(subject, &name, file.contents(), &mut concepts)?,
             None if name == ORDER => order = String::from_utf8_lossy(file.contents()).into(),
-            None => return Err(Fault::of_file(&name, "expected a file NAME.toml")),
+            None => return Err(FileError::of_file(&name, "expected a file NAME.toml")),
         }
     }
     in_order(concepts, &order)
@@ -164,12 +164,12 @@ fn embedded() -> Result<Vec<Concept>, Fault> {
 ///
 /// # Errors
 /// If it names one that is not there, or leaves one out.
-fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fault> {
+fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, FileError> {
     let mut ordered = Vec::with_capacity(concepts.len());
     for (line, id) in (1..).zip(order.lines()) {
-        let fault = || Fault {
+        let fault = || FileError {
             line: Some(line),
-            ..Fault::of_file(
+            ..FileError::of_file(
                 ORDER,
                 format!("expected the id of a question, once, found {id}"),
             )
@@ -181,7 +181,7 @@ fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fau
         None => Ok(ordered),
         Some(left) => {
             let message = format!("expected every id, {} is missing at the end", left.id);
-            Err(Fault::of_file(ORDER, message))
+            Err(FileError::of_file(ORDER, message))
         }
     }
 }

@@ -7,8 +7,8 @@ use toml::Spanned;
 
 use super::figures::fill;
 use super::{Concept, Wrong};
-use crate::files::{self, Fault, Source, harmless};
-use crate::physics::named::Shot;
+use crate::files::{self, FileError, Source, escape_control};
+use crate::physics::CollisionSpec;
 use crate::quiz::{Difficulty, Misconception};
 
 /// The format that this program reads.
@@ -79,7 +79,7 @@ pub(super) fn file(
     name: &str,
     bytes: &[u8],
     concepts: &mut Vec<Concept>,
-) -> Result<(), Fault> {
+) -> Result<(), FileError> {
     let source = Source::of_bytes(name, bytes, files::LARGEST)?;
     let file: File = source.tables("a file of questions", FORMAT)?;
     for item in &file.item {
@@ -98,11 +98,11 @@ pub(super) fn file(
 }
 
 /// The hit of a question.
-fn read_hit(source: Source, item: &Item) -> Result<Option<Shot>, Fault> {
+fn read_hit(source: Source, item: &Item) -> Result<Option<CollisionSpec>, FileError> {
     let Some(fields) = &item.hit else {
         return Ok(None);
     };
-    let mut shot = Shot::default();
+    let mut shot = CollisionSpec::default();
     for (field, value) in fields.get_ref() {
         let written = match value.get_ref() {
             Field::Truth(truth) => truth.to_string(),
@@ -124,11 +124,11 @@ fn read_hit(source: Source, item: &Item) -> Result<Option<Shot>, Fault> {
 /// Reads the texts of one question.
 struct Reader<'a> {
     source: Source<'a>,
-    hit: Option<Shot>,
+    hit: Option<CollisionSpec>,
 }
 
 impl Reader<'_> {
-    fn concept(&self, subject: &str, item: &Item) -> Result<Concept, Fault> {
+    fn concept(&self, subject: &str, item: &Item) -> Result<Concept, FileError> {
         let wrongs = item.wrong.get_ref();
         if !WRONGS.contains(&wrongs.len()) {
             let message = format!(
@@ -172,7 +172,7 @@ impl Reader<'_> {
         Ok(concept)
     }
 
-    fn wrong(&self, wrong: &Mistake) -> Result<Wrong, Fault> {
+    fn wrong(&self, wrong: &Mistake) -> Result<Wrong, FileError> {
         Ok(Wrong {
             choice: self.text(&wrong.choice, "choice", CHOICE)?,
             misconception: self.misconception(wrong)?,
@@ -180,21 +180,21 @@ impl Reader<'_> {
         })
     }
 
-    fn misconception(&self, wrong: &Mistake) -> Result<Option<&'static Misconception>, Fault> {
+    fn misconception(&self, wrong: &Mistake) -> Result<Option<&'static Misconception>, FileError> {
         let Some(id) = &wrong.misconception else {
             return Ok(None);
         };
         match Misconception::with_id(id.get_ref()) {
             Some(known) => Ok(Some(known)),
             None => {
-                let found = harmless(id.get_ref(), 40);
+                let found = escape_control(id.get_ref(), 40);
                 let message = format!("expected the id of a misconception, found {found}");
                 Err(self.fault(id, "misconception", message))
             }
         }
     }
 
-    fn id(&self, id: &Spanned<String>) -> Result<String, Fault> {
+    fn id(&self, id: &Spanned<String>) -> Result<String, FileError> {
         let bare = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         let id_text = id.get_ref();
         if id_text.is_empty() || id_text.len() > 40 || !id_text.chars().all(bare) {
@@ -204,7 +204,7 @@ impl Reader<'_> {
         Ok(id_text.clone())
     }
 
-    fn before_right(&self, item: &Item) -> Result<usize, Fault> {
+    fn before_right(&self, item: &Item) -> Result<usize, FileError> {
         let Some(place) = &item.right_place else {
             return Ok(0);
         };
@@ -220,7 +220,7 @@ impl Reader<'_> {
     }
 
     /// A text with its figures, of 1 to `most` letters.
-    fn text(&self, text: &Spanned<String>, field: &str, most: usize) -> Result<String, Fault> {
+    fn text(&self, text: &Spanned<String>, field: &str, most: usize) -> Result<String, FileError> {
         let words: Vec<_> = text.get_ref().split_whitespace().collect();
         let filled =
             fill(&words.join(" "), self.hit).map_err(|message| self.fault(text, field, message))?;
@@ -228,14 +228,14 @@ impl Reader<'_> {
         if count == 0 || count > most || filled.chars().any(char::is_control) {
             let message = format!(
                 "expected printable text of 1 to {most} letters, found {count}: {}",
-                harmless(&filled, 40)
+                escape_control(&filled, 40)
             );
             return Err(self.fault(text, field, message));
         }
         Ok(filled)
     }
 
-    fn fault<T>(&self, at: &Spanned<T>, field: &str, message: impl Into<String>) -> Fault {
+    fn fault<T>(&self, at: &Spanned<T>, field: &str, message: impl Into<String>) -> FileError {
         self.source.fault(at.span().start, field, message)
     }
 }

@@ -4,9 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::reading::Reading;
-use crate::lessons::{Answer, Asked, Block, Chapter, Fault, Page};
+use crate::lessons::{
+    Chapter, ChapterPage, CheckpointAnswer, CheckpointKind, FileError, TextBlock,
+};
 use crate::quiz::Rays;
-use crate::screens::{Context, Screen, Settings};
+use crate::screens::{Context, OldScreen, Settings};
 use crate::widgets::{Beside, Charset, formula, text};
 
 /// The body of a screen of 80×24, below the title and above the keys.
@@ -14,7 +16,7 @@ const BODY: Rect = Rect::new(0, 1, 80, 22);
 
 /// Pages of which something would be cut off or would have to be scrolled at 80×24,
 /// in either charset; `[]` if the chapter is whole.
-pub fn check(chapter: &Chapter) -> Vec<Fault> {
+pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();
     for (at, page) in chapter.pages.iter().enumerate() {
         for charset in [Charset::Ascii, Charset::Unicode] {
@@ -41,24 +43,30 @@ pub fn check(chapter: &Chapter) -> Vec<Fault> {
 }
 
 /// Every answer that is answered differently.
-fn answers(asked: &Asked) -> Vec<Answer> {
+fn answers(asked: &CheckpointKind) -> Vec<CheckpointAnswer> {
     match asked {
         // Straight ahead, half and half, thrown back: each is explained at length.
-        Asked::Rays => {
+        CheckpointKind::Rays => {
             let rays = |degrees: f64| Rays {
                 striker: Some(degrees.to_radians()),
                 target: Some(degrees.to_radians()),
             };
             [0.0, 45.0, 150.0]
-                .map(|degrees| Answer::Rays(rays(degrees)))
+                .map(|degrees| CheckpointAnswer::Rays(rays(degrees)))
                 .to_vec()
         }
-        Asked::Number { .. } => vec![Answer::Number(-123.0)],
-        Asked::Choice(choices) => (0..choices.len()).map(Answer::Choice).collect(),
+        CheckpointKind::Number { .. } => vec![CheckpointAnswer::Number(-123.0)],
+        CheckpointKind::Choice(choices) => {
+            (0..choices.len()).map(CheckpointAnswer::Choice).collect()
+        }
     }
 }
 
-fn too_long(reading: &Reading, answer: Option<Answer>, charset: Charset) -> Option<String> {
+fn too_long(
+    reading: &Reading,
+    answer: Option<CheckpointAnswer>,
+    charset: Charset,
+) -> Option<String> {
     let settings = Settings {
         charset,
         ..Settings::default()
@@ -71,7 +79,7 @@ fn too_long(reading: &Reading, answer: Option<Answer>, charset: Charset) -> Opti
     reading.draw(BODY, &mut buf, &cx);
     let what = match answer {
         None => "the page".to_owned(),
-        Some(Answer::Choice(line)) => format!("what is said to choice {}", line + 1),
+        Some(CheckpointAnswer::Choice(line)) => format!("what is said to choice {}", line + 1),
         Some(_) => "what is said to the answer".to_owned(),
     };
     (rows > room).then(|| {
@@ -90,7 +98,7 @@ fn name(charset: Charset) -> &'static str {
 }
 
 /// Formulas that are wider than the text.
-fn formulas(chapter: &Chapter, page: &Page, charset: Charset) -> Vec<Fault> {
+fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<FileError> {
     let layout = match page.figure {
         Some(_) => Beside::square(BODY),
         None => Beside::text_alone(BODY),
@@ -103,7 +111,7 @@ fn formulas(chapter: &Chapter, page: &Page, charset: Charset) -> Vec<Fault> {
     let blocks = page.text.iter().chain(asked);
     blocks
         .filter_map(|block| match block {
-            Block::Formula(formula) => Some(formula),
+            TextBlock::Formula(formula) => Some(formula),
             _ => None,
         })
         .filter_map(|formula| {

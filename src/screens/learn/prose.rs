@@ -1,6 +1,6 @@
 //! The text of a page, written row by row.
 
-use crate::lessons::{Block, Piece, Tone};
+use crate::lessons::{Inline, TextBlock, Tone};
 use crate::physics::Collision;
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Role, formula};
@@ -9,25 +9,30 @@ use crate::widgets::{Charset, Lines, Role, formula};
 const INDENT: u16 = 2;
 
 /// Writes blocks of text; live numbers are those of `figure`.
-pub(super) fn write(blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
+pub(super) fn write(blocks: &[TextBlock], lines: &mut Lines, figure: Option<&Collision>) {
     write_in(None, blocks, lines, figure);
 }
 
 /// Writes blocks of text that have been read, all in one faint style.
-pub(super) fn write_dimmed(blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
+pub(super) fn write_dimmed(blocks: &[TextBlock], lines: &mut Lines, figure: Option<&Collision>) {
     write_in(Some(Role::Dim), blocks, lines, figure);
 }
 
 /// Writes blocks of text, each word in its own style or all of them in `one`.
-fn write_in(one: Option<Role>, blocks: &[Block], lines: &mut Lines, figure: Option<&Collision>) {
-    let runs = |pieces: &[Piece]| {
+fn write_in(
+    one: Option<Role>,
+    blocks: &[TextBlock],
+    lines: &mut Lines,
+    figure: Option<&Collision>,
+) {
+    let runs = |pieces: &[Inline]| {
         let mut runs = runs(pieces, Role::Text, figure);
         if let Some(one) = one {
             runs.iter_mut().for_each(|run| run.role = one);
         }
         runs
     };
-    let mut before: Option<&Block> = None;
+    let mut before: Option<&TextBlock> = None;
     for block in blocks {
         if let Some(before) = before
             && !belong_together(before, block, lines.charset())
@@ -35,13 +40,13 @@ fn write_in(one: Option<Role>, blocks: &[Block], lines: &mut Lines, figure: Opti
             lines.gap();
         }
         match block {
-            Block::Paragraph(pieces) => lines.flowing("", 0, &runs(pieces)),
-            Block::Item(number, pieces) => {
+            TextBlock::Paragraph(pieces) => lines.flowing("", 0, &runs(pieces)),
+            TextBlock::Item(number, pieces) => {
                 let mark = number.map_or("-".into(), |number| format!("{number}."));
                 let indent = mark.len() as u16 + 1;
                 lines.flowing(&mark, indent, &runs(pieces));
             }
-            Block::Formula(formula) => {
+            TextBlock::Formula(formula) => {
                 for row in formula::set(formula, lines.charset()) {
                     let role = one.unwrap_or(Role::Title);
                     lines.line(&format!("{:1$}{row}", "", INDENT.into()), role);
@@ -53,23 +58,23 @@ fn write_in(one: Option<Role>, blocks: &[Block], lines: &mut Lines, figure: Opti
 }
 
 /// Whether two blocks stand without an empty row between them.
-fn belong_together(before: &Block, after: &Block, charset: Charset) -> bool {
+fn belong_together(before: &TextBlock, after: &TextBlock, charset: Charset) -> bool {
     let low = |formula| formula::set(formula, charset).len() == 1;
     match (before, after) {
-        (Block::Item(..), Block::Item(..)) => true,
+        (TextBlock::Item(..), TextBlock::Item(..)) => true,
         // One fraction right below another reads as one of three storeys.
-        (Block::Formula(before), Block::Formula(after)) => low(before) || low(after),
-        (Block::Paragraph(pieces), Block::Item(..) | Block::Formula(_)) => {
-            matches!(pieces.last(), Some(Piece::Text(text, _)) if text.ends_with([':', ',']))
+        (TextBlock::Formula(before), TextBlock::Formula(after)) => low(before) || low(after),
+        (TextBlock::Paragraph(pieces), TextBlock::Item(..) | TextBlock::Formula(_)) => {
+            matches!(pieces.last(), Some(Inline::Text(text, _)) if text.ends_with([':', ',']))
         }
         _ => false,
     }
 }
 
 /// Pieces of text as stretches in their styles; `plain` is that of plain words.
-pub(super) fn runs(pieces: &[Piece], plain: Role, figure: Option<&Collision>) -> Vec<Run> {
-    let run = |piece: &Piece| match piece {
-        Piece::Text(text, tone) => {
+pub(super) fn runs(pieces: &[Inline], plain: Role, figure: Option<&Collision>) -> Vec<Run> {
+    let run = |piece: &Inline| match piece {
+        Inline::Text(text, tone) => {
             let role = match tone {
                 Tone::Plain => plain,
                 Tone::Emphasis | Tone::Strong => Role::Title,
@@ -78,8 +83,8 @@ pub(super) fn runs(pieces: &[Piece], plain: Role, figure: Option<&Collision>) ->
             Run::new(text.as_str(), role)
         }
         // Held together, as a formula broken over two rows is hard to read.
-        Piece::Formula(formula) => Run::new(formula.inline().replace(' ', "\u{a0}"), plain),
-        Piece::Live(quantity) => {
+        Inline::Formula(formula) => Run::new(formula.inline().replace(' ', "\u{a0}"), plain),
+        Inline::Live(quantity) => {
             let value = figure.map(|collision| quantity.shown(collision));
             Run::new(value.unwrap_or_default(), Role::Title)
         }

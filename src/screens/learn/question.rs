@@ -1,12 +1,12 @@
 //! A question being answered.
 
 use super::prose;
-use crate::lessons::{Answer, Asked, Checkpoint};
+use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointKind};
 use crate::messages::Key;
 use crate::physics::Collision;
 use crate::quiz::Ray;
 use crate::widgets::hit::side;
-use crate::widgets::{Lines, NumberEntry, RayInput, Role, Turned, Typed};
+use crate::widgets::{Lines, NumberEntry, Outcome, RayInput, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,16 +26,16 @@ pub(super) enum Said {
     /// A part of the answer.
     Part,
     /// This is the answer.
-    Answer(Answer),
+    Answer(CheckpointAnswer),
 }
 
 impl Question {
     /// An answer to be made; `figure` is the collision of the page's figure.
     pub(super) fn new(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Self {
         match &checkpoint.asked {
-            Asked::Rays => Self::Rays(RayInput::new(figure.map_or(1.0, side))),
-            Asked::Number { .. } => Self::Number(NumberEntry::default()),
-            Asked::Choice(choices) => Self::Choice(0, choices.len()),
+            CheckpointKind::Rays => Self::Rays(RayInput::new(figure.map_or(1.0, side))),
+            CheckpointKind::Number { .. } => Self::Number(NumberEntry::default()),
+            CheckpointKind::Choice(choices) => Self::Choice(0, choices.len()),
         }
     }
 
@@ -62,19 +62,19 @@ impl Question {
             // The other ray is chosen by Enter; Tab goes to the figure.
             Self::Rays(_) if matches!(key, Key::Tab | Key::BackTab) => Said::Nothing,
             Self::Rays(rays) => match rays.update(key) {
-                Turned::Ignored => Said::Nothing,
-                Turned::Turning => Said::Part,
-                Turned::Done => Said::Answer(Answer::Rays(rays.said())),
+                Outcome::Ignored => Said::Nothing,
+                Outcome::Used => Said::Part,
+                Outcome::Done(()) => Said::Answer(CheckpointAnswer::Rays(rays.so_far())),
             },
             Self::Number(entry) => match entry.update(key) {
-                Typed::Ignored => Said::Nothing,
-                Typed::Editing => Said::Part,
-                Typed::Entered(number) => Said::Answer(Answer::Number(number)),
+                Outcome::Ignored => Said::Nothing,
+                Outcome::Used => Said::Part,
+                Outcome::Done(number) => Said::Answer(CheckpointAnswer::Number(number)),
             },
             Self::Choice(chosen, count) => match key {
                 Key::Up => Self::step(chosen, *count - 1, *count),
                 Key::Down => Self::step(chosen, 1, *count),
-                Key::Enter => Said::Answer(Answer::Choice(*chosen)),
+                Key::Enter => Said::Answer(CheckpointAnswer::Choice(*chosen)),
                 Key::Char(digit @ '1'..='9') => {
                     let line = usize::from(digit as u8 - b'1');
                     if line >= *count {
@@ -116,7 +116,7 @@ impl Question {
                 }
                 rays.write(lines, "coin");
             }
-            (Self::Number(entry), Asked::Number { expected, .. }) => {
+            (Self::Number(entry), CheckpointKind::Number { expected, .. }) => {
                 let (sign, unit) = expected.sign_and_unit();
                 let shown = format!("{}_ {unit}", entry.text());
                 rows(0, lines.written());
@@ -127,7 +127,7 @@ impl Question {
                     Role::Selected,
                 );
             }
-            (Self::Choice(chosen, _), Asked::Choice(choices)) => {
+            (Self::Choice(chosen, _), CheckpointKind::Choice(choices)) => {
                 for (i, choice) in choices.iter().enumerate() {
                     rows(i, lines.written());
                     let (mark, role) = if i == *chosen {

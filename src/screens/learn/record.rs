@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::lessons::{Answer, Asked, Chapter, Checkpoint};
+use crate::lessons::{Chapter, Checkpoint, CheckpointAnswer, CheckpointKind};
 use crate::physics::Collision;
 use crate::physics::units::deg_from_rad;
 use crate::progress::{Attempt, LESSON};
@@ -14,7 +14,7 @@ pub fn attempt(
     player: &str,
     chapter: &Chapter,
     at: usize,
-    answer: &Answer,
+    answer: &CheckpointAnswer,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Attempt {
@@ -40,18 +40,18 @@ pub fn attempt(
 }
 
 /// How the answer is given, and the right one.
-fn truly(asked: &Asked, figure: Option<&Collision>) -> (&'static str, Value) {
+fn truly(asked: &CheckpointKind, figure: Option<&Collision>) -> (&'static str, Value) {
     match asked {
-        Asked::Rays => (
+        CheckpointKind::Rays => (
             "rays",
             true_rays(figure).map_or(Value::Null, |rays| rays.json()),
         ),
-        Asked::Number { expected, .. } => {
+        CheckpointKind::Number { expected, .. } => {
             let (_, unit) = expected.sign_and_unit();
             let number = expected.value(figure);
             ("number", json!({"number": number, "unit": unit}))
         }
-        Asked::Choice(choices) => {
+        CheckpointKind::Choice(choices) => {
             let right = choices.iter().position(|choice| choice.right);
             ("choice", json!({"choice": right.map(|line| line + 1)}))
         }
@@ -63,9 +63,13 @@ fn true_rays(figure: Option<&Collision>) -> Option<Rays> {
 }
 
 /// How far off the angle was, or of both rays the one furthest off.
-fn error_deg(answer: &Answer, asked: &Asked, figure: Option<&Collision>) -> Option<f64> {
+fn error_deg(
+    answer: &CheckpointAnswer,
+    asked: &CheckpointKind,
+    figure: Option<&Collision>,
+) -> Option<f64> {
     match (answer, asked) {
-        (Answer::Rays(rays), Asked::Rays) => {
+        (CheckpointAnswer::Rays(rays), CheckpointKind::Rays) => {
             let truth = true_rays(figure)?;
             let errors = Ray::BOTH.map(|ray| rays.apart(&truth, ray));
             errors
@@ -74,7 +78,7 @@ fn error_deg(answer: &Answer, asked: &Asked, figure: Option<&Collision>) -> Opti
                 .reduce(f64::max)
                 .map(deg_from_rad)
         }
-        (Answer::Number(number), Asked::Number { expected, .. }) => {
+        (CheckpointAnswer::Number(number), CheckpointKind::Number { expected, .. }) => {
             let (_, unit) = expected.sign_and_unit();
             let error = (number - expected.value(figure)?).abs();
             (unit == "°").then_some(error)

@@ -1,6 +1,6 @@
 //! Words and marks that the list and a level share.
 
-use crate::levels::{Kind, MOST_STARS, Scene};
+use crate::levels::{DiscKind, MOST_STARS, Scene};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
 
@@ -12,13 +12,13 @@ pub(super) fn stars(count: u8) -> String {
 }
 
 /// How a kind of disc is drawn.
-pub(super) fn face(kind: Kind) -> Face {
+pub(super) fn face(kind: DiscKind) -> Face {
     let (role, letter) = match kind {
-        Kind::Striker => (Role::Striker, 'S'),
-        Kind::White => (Role::Coin, 'C'),
-        Kind::Black => (Role::Black, 'B'),
-        Kind::Queen => (Role::Queen, 'Q'),
-        Kind::Marble => (Role::Marble, 'M'),
+        DiscKind::Striker => (Role::Striker, 'S'),
+        DiscKind::White => (Role::Coin, 'C'),
+        DiscKind::Black => (Role::Black, 'B'),
+        DiscKind::Queen => (Role::Queen, 'Q'),
+        DiscKind::Marble => (Role::Marble, 'M'),
     };
     Face { role, letter }
 }
@@ -26,16 +26,16 @@ pub(super) fn face(kind: Kind) -> Face {
 /// How a disc of a scene is drawn.
 pub(super) fn face_of(scene: &Scene, disc: usize) -> Face {
     let kind = scene.pieces.get(disc).map(|piece| piece.kind);
-    face(kind.unwrap_or(Kind::White))
+    face(kind.unwrap_or(DiscKind::White))
 }
 
 /// A disc of a scene in one word.
 pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
     match scene.pieces.get(disc).map(|piece| piece.kind) {
-        Some(Kind::Striker) => "striker",
-        Some(Kind::White | Kind::Black) => "coin",
-        Some(Kind::Queen) => "queen",
-        Some(Kind::Marble) => "marble",
+        Some(DiscKind::Striker) => "striker",
+        Some(DiscKind::White | DiscKind::Black) => "coin",
+        Some(DiscKind::Queen) => "queen",
+        Some(DiscKind::Marble) => "marble",
         None => "disc",
     }
 }

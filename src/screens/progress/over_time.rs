@@ -5,10 +5,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::words::{degrees, percent};
+use crate::lessons::Book;
 use crate::messages::History;
 use crate::progress::{Tally, advice, ends_deg, smoothed_errors_deg};
 use crate::quiz::RIGHT_DEG;
-use crate::screens::book::Book;
 use crate::widgets::picture::{Pen, Side};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role};

@@ -8,7 +8,7 @@ use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Face, Given, setup_picture};
+use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
@@ -34,7 +34,7 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
     let area = layout.picture;
     let picture = match &sitting.phase {
         Phase::Call(calling) => {
-            let given = Given {
+            let given = Markings {
                 offset: true,
                 angle: true,
                 figures: true,

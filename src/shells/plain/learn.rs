@@ -1,17 +1,18 @@
 //! The chapters in lines.
 
 use super::answering::{self, choice};
-use super::keeper::Keeper;
 use super::number::number;
+use super::recorder::Recorder;
 use super::spoken::{sentence, unit_name, verbatim};
-use super::talk::{Asked as Question, Leave, Talk};
+use super::talk::{Leave, Prompt as Question, Talk};
 use super::{figure, formula};
 use crate::lessons::{
-    Answer, Asked, Block, Bookmark, Chapter, Checkpoint, Given, Library, Page, Piece, Tone,
+    Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointAnswer, CheckpointKind,
+    GivenAnswer, Inline, TextBlock, Tone,
 };
-use crate::messages::{Done, Wish};
+use crate::messages::{StoreReply, StoreRequest};
 use crate::physics::Collision;
-use crate::quiz::{Rays, Said};
+use crate::quiz::{Rays, Response};
 use crate::screens::{learn::attempt, why};
 
 /// What may be said between two pages.
@@ -24,8 +25,8 @@ const MOVES: &str = "Enter or next for the next page, back for the one before, c
 /// If the player quits, or nothing more is to be heard: the place is kept.
 pub fn learn(
     talk: &mut Talk,
-    keeper: &mut Keeper,
-    library: &Library,
+    recorder: &mut Recorder,
+    library: &ChapterLibrary,
     chapter: Option<usize>,
 ) -> Result<(), Leave> {
     talk.say("carrom, the lessons. Type help at any time, and quit to leave.")?;
@@ -36,10 +37,10 @@ pub fn learn(
     loop {
         let at = match chosen.take() {
             Some(at) => at,
-            None => contents(talk, keeper, library)?,
+            None => contents(talk, recorder, library)?,
         };
         if let Some(chapter) = library.chapters.get(at)
-            && read(talk, keeper, chapter)? == Next::Chapter
+            && read(talk, recorder, chapter)? == NextPage::Chapter
         {
             chosen = Some(at + 1).filter(|next| *next < library.chapters.len());
         }
@@ -48,22 +49,26 @@ pub fn learn(
 
 /// Where one goes from a chapter.
 #[derive(PartialEq)]
-enum Next {
+enum NextPage {
     Chapter,
     Contents,
 }
 
 /// Asks which chapter it shall be.
-fn contents(talk: &mut Talk, keeper: &mut Keeper, library: &Library) -> Result<usize, Leave> {
-    let player = keeper.player.to_owned();
-    let marks = match keeper.wish(talk, Wish::Marks(player))? {
-        Done::Marks(Ok(marks)) => marks,
+fn contents(
+    talk: &mut Talk,
+    recorder: &mut Recorder,
+    library: &ChapterLibrary,
+) -> Result<usize, Leave> {
+    let player = recorder.player.to_owned();
+    let marks = match recorder.wish(talk, StoreRequest::Marks(player))? {
+        StoreReply::Marks(Ok(marks)) => marks,
         _ => std::collections::BTreeMap::new(),
     };
     let mut lines = vec!["The chapters.".to_owned()];
     for (number, chapter) in (1..).zip(&library.chapters) {
         let read = match marks.get(&chapter.id) {
-            Some(mark) if mark.is_done(chapter) => " Done.".to_owned(),
+            Some(mark) if mark.is_done(chapter) => " StoreReply.".to_owned(),
             Some(mark) => format!(
                 " {} of {} pages read.",
                 mark.seen(chapter),
@@ -91,10 +96,10 @@ fn contents(talk: &mut Talk, keeper: &mut Keeper, library: &Library) -> Result<u
 }
 
 /// Reads a chapter from where it was left.
-fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next, Leave> {
-    let player = keeper.player.to_owned();
-    let mut at = match keeper.wish(talk, Wish::Marks(player))? {
-        Done::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
+fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<NextPage, Leave> {
+    let player = recorder.player.to_owned();
+    let mut at = match recorder.wish(talk, StoreRequest::Marks(player))? {
+        StoreReply::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
         _ => 0,
     };
     talk.say(&format!(
@@ -102,9 +107,9 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
         chapter.number,
         sentence(&chapter.title)
     ))?;
-    let mut shown = Shown::default();
+    let mut shown = ShownPage::default();
     while let Some(page) = chapter.pages.get(at) {
-        mark(talk, keeper, chapter, Bookmark::at(page))?;
+        mark(talk, recorder, chapter, Bookmark::at(page))?;
         talk.say(&format!(
             "Page {} of {}: {}",
             at + 1,
@@ -118,42 +123,42 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
         }
         shown.open(talk, figure::describe(chapter, at, false))?;
         if let Some(checkpoint) = &page.checkpoint
-            && ask(talk, keeper, chapter, (at, page), checkpoint, figure)?
+            && ask(talk, recorder, chapter, (at, page), checkpoint, figure)?
         {
             shown.add(talk, figure::describe(chapter, at, true))?;
         }
         let asked = Question {
-            lines: &["Next?".to_owned()],
+            lines: &["NextPage?".to_owned()],
             help: MOVES,
         };
         match talk.ask_for(&asked, |heard| match heard.to_lowercase().as_str() {
-            "" | "next" | "n" => Ok(Move::On),
-            "back" | "b" => Ok(Move::Back),
-            "contents" | "c" => Ok(Move::Contents),
+            "" | "next" | "n" => Ok(PageMove::On),
+            "back" | "b" => Ok(PageMove::Back),
+            "contents" | "c" => Ok(PageMove::Contents),
             _ => Err(MOVES.to_owned()),
         })? {
-            Move::On => at += 1,
-            Move::Back => {
+            PageMove::On => at += 1,
+            PageMove::Back => {
                 at = at.saturating_sub(1);
-                shown = Shown::default();
+                shown = ShownPage::default();
             }
-            Move::Contents => return Ok(Next::Contents),
+            PageMove::Contents => return Ok(NextPage::Contents),
         }
     }
     talk.say("That is the end of the chapter.")?;
     // It is opened at its beginning the next time.
     if let Some(first) = chapter.pages.first() {
-        mark(talk, keeper, chapter, Bookmark::at(first))?;
+        mark(talk, recorder, chapter, Bookmark::at(first))?;
     }
-    Ok(Next::Chapter)
+    Ok(NextPage::Chapter)
 }
 
 /// What the figures of a chapter have shown, so that it is said once rather than on every
 /// page anew.
 #[derive(Default)]
-struct Shown(Vec<String>);
+struct ShownPage(Vec<String>);
 
-impl Shown {
+impl ShownPage {
     /// Says what the figure of a page shows as the page is opened.
     fn open(&mut self, talk: &mut Talk, lines: Vec<String>) -> Result<(), Leave> {
         match lines.first() {
@@ -176,7 +181,7 @@ impl Shown {
 }
 
 /// Where one goes from a page.
-enum Move {
+enum PageMove {
     On,
     Back,
     Contents,
@@ -184,25 +189,25 @@ enum Move {
 
 fn mark(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     chapter: &Chapter,
     later: Bookmark,
 ) -> Result<(), Leave> {
-    let wish = Wish::Mark {
-        player: keeper.player.to_owned(),
+    let wish = StoreRequest::Mark {
+        player: recorder.player.to_owned(),
         chapter: chapter.id.clone(),
         later: Box::new(later),
     };
-    keeper.wish(talk, wish)?;
+    recorder.wish(talk, wish)?;
     Ok(())
 }
 
 /// Asks what a page asks, keeps the answer, and says how it is; whether there was one.
 fn ask(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     chapter: &Chapter,
-    (at, page): (usize, &Page),
+    (at, page): (usize, &ChapterPage),
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<bool, Leave> {
@@ -212,16 +217,16 @@ fn ask(
         return Ok(false);
     };
     let right = answer.is_right(checkpoint, figure);
-    let attempt = attempt(keeper.player, chapter, at, &answer, checkpoint, figure);
-    keeper.record(talk, attempt)?;
-    let given = Given {
+    let attempt = attempt(recorder.player, chapter, at, &answer, checkpoint, figure);
+    recorder.record(talk, attempt)?;
+    let given = GivenAnswer {
         asked: checkpoint.written.clone(),
         answer,
         right,
     };
     let mut later = Bookmark::at(page);
     later.pages.insert(page.title.clone(), Some(given));
-    mark(talk, keeper, chapter, later)?;
+    mark(talk, recorder, chapter, later)?;
     tell(talk, &answer, right, checkpoint, figure)?;
     for line in texts(&checkpoint.after, figure) {
         talk.say(&line)?;
@@ -235,21 +240,21 @@ fn hear(
     question: &[String],
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
-) -> Result<Option<Answer>, Leave> {
+) -> Result<Option<CheckpointAnswer>, Leave> {
     let skip = |heard: &str| matches!(heard.to_lowercase().as_str(), "skip" | "s");
     match &checkpoint.asked {
-        Asked::Rays => {
+        CheckpointKind::Rays => {
             let side = match figure.map(|collision| collision.offset) {
                 Some(offset) if offset < 0.0 => -1.0,
                 _ => 1.0,
             };
             let said = answering::rays(talk, question, side, "coin")?;
             Ok(said.and_then(|said| match said {
-                Said::Rays(rays) => Some(Answer::Rays(rays)),
+                Response::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
                 _ => None,
             }))
         }
-        Asked::Number { expected, .. } => {
+        CheckpointKind::Number { expected, .. } => {
             let (_, unit) = expected.sign_and_unit();
             let line = match unit {
                 "" => "Your answer?".to_owned(),
@@ -262,10 +267,11 @@ fn hear(
             };
             talk.ask_for(&asked, |heard| match heard {
                 heard if skip(heard) => Ok(None),
-                heard => number(heard, unit, -1e9, 1e9).map(|number| Some(Answer::Number(number))),
+                heard => number(heard, unit, -1e9, 1e9)
+                    .map(|number| Some(CheckpointAnswer::Number(number))),
             })
         }
-        Asked::Choice(choices) => {
+        CheckpointKind::Choice(choices) => {
             let mut lines = question.to_vec();
             let each = choices.iter().enumerate();
             lines.extend(each.map(|(i, it)| {
@@ -278,7 +284,8 @@ fn hear(
             };
             talk.ask_for(&asked, |heard| match heard {
                 heard if skip(heard) => Ok(None),
-                heard => choice(heard, choices.len()).map(|chosen| Some(Answer::Choice(chosen))),
+                heard => choice(heard, choices.len())
+                    .map(|chosen| Some(CheckpointAnswer::Choice(chosen))),
             })
         }
     }
@@ -287,14 +294,14 @@ fn hear(
 /// Says how an answer was.
 fn tell(
     talk: &mut Talk,
-    answer: &Answer,
+    answer: &CheckpointAnswer,
     right: bool,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<(), Leave> {
     talk.say(if right { "Right." } else { "Not quite." })?;
     match (answer, &checkpoint.asked) {
-        (Answer::Rays(rays), Asked::Rays) => {
+        (CheckpointAnswer::Rays(rays), CheckpointKind::Rays) => {
             let Some(collision) = figure else {
                 return Ok(());
             };
@@ -312,19 +319,21 @@ fn tell(
             }
             talk.say(&text)
         }
-        (Answer::Number(_), Asked::Number { expected, .. }) => match expected.value(figure) {
-            Some(truth) => {
-                let (_, unit) = expected.sign_and_unit();
-                let truth = crate::physics::worked::number(truth);
-                let gap = if unit == "°" { "" } else { " " };
-                talk.say(&format!(
-                    "It is {}.",
-                    format!("{truth}{gap}{unit}").trim_end()
-                ))
+        (CheckpointAnswer::Number(_), CheckpointKind::Number { expected, .. }) => {
+            match expected.value(figure) {
+                Some(truth) => {
+                    let (_, unit) = expected.sign_and_unit();
+                    let truth = crate::physics::worked::number(truth);
+                    let gap = if unit == "°" { "" } else { " " };
+                    talk.say(&format!(
+                        "It is {}.",
+                        format!("{truth}{gap}{unit}").trim_end()
+                    ))
+                }
+                None => Ok(()),
             }
-            None => Ok(()),
-        },
-        (Answer::Choice(chosen), Asked::Choice(choices)) => {
+        }
+        (CheckpointAnswer::Choice(chosen), CheckpointKind::Choice(choices)) => {
             if let Some(chosen) = choices.get(*chosen) {
                 talk.say(&pieces(&chosen.why, figure))?;
             }
@@ -341,26 +350,26 @@ fn tell(
 }
 
 /// Blocks of text, a line each.
-fn texts(blocks: &[Block], figure: Option<&Collision>) -> Vec<String> {
+fn texts(blocks: &[TextBlock], figure: Option<&Collision>) -> Vec<String> {
     blocks
         .iter()
         .map(|block| match block {
-            Block::Paragraph(text) => pieces(text, figure),
-            Block::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
-            Block::Item(None, text) => format!("Item: {}", pieces(text, figure)),
-            Block::Formula(written) => format!("Formula: {}", formula::aloud(written)),
+            TextBlock::Paragraph(text) => pieces(text, figure),
+            TextBlock::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
+            TextBlock::Item(None, text) => format!("Item: {}", pieces(text, figure)),
+            TextBlock::Formula(written) => format!("Formula: {}", formula::aloud(written)),
         })
         .collect()
 }
 
-fn pieces(pieces: &[Piece], figure: Option<&Collision>) -> String {
+fn pieces(pieces: &[Inline], figure: Option<&Collision>) -> String {
     pieces
         .iter()
         .map(|piece| match piece {
-            Piece::Text(key, Tone::Key) => verbatim(key),
-            Piece::Text(text, _) => text.clone(),
-            Piece::Formula(written) => formula::aloud(written),
-            Piece::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
+            Inline::Text(key, Tone::Key) => verbatim(key),
+            Inline::Text(text, _) => text.clone(),
+            Inline::Formula(written) => formula::aloud(written),
+            Inline::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
         })
         .collect()
 }
@@ -372,7 +381,7 @@ mod tests {
     use crate::lessons::Formula;
 
     /// Every text of the chapters: what is read, asked, chosen from and explained.
-    fn every_text(library: &Library) -> Vec<(&[Block], Option<Collision>)> {
+    fn every_text(library: &ChapterLibrary) -> Vec<(&[TextBlock], Option<Collision>)> {
         let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
         pages
             .flat_map(|page| {
@@ -386,29 +395,29 @@ mod tests {
             .collect()
     }
 
-    fn choices(library: &Library) -> impl Iterator<Item = &[Piece]> {
+    fn choices(library: &ChapterLibrary) -> impl Iterator<Item = &[Inline]> {
         let pages = library.chapters.iter().flat_map(|chapter| &chapter.pages);
         let asked = pages.filter_map(|page| page.checkpoint.as_ref());
         let choices = asked.flat_map(|checkpoint| match &checkpoint.asked {
-            Asked::Choice(choices) => &choices[..],
+            CheckpointKind::Choice(choices) => &choices[..],
             _ => &[],
         });
         choices.flat_map(|choice| [&choice.text[..], &choice.why])
     }
 
-    fn formulas(library: &Library) -> Vec<&Formula> {
+    fn formulas(library: &ChapterLibrary) -> Vec<&Formula> {
         let texts = every_text(library);
         let blocks = texts.into_iter().flat_map(|(text, _)| text);
         let mut formulas = Vec::new();
-        let mut lines: Vec<&[Piece]> = choices(library).collect();
+        let mut lines: Vec<&[Inline]> = choices(library).collect();
         for block in blocks {
             match block {
-                Block::Formula(formula) => formulas.push(formula),
-                Block::Paragraph(line) | Block::Item(_, line) => lines.push(line),
+                TextBlock::Formula(formula) => formulas.push(formula),
+                TextBlock::Paragraph(line) | TextBlock::Item(_, line) => lines.push(line),
             }
         }
         formulas.extend(lines.into_iter().flatten().filter_map(|piece| match piece {
-            Piece::Formula(formula) => Some(formula),
+            Inline::Formula(formula) => Some(formula),
             _ => None,
         }));
         formulas
@@ -417,7 +426,7 @@ mod tests {
     #[test]
     fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
         let units = ["metre", "gram", "second", "joule", "volt", "percent"];
-        let formulas = formulas(Library::embedded_once());
+        let formulas = formulas(ChapterLibrary::embedded_once());
         assert!(formulas.len() > 100, "{}", formulas.len());
         for formula in formulas {
             let said = spoken(&formula::aloud(formula));
@@ -428,7 +437,7 @@ mod tests {
 
     #[test]
     fn every_text_of_the_chapters_is_spoken_whole() {
-        let library = Library::embedded_once();
+        let library = ChapterLibrary::embedded_once();
         for (text, hit) in every_text(library) {
             for line in texts(text, hit.as_ref()) {
                 super::super::assert_spoken(&spoken(&line));
@@ -450,11 +459,11 @@ mod tests {
 
     #[test]
     fn no_figure_tells_what_a_later_page_of_it_asks() {
-        let library = Library::embedded_once();
+        let library = ChapterLibrary::embedded_once();
         let chapter = &library.chapters[1];
-        let asks_rays = |page: &Page| {
+        let asks_rays = |page: &ChapterPage| {
             let asked = page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked);
-            matches!(asked, Some(Asked::Rays))
+            matches!(asked, Some(CheckpointKind::Rays))
         };
         let rays = chapter.pages.iter().position(asks_rays).unwrap();
         let leaves = |at, answered| {

@@ -8,8 +8,7 @@ use std::collections::BTreeMap;
 
 use rusqlite::{Connection, Row, params};
 
-use crate::lessons::{Answer, Bookmark, Given};
-use crate::messages::Forget;
+use crate::lessons::{Bookmark, CheckpointAnswer, Forget, GivenAnswer};
 
 const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player = ?1";
 
@@ -104,11 +103,12 @@ pub(super) fn all(
 }
 
 /// The answer in a row; none where it is not to be understood.
-fn given(row: &Row) -> rusqlite::Result<Option<Given>> {
+fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
     let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
     let right: Option<bool> = row.get("is_right")?;
-    let answer = answer.and_then(|text| Answer::of_json(&serde_json::from_str(&text).ok()?));
-    let given = asked.zip(answer).map(|(asked, answer)| Given {
+    let answer =
+        answer.and_then(|text| CheckpointAnswer::of_json(&serde_json::from_str(&text).ok()?));
+    let given = asked.zip(answer).map(|(asked, answer)| GivenAnswer {
         asked,
         answer,
         right: right.unwrap_or_default(),

@@ -2,7 +2,8 @@
 
 use rusqlite::{Connection, Row, named_params, params};
 
-use crate::progress::{Attempt, Starred};
+use crate::levels::Starred;
+use crate::progress::Attempt;
 use crate::quiz::Confidence;
 
 const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, question, answer, \

@@ -2,7 +2,7 @@ use std::env;
 use std::process;
 
 use super::*;
-use crate::lessons::{Answer, Given};
+use crate::lessons::{CheckpointAnswer, GivenAnswer};
 use crate::quiz::Confidence;
 
 /// An empty folder, removed when it is dropped.
@@ -130,8 +130,8 @@ fn seen(page: &str) -> Bookmark {
 }
 
 /// A page answered.
-fn answered(page: &str, answer: Answer, right: bool) -> Bookmark {
-    let given = Given {
+fn answered(page: &str, answer: CheckpointAnswer, right: bool) -> Bookmark {
+    let given = GivenAnswer {
         asked: "choice\nWhich?".into(),
         answer,
         right,
@@ -154,10 +154,10 @@ fn bookmarks_add_up_as_they_do_in_memory() {
         for later in [
             seen("One"),
             seen("Two"),
-            answered("Two", Answer::Choice(2), true),
+            answered("Two", CheckpointAnswer::Choice(2), true),
             dial,
             seen("O'Brien\"; DROP TABLE page_seen; --"),
-            answered("Two", Answer::Number(0.1), false),
+            answered("Two", CheckpointAnswer::Number(0.1), false),
             seen("Two"),
         ] {
             database.mark("Ada", "shots", &later).unwrap();
@@ -175,7 +175,7 @@ fn bookmarks_add_up_as_they_do_in_memory() {
 fn what_is_forgotten_is_gone_and_nothing_else() {
     let mut database = Database::in_memory();
     for (player, chapter) in [("Ada", "shots"), ("Ada", "atoms"), ("Bo", "shots")] {
-        let answer = answered("One", Answer::Choice(0), true);
+        let answer = answered("One", CheckpointAnswer::Choice(0), true);
         database.mark(player, chapter, &seen("One")).unwrap();
         database.mark(player, chapter, &answer).unwrap();
     }
@@ -203,7 +203,7 @@ fn what_is_forgotten_is_gone_and_nothing_else() {
 fn an_answer_that_makes_no_sense_is_none() {
     let scratch = Scratch::new("senseless");
     let mut database = scratch.database();
-    let answer = answered("One", Answer::Choice(0), true);
+    let answer = answered("One", CheckpointAnswer::Choice(0), true);
     database.mark("Ada", "shots", &answer).unwrap();
     let strange = Connection::open(scratch.path()).unwrap();
     for text in [
@@ -373,7 +373,7 @@ const PINNED_2: &str = "
 fn pinned_marks() -> BTreeMap<String, Bookmark> {
     let mut mark = seen("One");
     mark.merge(seen("Two"));
-    mark.merge(answered("Two", Answer::Choice(1), true));
+    mark.merge(answered("Two", CheckpointAnswer::Choice(1), true));
     mark.alpha_deg = Some(12.5);
     BTreeMap::from([("shots".into(), mark)])
 }

@@ -11,7 +11,7 @@ use crate::quiz::Ray;
 use crate::widgets::picture::{Pen, Picture};
 use crate::widgets::{RayInput, Role};
 
-pub use crate::quiz::Shown as Given;
+pub use crate::quiz::Markings;
 
 /// What is being said of a hit.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +35,7 @@ pub fn setup_picture<'a>(
     area: Rect,
     faces: [Face; 2],
     collision: &Collision,
-    given: Given,
+    given: Markings,
     saying: impl Into<Saying<'a>>,
 ) -> Picture {
     let mut sketch = Sketch::new(Stage::new(area, collision));
@@ -62,7 +62,7 @@ pub(super) fn about_to_meet(
     sketch: &mut Sketch,
     faces: [Face; 2],
     [p1, p2]: [DVec2; 2],
-    given: Given,
+    given: Markings,
     [ahead, beyond]: [f64; 2],
 ) {
     let stage = sketch.stage;
@@ -183,7 +183,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
 /// The rays as said so far, from where the discs will meet.
 fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     let stage = sketch.stage;
-    let said = rays.said();
+    let said = rays.so_far();
     for (body, ray) in Ray::BOTH.into_iter().enumerate() {
         if !rays.asks(ray) {
             continue;
@@ -191,7 +191,8 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
         let name = faces[body].letter;
         let centre = stage.centres[body];
         let Some(angle) = said.get(ray) else {
-            let text = format!("{name} stays still");
+            let still = rays.is_said(ray);
+            let text = format!("{name} {}", if still { "stays still" } else { "?" });
             sketch.label(text, centre, DVec2::Y, Role::Predicted);
             continue;
         };
@@ -219,7 +220,7 @@ pub fn point_at(
 ) {
     let stage = Stage::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
-    let said = rays.said();
+    let said = rays.so_far();
     let distance = |body: usize, ray: Ray| {
         let centre = stage.centres[body];
         let tip = match said.get(ray) {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::stage::Stage;
-use crate::quiz::{Aim, Ray};
+use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture, Side};
 
@@ -33,8 +33,8 @@ pub struct WantedWay {
     pub angle: f64,
 }
 
-impl From<&Aim> for WantedWay {
-    fn from(aim: &Aim) -> Self {
+impl From<&AimTask> for WantedWay {
+    fn from(aim: &AimTask) -> Self {
         Self {
             ray: aim.ray,
             angle: aim.wanted,

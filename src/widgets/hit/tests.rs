@@ -6,7 +6,7 @@ use roxmltree::Document;
 
 use super::*;
 use crate::physics::{Bond, Collision, Disc};
-use crate::quiz::{Aim, Ray};
+use crate::quiz::{AimTask, Ray};
 use crate::widgets::picture::Picture;
 use crate::widgets::svg::Svg;
 use crate::widgets::{Charset, Look, Theme};
@@ -82,7 +82,7 @@ fn told(collision: &Collision) -> Picture {
     watch.with_measures().picture(AREA)
 }
 
-const GIVEN: Given = Given {
+const GIVEN: Markings = Markings {
     offset: true,
     angle: true,
     figures: true,
@@ -135,7 +135,7 @@ fn a_shot_to_be_set_has_its_angle_and_a_scale_true_to_size() {
             let u1 = 4.0 * DVec2::from_angle(f64::from(30 * turn).to_radians());
             for wanted_deg in [-120.0_f64, -80.0, -35.0, 15.0, 45.0, 75.0, 130.0] {
                 for ray in Ray::BOTH {
-                    let aim = Aim {
+                    let aim = AimTask {
                         collision: Collision::at_offset(striker, target, u1, 0.0),
                         ray,
                         wanted: wanted_deg.to_radians(),
@@ -150,7 +150,7 @@ fn a_shot_to_be_set_has_its_angle_and_a_scale_true_to_size() {
                         );
                     }
                     // What does it is not given away.
-                    let other = Aim {
+                    let other = AimTask {
                         offset: -0.02,
                         ..aim
                     };
@@ -185,13 +185,13 @@ fn letters_and_numbers_are_those_of_the_hit() {
     expected.sort_unstable();
     assert_eq!(found, expected);
     // What is asked is not given away.
-    let found = labels(&protractor_picture(&hit, Given::default()));
+    let found = labels(&protractor_picture(&hit, Markings::default()));
     let is_letter = |it: &String| it.parse::<f64>().is_err();
     let letters: Vec<_> = found.into_iter().filter(is_letter).collect();
     assert_eq!(letters, ["S", "C", "u"]);
-    let angle = Given {
+    let angle = Markings {
         angle: true,
-        ..Given::default()
+        ..Markings::default()
     };
     let found = labels(&protractor_picture(&hit, angle));
     assert!(found.contains(&"α".to_owned()) && !found.iter().any(|it| it.contains('=')));

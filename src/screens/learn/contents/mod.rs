@@ -5,9 +5,10 @@ mod view;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::messages::{Done, Forget, Input, Key};
+use crate::lessons::{Book, Forget};
+use crate::messages::{Input, Key, StoreReply};
 use crate::screens::list::{Chosen, chosen as chosen_by};
-use crate::screens::{Book, Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The contents. Which line is chosen belongs to the [`Book`].
 #[derive(Debug, Clone, Default)]
@@ -87,7 +88,7 @@ fn open(book: &Book) -> Next {
     }
 }
 
-impl Screen for Contents {
+impl OldScreen for Contents {
     fn title(&self) -> String {
         "learn".into()
     }
@@ -101,7 +102,7 @@ impl Screen for Contents {
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
         let (body, book) = (cx.body, &mut cx.book);
-        if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+        if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
             book.at = book.next().unwrap_or(0);
             return Next::Stay;
         }

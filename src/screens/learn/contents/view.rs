@@ -4,10 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Contents, Line, chosen, lines};
-use crate::lessons::Chapter;
-use crate::messages::Forget;
+use crate::lessons::{Book, Chapter, Forget};
+use crate::screens::Context;
 use crate::screens::list::first_shown;
-use crate::screens::{Book, Context};
 use crate::widgets::{Beside, Lines, Role};
 
 /// The line at a cell.

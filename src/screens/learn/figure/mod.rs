@@ -20,7 +20,7 @@ use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{self, Hit, Rays};
 use crate::screens::foil as foil_screen;
 use crate::screens::lab::{Field, Setup};
-use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, point_at, setup_picture};
+use crate::widgets::hit::{Face, Layer, Layers, Markings, Watch, point_at, setup_picture};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
 
@@ -122,7 +122,7 @@ impl Shown {
         let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
         let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
         by_angle.then(|| Hit {
-            given: quiz::Given::Angle {
+            given: quiz::Placement::Angle {
                 alpha_deg: self.alpha_deg(),
             },
             ..self.setup().question()
@@ -420,7 +420,7 @@ impl Shown {
     /// What is drawn of it.
     fn pictures(&self, area: Rect, look: &Look, rays: Option<&RayInput>) -> Vec<Picture> {
         if self.hidden && self.covers_outcome() {
-            let given = Given {
+            let given = Markings {
                 offset: self.figure.shot.is_by_offset(),
                 angle: !self.figure.shot.is_by_offset(),
                 figures: true,

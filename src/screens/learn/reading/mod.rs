@@ -11,9 +11,9 @@ use ratatui::layout::Rect;
 use super::figure::{Shown, svg_of};
 use super::question::{Question, Said};
 use super::record;
-use crate::lessons::{Answer, Bookmark, Chapter, Given, Page};
-use crate::messages::{Done, Forget, Input, Key, Mouse, MouseKind};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
+use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::widgets::{Beside, Scroll, overflow};
 
 /// A chapter being read.
@@ -24,7 +24,7 @@ pub struct Reading {
     at: usize,
     figure: Option<Shown>,
     question: Option<Question>,
-    answer: Option<Answer>,
+    answer: Option<CheckpointAnswer>,
     /// Whether keys go to the figure first.
     on_figure: bool,
     /// The impact angle that was set since the bookmark was moved last, in degrees.
@@ -67,7 +67,7 @@ impl Reading {
 
     /// A page as it is before and, with an `answer`, after its checkpoint: to see
     /// whether it fits.
-    pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<Answer>) -> Self {
+    pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<CheckpointAnswer>) -> Self {
         let mut reading = Self::closed(0, chapter);
         reading.at = at;
         reading.lay_out(None, answer);
@@ -97,7 +97,7 @@ impl Reading {
         self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
     }
 
-    fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<Answer>) {
+    fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<CheckpointAnswer>) {
         self.is_open = true;
         self.scroll = Scroll::default();
         self.notice = None;
@@ -127,7 +127,7 @@ impl Reading {
         !self.is_asking() && self.figure.as_ref().is_some_and(Shown::is_set_by_keys)
     }
 
-    fn page(&self) -> Option<&Page> {
+    fn page(&self) -> Option<&ChapterPage> {
         self.chapter.pages.get(self.at)
     }
 
@@ -137,12 +137,12 @@ impl Reading {
     }
 
     /// Shows what belongs to an answer.
-    fn tell(&mut self, answer: Answer, reduced: bool) {
+    fn tell(&mut self, answer: CheckpointAnswer, reduced: bool) {
         self.answer = Some(answer);
         self.scroll = Scroll::default();
         if let Some(figure) = &mut self.figure {
             let said = match answer {
-                Answer::Rays(rays) => Some(rays),
+                CheckpointAnswer::Rays(rays) => Some(rays),
                 _ => None,
             };
             figure.reveal(said, reduced);
@@ -151,7 +151,7 @@ impl Reading {
     }
 
     /// Takes an answer: marks it, keeps it, and tells what is so.
-    fn answered(&mut self, answer: Answer, cx: &mut Context) {
+    fn answered(&mut self, answer: CheckpointAnswer, cx: &mut Context) {
         let Some(page) = self.page() else {
             return;
         };
@@ -162,7 +162,7 @@ impl Reading {
         let right = answer.is_right(checkpoint, figure);
         let player = &cx.settings.player;
         let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
-        let given = Given {
+        let given = GivenAnswer {
             asked: checkpoint.written.clone(),
             answer,
             right,
@@ -401,7 +401,7 @@ impl Reading {
                     let line = panel::choice_at(self, panel, cell, look);
                     if let (Some(line), Some(question)) = (line, &mut self.question) {
                         if question.choose(line) {
-                            self.answered(Answer::Choice(line), cx);
+                            self.answered(CheckpointAnswer::Choice(line), cx);
                         }
                         return Next::Stay;
                     }
@@ -413,7 +413,7 @@ impl Reading {
     }
 }
 
-impl Screen for Reading {
+impl OldScreen for Reading {
     fn title(&self) -> String {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }
@@ -427,7 +427,7 @@ impl Screen for Reading {
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
         if !self.is_open {
-            if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+            if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
                 self.open_where_left(cx);
             }
             return Next::Ignored;

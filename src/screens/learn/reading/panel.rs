@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Reading;
-use crate::lessons::{Answer, Asked, Checkpoint, Choice};
+use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointChoice, CheckpointKind};
 use crate::physics::Collision;
 use crate::quiz::Rays;
 use crate::screens::lab::explain;
@@ -74,14 +74,14 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
         return;
     };
     let watch = reading.figure.as_ref().and_then(Shown::watch);
-    if let (Answer::Rays(_), Some(watch)) = (&answer, watch)
+    if let (CheckpointAnswer::Rays(_), Some(watch)) = (&answer, watch)
         && !watch.is_told()
     {
         return lines.paragraph(watch.telling(), Role::Text);
     }
     let told = |lines: &mut Lines| told(reading, checkpoint, answer, lines);
     // What was read stays above it, if there is room for both.
-    let asked_above = matches!(answer, Answer::Rays(_));
+    let asked_above = matches!(answer, CheckpointAnswer::Rays(_));
     let read = |lines: &mut Lines| {
         prose::write_dimmed(&page.text, lines, collision);
         if asked_above {
@@ -98,21 +98,21 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
 }
 
 /// What is said to an answer.
-fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Answer, lines: &mut Lines) {
+fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, lines: &mut Lines) {
     let collision = reading.figure.as_ref().map(Shown::collision);
     let watch = reading.figure.as_ref().and_then(Shown::watch);
     match (&answer, &checkpoint.asked) {
-        (Answer::Rays(rays), _) => {
+        (CheckpointAnswer::Rays(rays), _) => {
             if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
                 rays_told(rays, watch, figure, lines);
             }
         }
-        (Answer::Number(number), _) => {
+        (CheckpointAnswer::Number(number), _) => {
             prose::write(&checkpoint.question, lines, collision);
             lines.gap();
             number_told(*number, &answer, checkpoint, collision, lines);
         }
-        (Answer::Choice(chosen), Asked::Choice(choices)) => {
+        (CheckpointAnswer::Choice(chosen), CheckpointKind::Choice(choices)) => {
             prose::write(&checkpoint.question, lines, collision);
             lines.gap();
             choice_told(*chosen, choices, collision, lines);
@@ -156,12 +156,12 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
 
 fn number_told(
     number: f64,
-    answer: &Answer,
+    answer: &CheckpointAnswer,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
     lines: &mut Lines,
 ) {
-    let Asked::Number {
+    let CheckpointKind::Number {
         expected,
         tolerance,
     } = &checkpoint.asked
@@ -191,7 +191,12 @@ fn number_told(
     lines.paragraph(verdict, role);
 }
 
-fn choice_told(chosen: usize, choices: &[Choice], figure: Option<&Collision>, lines: &mut Lines) {
+fn choice_told(
+    chosen: usize,
+    choices: &[CheckpointChoice],
+    figure: Option<&Collision>,
+    lines: &mut Lines,
+) {
     let Some(choice) = choices.get(chosen) else {
         return;
     };

@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::levels::Level;
+use crate::levels::{Level, Shelf};
+use crate::screens::Context;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
 use crate::screens::list::first_shown;
-use crate::screens::{Context, Shelf};
 use crate::widgets::{Beside, Lines, Role, text};
 
 /// What stands beside the level that is to be won next.

@@ -1,6 +1,6 @@
 //! A shot that was made, being watched.
 
-use crate::levels::{Level, Verdict, Win, judge};
+use crate::levels::{Judgement, Level, Win, judge};
 use crate::messages::Key;
 use crate::physics::{Event, EventKind, Shot};
 use crate::quiz::{Ray, RayGrade, Rays};
@@ -26,7 +26,7 @@ pub(super) struct Said {
 impl Said {
     pub(super) fn of(rays: &RayInput) -> Self {
         Self {
-            rays: rays.said(),
+            rays: rays.so_far(),
             asked: Ray::BOTH.map(|ray| rays.asks(ray)),
         }
     }
@@ -80,7 +80,7 @@ fn end(level: &Level, shot: &Shot) -> f64 {
 #[derive(Debug, Clone)]
 pub(super) struct Attempt {
     pub(super) shot: Shot,
-    pub(super) verdict: Verdict,
+    pub(super) verdict: Judgement,
     pub(super) impacts: Vec<Impact>,
     pub(super) said: Option<Said>,
     /// How it was won, if it was.

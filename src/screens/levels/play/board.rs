@@ -94,7 +94,7 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
         let Some(piece) = pieces.get(*disc) else {
             continue;
         };
-        let alike = |&(_, other): &(usize, &crate::levels::Piece)| other.kind == piece.kind;
+        let alike = |&(_, other): &(usize, &crate::levels::PlacedDisc)| other.kind == piece.kind;
         let numbers: Vec<_> = pieces.iter().enumerate().filter(alike).collect();
         if numbers.len() > 1 {
             let ordinal = numbers
@@ -241,11 +241,11 @@ fn said(picture: &mut Picture, level: &Level, attempt: &Attempt) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::levels::Library;
+    use crate::levels::LevelLibrary;
 
     #[test]
     fn where_the_first_hit_counts_the_discs_are_whole_and_larger() {
-        let library = Library::embedded();
+        let library = LevelLibrary::embedded();
         let mut fitted = 0;
         for level in library.packs.iter().flat_map(|pack| &pack.levels) {
             if !level.is_of_the_first_hit() {

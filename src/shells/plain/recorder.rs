@@ -1,0 +1,92 @@
+//! Keeping what is answered.
+
+use super::spoken::verbatim;
+use super::talk::{Leave, Talk};
+use crate::messages::{StoreCall, StoreReply, StoreRequest};
+use crate::progress::Attempt;
+use crate::store::Store;
+
+/// Who plays, and where what is answered is kept.
+pub struct Recorder<'a> {
+    /// The name of the player.
+    pub player: &'a str,
+    /// Where it is kept.
+    pub store: &'a mut Store,
+    /// Whether it has been said why something could not be kept.
+    complained: bool,
+    /// How many answers could not be kept.
+    lost: usize,
+}
+
+impl<'a> Recorder<'a> {
+    /// A recorder of what this player does.
+    pub fn new(player: &'a str, store: &'a mut Store) -> Self {
+        Self {
+            player,
+            store,
+            complained: false,
+            lost: 0,
+        }
+    }
+
+    /// Asks the store, and says what is wrong with it, its reasons once.
+    pub(super) fn wish(
+        &mut self,
+        talk: &mut Talk,
+        wish: StoreRequest,
+    ) -> Result<StoreReply, Leave> {
+        let answer = self.store.answer(&StoreCall { ticket: 0, wish });
+        if let Some(notice) = answer.notice {
+            talk.say(&verbatim(&notice))?;
+        }
+        if let StoreReply::Noted(Err(reason)) = &answer.done
+            && !std::mem::replace(&mut self.complained, true)
+        {
+            let reason = verbatim(reason);
+            talk.say(&format!("What you do cannot be kept: {reason}."))?;
+        }
+        Ok(answer.done)
+    }
+
+    /// Keeps an answer, before anything is said about it. Each one that is lost is told.
+    pub(super) fn record(&mut self, talk: &mut Talk, attempt: Attempt) -> Result<(), Leave> {
+        if let StoreReply::Noted(Err(_)) =
+            self.wish(talk, StoreRequest::Record(Box::new(attempt)))?
+        {
+            self.lost += 1;
+            talk.say(&match self.lost {
+                1 => "This answer is not kept.".to_owned(),
+                lost => format!("This answer is not kept either: {lost} are lost by now."),
+            })?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quiz::{Answer, Confidence, Round};
+
+    #[test]
+    fn every_lost_answer_is_told_and_the_reason_once() {
+        let round = Round::hits(7);
+        let question = &round.questions()[0];
+        let answer = Answer::new(question.form.truth(), Confidence::Sure);
+        let (mut input, mut output) = (&b""[..], Vec::new());
+        let mut store = Store::nowhere();
+        let mut recorder = Recorder::new("Ada", &mut store);
+        let mut talk = Talk::new(&mut input, &mut output);
+        for number in 1..=3 {
+            let attempt = Attempt::of_quiz("Ada", round.code(), number, question, &answer);
+            recorder.record(&mut talk, attempt).unwrap();
+        }
+        assert_eq!(
+            String::from_utf8(output).unwrap(),
+            "What you do cannot be kept: no folder for data is known; --data-dir gives one.\n\
+             This answer is not kept.\n\
+             This answer is not kept either: 2 are lost by now.\n\
+             This answer is not kept either: 3 are lost by now.\n"
+        );
+    }
+}

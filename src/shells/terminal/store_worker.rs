@@ -1,0 +1,193 @@
+//! Keeps games and answers beside the app, so that the screen never waits long for the
+//! disk.
+
+use std::io::{self, Write};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use super::message::Message;
+use crate::files::escape_control;
+use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use crate::store::Store;
+
+/// How long the screen waits for a stroke or a vote to be saved before it shows it. Nearly all
+/// disks need a small part of this, and then none that was seen can be lost.
+const PATIENCE: Duration = Duration::from_millis(500);
+/// How long it waits for an answer: none is ever lost, for no explanation is drawn before
+/// that is safe, unless something is wrong with the disk or another program holds the
+/// database; then the player is told that it is being saved, and goes on.
+const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
+
+/// A thread that does what is asked of the store, one thing after the other.
+pub(super) struct StoreWorker {
+    /// Gone once nothing will be asked any more.
+    jobs: Option<Sender<Job>>,
+    thread: Option<JoinHandle<()>>,
+    /// Tells when that is done which was waited for in vain.
+    late: Option<Receiver<()>>,
+}
+
+/// Something to do, and whom to tell that it is done.
+struct Job {
+    request: StoreCall,
+    done: Sender<()>,
+}
+
+impl StoreWorker {
+    /// Starts the thread, which sends what came of each request.
+    pub(super) fn start(mut store: Store, sender: Sender<Message>) -> io::Result<Self> {
+        let (jobs, asked) = mpsc::channel::<Job>();
+        let keep = move || {
+            for job in asked {
+                tell(store.answer(&job.request), &sender);
+                // It may have become too late for whoever waited.
+                let _ = job.done.send(());
+            }
+        };
+        let thread = thread::Builder::new().name("store".into()).spawn(keep)?;
+        Ok(Self {
+            jobs: Some(jobs),
+            thread: Some(thread),
+            late: None,
+        })
+    }
+
+    /// Asks for something to be done. Says `true` if that takes so long that the player
+    /// should be told; what comes of it comes as an input, in time or not.
+    pub(super) fn ask(&mut self, request: &StoreCall, sender: &Sender<Message>) -> bool {
+        let (done, wait) = mpsc::channel();
+        let job = Job {
+            request: request.clone(),
+            done,
+        };
+        let asked = self.jobs.as_ref().map(|jobs| jobs.send(job));
+        if !matches!(asked, Some(Ok(()))) {
+            // A fault has ended the thread; its report is in crash.log.
+            tell(request.refused("whoever keeps the games is gone"), sender);
+            return false;
+        }
+        let patience = match request.wish {
+            StoreRequest::Save(_) | StoreRequest::SaveClass(_) => PATIENCE,
+            StoreRequest::Record(_) => ANSWER_PATIENCE,
+            _ => return false,
+        };
+        // A save is overdue; do not block again.
+        if let Some(late) = &self.late
+            && late.try_recv() == Err(TryRecvError::Empty)
+        {
+            return true;
+        }
+        let in_time = wait.recv_timeout(patience) != Err(RecvTimeoutError::Timeout);
+        self.late = (!in_time).then_some(wait);
+        !in_time
+    }
+}
+
+/// What was asked for last is still done before carrom is left.
+impl Drop for StoreWorker {
+    fn drop(&mut self) {
+        self.jobs = None;
+        let Some(thread) = self.thread.take() else {
+            return;
+        };
+        let start = Instant::now();
+        while !thread.is_finished() && start.elapsed() < ANSWER_PATIENCE {
+            thread::sleep(Duration::from_millis(1));
+        }
+        if !thread.is_finished() {
+            say("saving what you did last ...");
+        }
+        // Should it have been ended by a fault, that has been reported.
+        let _ = thread.join();
+    }
+}
+
+fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
+    let told = sender.send(Message::Input(Input::Kept(Box::new(answer))));
+    // Nobody listens any more only when carrom is leaving anyway.
+    if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = told
+        && let StoreReply::Noted(Err(reason)) | StoreReply::Saved(Err(reason)) = answer.done
+    {
+        say(&format!("what you did last could not be kept: {reason}"));
+    }
+}
+
+/// Says something when the screen is no longer ours.
+fn say(words: &str) {
+    // Standard error may be gone with its window, and then nobody is left to tell.
+    let _ = writeln!(io::stderr(), "carrom: {}", escape_control(words, 400));
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{env, fs, process};
+
+    use super::*;
+    use crate::levels::Starred;
+    use crate::progress::Attempt;
+
+    /// Whoever holds the database holds up neither the keys nor the picture for long.
+    #[test]
+    fn nobody_waits_long_for_an_answer_to_be_kept() {
+        let folder = env::temp_dir().join(format!("carrom-store-worker-{}", process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        let (sender, messages) = mpsc::channel();
+        let mut store_worker =
+            StoreWorker::start(Store::in_folder(&folder), sender.clone()).unwrap();
+        let starred = Starred {
+            pack: "first".into(),
+            level: "one".into(),
+            stars: 1,
+        };
+        let attempt = Attempt {
+            time_s: None,
+            player: "Ada".into(),
+            family: "speeds".into(),
+            topic: "speeds".into(),
+            seed: 7,
+            number: 1,
+            question: "{}".into(),
+            answer: "{}".into(),
+            truth: "{}".into(),
+            error_deg: None,
+            credit: 0.0,
+            right: false,
+            confidence: None,
+            misconception: None,
+        };
+        let star = |ticket| StoreCall {
+            ticket,
+            wish: StoreRequest::Star("Ada".into(), starred.clone()),
+        };
+        assert!(
+            !store_worker.ask(&star(1), &sender),
+            "nobody waits for stars"
+        );
+        messages.recv().unwrap();
+        let other = rusqlite::Connection::open(folder.join("progress.db")).unwrap();
+        other.execute_batch("BEGIN IMMEDIATE").unwrap();
+        let record = |ticket| StoreCall {
+            ticket,
+            wish: StoreRequest::Record(Box::new(attempt.clone())),
+        };
+        assert!(store_worker.ask(&record(2), &sender), "it is being saved");
+        let start = Instant::now();
+        assert!(store_worker.ask(&record(3), &sender));
+        assert!(start.elapsed() < ANSWER_PATIENCE, "nobody waits twice");
+        other.execute_batch("COMMIT").unwrap();
+        for expected in [2, 3] {
+            match messages.recv().unwrap() {
+                Message::Input(Input::Kept(answer)) => {
+                    assert_eq!(
+                        (answer.ticket, &answer.done),
+                        (expected, &StoreReply::Noted(Ok(())))
+                    );
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        drop(store_worker);
+        let _ = fs::remove_dir_all(&folder);
+    }
+}

@@ -1,0 +1,114 @@
+//! A text_store of things that are saved again and again.
+
+use std::collections::BTreeMap;
+
+use super::text_store::TextStore;
+use crate::files::FileError;
+use crate::messages::Kept;
+
+/// A text_store of things of one kind that are saved again and again, each known by the
+/// ticket of whoever works on it.
+pub(super) struct OpenFiles<T> {
+    text_store: Box<dyn TextStore>,
+    /// What names begin with.
+    kind: &'static str,
+    /// Makes a thing of the bytes of a file of this name.
+    read: ReadBytes<T>,
+    /// What was last put or found under which name, by ticket.
+    open: BTreeMap<u64, OpenFile>,
+    notice: Option<String>,
+}
+
+/// Makes a thing of the bytes of a file of a name.
+type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileError> + Send>;
+
+/// A thing being worked on.
+struct OpenFile {
+    name: String,
+    text: String,
+}
+
+impl<T> OpenFiles<T> {
+    /// A text_store of things of a kind, none of them being worked on.
+    pub(super) fn new(
+        text_store: impl TextStore + 'static,
+        kind: &'static str,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+    ) -> Self {
+        Self {
+            text_store: Box::new(text_store),
+            kind,
+            read: Box::new(read),
+            open: BTreeMap::new(),
+            notice: None,
+        }
+    }
+
+    /// Has the things made of bytes in another way from now on.
+    pub(super) fn read_by(
+        &mut self,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+    ) {
+        self.read = Box::new(read);
+    }
+
+    /// Saves a text in the place of what was saved or loaded with this ticket before; in
+    /// a new one if there is none, or if something else stands there now.
+    pub(super) fn save(&mut self, ticket: u64, text: String) -> Result<(), String> {
+        if let Some(open) = self.open.get_mut(&ticket)
+            && self.text_store.replace(&open.name, &open.text, &text)?
+        {
+            open.text = text;
+            return Ok(());
+        }
+        let name = self.text_store.add(self.kind, &text)?;
+        let place = self.text_store.place(&name);
+        if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
+            self.notice = Some(format!(
+                "{} is no longer as it was saved here; another carrom may have it open. \
+                 From now on this is saved in {place}.",
+                self.text_store.place(&before.name),
+            ));
+        }
+        Ok(())
+    }
+
+    /// What the player should know of it, once.
+    pub(super) fn take_notice(&mut self) -> Option<String> {
+        self.notice.take()
+    }
+
+    /// All there is, the latest first, with their ages if those mean anything.
+    pub(super) fn list(&self, with_age: bool) -> Result<Vec<Kept<T>>, String> {
+        let names = self.text_store.names()?.into_iter();
+        let found = names.map(|name| Kept {
+            age: with_age.then(|| self.text_store.age(&name)).flatten(),
+            content: match self.read(&name) {
+                Ok((_, thing)) => Ok(Box::new(thing)),
+                Err(fault) => Err(fault.without_file()),
+            },
+            name,
+        });
+        Ok(found.collect())
+    }
+
+    /// The thing of a name, to be saved with this ticket from now on.
+    pub(super) fn load(&mut self, ticket: u64, name: &str) -> Result<T, String> {
+        let (text, thing) = self.read(name).map_err(|fault| fault.to_string())?;
+        let name = name.to_owned();
+        self.open.insert(ticket, OpenFile { name, text });
+        Ok(thing)
+    }
+
+    /// Removes the thing of a name.
+    pub(super) fn remove(&mut self, name: &str) -> Result<(), String> {
+        self.text_store.remove(name)
+    }
+
+    /// The text under a name, and the thing that it makes.
+    fn read(&self, name: &str) -> Result<(String, T), FileError> {
+        let bytes = self.text_store.read(name)?;
+        let thing = (self.read)(&self.text_store.place(name), &bytes)?;
+        Ok((String::from_utf8_lossy(&bytes).into_owned(), thing))
+    }
+}

@@ -1,0 +1,343 @@
+//! Saying where both discs will go: two rays to turn, or two angles to type.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{EntryAction, KeyTable, NumberEntry, Outcome};
+use crate::messages::Key;
+use crate::quiz::{Ray, Rays};
+use crate::widgets::{Lines, Role};
+
+/// Furthest that a ray can be turned, in degrees either way.
+const FURTHEST: f64 = 180.0;
+
+/// A prediction in the making.
+///
+/// On the screen, angles are in degrees from the direction of the striker: the
+/// striker's positive to the side away from the coin, the coin's positive to the
+/// coin's own side. Nothing is said of a ray until it was turned.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RayInput {
+    /// What has been said of each; `Some(None)` of a disc that stays still.
+    angles_deg: [Option<Option<f64>>; 2],
+    turning: Ray,
+    /// The one ray that is asked for, if not both are.
+    only: Option<Ray>,
+    side: f64,
+    entry: NumberEntry,
+}
+
+/// What keys do to a prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum RayAction {
+    /// turn the ray: Left and Right by 1°, Up and Down by 5°
+    Turn(i8),
+    /// this disc will stay still
+    StaysStill,
+    /// the other ray
+    OtherRay,
+    /// go on: to the other ray, or with both said
+    Next,
+    /// a number typed for the ray
+    Number(EntryAction),
+}
+
+impl RayInput {
+    /// Nothing said yet. `side` is +1 where the coin lies to the right of
+    /// the striker's way and −1 where it lies to the left.
+    pub fn new(side: f64) -> Self {
+        Self {
+            angles_deg: [None; 2],
+            turning: Ray::Striker,
+            only: None,
+            side,
+            entry: NumberEntry::default(),
+        }
+    }
+
+    /// The same with these rays said, to be changed.
+    #[must_use]
+    pub fn saying(mut self, rays: &Rays) -> Self {
+        for ray in Ray::BOTH {
+            let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
+            // As it was typed, whatever rounding left.
+            let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
+            self.angles_deg[index(ray)] = Some(angle);
+        }
+        self
+    }
+
+    /// The same with one ray alone to be said. The other one reads as a disc that
+    /// stays still.
+    #[must_use]
+    pub fn only(self, ray: Ray) -> Self {
+        Self {
+            turning: ray,
+            only: Some(ray),
+            ..self
+        }
+    }
+
+    /// Whether a ray is to be said.
+    pub fn asks(&self, ray: Ray) -> bool {
+        self.only.is_none_or(|only| only == ray)
+    }
+
+    /// Whether Enter ends it: the last ray that is asked for is being turned.
+    pub fn is_last(&self) -> bool {
+        self.only.is_some() || self.turning == Ray::Target
+    }
+
+    /// What has been said; `None` while something asked for has not been.
+    pub fn said(&self) -> Option<Rays> {
+        let said = |ray| self.is_said(ray) || !self.asks(ray);
+        Ray::BOTH.into_iter().all(said).then(|| self.so_far())
+    }
+
+    /// The rays as far as they have been said; one that has not reads as a disc that
+    /// stays still.
+    pub fn so_far(&self) -> Rays {
+        let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
+        Rays {
+            striker: signed(Ray::Striker),
+            target: signed(Ray::Target),
+        }
+    }
+
+    /// Whether anything has been said of a ray.
+    pub fn is_said(&self, ray: Ray) -> bool {
+        self.angles_deg[index(ray)].is_some()
+    }
+
+    /// The ray that keys turn.
+    pub fn turning(&self) -> Ray {
+        self.turning
+    }
+
+    /// The keys that say it.
+    pub fn keys(&self) -> KeyTable<RayAction> {
+        use RayAction::{Next, OtherRay, StaysStill, Turn};
+        let number = self.entry.keys().map(RayAction::Number);
+        KeyTable::new("ray")
+            .each(
+                [
+                    (Key::Up, Turn(5)),
+                    (Key::Down, Turn(-5)),
+                    (Key::Left, Turn(-1)),
+                    (Key::Right, Turn(1)),
+                ],
+                "turn",
+            )
+            .with(number, |action| action)
+            .on(Key::Char('x'), StaysStill, "stays still")
+            .on(Key::Enter, Next, "next")
+            .on(Key::Tab, OtherRay, "other ray")
+            .or([(Key::BackTab, OtherRay)])
+            .when(self.only.is_none())
+    }
+
+    /// Does what a key stands for; done once all that is asked for has been said.
+    pub fn act(&mut self, action: RayAction) -> Outcome {
+        match action {
+            RayAction::Turn(degrees) => self.turn(degrees.into()),
+            RayAction::StaysStill => {
+                self.entry.take();
+                let still = self.angles_deg[index(self.turning)] == Some(None);
+                self.angles_deg[index(self.turning)] = (!still).then_some(None);
+            }
+            RayAction::OtherRay => self.choose(other(self.turning)),
+            RayAction::Next => return self.next(),
+            RayAction::Number(action) => match self.entry.act(action) {
+                Outcome::Done(angle) => {
+                    self.set(angle);
+                    return self.next();
+                }
+                _ => {
+                    if let Some(angle) = self.entry.value() {
+                        self.set(angle);
+                    }
+                }
+            },
+        }
+        Outcome::Used
+    }
+
+    /// Takes a key.
+    pub fn update(&mut self, key: Key) -> Outcome {
+        let action = self.keys().find(key);
+        action.map_or(Outcome::Ignored, |action| self.act(action))
+    }
+
+    /// Points a ray by hand, to the whole degree.
+    pub fn point(&mut self, ray: Ray, angle_deg: f64) {
+        self.choose(ray);
+        self.set(angle_deg.round());
+    }
+
+    /// The angle of a ray as the screen counts it; `None` for a disc that stays still,
+    /// and while nothing has been said.
+    pub fn angle_deg(&self, ray: Ray) -> Option<f64> {
+        self.angles_deg[index(ray)].flatten()
+    }
+
+    /// How the answer for a ray reads: as typed so far, or as it stands.
+    pub fn shown(&self, ray: Ray) -> String {
+        if ray == self.turning && self.entry.is_open() {
+            return format!("{}_", self.entry.text());
+        }
+        self.angles_deg[index(ray)].map_or("_".into(), shown)
+    }
+
+    /// Writes both rays, a row each; `target` is what the struck disc is called.
+    pub fn write(&self, lines: &mut Lines, target: &str) {
+        let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
+        for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
+            let (mark, role) = if ray == self.turning {
+                (">", Role::Selected)
+            } else {
+                (" ", Role::Text)
+            };
+            lines.pair(&format!("{mark} {name}"), &self.shown(ray), role, role);
+        }
+    }
+
+    /// How the angle of the ray that keys turn is counted, in a sentence.
+    pub fn about(&self, target: &str) -> String {
+        match self.turning {
+            Ray::Striker => format!(
+                "The striker: degrees from its old direction, to the side away from the {target}."
+            ),
+            Ray::Target => format!(
+                "The {target}: degrees from the striker's old direction, to the {target}'s own side."
+            ),
+        }
+    }
+
+    /// On to the other ray, once something has been said of this one.
+    fn next(&mut self) -> Outcome {
+        if !self.is_said(self.turning) {
+            return Outcome::Used;
+        }
+        if self.said().is_some() && self.is_last() {
+            self.entry.take();
+            return Outcome::Done(());
+        }
+        self.choose(other(self.turning));
+        Outcome::Used
+    }
+
+    fn choose(&mut self, ray: Ray) {
+        self.entry.take();
+        self.turning = self.only.unwrap_or(ray);
+    }
+
+    fn set(&mut self, angle_deg: f64) {
+        // Adding 0 turns −0 into 0.
+        let held = angle_deg.clamp(-FURTHEST, FURTHEST) + 0.0;
+        self.angles_deg[index(self.turning)] = Some(Some(held));
+    }
+
+    fn turn(&mut self, degrees: f64) {
+        self.entry.take();
+        let angle = self.angle_deg(self.turning).unwrap_or(0.0);
+        self.set(angle + degrees);
+    }
+}
+
+/// How an angle in degrees reads on the screen; `None` for a disc that stays still.
+pub fn shown(angle_deg: Option<f64>) -> String {
+    match angle_deg {
+        Some(angle) => format!("{angle:.1}°"),
+        None => "stays still".into(),
+    }
+}
+
+/// The same in as little room as a table has: no unit, and one word for a disc that
+/// stays still.
+pub fn brief(angle_deg: Option<f64>) -> String {
+    angle_deg.map_or("still".into(), |angle| format!("{angle:.1}"))
+}
+
+fn index(ray: Ray) -> usize {
+    match ray {
+        Ray::Striker => 0,
+        Ray::Target => 1,
+    }
+}
+
+fn other(ray: Ray) -> Ray {
+    match ray {
+        Ray::Striker => Ray::Target,
+        Ray::Target => Ray::Striker,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(rays: &mut RayInput, keys: &str) -> Outcome {
+        let key = |c| match c {
+            '\n' => Key::Enter,
+            '\t' => Key::Tab,
+            '>' => Key::Right,
+            '^' => Key::Up,
+            c => Key::Char(c),
+        };
+        keys.chars()
+            .fold(Outcome::Ignored, |_, c| rays.update(key(c)))
+    }
+
+    fn degrees(rays: &RayInput) -> [Option<f64>; 2] {
+        Ray::BOTH.map(|ray| rays.angle_deg(ray))
+    }
+
+    #[test]
+    fn two_numbers_typed_are_a_prediction() {
+        let mut rays = RayInput::new(1.0);
+        assert_eq!(press(&mut rays, "60\n30\n"), Outcome::Done(()));
+        assert_eq!(degrees(&rays), [Some(60.0), Some(30.0)]);
+    }
+
+    #[test]
+    fn nothing_is_said_by_enter_alone() {
+        let mut rays = RayInput::new(1.0);
+        assert_eq!(press(&mut rays, "\n\n\n"), Outcome::Used);
+        assert_eq!(rays.said(), None);
+        assert_eq!(press(&mut rays, "\t30\n"), Outcome::Used);
+        assert_eq!(rays.turning(), Ray::Striker);
+        assert_eq!(press(&mut rays, "60\n\n"), Outcome::Done(()));
+    }
+
+    #[test]
+    fn angles_count_from_the_coins_side() {
+        let mut rays = RayInput::new(-1.0);
+        press(&mut rays, "60\n30\n");
+        assert!((rays.said().unwrap().striker.unwrap() + 60.0_f64.to_radians()).abs() < 1e-12);
+        assert!((rays.said().unwrap().target.unwrap() + 30.0_f64.to_radians()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn arrows_turn_the_chosen_ray() {
+        let mut rays = RayInput::new(1.0);
+        press(&mut rays, ">>^\t^");
+        assert_eq!(degrees(&rays), [Some(7.0), Some(5.0)]);
+    }
+
+    #[test]
+    fn a_disc_can_be_said_to_stay_still() {
+        let mut rays = RayInput::new(1.0);
+        assert_eq!(press(&mut rays, "x\n0\n"), Outcome::Done(()));
+        assert_eq!(degrees(&rays), [None, Some(0.0)]);
+        assert_eq!(rays.said().unwrap().striker, None);
+    }
+
+    #[test]
+    fn half_typed_numbers_count_only_as_far_as_they_are_numbers() {
+        let mut rays = RayInput::new(1.0);
+        press(&mut rays, "-\t");
+        assert_eq!(rays.said(), None);
+        assert_eq!(press(&mut rays, "999"), Outcome::Used);
+        assert_eq!(rays.angle_deg(Ray::Target), Some(FURTHEST));
+    }
+}

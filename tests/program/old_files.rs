@@ -1,0 +1,117 @@
+//! What an earlier carrom kept is all there, and means the same: the files in
+//! `tests/saves` were made by the program of that time.
+
+use carrom::class::ClassRound;
+use carrom::game::{Fingerprint, SavedGame};
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::progress::{Attempt, Tally, topics};
+use carrom::store::Store;
+use rusqlite::Connection;
+
+use crate::folder::Folder;
+
+const ADA: &str = "Ada";
+const BO: &str = "Bo \"L\" \u{e9}";
+
+/// A folder with the database that this text makes.
+fn folder_with(name: &str, sql: &str) -> Folder {
+    let folder = Folder::new(name);
+    let database = Connection::open(folder.path().join("progress.db")).unwrap();
+    database.execute_batch(sql).unwrap();
+    folder
+}
+
+fn done(store: &mut Store, wish: StoreRequest) -> StoreReply {
+    let answer = store.answer(&StoreCall { ticket: 0, wish });
+    assert_eq!(answer.notice, None);
+    answer.done
+}
+
+fn attempts(store: &mut Store, player: Option<&str>) -> Vec<Attempt> {
+    match done(store, StoreRequest::Recall(player.map(str::to_owned))) {
+        StoreReply::Recalled(Ok(history)) => history.attempts,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_database_of_format_2_means_the_same() {
+    let sql = include_str!("../saves/progress-2.sql");
+    let folder = folder_with("format-2", sql);
+    let mut store = Store::in_folder(folder.path());
+    // What is not a topic or a belief is not touched, to the last bit.
+    let old = Connection::open_in_memory().unwrap();
+    old.execute_batch(sql).unwrap();
+    let mut rows = old
+        .prepare(
+            "SELECT question, answer, truth, credit, time_s, is_right FROM attempt ORDER BY id",
+        )
+        .unwrap();
+    let rows = rows.query_map([], |row| {
+        let texts: (String, String, String) = (row.get(0)?, row.get(1)?, row.get(2)?);
+        let rest: (f64, Option<i64>, bool) = (row.get(3)?, row.get(4)?, row.get(5)?);
+        Ok((texts, rest))
+    });
+    let all = attempts(&mut store, None);
+    let kept = all.iter().map(|it| {
+        let texts = (it.question.clone(), it.answer.clone(), it.truth.clone());
+        (texts, (it.credit, it.time_s, it.right))
+    });
+    assert!(rows.unwrap().map(Result::unwrap).eq(kept));
+
+    let mut under_four_names = 0;
+    for (player, count, right, expected) in
+        [(ADA, 170, 18, [21, 3, 33, 12]), (BO, 58, 5, [8, 0, 20, 6])]
+    {
+        let attempts = attempts(&mut store, Some(player));
+        let all = Tally::of(&attempts);
+        assert_eq!((all.attempts, all.right), (count, right));
+        let topics = topics(&attempts);
+        let found = [
+            "the corner, with loss",
+            "the corner with loss",
+            "coin's speed",
+            "marble's speed",
+        ]
+        .map(|name| {
+            let topic = topics.iter().find(|topic| topic.name == name);
+            topic.map_or(0, |topic| topic.all.attempts)
+        });
+        assert_eq!(found, expected);
+        under_four_names += expected.iter().sum::<usize>();
+    }
+    assert!(under_four_names > 100);
+
+    let StoreReply::Stars(Ok(stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {
+        panic!("no stars");
+    };
+    let stars: Vec<_> = stars
+        .iter()
+        .map(|it| (it.pack.as_str(), it.level.as_str(), it.stars))
+        .collect();
+    assert_eq!(stars, [("first-hits", "square-corner", 3)]);
+    let StoreReply::Marks(Ok(marks)) = done(&mut store, StoreRequest::Marks(ADA.into())) else {
+        panic!("no bookmarks");
+    };
+    let mark = &marks["the-line-of-impact"];
+    assert_eq!(mark.place.as_deref(), Some("Where can they push?"));
+    assert_eq!(mark.pages.len(), 5);
+    assert!(mark.pages["What can"].as_ref().is_some_and(|it| !it.right));
+}
+
+#[test]
+fn a_class_round_of_the_first_format_still_opens() {
+    let bytes = include_bytes!("../saves/class-1.toml");
+    let round = ClassRound::read("class-1.toml", bytes, &Default::default()).unwrap();
+    assert_eq!(round.text().unwrap().as_bytes(), bytes);
+    assert_eq!(round.teams(), ["Ants", "Bees", "=Cats()"]);
+}
+
+#[test]
+fn an_exported_game_of_the_first_format_still_opens() {
+    let bytes = include_bytes!("../saves/export-1.toml");
+    let (saved, game) = SavedGame::read("export-1.toml", bytes).unwrap();
+    assert_eq!(saved.text().unwrap().as_bytes(), bytes);
+    assert_eq!(saved.record.strokes(), 3);
+    assert_eq!(Fingerprint::of(&game), saved.end);
+}
