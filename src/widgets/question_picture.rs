@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::hit::{Face, Markings, Saying, after_picture, setup_picture};
+use super::hit::{Face, HitResponse, Markings, after_picture, setup_picture};
 use super::picture::Picture;
 use super::tracks::tracks_picture;
 use super::{AnswerInput, Look};
@@ -28,7 +28,7 @@ pub fn question_picture(
                 offset: true,
                 ..*shown
             };
-            let saying = Saying::Shot(aim.into());
+            let saying = HitResponse::Shot(aim.into());
             setup_picture(area, faces, &aim.with(offset), given, saying)
         }
         (Illustration::Before { collision, shown }, _) => {

@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{Pen, Picture, Side, View};
+use super::picture::{LabelSide, Pen, Picture, View};
 use crate::physics::rutherford::Rutherford;
 use crate::quiz::words::degrees;
 
@@ -56,7 +56,7 @@ pub fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> 
     picture.label(
         "nucleus",
         DVec2::ZERO,
-        &[Side::Right, Side::BelowRight],
+        &[LabelSide::Right, LabelSide::BelowRight],
         Role::Dim,
     );
     let roles = [Role::StrikerOut, Role::CoinOut];
@@ -78,7 +78,7 @@ pub fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> 
             _ => (corner + radius * middle, middle),
         };
         let text = degrees(angles[i]);
-        picture.label(&text, anchor, &Side::towards(towards), roles[i]);
+        picture.label(&text, anchor, &LabelSide::towards(towards), roles[i]);
     }
     picture
 }

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
-use crate::paper::Page;
+use crate::paper::HtmlPage;
 use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
 
@@ -12,8 +12,8 @@ const BESIDE: f64 = 363.0;
 
 /// A document of these sheets.
 pub(super) fn document<const N: usize>(title: &str, sheets: [Markup; N]) -> String {
-    let page = Page::new(title).style(include_str!("worksheet.css"));
-    sheets.into_iter().fold(page, Page::sheet).html()
+    let page = HtmlPage::new(title).style(include_str!("worksheet.css"));
+    sheets.into_iter().fold(page, HtmlPage::sheet).html()
 }
 
 /// The head of a sheet: what it is, and how to open it on a screen.

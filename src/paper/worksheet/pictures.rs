@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use crate::paper::svg;
 use crate::physics::Collision;
 use crate::quiz::{self, Form, Question, Round};
-use crate::widgets::hit::{Layer, Layers, Watch, protractor_picture, scale_picture};
+use crate::widgets::hit::{Overlay, Overlays, Watch, protractor_picture, scale_picture};
 use crate::widgets::question_picture;
 use crate::widgets::svg::Svg;
 
@@ -90,8 +90,8 @@ pub(super) fn of_answer(question: &Question) -> Option<Svg> {
         Form::Shot(aim) => aim.with(aim.offset),
         _ => *question.picture.collision()?,
     };
-    let mut layers = Layers::default();
-    for layer in [Layer::Triangle, Layer::Trails] {
+    let mut layers = Overlays::default();
+    for layer in [Overlay::Triangle, Overlay::Trails] {
         layers.toggle(layer);
     }
     let watch = Watch::new(collision, None, true)

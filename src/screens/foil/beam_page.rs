@@ -12,7 +12,7 @@ use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::screens::Context;
 use crate::widgets::bar::bar;
-use crate::widgets::picture::{Pen, Picture, Side};
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role};
 
@@ -54,7 +54,12 @@ pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
         let thrown = run.thrown();
         let expected = |at| expected_at(&law, thrown, at).filter(|count| *count >= least);
         plot.function(expected, Pen::new(Role::StrikerOut));
-        let sides = [Side::AboveRight, Side::Above, Side::AboveLeft, Side::Right];
+        let sides = [
+            LabelSide::AboveRight,
+            LabelSide::Above,
+            LabelSide::AboveLeft,
+            LabelSide::Right,
+        ];
         let mut places = label_places(expected).into_iter();
         if let Some(first) = places.next() {
             let label = plot.label("the law", first, &sides, Role::StrikerOut);

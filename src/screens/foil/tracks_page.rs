@@ -10,7 +10,7 @@ use super::words::rounded;
 use crate::beams::{Law, Target};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
-use crate::widgets::picture::{Layer, Pen, Picture, Side, View};
+use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
 use crate::widgets::{Lines, Role};
 
@@ -166,13 +166,13 @@ fn draw_particle(setup: &Setup, picture: &mut Picture, reach: f64) {
         Obstacle::Nucleus => ("fm", 1),
     };
     let angle = format!("Θ = {:.1}°", set.angle.to_degrees());
-    let sides = Side::towards(direction);
+    let sides = LabelSide::towards(direction);
     picture.label(&angle, tip, &sides, Role::StrikerOut);
     let text = format!("b = {:.decimals$} {unit}", offset.abs());
     let sides = if offset < 0.0 {
-        [Side::BelowRight, Side::AboveRight]
+        [LabelSide::BelowRight, LabelSide::AboveRight]
     } else {
-        [Side::AboveRight, Side::BelowRight]
+        [LabelSide::AboveRight, LabelSide::BelowRight]
     };
     picture.label(&text, dvec2(left, offset), &sides, Role::Text);
     if let (Obstacle::Nucleus, Some(nearest)) = (setup.obstacle, set.nearest) {
@@ -180,7 +180,7 @@ fn draw_particle(setup: &Setup, picture: &mut Picture, reach: f64) {
         picture.label(
             &text,
             nearest * 0.5,
-            &Side::towards(-nearest.perp()),
+            &LabelSide::towards(-nearest.perp()),
             Role::Text,
         );
     }

@@ -10,13 +10,13 @@ use crate::widgets::{Beside, Lines, Look, Role, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
-pub struct Layout {
+pub struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
     pub beside: Beside,
 }
 
-impl Layout {
+impl FoilLayout {
     /// Lays it out in `area`.
     pub fn new(area: Rect) -> Self {
         let row = 1.min(area.height);
@@ -71,7 +71,7 @@ impl Layout {
 /// Draws the foil.
 pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Layout::new(area);
+    let layout = FoilLayout::new(area);
     for (page, column, name) in layout.tabs() {
         let role = if page == foil.page {
             Role::Selected

@@ -11,7 +11,7 @@ use super::sitting::{Hinted, Sitting};
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::physics::{Board, State, stopping_distance};
-use crate::widgets::picture::{Body, Layer, Pen, Picture, Side};
+use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture};
 use crate::widgets::{Role, board};
 
 /// Seconds after which a trail has faded.
@@ -158,7 +158,12 @@ pub(super) fn of_replay(sitting: &Sitting, replay: &Replay, area: Rect) -> Pictu
         let number = replay.chosen.unwrap_or(0) + 1;
         let share = impact.collision.striker.radius / impact.collision.reach();
         let contact = a.lerp(b, share);
-        picture.label(&format!("{number}"), contact, &Side::ALL, Role::Contact);
+        picture.label(
+            &format!("{number}"),
+            contact,
+            &LabelSide::ALL,
+            Role::Contact,
+        );
     }
     picture
 }

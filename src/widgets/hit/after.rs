@@ -5,7 +5,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::sketch::Sketch;
-use super::stage::Stage;
+use super::stage::HitLayout;
 use super::watch::Face;
 use crate::physics::Collision;
 use crate::widgets::Role;
@@ -19,7 +19,7 @@ const STILL: f64 = 1e-9;
 
 /// The ways that a striker and a coin came and went, with both angles.
 pub fn after_picture(area: Rect, collision: &Collision) -> Picture {
-    let mut sketch = Sketch::new(Stage::new(area, collision));
+    let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let stage = sketch.stage;
     let outcome = collision.outcome();
     let (before, after) = ([collision.u1, collision.u2], [outcome.v1, outcome.v2]);

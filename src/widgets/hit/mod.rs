@@ -15,11 +15,11 @@ mod tests;
 mod watch;
 
 pub use after::after_picture;
-pub use layers::{Layer, Layers};
+pub use layers::{Overlay, Overlays};
 pub use pencil::{protractor_picture, scale_picture};
 pub use playback::{FRAME, Playback};
-pub use setup::{Markings, Saying, drag_offset, point_at, setup_picture};
+pub use setup::{HitResponse, Markings, drag_offset, point_at, setup_picture};
 pub use sketch::WantedWay;
-pub use stage::{Stage, degrees, side};
+pub use stage::{HitLayout, degrees, side};
 pub use telling::Telling;
 pub use watch::{Face, Watch, WatchAction};

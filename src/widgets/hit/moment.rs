@@ -2,10 +2,10 @@
 
 use glam::DVec2;
 
-use super::layers::{Layer, Layers};
+use super::layers::{Overlay, Overlays};
 use super::playback::Playback;
 use super::sketch::{ArrowScale, Sketch, WantedWay};
-use super::stage::Stage;
+use super::stage::HitLayout;
 use super::watch::Face;
 use crate::physics::units::g_from_kg;
 use crate::physics::{Bond, Frame, Outcome, Shot};
@@ -19,13 +19,13 @@ const STANDS: f64 = 1e-6;
 
 /// What a moment of a hit is drawn from.
 pub(super) struct Moment<'a> {
-    pub(super) stage: Stage,
+    pub(super) stage: HitLayout,
     pub(super) outcome: &'a Outcome,
     pub(super) shot: Option<&'a Shot>,
     pub(super) clock: &'a Playback,
     pub(super) contact: f64,
     pub(super) frame: Frame,
-    pub(super) layers: Layers,
+    pub(super) layers: Overlays,
     pub(super) said: Option<&'a Rays>,
     pub(super) wanted: Option<WantedWay>,
     pub(super) measured: bool,
@@ -100,13 +100,13 @@ impl Moment<'_> {
         }
     }
 
-    fn shows(&self, layer: Layer) -> bool {
+    fn shows(&self, layer: Overlay) -> bool {
         self.layers.shows(layer)
     }
 
     /// Whether the picture is of the split of u alone, with all its room for that.
     fn is_split_alone(&self) -> bool {
-        self.shows(Layer::Split) && !self.shows(Layer::Velocities)
+        self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
     }
 
     /// Draws it.
@@ -115,7 +115,7 @@ impl Moment<'_> {
         let time = self.clock.time();
         let met = self.clock.has_met();
         let now = [self.place(0, time), self.place(1, time)];
-        if self.shows(Layer::Trails) {
+        if self.shows(Overlay::Trails) {
             self.trails(&mut sketch.picture, time);
         }
         for (body, face) in self.faces.into_iter().enumerate() {
@@ -129,7 +129,7 @@ impl Moment<'_> {
         let in_lab = self.frame == Frame::Laboratory;
         // From the centre of mass the triangle is none: the two cancel.
         let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
-        if told && self.shows(Layer::Triangle) && !flat {
+        if told && self.shows(Overlay::Triangle) && !flat {
             self.triangle(&mut sketch, before, after);
         }
         let normal = self.outcome.normal.filter(|_| self.is_split_alone());
@@ -138,37 +138,37 @@ impl Moment<'_> {
             None => ArrowScale::fit(&self.stage, before, after),
         };
         if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
-            if beats >= 1 && self.shows(Layer::Lines) {
+            if beats >= 1 && self.shows(Overlay::Lines) {
                 self.lines(&mut sketch, n, t);
             }
             let telling = beats == 2 && self.clock.at_contact();
-            if beats >= 2 && (telling || self.shows(Layer::Split)) {
+            if beats >= 2 && (telling || self.shows(Overlay::Split)) {
                 sketch.split(&scale, before[0], n, t);
-                if !self.shows(Layer::Velocities) {
+                if !self.shows(Overlay::Velocities) {
                     sketch.whole(&scale, before[0]);
                 }
             }
         }
-        if self.shows(Layer::Velocities) {
+        if self.shows(Overlay::Velocities) {
             let at = if met { self.stage.centres } else { now };
             self.incoming(&mut sketch, &scale, before, at);
         }
         if let Some(wanted) = &self.wanted
-            && self.shows(Layer::Prediction)
+            && self.shows(Overlay::Prediction)
             && in_lab
         {
             sketch.wanted_way(wanted);
         }
         if told {
-            if self.shows(Layer::Prediction) && in_lab {
+            if self.shows(Overlay::Prediction) && in_lab {
                 self.prediction(&mut sketch);
             }
-            if self.shows(Layer::Velocities) {
+            if self.shows(Overlay::Velocities) {
                 let turns = self.sticks() && self.frame == Frame::CentreOfMass;
                 let at = if turns { now } else { self.stage.centres };
                 self.outgoing(&mut sketch, &scale, after, at);
             }
-            if self.shows(Layer::Angles) && self.outcome.hit() && in_lab {
+            if self.shows(Overlay::Angles) && self.outcome.hit() && in_lab {
                 for (body, v) in after.into_iter().enumerate() {
                     sketch.arc(body, v, self.pen(Role::Arc));
                 }

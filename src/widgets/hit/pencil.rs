@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::Markings;
 use super::setup::{about_to_meet, moving};
 use super::sketch::Sketch;
-use super::stage::Stage;
+use super::stage::HitLayout;
 use super::watch::Face;
 use crate::physics::Collision;
 use crate::physics::units::m_from_mm;
@@ -67,7 +67,7 @@ pub fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
             if given.offset { 1.4 * unit } else { 0.0 },
         ),
     ]);
-    let mut sketch = Sketch::new(Stage::between(collision, corners, COLUMNS));
+    let mut sketch = Sketch::new(HitLayout::between(collision, corners, COLUMNS));
     let stage = sketch.stage;
     let heading = collision.u1.try_normalize().unwrap_or(along);
     let picture = &mut sketch.picture;
@@ -123,7 +123,7 @@ pub fn scale_picture(aim: &AimTask) -> Picture {
         (zero - reach * right, 1.3 * unit),
         (zero + reach * right, 1.3 * unit),
     ]);
-    let mut sketch = Sketch::new(Stage::between(&collision, corners, LARGE_COLUMNS));
+    let mut sketch = Sketch::new(HitLayout::between(&collision, corners, LARGE_COLUMNS));
     let picture = &mut sketch.picture;
     let dotted = Pen::new(Role::Trail).dotted();
     picture.line(start, zero + (ARC + 0.6) * unit * heading, dotted);

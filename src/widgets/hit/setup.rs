@@ -4,7 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::sketch::{Sketch, WantedWay, ray_length};
-use super::stage::Stage;
+use super::stage::HitLayout;
 use super::watch::Face;
 use crate::physics::Collision;
 use crate::quiz::Ray;
@@ -15,7 +15,7 @@ pub use crate::quiz::Markings;
 
 /// What is being said of a hit.
 #[derive(Debug, Clone, Copy)]
-pub enum Saying<'a> {
+pub enum HitResponse<'a> {
     /// Nothing, or nothing that is seen.
     Nothing,
     /// Where both will go.
@@ -24,7 +24,7 @@ pub enum Saying<'a> {
     Shot(WantedWay),
 }
 
-impl<'a> From<Option<&'a RayInput>> for Saying<'a> {
+impl<'a> From<Option<&'a RayInput>> for HitResponse<'a> {
     fn from(rays: Option<&'a RayInput>) -> Self {
         rays.map_or(Self::Nothing, Self::Rays)
     }
@@ -36,9 +36,9 @@ pub fn setup_picture<'a>(
     faces: [Face; 2],
     collision: &Collision,
     given: Markings,
-    saying: impl Into<Saying<'a>>,
+    saying: impl Into<HitResponse<'a>>,
 ) -> Picture {
-    let mut sketch = Sketch::new(Stage::new(area, collision));
+    let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let radius = sketch.stage.radius(1);
     let places = before(&sketch.stage);
     about_to_meet(
@@ -49,9 +49,9 @@ pub fn setup_picture<'a>(
         [1.35 * radius, 1.5 * radius],
     );
     match saying.into() {
-        Saying::Nothing => {}
-        Saying::Rays(rays) => turned(&mut sketch, faces, rays),
-        Saying::Shot(wanted) => sketch.wanted_way(&wanted),
+        HitResponse::Nothing => {}
+        HitResponse::Rays(rays) => turned(&mut sketch, faces, rays),
+        HitResponse::Shot(wanted) => sketch.wanted_way(&wanted),
     }
     sketch.picture
 }
@@ -93,7 +93,7 @@ pub(super) fn about_to_meet(
 
 /// Where the two are drawn before the hit: far enough apart to see both whole, near
 /// enough that both are in the picture.
-fn before(stage: &Stage) -> [DVec2; 2] {
+fn before(stage: &HitLayout) -> [DVec2; 2] {
     let speed = stage.collision.relative_velocity().length();
     if speed > 0.0 {
         let time = 1.35 * stage.unit() / speed;
@@ -218,7 +218,7 @@ pub fn point_at(
     cell: (u16, u16),
     choose: bool,
 ) {
-    let stage = Stage::new(area, collision);
+    let stage = HitLayout::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
     let said = rays.so_far();
     let distance = |body: usize, ray: Ray| {
@@ -248,7 +248,7 @@ pub fn point_at(
 /// The offset in metres that puts the coin beside the striker's way where a cell
 /// of the picture is.
 pub fn drag_offset(area: Rect, collision: &Collision, cell: (u16, u16)) -> f64 {
-    let stage = Stage::new(area, collision);
+    let stage = HitLayout::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
     let Some(along) = collision.relative_velocity().try_normalize() else {
         return collision.offset;

@@ -2,10 +2,10 @@
 
 use glam::DVec2;
 
-use super::stage::Stage;
+use super::stage::HitLayout;
 use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
-use crate::widgets::picture::{Pen, Picture, Side};
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
@@ -54,7 +54,7 @@ pub(super) struct ArrowScale {
 impl ArrowScale {
     /// The largest scale at which arrows for `after`, drawn outwards from the rims
     /// at contact, stay within the picture.
-    pub(super) fn fit(stage: &Stage, before: [DVec2; 2], after: [DVec2; 2]) -> Self {
+    pub(super) fn fit(stage: &HitLayout, before: [DVec2; 2], after: [DVec2; 2]) -> Self {
         let speeds = before.iter().chain(&after).map(|v| v.length());
         let fastest = speeds.fold(0.0, f64::max);
         let room = after.iter().enumerate().filter_map(|(body, v)| {
@@ -67,7 +67,7 @@ impl ArrowScale {
 
     /// The largest scale at which u and its parts, drawn from the striker's centre, stay
     /// within the picture, and the part along n short of the coin's letter.
-    pub(super) fn fit_split(stage: &Stage, u: DVec2, n: DVec2) -> Self {
+    pub(super) fn fit_split(stage: &HitLayout, u: DVec2, n: DVec2) -> Self {
         let fastest = u.length();
         let along = u.dot(n) * n;
         let room = |v: DVec2| {
@@ -106,12 +106,12 @@ impl ArrowScale {
 
 /// A picture of a hit being made.
 pub(super) struct Sketch {
-    pub(super) stage: Stage,
+    pub(super) stage: HitLayout,
     pub(super) picture: Picture,
 }
 
 impl Sketch {
-    pub(super) fn new(stage: Stage) -> Self {
+    pub(super) fn new(stage: HitLayout) -> Self {
         let picture = Picture::new(stage.view);
         Self { stage, picture }
     }
@@ -125,7 +125,7 @@ impl Sketch {
         role: Role,
     ) {
         self.picture
-            .label(text, anchor, &Side::towards(towards), role);
+            .label(text, anchor, &LabelSide::towards(towards), role);
     }
 
     /// The arc from the striker's direction to `v`, round the centre of `body`, with the
@@ -243,8 +243,8 @@ impl Sketch {
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture
-            .label(text, anchor, &Side::towards(towards), role)
-            .or(centre + room * across, &Side::towards(across));
+            .label(text, anchor, &LabelSide::towards(towards), role)
+            .or(centre + room * across, &LabelSide::towards(across));
     }
 
     /// The striker's velocity and its parts along n and t, drawn from its centre, with
@@ -315,7 +315,7 @@ impl Sketch {
         // The name goes below the base, where no side of the triangle is.
         let below = tail.y.min(joint.y).min(tip.y);
         let caption = DVec2::new(middle.x, below);
-        let sides = [Side::Below, Side::Above];
+        let sides = [LabelSide::Below, LabelSide::Above];
         picture
             .label("p = p₁ + p₂", caption, &sides, Role::Dim)
             .apart();
@@ -323,7 +323,7 @@ impl Sketch {
 }
 
 /// How far a ray reaches from a disc's centre at contact.
-pub(super) fn ray_length(stage: &Stage, centre: DVec2, direction: DVec2) -> f64 {
+pub(super) fn ray_length(stage: &HitLayout, centre: DVec2, direction: DVec2) -> f64 {
     stage.room(centre, direction).min(RAY * stage.unit())
 }
 

@@ -21,7 +21,7 @@ const LOW: u16 = 12;
 
 /// The geometry of a hit as drawn: the contact point is in the middle.
 #[derive(Debug, Clone, Copy)]
-pub struct Stage {
+pub struct HitLayout {
     /// Where the world is on the screen.
     pub view: View,
     /// The collision.
@@ -32,7 +32,7 @@ pub struct Stage {
     middle: DVec2,
 }
 
-impl Stage {
+impl HitLayout {
     /// The stage of `collision` in `area`.
     pub fn new(area: Rect, collision: &Collision) -> Self {
         let (c1, c2) = collision.placed_at_contact();

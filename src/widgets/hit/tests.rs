@@ -76,8 +76,8 @@ fn labels(picture: &Picture) -> Vec<String> {
 }
 
 fn told(collision: &Collision) -> Picture {
-    let mut layers = Layers::default();
-    layers.toggle(Layer::Triangle);
+    let mut layers = Overlays::default();
+    layers.toggle(Overlay::Triangle);
     let watch = Watch::new(*collision, None, true).with_layers(layers);
     watch.with_measures().picture(AREA)
 }

@@ -6,11 +6,11 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::layers::{Layer, Layers};
+use super::layers::{Overlay, Overlays};
 use super::moment::Moment;
 use super::playback::{FRAME, Playback};
 use super::sketch::WantedWay;
-use super::stage::{Stage, time_in_sight};
+use super::stage::{HitLayout, time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
@@ -31,7 +31,7 @@ pub struct Watch {
     shot: Option<Shot>,
     clock: Playback,
     contact: f64,
-    layers: Layers,
+    layers: Overlays,
     frame: Frame,
     said: Option<Rays>,
     wanted: Option<WantedWay>,
@@ -58,7 +58,7 @@ pub enum WatchAction {
     /// see it from the centre of mass, or from the coin's own frame
     Frame,
     /// layers: line of impact, split, velocities, angles, triangle, trails, what you said
-    ToggleLayer(Layer),
+    ToggleLayer(Overlay),
 }
 
 /// How a disc of a hit is drawn.
@@ -95,7 +95,7 @@ impl Watch {
             shot: collision.shot(contact, end),
             clock: Playback::new(contact, end, reduced),
             contact,
-            layers: Layers::default(),
+            layers: Overlays::default(),
             frame: Frame::Laboratory,
             said,
             wanted: None,
@@ -130,7 +130,7 @@ impl Watch {
 
     /// The same with these layers.
     #[must_use]
-    pub fn with_layers(self, layers: Layers) -> Self {
+    pub fn with_layers(self, layers: Overlays) -> Self {
         Self { layers, ..self }
     }
 
@@ -150,7 +150,7 @@ impl Watch {
     }
 
     /// What is drawn on top.
-    pub fn layers(&self) -> Layers {
+    pub fn layers(&self) -> Overlays {
         self.layers
     }
 
@@ -203,7 +203,7 @@ impl Watch {
         use WatchAction::{Again, End, Frame, GoOn, Scrub, Start, Step, ToggleLayer};
         let layer = |digit: char| {
             let number = usize::from(digit as u8 - b'1');
-            (Key::Char(digit), ToggleLayer(Layer::ALL[number]))
+            (Key::Char(digit), ToggleLayer(Overlay::ALL[number]))
         };
         KeyTable::new("hit")
             .on(Key::Char(' '), GoOn, "go on")
@@ -269,7 +269,7 @@ impl Watch {
     #[must_use]
     pub fn picture(&self, area: Rect) -> Picture {
         let moment = Moment {
-            stage: Stage::new(area, &self.collision),
+            stage: HitLayout::new(area, &self.collision),
             outcome: &self.outcome,
             shot: self.shot.as_ref(),
             clock: &self.clock,

@@ -11,7 +11,7 @@ use super::{
     glyphs::{ascii, block, braille},
     grid,
     label::PlacedLabel,
-    stroke::Stroke,
+    stroke::StrokeSamples,
 };
 use crate::widgets::picture::{Dash, Layer, Mark, Pen, Picture, View};
 use crate::widgets::{Charset, Role, Theme};
@@ -26,7 +26,7 @@ pub(in crate::widgets) struct Canvas {
     pub(super) labels: Vec<PlacedLabel>,
     /// What labels are written for, in cells from the corner of the area.
     pub(super) expected: Vec<(i32, i32)>,
-    stroke: Stroke,
+    stroke: StrokeSamples,
 }
 
 impl Canvas {
@@ -42,7 +42,7 @@ impl Canvas {
             cells: vec![Cell::EMPTY; size.0 * size.1],
             labels: Vec::new(),
             expected: Vec::new(),
-            stroke: Stroke::new(grid(charset), size),
+            stroke: StrokeSamples::new(grid(charset), size),
         }
     }
 
@@ -316,7 +316,7 @@ impl Canvas {
         (from, to)
     }
 
-    pub(super) fn stroke_mut(&mut self) -> &mut Stroke {
+    pub(super) fn stroke_mut(&mut self) -> &mut StrokeSamples {
         &mut self.stroke
     }
 

@@ -5,7 +5,7 @@ use ratatui::{buffer::Buffer, layout::Rect};
 use unicode_width::UnicodeWidthStr;
 
 use super::canvas::Canvas;
-use crate::widgets::picture::{Label, Layer, Side};
+use crate::widgets::picture::{Label, LabelSide, Layer};
 use crate::widgets::{Role, Theme};
 
 /// A label that has its place.
@@ -16,7 +16,7 @@ pub(in crate::widgets) struct PlacedLabel {
     /// One row of the screen.
     pub(in crate::widgets) place: Rect,
     /// On which side of its anchor that is.
-    pub(in crate::widgets) side: Side,
+    pub(in crate::widgets) side: LabelSide,
     /// The cell of what it names, counted from the corner of the area.
     anchor: (i32, i32),
 }
@@ -73,7 +73,13 @@ impl Canvas {
     /// is there (unless it is as wide), and never covers another label, a disc, a
     /// velocity, a reserved cell or an arrow's tip. Rather than stand far away it
     /// covers the weakest lines. Says whether it found a place.
-    pub(super) fn label(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
+    pub(super) fn label(
+        &mut self,
+        text: &str,
+        anchor: DVec2,
+        sides: &[LabelSide],
+        role: Role,
+    ) -> bool {
         // Free paper first, with a blank at both ends; then without the blanks, then
         // over boards and trails, then over geometry.
         let places = [
@@ -100,7 +106,7 @@ impl Canvas {
         &mut self,
         text: &str,
         anchor: DVec2,
-        sides: &[Side],
+        sides: &[LabelSide],
         role: Role,
         places: &[(i32, bool, bool, Option<Layer>)],
     ) -> bool {
@@ -116,8 +122,8 @@ impl Canvas {
         let spare = i32::from(area.width) - width;
         let margin = i32::from(spare >= 2);
         let last = spare - margin;
-        let others = Side::ALL.iter().filter(|side| !sides.contains(side));
-        let sides: Vec<Side> = sides.iter().chain(others).copied().collect();
+        let others = LabelSide::ALL.iter().filter(|side| !sides.contains(side));
+        let sides: Vec<LabelSide> = sides.iter().chain(others).copied().collect();
         let place = places.iter().find_map(|&(farthest, own, blank, over)| {
             let all = (1..=farthest)
                 .flat_map(|away| sides.iter().map(move |side| (*side, away)))
@@ -127,7 +133,7 @@ impl Canvas {
                 // Above or below it may move along to stay within the area.
                 let x = x + aside * side.outwards();
                 match side {
-                    Side::Right | Side::Left => (side, x, y),
+                    LabelSide::Right | LabelSide::Left => (side, x, y),
                     _ => (side, x.clamp(margin, last.max(margin)), y),
                 }
             })

@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::Canvas;
-use crate::widgets::picture::{Body, Pen, Picture, Side, View};
+use crate::widgets::picture::{Body, LabelSide, Pen, Picture, View};
 use crate::widgets::{Charset, Look, Role, Theme};
 
 const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
@@ -213,7 +213,8 @@ fn labels_keep_off_each_other_and_off_what_matters() {
         for turn in 0..120 {
             let out = DVec2::from_angle(TAU * f64::from(turn) / 120.0);
             let text = format!("θ = {turn}°");
-            placed += usize::from(canvas.label(&text, out * 12.0, &Side::towards(out), Role::Arc));
+            placed +=
+                usize::from(canvas.label(&text, out * 12.0, &LabelSide::towards(out), Role::Arc));
         }
         assert!((30..120).contains(&placed), "{placed}");
         assert_eq!(placed, canvas.labels.len());
@@ -234,10 +235,15 @@ fn labels_keep_off_each_other_and_off_what_matters() {
 #[test]
 fn a_label_without_room_is_left_out() {
     let mut canvas = canvas(Charset::Unicode);
-    assert!(!canvas.label(&"long ".repeat(20), DVec2::ZERO, &Side::ALL, Role::Text));
-    assert!(!canvas.label("far", dvec2(1e9, 0.0), &Side::ALL, Role::Text));
-    assert!(!canvas.label("nowhere", DVec2::NAN, &Side::ALL, Role::Text));
-    assert!(!canvas.label("", DVec2::ZERO, &Side::ALL, Role::Text));
+    assert!(!canvas.label(
+        &"long ".repeat(20),
+        DVec2::ZERO,
+        &LabelSide::ALL,
+        Role::Text
+    ));
+    assert!(!canvas.label("far", dvec2(1e9, 0.0), &LabelSide::ALL, Role::Text));
+    assert!(!canvas.label("nowhere", DVec2::NAN, &LabelSide::ALL, Role::Text));
+    assert!(!canvas.label("", DVec2::ZERO, &LabelSide::ALL, Role::Text));
     assert!(inked(&drawn(&canvas)).is_empty());
 }
 
@@ -301,7 +307,7 @@ fn everything(view: View, charset: Charset, size: f64) -> Canvas {
         it.dot(at * 0.9, Pen::new(Role::Trail).aged(0.5));
         it.fill(-at, at, Role::Trail);
         it.text(at, "θ", Role::Text);
-        it.label("θ₁ = 60°", at, &Side::towards(at), Role::Arc);
+        it.label("θ₁ = 60°", at, &LabelSide::towards(at), Role::Arc);
     }
     let arc = Pen::new(Role::Arc).dotted();
     it.arc(DVec2::ZERO, size / 2.0, 0.2, 2.2, arc);

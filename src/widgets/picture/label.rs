@@ -13,7 +13,7 @@ pub struct Label {
     pub role: Role,
     /// The points it may stand beside, the dearest first, each with the sides it would
     /// like; there is always one.
-    pub places: Vec<(DVec2, Vec<Side>)>,
+    pub places: Vec<(DVec2, Vec<LabelSide>)>,
     /// Whether others leave the surroundings of its point to it.
     pub(in crate::widgets) keeps_others_off: bool,
 }
@@ -27,7 +27,7 @@ impl Label {
     }
 
     /// Another place, where there is no room at those before.
-    pub fn or(&mut self, anchor: DVec2, sides: &[Side]) -> &mut Self {
+    pub fn or(&mut self, anchor: DVec2, sides: &[LabelSide]) -> &mut Self {
         self.places.push((anchor, sides.to_vec()));
         self
     }
@@ -35,7 +35,7 @@ impl Label {
 
 /// On which side of its anchor a label stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum LabelSide {
     /// In the row of the anchor, to the right.
     Right,
     /// Above and to the right.
@@ -56,10 +56,10 @@ pub enum Side {
     Over,
 }
 
-use Side as S;
+use LabelSide as S;
 
-impl Side {
-    /// All sides but [`Side::Over`], anticlockwise from the right.
+impl LabelSide {
+    /// All sides but [`LabelSide::Over`], anticlockwise from the right.
     pub const ALL: [Self; 8] = [
         S::Right,
         S::AboveRight,

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};
-//! use carrom::widgets::picture::{Pen, Picture, Side, View};
+//! use carrom::widgets::picture::{Pen, Picture, LabelSide, View};
 //! use glam::dvec2;
 //! use ratatui::{buffer::Buffer, layout::Rect};
 //!
@@ -16,7 +16,7 @@
 //! picture.line(dvec2(-0.04, 0.01), dvec2(0.04, 0.01), Pen::new(Role::LineOfImpact).dashed());
 //! let (tail, tip) = (dvec2(0.0, 0.0), dvec2(0.02, 0.018));
 //! picture.arrow(tail, tip, Role::StrikerOut);
-//! picture.label("v₁ = 2.00 m/s", tip, &Side::towards(tip - tail), Role::StrikerOut);
+//! picture.label("v₁ = 2.00 m/s", tip, &LabelSide::towards(tip - tail), Role::StrikerOut);
 //! let look = Look { charset: Charset::Unicode, theme: Theme::default() };
 //! picture.draw(&mut buffer, &look);
 //! ```
@@ -33,7 +33,7 @@ use ratatui::layout::Rect;
 
 use super::ink::Canvas;
 use super::{Look, Role};
-pub use label::{Label, Side};
+pub use label::{Label, LabelSide};
 pub use pen::{Dash, Layer, Pen};
 pub use view::View;
 
@@ -260,7 +260,7 @@ impl Picture {
         &mut self,
         text: impl Into<String>,
         anchor: DVec2,
-        sides: &[Side],
+        sides: &[LabelSide],
         role: Role,
     ) -> &mut Label {
         self.labels.push(Label {

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::axis::Axis;
 use super::ticks::Tick;
-use crate::widgets::picture::{Axes, Label, Mark, Pen, Picture, Side, View};
+use crate::widgets::picture::{Axes, Label, LabelSide, Mark, Pen, Picture, View};
 use crate::widgets::{Look, Role, text};
 
 /// A plot being made: a [`Picture`] that takes everything in the values of its axes.
@@ -133,15 +133,6 @@ impl Plot {
         }
     }
 
-    /// Fills what lies between two values of y.
-    pub fn band(&mut self, from: f64, to: f64, pen: impl Into<Pen>) {
-        let [x, y] = &self.axes;
-        if let (Some(from), Some(to)) = (y.place(from), y.place(to)) {
-            let (left, right) = x.ends();
-            self.picture.fill(dvec2(left, from), dvec2(right, to), pen);
-        }
-    }
-
     /// A sign, one letter wide, at a point.
     pub fn mark(&mut self, at: DVec2, symbol: char, role: Role) {
         if let Some(place) = self.place(at) {
@@ -151,7 +142,7 @@ impl Plot {
 
     /// A label beside a point, on the first of `sides` that is free; the first labels
     /// have the first choice.
-    pub fn label(&mut self, text: &str, at: DVec2, sides: &[Side], role: Role) -> &mut Label {
+    pub fn label(&mut self, text: &str, at: DVec2, sides: &[LabelSide], role: Role) -> &mut Label {
         let place = self.place(at).unwrap_or(DVec2::NAN);
         self.picture.label(text, place, sides, role)
     }
@@ -234,7 +225,7 @@ mod tests {
         plot.mark(dvec2(f64::NAN, 1.0), 'x', Role::Contact);
         plot.mark(dvec2(10.0, 1e9), 'x', Role::Contact);
         plot.bar(0.0, 5.0, 0.0, Role::Trail);
-        plot.label("far", dvec2(10.0, 0.0), &[Side::Above], Role::Text);
+        plot.label("far", dvec2(10.0, 0.0), &[LabelSide::Above], Role::Text);
         plot.draw(&mut buf);
         assert_eq!(buf, empty);
     }
@@ -307,7 +298,7 @@ mod tests {
                         plot.level(0.5, Role::Aim);
                         plot.upright(0.5, Role::Aim);
                         plot.function(Some, Role::CoinOut);
-                        plot.label("label", dvec2(0.5, 0.5), &Side::ALL, Role::Text);
+                        plot.label("label", dvec2(0.5, 0.5), &LabelSide::ALL, Role::Text);
                         let mut buf = Buffer::empty(Rect::new(0, 0, 14, 9));
                         plot.draw(&mut buf);
                     }

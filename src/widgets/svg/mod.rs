@@ -14,17 +14,21 @@ use std::fmt::Write;
 
 use maud::{Markup, PreEscaped, Render, html};
 use ratatui::buffer::{Buffer, Cell};
+use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use unicode_width::UnicodeWidthStr;
 
 use super::Look;
 use super::cells::{rows, symbols};
+use super::panel::draw_panel;
 use super::picture::Picture;
 use super::theme::{Rgb, Role};
 use colour::{CellColours, PAPER};
 
 /// Width and height of a cell, in units of the picture.
 const CELL: (usize, usize) = (9, 18);
+/// Columns and rows of a panel.
+const PANEL: (u16, u16) = (84, 32);
 /// How far the letters' base line lies below the top of their cell.
 const BASE: usize = 14;
 
@@ -33,10 +37,20 @@ pub fn of_screen(cells: &Buffer) -> String {
     screen(cells, "")
 }
 
-/// A screen as a file of its own, with pictures on it that are not drawn in its cells.
-pub fn of_screen_with(cells: &Buffer, pictures: &[Picture], look: &Look) -> String {
-    let draw = |picture| vector::draw(picture, look);
-    screen(cells, &pictures.iter().map(draw).collect::<String>())
+/// A panel with pictures as a file of its own. `fill` writes what is text into the cells
+/// of the panel and gives the pictures that are to be drawn in it.
+pub fn of_panel(
+    title: &str,
+    look: &Look,
+    fill: impl FnOnce(Rect, &mut Buffer) -> Vec<Picture>,
+) -> String {
+    let area = Rect::new(0, 0, PANEL.0, PANEL.1);
+    let mut cells = Buffer::empty(area);
+    cells.set_style(area, look.theme.base());
+    let inside = draw_panel(&mut cells, area, title, look.charset, &look.theme);
+    let pictures = fill(inside, &mut cells);
+    let draw = |picture: &Picture| vector::draw(picture, look);
+    screen(&cells, &pictures.iter().map(draw).collect::<String>())
 }
 
 fn screen(cells: &Buffer, vectors: &str) -> String {
@@ -50,7 +64,7 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
     let mut words = String::new();
     for (row, line) in rows(cells).enumerate() {
         let y = row * CELL.1;
-        let mut word = Word::default();
+        let mut word = SvgWord::default();
         for (column, cell) in symbols(line) {
             let x = column * CELL.0;
             let look = CellColours::of(cell);
@@ -207,14 +221,14 @@ impl std::fmt::Display for Paths {
 
 /// Neighbouring letters that look alike.
 #[derive(Default)]
-struct Word {
+struct SvgWord {
     text: String,
     at: (usize, usize),
     width: usize,
     look: Option<(Rgb, Modifier)>,
 }
 
-impl Word {
+impl SvgWord {
     fn add(&mut self, cell: &Cell, ink: Rgb, at: (usize, usize), width: usize, words: &mut String) {
         let look = Some((ink, cell.modifier & (Modifier::BOLD | Modifier::ITALIC)));
         if self.look != look {
@@ -276,7 +290,6 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ratatui::layout::Rect;
     use ratatui::style::{Color, Style};
 
     fn drawn(text: &str, style: Style) -> String {

@@ -7,7 +7,7 @@ use glam::{DVec2, dvec2};
 
 use super::{CELL, Number, escape};
 use crate::widgets::ink::Canvas;
-use crate::widgets::picture::{Axes, Body, Dash, Layer, Mark, Pen, Picture, Side, View};
+use crate::widgets::picture::{Axes, Body, Dash, LabelSide, Layer, Mark, Pen, Picture, View};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Look, Role};
 
@@ -54,9 +54,13 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
             f64::from(label.place.right()),
         );
         let (column, anchor) = match label.side {
-            Side::Right | Side::AboveRight | Side::BelowRight => (left, Anchor::Start),
-            Side::Left | Side::AboveLeft | Side::BelowLeft => (right, Anchor::End),
-            Side::Above | Side::Below | Side::Over => (f64::midpoint(left, right), Anchor::Middle),
+            LabelSide::Right | LabelSide::AboveRight | LabelSide::BelowRight => {
+                (left, Anchor::Start)
+            }
+            LabelSide::Left | LabelSide::AboveLeft | LabelSide::BelowLeft => (right, Anchor::End),
+            LabelSide::Above | LabelSide::Below | LabelSide::Over => {
+                (f64::midpoint(left, right), Anchor::Middle)
+            }
         };
         let at = dvec2(column, f64::from(label.place.y) + 0.5) * cell();
         vectors.text(&label.text, at, anchor, label.role);
@@ -487,7 +491,7 @@ mod tests {
     #[test]
     fn labels_are_text() {
         let found = drawn(|it| {
-            it.label("<b>", DVec2::ZERO, &[Side::Right], Role::Text);
+            it.label("<b>", DVec2::ZERO, &[LabelSide::Right], Role::Text);
         });
         assert!(found.contains(">&lt;b&gt;</text>"), "{found}");
     }

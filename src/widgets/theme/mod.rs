@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn letters_on_discs_are_legible() {
         for palette in [Palette::Dark, Palette::Light] {
-            for role in Role::ALL {
+            for &role in Role::ALL {
                 let fill = role.rgb(palette);
                 assert!(contrast(fill, fill.ink()) >= 4.5, "{palette:?} {role:?}");
             }
@@ -272,7 +272,7 @@ mod tests {
             Theme::new(Palette::Mono, Depth::True),
             Theme::new(Palette::Dark, Depth::None),
         ] {
-            for role in Role::ALL {
+            for &role in Role::ALL {
                 for style in [
                     theme.base(),
                     theme.style(role),

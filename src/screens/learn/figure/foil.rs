@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use crate::physics::rutherford::{FM, Rutherford};
 use crate::widgets::Role;
-use crate::widgets::picture::{Pen, Picture, Side, View};
+use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 
 /// Offsets of the particles, in closest approaches d.
 const OFFSETS: [f64; 8] = [-2.2, -1.4, -0.8, -0.35, 0.15, 0.5, 1.0, 1.8];
@@ -31,11 +31,15 @@ pub(super) fn picture(area: Rect) -> Picture {
     picture.label(
         &text,
         below,
-        &[Side::Below, Side::BelowRight, Side::BelowLeft],
+        &[
+            LabelSide::Below,
+            LabelSide::BelowRight,
+            LabelSide::BelowLeft,
+        ],
         Role::Arc,
     );
     let corner = DVec2::new(-0.95 * EXTENT.x, -0.93 * EXTENT.y) * d;
-    picture.label("7.69 MeV α on gold", corner, &[Side::Right], Role::Dim);
+    picture.label("7.69 MeV α on gold", corner, &[LabelSide::Right], Role::Dim);
     picture
 }
 

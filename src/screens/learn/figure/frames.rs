@@ -6,14 +6,14 @@ use ratatui::layout::Rect;
 use crate::messages::Key;
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Collision, Frame};
-use crate::widgets::hit::{Layer, Layers, Watch};
+use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role};
 
 /// The two: from the board, from the centre of mass.
 pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
-    let mut layers = Layers::default();
-    for layer in [Layer::Triangle, Layer::Lines] {
+    let mut layers = Overlays::default();
+    for layer in [Overlay::Triangle, Overlay::Lines] {
         layers.toggle(layer);
     }
     let watch = || Watch::new(*collision, None, reduced).with_layers(layers);

@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::widgets::picture::{Layer, Pen, Picture, Side, View};
+use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role};
 
 /// Shots on a board.
@@ -83,7 +83,7 @@ fn ways(near: Option<f64>, area: Rect) -> Picture {
         };
         picture.curve(way(at.y), pen.on(Layer::Vector));
     }
-    picture.label("r₁ + r₂", DVec2::X, &[Side::Right], Role::Arc);
+    picture.label("r₁ + r₂", DVec2::X, &[LabelSide::Right], Role::Arc);
     picture
 }
 
@@ -102,7 +102,7 @@ fn face(near: Option<f64>, area: Rect) -> Picture {
     picture.label(
         "r₁ + r₂",
         DVec2::from_angle(-PI / 4.0),
-        &[Side::BelowRight, Side::Right],
+        &[LabelSide::BelowRight, LabelSide::Right],
         Role::Arc,
     );
     picture

@@ -7,9 +7,9 @@ use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Shown;
+use super::LiveFigure;
 use crate::physics::Collision;
-use crate::widgets::picture::{Pen, Picture, Side, View};
+use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role, text};
 
 /// The corners: where the arrows begin, where v₁ ends, where u ends.
@@ -58,7 +58,7 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
 }
 
 /// The angle for which the joint would be nearest to a cell, in degrees.
-pub(super) fn alpha_at(shown: &Shown, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
+pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
     let collision = shown.collision();
     let crate::lessons::FigureKind::Triangle { step } = shown.figure.kind else {
         return None;
@@ -118,9 +118,12 @@ pub(super) fn picture(collision: &Collision, step: u8, area: Rect) -> Picture {
         let columns = length / picture.view().per_column();
         let roomy = columns > text::width(&text) as f64 + 2.0;
         let (share, sides) = match step {
-            2 if roomy => (0.5, vec![Side::Over, Side::Above, Side::Below]),
-            2 => (1.0, Side::towards(outwards).to_vec()),
-            _ => (0.0, Side::towards(outwards).to_vec()),
+            2 if roomy => (
+                0.5,
+                vec![LabelSide::Over, LabelSide::Above, LabelSide::Below],
+            ),
+            2 => (1.0, LabelSide::towards(outwards).to_vec()),
+            _ => (0.0, LabelSide::towards(outwards).to_vec()),
         };
         picture.label(&text, centre + share * length * outwards, &sides, role);
     }

@@ -9,7 +9,7 @@ use crate::physics::units::m_from_mm;
 use crate::physics::{EventKind, Shot, State};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
-use crate::widgets::picture::{Body, Layer, Pen, Picture, Side, View};
+use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture, View};
 use crate::widgets::{Role, board};
 
 /// Length of the arrow of the shot, in metres for each m/s.
@@ -85,7 +85,7 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     for goal in &level.goals {
         if let Some(circle) = goal.circle() {
             let anchor = circle.centre + circle.radius * DVec2::Y;
-            let up = Side::towards(DVec2::Y);
+            let up = LabelSide::towards(DVec2::Y);
             picture.label("goal", anchor, &up, Role::Good);
         }
     }
@@ -102,7 +102,7 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
                 .take_while(|(other, _)| other <= disc)
                 .count();
             let text = ordinal.to_string();
-            picture.label(&text, *at, &Side::ALL, face(piece.kind).role);
+            picture.label(&text, *at, &LabelSide::ALL, face(piece.kind).role);
         }
     }
 }
@@ -234,7 +234,7 @@ fn said(picture: &mut Picture, level: &Level, attempt: &Attempt) {
         };
         let tip = centre + length * way;
         picture.line(centre, tip, Pen::new(Role::Predicted).dashed());
-        picture.label("you", tip, &Side::towards(way), Role::Predicted);
+        picture.label("you", tip, &LabelSide::towards(way), Role::Predicted);
     }
 }
 
