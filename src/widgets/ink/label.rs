@@ -40,6 +40,11 @@ const ASIDE: i32 = 2;
 /// How far from its anchor a label may stand, in rows.
 const FARTHEST: i32 = 4;
 
+/// Whether a point in cells may be on some screen.
+fn is_within_reach(cell: DVec2) -> bool {
+    cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX)
+}
+
 impl Canvas {
     /// Writes labels once all is drawn; the first ones have the first choice. Each leaves
     /// the surroundings of the others' anchors to them. What has found no place near by
@@ -49,7 +54,7 @@ impl Canvas {
         let anchors = known.map(|label| label.places[0].0);
         let cells = anchors.map(|anchor| self.view().to_cell(anchor));
         self.expected = cells
-            .filter(|cell| cell.is_finite())
+            .filter(|cell| is_within_reach(*cell))
             .map(|cell| self.counted(cell))
             .collect();
         let mut left = Vec::new();
@@ -112,8 +117,7 @@ impl Canvas {
     ) -> bool {
         let text = self.charset.text(text).into_owned();
         let cell = self.view().to_cell(anchor);
-        let within_reach = cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX);
-        if text.is_empty() || !within_reach {
+        if text.is_empty() || !is_within_reach(cell) {
             return false;
         }
         let area = self.view().area();
