@@ -12,6 +12,7 @@ pub mod charset;
 pub mod ink;
 pub mod keys;
 pub mod panel;
+pub(crate) mod panels;
 pub mod picture;
 pub mod plot;
 pub mod replay;

@@ -70,7 +70,7 @@ fn titles(sitting: &Sitting) -> (String, String) {
             let time = format!(
                 "{:.2} s, {}",
                 replay.clock.time(),
-                replay.clock.rate_words()
+                replay.clock.rate().words()
             );
             let name = if replay.chosen.is_some() {
                 "impacts".into()

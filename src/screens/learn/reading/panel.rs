@@ -11,8 +11,9 @@ use crate::screens::lab::explain;
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
 use crate::screens::why::of_hit;
-use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::{Lines, Look, Role, brief};
+use crate::widgets::hit::Watch;
+use crate::widgets::panels::said_and_true;
+use crate::widgets::{Lines, Look, Role};
 
 /// Writes it.
 pub(super) fn write(reading: &Reading, lines: &mut Lines) {
@@ -127,19 +128,8 @@ fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, li
 
 /// Both rays beside the truth, and the explanation that starts from them.
 fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines) {
-    let collision = watch.collision();
-    let said = degrees(collision, rays);
-    let truth = degrees(collision, &Rays::from(watch.outcome()));
-    let head = |text| (text, Role::Dim);
-    lines.columns(head("degrees"), ["you said", "truth"].map(head));
-    let rows = [("striker", Role::StrikerOut), ("coin", Role::CoinOut)];
-    for (i, (name, role)) in rows.into_iter().enumerate() {
-        let values = [(brief(said[i]), Role::Predicted), (brief(truth[i]), role)];
-        lines.columns(
-            head(name),
-            values.each_ref().map(|(text, role)| (text.as_str(), *role)),
-        );
-    }
+    let names = ["striker", "coin"].map(Some);
+    said_and_true(watch.collision(), rays, names, false, lines);
     lines.gap();
     let (title, text) = match figure.question_by_angle() {
         Some(question) => {
