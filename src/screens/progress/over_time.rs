@@ -47,7 +47,7 @@ pub(super) fn panel(history: &History, book: &Book, lines: &mut Lines) {
     }
     lines.gap();
     lines.line("What next", Role::Title);
-    lines.paragraph(&advice(attempts, history.now_s), Role::Text);
+    lines.paragraph(&advice(attempts, &history.calendar), Role::Text);
     lines.gap();
     lines.paragraph(
         "o is right, x not yet; the line is the mean of five.",
