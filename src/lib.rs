@@ -24,7 +24,8 @@
 //!                  home · learn · lab · foil · quiz · class · table · levels · progress
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   ─────────────────────────────────────────────────────────────
-//!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
+//!   widgets/       the drawn things: pictures as lists of marks (picture) with two
+//!                  renderers (ink, svg), the hit, plots, prompts; theme
 //!   ─────────────────────────────────────────────────────────────
 //!   messages/      what goes into the app and what comes out: keys, searches, effects
 //!   ─────────────────────────────────────────────────────────────
