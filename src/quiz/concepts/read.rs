@@ -9,7 +9,7 @@ use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{self, FileError, Source, escape_control};
 use crate::physics::CollisionSpec;
-use crate::quiz::{Difficulty, Misconception};
+use crate::quiz::question::{Difficulty, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
@@ -26,24 +26,24 @@ const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct ConceptFile {
     #[serde(rename = "format")]
     _format: u32,
-    item: Vec<Item>,
+    item: Vec<ConceptItem>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Item {
+struct ConceptItem {
     id: Spanned<String>,
-    difficulty: Level,
+    difficulty: Difficulty,
     ask: Spanned<String>,
     right: Spanned<String>,
     /// The place of the right choice, from 1, where the choices have an order.
     right_place: Option<Spanned<usize>>,
     why: Spanned<String>,
     wrong: Spanned<Vec<Mistake>>,
-    hit: Option<Spanned<BTreeMap<String, Spanned<Field>>>>,
+    hit: Option<Spanned<BTreeMap<String, Spanned<HitField>>>>,
 }
 
 #[derive(Deserialize)]
@@ -54,18 +54,10 @@ struct Mistake {
     says: Spanned<String>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Level {
-    Easy,
-    Middle,
-    Hard,
-}
-
 /// The value of a field of a hit.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "expected a number, true or false")]
-enum Field {
+enum HitField {
     Truth(bool),
     Number(f64),
 }
@@ -81,7 +73,7 @@ pub(super) fn file(
     concepts: &mut Vec<Concept>,
 ) -> Result<(), FileError> {
     let source = Source::of_bytes(name, bytes, files::LARGEST)?;
-    let file: File = source.tables("a file of questions", FORMAT)?;
+    let file: ConceptFile = source.tables("a file of questions", FORMAT)?;
     for item in &file.item {
         let reader = Reader {
             source,
@@ -98,15 +90,15 @@ pub(super) fn file(
 }
 
 /// The hit of a question.
-fn read_hit(source: Source, item: &Item) -> Result<Option<CollisionSpec>, FileError> {
+fn read_hit(source: Source, item: &ConceptItem) -> Result<Option<CollisionSpec>, FileError> {
     let Some(fields) = &item.hit else {
         return Ok(None);
     };
     let mut shot = CollisionSpec::default();
     for (field, value) in fields.get_ref() {
         let written = match value.get_ref() {
-            Field::Truth(truth) => truth.to_string(),
-            Field::Number(number) => number.to_string(),
+            HitField::Truth(truth) => truth.to_string(),
+            HitField::Number(number) => number.to_string(),
         };
         shot.set(field, &written)
             .map_err(|message| source.fault(value.span().start, "hit", message))?;
@@ -128,7 +120,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn concept(&self, subject: &str, item: &Item) -> Result<Concept, FileError> {
+    fn concept(&self, subject: &str, item: &ConceptItem) -> Result<Concept, FileError> {
         let wrongs = item.wrong.get_ref();
         if !WRONGS.contains(&wrongs.len()) {
             let message = format!(
@@ -143,11 +135,7 @@ impl Reader<'_> {
         let concept = Concept {
             id: self.id(&item.id)?,
             subject: subject.into(),
-            difficulty: match item.difficulty {
-                Level::Easy => Difficulty::Easy,
-                Level::Middle => Difficulty::Middle,
-                Level::Hard => Difficulty::Hard,
-            },
+            difficulty: item.difficulty,
             ask: self.text(&item.ask, "ask", ASK)?,
             right: self.text(&item.right, "right", CHOICE)?,
             wrongs: wrongs
@@ -204,7 +192,7 @@ impl Reader<'_> {
         Ok(id_text.clone())
     }
 
-    fn before_right(&self, item: &Item) -> Result<usize, FileError> {
+    fn before_right(&self, item: &ConceptItem) -> Result<usize, FileError> {
         let Some(place) = &item.right_place else {
             return Ok(0);
         };

@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::super::words;
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::quiz::question::words;
 
 /// The right angle of equal masses is taken to hold for all.
 pub static ALWAYS_SQUARE: Misconception = Misconception {

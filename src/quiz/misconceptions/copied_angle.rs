@@ -1,7 +1,7 @@
 //! θ₁ = α: the striker leaves at the impact angle.
 
-use super::super::{Ray, words};
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::quiz::question::{Ray, words};
 
 /// The scattering angle is taken to be the impact angle.
 pub static COPIED_ANGLE: Misconception = Misconception {

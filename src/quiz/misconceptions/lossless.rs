@@ -2,8 +2,8 @@
 
 use crate::physics::Collision;
 
-use super::super::{Rays, words};
 use super::{Misconception, Prediction};
+use crate::quiz::question::{Rays, words};
 
 /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
 pub static LOSSLESS: Misconception = Misconception {

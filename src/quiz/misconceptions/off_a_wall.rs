@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::super::{Ray, words};
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::quiz::question::{Ray, words};
 
 /// The target is taken to throw the striker back as a wall would.
 pub static OFF_A_WALL: Misconception = Misconception {

@@ -1,7 +1,7 @@
 //! Both angles right, each given to the other disc.
 
-use super::super::{Rays, words};
 use super::{Misconception, Prediction};
+use crate::quiz::question::{Rays, words};
 
 /// The striker's angle is given to the target and the target's to the striker.
 pub static SWAPPED: Misconception = Misconception {

@@ -1,7 +1,10 @@
 //! How hard a question is.
 
+use serde::Deserialize;
+
 /// How hard a question is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Difficulty {
     /// One idea, in the plainest setting.
     Easy,
