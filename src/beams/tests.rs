@@ -112,8 +112,10 @@ fn ten_million_particles_agree_with_the_closed_forms() {
     let sigma = |angle| gold.cross_section_beyond(angle).unwrap_or(f64::INFINITY);
     let whole = sigma(2.5_f64.to_radians());
     let cases: [(&str, Law, Beyond); 4] = [
-        ("disc", DISC, &|a| Beam::Board.cm_share_beyond(a)),
-        ("sphere", SPHERE, &|a| Beam::Space.cm_share_beyond(a)),
+        ("disc", DISC, &|a| Beam::Board.share_within((a / 2.0).cos())),
+        ("sphere", SPHERE, &|a| {
+            Beam::Space.share_within((a / 2.0).cos())
+        }),
         ("Coulomb", coulomb(Beam::Space), &|a| {
             (sigma(a) / whole).min(1.0)
         }),

@@ -32,5 +32,5 @@ pub use engine::{Engine, EngineError, Limits, play};
 pub use frames::Frame;
 pub use resting_target::RestingTarget;
 pub use shot::{CaptureError, Event, EventKind, Leg, Sample, Shot, State};
-pub use slide::{Slide, speed_after, stopping_distance, stopping_time, time_to_cover};
+pub use slide::{Slide, stopping_distance, stopping_time};
 pub use spec::{CollisionSpec, FieldRange, ImpactPoint, plain};

@@ -102,7 +102,7 @@ impl Hit {
 
     /// The distance of the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
-        mm_from_m(self.collision().reach())
+        mm_from_m(self.collision().contact_distance())
     }
 
     /// What it is about: "equal masses, by offset".

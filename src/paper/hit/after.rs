@@ -119,7 +119,7 @@ fn square_corner(sheet: &mut Sheet, stage: &Stage) {
     sheet.line(corner + size * b, corner + size * (a + b), stroke);
     sheet.line(
         corner,
-        corner + stage.collision.reach() * b,
+        corner + stage.collision.contact_distance() * b,
         Stroke::new(Ink::Accent),
     );
 }

@@ -41,7 +41,7 @@ pub(super) fn shot(sheet: &mut Sheet, stage: &Stage, aim: &AimTask) {
 fn scale(sheet: &mut Sheet, stage: &Stage, zero: DVec2) {
     let heading = stage.along();
     let right = -heading.perp();
-    let reach = stage.collision.reach();
+    let reach = stage.collision.contact_distance();
     sheet.line(
         zero - reach * right,
         zero + reach * right,

@@ -79,7 +79,7 @@ fn arc_radius(stage: &Stage) -> f64 {
     match stage.shown.after {
         After::Departures => 0.62 * stage.radius(0),
         After::Space => 0.5 * stage.radius(0).min(stage.unit()),
-        After::Nothing => stage.collision.reach() + stage.radius(1) + 0.5 * stage.unit(),
+        After::Nothing => stage.collision.contact_distance() + stage.radius(1) + 0.5 * stage.unit(),
     }
 }
 
@@ -115,7 +115,7 @@ pub(super) fn offset(sheet: &mut Sheet, stage: &Stage) {
     let (on_line, on_target) = (c1 + far * along, c1 + far * along + across);
     sheet.line(c1, on_line + over * along, thin.dotted());
     sheet.line(c2, on_target + over * along, thin.dotted());
-    if collision.offset.abs() > HEAD_ON * collision.reach() {
+    if collision.offset.abs() > HEAD_ON * collision.contact_distance() {
         let between = 0.5 * across;
         let stroke = Stroke::new(Ink::Accent).wide(1.3);
         sheet.arrow(on_line + between, on_line, stroke);

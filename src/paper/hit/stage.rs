@@ -117,7 +117,7 @@ impl Stage {
 
     /// Radius of the protractor: round the target too.
     pub(super) fn protractor(&self) -> f64 {
-        self.collision.reach() + self.radius(1) + 0.45 * self.unit()
+        self.collision.contact_distance() + self.radius(1) + 0.45 * self.unit()
     }
 
     /// Whether there is an angle α and it is shown.

@@ -93,10 +93,10 @@ impl Quantity {
         }),
         quantity("offset_mm", "b", "mm", 1, |c, _| Some(mm_from_m(c.offset))),
         quantity("reach_mm", "r₁ + r₂", "mm", 1, |c, _| {
-            Some(mm_from_m(c.reach()))
+            Some(mm_from_m(c.contact_distance()))
         }),
         quantity("offset_share", "b/(r₁ + r₂)", "", 3, |c, _| {
-            Some(c.offset / c.reach())
+            Some(c.offset / c.contact_distance())
         }),
         quantity("mass_ratio", "m₁/m₂", "", 2, |c, _| {
             Some(c.striker.mass / c.target.mass)

@@ -100,7 +100,7 @@ fn knowns(c: &Collision, by_offset: bool) -> Step {
 }
 
 fn where_they_meet(c: &Collision) -> Step {
-    let reach = c.reach();
+    let reach = c.contact_distance();
     let mut lines = vec![format!(
         "r₁ + r₂ = {} + {} = {} mm",
         mm(c.striker.radius),
@@ -308,7 +308,7 @@ mod tests {
                 bond: if stick { Bond::Stick } else { Bond::Slip },
                 ..Collision::at_offset(disc(masses.0, radii.0), disc(masses.1, radii.1), DVec2::new(a, b), 0.0)
             };
-            let offset = share * hit.reach();
+            let offset = share * hit.contact_distance();
             let text = whole_text(&steps(&Collision { offset, ..hit }, by_offset));
             for never in ["NaN", "inf"] {
                 prop_assert!(!text.contains(never), "{}", text);

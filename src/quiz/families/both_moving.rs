@@ -75,7 +75,7 @@ impl Meeting {
         let drawable = relative.dot(normal) > LEAST_COSINE && sine.abs() > LEAST_SINE;
         drawable.then_some(Collision {
             u2,
-            offset: head_on.reach() * sine,
+            offset: head_on.contact_distance() * sine,
             ..head_on
         })
     }

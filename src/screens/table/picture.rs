@@ -94,7 +94,7 @@ pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &L
     discs.push(striker);
     sheet.discs(&discs);
     if let Some(hit) = hit {
-        let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
+        let ghost = hit.at - hit.impact.collision.contact_distance() * normal(hit);
         if aids.ghost {
             board::ghost(&mut sheet, ghost, radius, Role::Predicted);
         }
@@ -168,7 +168,7 @@ pub(super) fn draw_replay(
             .discs
             .map(|disc| replay.shot.at(disc, impact.time).position);
         let number = replay.chosen.unwrap_or(0) + 1;
-        let share = impact.collision.striker.radius / impact.collision.reach();
+        let share = impact.collision.striker.radius / impact.collision.contact_distance();
         let contact = a.lerp(b, share);
         sheet.label(&format!("{number}"), contact, &Side::ALL, Role::Contact);
     }

@@ -95,7 +95,7 @@ mod tests {
         let hit = preview.first_hit().unwrap();
         assert_eq!(game.coins()[hit.coin].piece, Piece::White);
         assert!(hit.impact.collision.offset.abs() < 1e-12);
-        let reach = hit.impact.collision.reach();
+        let reach = hit.impact.collision.contact_distance();
         let end = preview.way.last().unwrap();
         assert!((end.distance(hit.at) - reach).abs() < 1e-9);
     }

@@ -56,7 +56,7 @@ impl Arrows {
             let direction = v.try_normalize()?;
             Some(stage.room(from, direction) * fastest / v.length())
         };
-        let short = SHORT * stage.collision.reach() * fastest / along.length();
+        let short = SHORT * stage.collision.contact_distance() * fastest / along.length();
         let longest = [u, along, u - along]
             .into_iter()
             .filter_map(room)

@@ -88,7 +88,10 @@ impl Labels {
     pub(super) fn split(&mut self, stage: &Stage, arrows: &Arrows, u: DVec2, n: DVec2, t: DVec2) {
         let from = stage.centres[0];
         // Beyond the discs, which a label never covers.
-        let beyond = [stage.collision.reach() + stage.radius(1), stage.radius(0)];
+        let beyond = [
+            stage.collision.contact_distance() + stage.radius(1),
+            stage.radius(0),
+        ];
         let parts = [("uₙ", n, Role::NormalPart), ("uₜ", t, Role::TangentPart)];
         for ((name, axis, role), beyond) in parts.into_iter().zip(beyond) {
             let part = u.dot(axis) * axis;

@@ -282,7 +282,7 @@ fn times(collision: &Collision) -> (f64, f64) {
         .length()
         .max(collision.u2.length())
         .max(relative);
-    let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
+    let lead = (2.6 * largest / fastest).max(1.15 * collision.contact_distance() / relative);
     if lead.is_finite() && lead > 0.0 {
         (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {

@@ -4,8 +4,7 @@ use glam::DVec2;
 
 use super::tables::{COIN, STRIKER, Table, assert_close, assert_near, closed_board, rack};
 use crate::physics::{
-    Board, Disc, EventKind, Limits, Motion, Shot, State, play, speed_after, stopping_distance,
-    stopping_time, time_to_cover,
+    Board, Disc, EventKind, Limits, Motion, Shot, State, play, stopping_distance, stopping_time,
 };
 
 fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
@@ -14,6 +13,18 @@ fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
         _ => None,
     };
     shot.events().iter().filter_map(|e| pair(e.kind)).collect()
+}
+
+/// Seconds to cover `distance` metres: the smaller root of s = v t − ½ a t².
+fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
+    let left = speed_after(distance, speed, deceleration)?;
+    Some(2.0 * distance / (speed + left))
+}
+
+/// Speed left after `distance` metres, √(v² − 2as).
+fn speed_after(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
+    let left = speed * speed - 2.0 * deceleration * distance;
+    (left >= 0.0).then(|| left.sqrt())
 }
 
 #[test]

@@ -111,7 +111,7 @@ fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
     offset(collision, lines);
     if saying.rays.asks(Ray::Target) {
         // The angle itself is what is asked for.
-        let reach = format!("{:.1} mm", mm_from_m(collision.reach()));
+        let reach = format!("{:.1} mm", mm_from_m(collision.contact_distance()));
         lines.pair("r₁ + r₂", &reach, Role::Dim, Role::Text);
     } else {
         impact_angle(collision, lines);
