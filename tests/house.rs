@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 /// The floors from the top, as the map in `lib.rs` draws them.
-const FLOORS: [&[&str]; 11] = [
+const FLOORS: [&[&str]; 12] = [
     &["cli"],
     &["shells"],
     &["store"],
@@ -19,6 +19,7 @@ const FLOORS: [&[&str]; 11] = [
     &["lessons", "progress"],
     &["quiz", "levels", "game", "beams"],
     &["physics", "files"],
+    &["numbers"],
 ];
 
 /// The floor of a room, counted from the top.

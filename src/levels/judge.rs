@@ -7,8 +7,9 @@ use super::goal::{Goal, GoalCircle, between, between_deg};
 use super::level::Level;
 use super::quantity::Range;
 use super::scene::{Scene, figures, pockets, tidy};
+use crate::numbers::degrees;
 use crate::physics::angle::angle_between;
-use crate::physics::units::{deg_from_rad, mm_from_m};
+use crate::physics::units::mm_from_m;
 use crate::physics::{Event, EventKind, Shot, State};
 
 /// What became of a level's goals, one finding each, in their order.
@@ -138,10 +139,6 @@ fn compared(number: f64, range: &Range, told: String, wanted: impl Fn() -> Strin
     } else {
         finding(false, format!("{told}, wanted {}", wanted()))
     }
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{:.1}°", deg_from_rad(angle))
 }
 
 /// The first time two discs meet.

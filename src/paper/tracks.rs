@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use glam::{DVec2, dvec2};
 
 use super::{Anchor, Ink, Stroke, Svg};
+use crate::numbers::degrees;
 use crate::physics::rutherford::Rutherford;
-use crate::quiz::words::degrees;
 
 /// Half the side of the picture, in its own units.
 const HALF: f64 = 105.0;

@@ -33,4 +33,4 @@ pub use frames::Frame;
 pub use resting_target::RestingTarget;
 pub use shot::{CaptureError, Event, EventKind, Leg, Sample, Shot, State};
 pub use slide::{Slide, stopping_distance, stopping_time};
-pub use spec::{CollisionSpec, FieldRange, ImpactPoint, plain};
+pub use spec::{CollisionSpec, FieldRange, ImpactPoint};

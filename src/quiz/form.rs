@@ -3,8 +3,8 @@
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::physics::{Collision, Outcome};
 
-use super::words::millimetres;
 use super::{Measure, Ray, Rays, Response};
+use crate::numbers::millimetres;
 
 /// How a question is answered, with the true answer.
 #[derive(Debug, Clone, PartialEq)]

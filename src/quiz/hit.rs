@@ -5,8 +5,9 @@ use glam::DVec2;
 use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, Outcome};
 
-use super::words::significant;
-use super::{Pieces, Rays, Topic, words};
+use super::{Pieces, Rays, Topic};
+use crate::numbers;
+use crate::numbers::significant;
 
 /// How it is said where the two meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,13 +141,13 @@ impl Hit {
             _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
             Placement::Angle { .. } => format!(
                 "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
-                words::degrees(self.alpha().abs())
+                numbers::degrees(self.alpha().abs())
             ),
             Placement::Offset { offset_mm } => format!(
                 "The {name}'s centre lies {} to the {side} of its path; the two radii \
                  make {} together.",
-                words::millimetres(offset_mm.abs()),
-                words::millimetres(self.reach_mm())
+                numbers::millimetres(offset_mm.abs()),
+                numbers::millimetres(self.reach_mm())
             ),
         };
         let restitution = significant(self.restitution);

@@ -2,8 +2,8 @@
 
 use crate::physics::Outcome;
 
-use super::words::{bare_degrees, bare_millimetres, degrees, significant};
 use super::{Hit, Placement};
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 
 /// Why the two go where they go, on the hit's own figures.
 pub fn reasoning(hit: &Hit) -> String {

@@ -8,8 +8,8 @@ use ratatui::layout::Rect;
 
 use super::ink::{Pen, Sheet, Side, View};
 use super::{Look, Role};
+use crate::numbers::degrees;
 use crate::physics::rutherford::Rutherford;
-use crate::quiz::words::degrees;
 
 /// Straight pieces of a way.
 const PIECES: u32 = 160;

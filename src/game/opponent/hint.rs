@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::reason::Reason;
 use super::words::{self, Teller, pocket_seen_from};
 use crate::game::{BaseLines, Piece};
+use crate::numbers::capital;
 use crate::physics::Motion;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
@@ -74,7 +75,7 @@ impl Hint {
         };
         let aim = deg_from_rad(self.direction());
         let speed = self.stroke.velocity.length();
-        let why = words::capital(&words::met(&self.reason.story, Teller::You));
+        let why = capital(&words::met(&self.reason.story, Teller::You));
         let warning = if self.fouls {
             "Mind: the striker will fall too. No stroke without that was found."
         } else {

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use super::hand::Slip;
 use super::story::{Chance, Fall, FirstHit, Story};
 use crate::game::{Piece, Seat};
+use crate::numbers::capital;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
 /// Below this angle, in radians (1.5°), a hit is called full and a way straight.
@@ -174,14 +175,6 @@ pub(super) fn slipped(slip: Slip) -> String {
         (Some(slip), None) | (None, Some(slip)) => format!("My hand was {slip}."),
         (None, None) => "My hand was just right.".to_owned(),
     }
-}
-
-/// The same with a capital letter first.
-pub(super) fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 fn side(left: bool) -> &'static str {

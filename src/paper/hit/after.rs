@@ -6,8 +6,8 @@ use super::After;
 use super::before::speed;
 use super::sheet::Sheet;
 use super::stage::Stage;
+use crate::numbers::degrees;
 use crate::paper::{Ink, Stroke};
-use crate::quiz::words::degrees;
 
 /// Radius of an angle's arc, in radii of its disc.
 const ARC: f64 = 1.5;

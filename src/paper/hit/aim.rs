@@ -6,9 +6,9 @@ use glam::DVec2;
 use super::before;
 use super::sheet::Sheet;
 use super::stage::Stage;
+use crate::numbers::degrees;
 use crate::paper::{Ink, Stroke};
 use crate::physics::units::m_from_mm;
-use crate::quiz::words::degrees;
 use crate::quiz::{AimTask, Ray};
 
 /// How much larger than other hits it is drawn, so that the scale can be read.

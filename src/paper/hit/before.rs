@@ -5,9 +5,9 @@ use glam::DVec2;
 use super::After;
 use super::sheet::Sheet;
 use super::stage::Stage;
+use crate::numbers::significant;
 use crate::paper::{Ink, Stroke};
 use crate::physics::units::g_from_kg;
-use crate::quiz::words::significant;
 
 /// Draws what lies under the discs: their ways and the line of impact.
 pub(super) fn lines(sheet: &mut Sheet, stage: &Stage) {

@@ -6,9 +6,9 @@ use glam::DVec2;
 use super::After;
 use super::sheet::Sheet;
 use super::stage::Stage;
+use crate::numbers::{degrees, millimetres};
 use crate::paper::{Ink, Stroke};
 use crate::physics::units::mm_from_m;
-use crate::quiz::words::{degrees, millimetres};
 
 /// An offset below this share of r₁ + r₂ is head-on: there is nothing between the two
 /// lines.

@@ -6,6 +6,7 @@ use super::super::frames::cm_scattering_angle;
 use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
 use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
 use super::super::{Bond, Collision, Frame, Outcome, RestingTarget};
+use crate::numbers::{fixed, true_minus};
 
 /// A number that follows from a collision.
 #[derive(Debug, Clone, Copy)]
@@ -215,13 +216,7 @@ impl Quantity {
     pub fn shown(&self, collision: &Collision) -> String {
         self.of(collision).map_or_else(
             || "undefined".into(),
-            |value| {
-                let text = format!("{value:.*}", self.decimals);
-                // What rounds to nothing has no sign.
-                let nothing = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
-                let text = if nothing { text.replace('-', "") } else { text };
-                text.replace('-', "−")
-            },
+            |value| true_minus(&fixed(value, self.decimals)),
         )
     }
 }

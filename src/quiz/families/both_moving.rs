@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::choices::{Choice, Choices, ordered, shuffled};
 use super::setting::{more, number, wrong};
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, Outcome};
 use crate::quiz::dice::Dice;
@@ -15,7 +16,6 @@ use crate::quiz::misconceptions::ALWAYS_SQUARE;
 use crate::quiz::misconceptions::catalogue::{
     FRAMES_MIXED, ONE_LINE_FORMULA, SINE_COSINE, SPEED_OPENS_ANGLE, SQUARE_ON_THE_GROUND,
 };
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{
     Difficulty, Family, Form, Illustration, Markings, Measure, Pieces, Question, WrongAnswer,
 };

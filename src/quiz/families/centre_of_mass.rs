@@ -9,6 +9,7 @@ use serde_json::{Map, Value, json};
 use super::in_short::{in_short, who};
 use super::setting::{Setting, more, number, wrong};
 use super::where_to::figures;
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
 use crate::physics::units::{deg_from_rad, g_from_kg, rad_from_deg};
 use crate::physics::{Collision, Outcome};
@@ -17,7 +18,6 @@ use crate::quiz::misconceptions::catalogue::{
     DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
-use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
     Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Pieces, Placement, Question,
     WrongAnswer,

@@ -3,13 +3,13 @@
 use serde_json::json;
 
 use super::setting::{Asked, Setting, about, more, number, pair, sine_for_cosine, wrong};
+use crate::numbers::{bare_degrees, significant};
 use crate::physics::RestingTarget;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     E_AS_ENERGY, ENERGY_AS_SPEED, HEAVY_TAKES_ENERGY, LOSS_ON_EVERYTHING, SINE_COSINE,
 };
 use crate::quiz::misconceptions::{HALF_AND_HALF, LOSSLESS};
-use crate::quiz::words::{bare_degrees, significant};
 use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Question};
 
 /// Draws a question.

@@ -4,10 +4,10 @@ use std::sync::OnceLock;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use crate::numbers::tenths;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
 use crate::quiz::question::MIN_SEPARATION;
-use crate::quiz::words::tenths;
 use crate::quiz::{Difficulty, Hit, Pieces, Placement, RIGHT_DEG, Rays};
 
 /// A kind of hit.

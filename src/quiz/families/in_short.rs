@@ -1,7 +1,7 @@
 //! A hit in one sentence, where the question needs its room for something else.
 
+use crate::numbers::{bare_millimetres, degrees, significant};
 use crate::physics::units::g_from_kg;
-use crate::quiz::words::{bare_millimetres, degrees, significant};
 use crate::quiz::{Hit, Placement};
 
 /// The hit with its masses, its speed and where the two meet, without a word on loss.

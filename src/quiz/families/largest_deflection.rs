@@ -4,6 +4,7 @@
 use serde_json::json;
 
 use super::setting::{Asked, more, number, pair, told, unmarked, wrong, wrong_choices};
+use crate::numbers::{bare_degrees, degrees, millimetres, significant};
 use crate::physics::RestingTarget;
 use crate::physics::resting_target::LargestDeflection;
 use crate::physics::units::deg_from_rad;
@@ -15,7 +16,6 @@ use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HALF_AND_HALF, HEAVY_UNMOVED, LOSSLESS, OFF_A_WALL,
     OFFSET_AS_ANGLE,
 };
-use crate::quiz::words::{bare_degrees, degrees, millimetres, significant};
 use crate::quiz::{
     Difficulty, Family, Form, Hit, Illustration, Measure, Placement, Question, WrongAnswer,
 };

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use serde_json::json;
 
 use super::setting::{more, wrong};
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Disc;
 use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
-use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
     AimTask, Difficulty, Family, Form, Hit, Illustration, Markings, Misconception, Pieces,
     Placement, Question, Ray, Response, Topic, WrongAnswer,

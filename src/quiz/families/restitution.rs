@@ -6,13 +6,13 @@ use serde_json::json;
 use super::setting::{
     Asked, Setting, about, more, number, pair, told, unmarked, wrong, wrong_choices,
 };
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     E_AS_ENERGY, LOSS_FORBIDS_SQUARE, LOSS_ON_EVERYTHING, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, LOSSLESS};
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{
     Difficulty, Family, Form, Hit, Illustration, Measure, Pieces, Placement, Question,
 };

@@ -6,13 +6,13 @@ use serde_json::json;
 
 use super::choices::{Choice, shuffled};
 use super::setting::{more, number, wrong};
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     EVERY_ANGLE_ALIKE, HALF_ANGLE_FORGOTTEN, TOO_GENTLE, UPSIDE_DOWN,
 };
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{Difficulty, Family, Form, Illustration, Measure, Question, WrongAnswer};
 
 /// Foils and their charge numbers.

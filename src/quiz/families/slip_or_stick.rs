@@ -8,6 +8,7 @@ use super::choices::{Choice, Choices, shuffled};
 use super::in_short::in_short;
 use super::setting::{Setting, more, number, wrong};
 use super::where_to::figures;
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::physics::{Bond, Collision};
 use crate::quiz::dice::Dice;
@@ -15,7 +16,6 @@ use crate::quiz::misconceptions::catalogue::{
     GRIP_IGNORED, GRIP_STOPS_ALL, HALFWAY_CENTRE, MOMENTUM_LOST, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{
     Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Pieces, Question,
 };

@@ -3,12 +3,12 @@
 use serde_json::json;
 
 use super::setting::{Asked, Setting, about, more, number, sine_for_cosine, wrong};
+use crate::numbers::{bare_degrees, significant};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::LOSSLESS;
 use crate::quiz::misconceptions::catalogue::{
     LOSS_ON_EVERYTHING, ONE_LINE_FORMULA, SINE_COSINE, SPEEDS_ADD, UPSIDE_DOWN,
 };
-use crate::quiz::words::{bare_degrees, significant};
 use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Question};
 
 const UNEQUAL: [Pieces; 2] = [Pieces::Tournament, Pieces::Marbles];

@@ -2,11 +2,11 @@
 
 use super::spoken::sentence;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
+use crate::numbers::{degrees, millimetres, significant};
 use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
 use crate::physics::{CollisionSpec, worked};
-use crate::quiz::words::{degrees, millimetres, significant};
 
 /// What the figure of a page shows, a line each; before the page's question is
 /// `answered`, and where a later page asks for it, no more than how the hit is set up.

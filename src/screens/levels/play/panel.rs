@@ -4,6 +4,7 @@
 use super::attempt::{Attempt, Zoom};
 use super::{Phase, Play, Saying, dials};
 use crate::levels::{FEW_SHOTS, Win};
+use crate::numbers;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::physics::{Collision, Disc, Frame};
 use crate::quiz::{Ray, Rays};
@@ -77,7 +78,7 @@ fn tries(play: &Play, lines: &mut Lines) {
     for made in play.tries.iter().skip(earlier) {
         lines.gap();
         lines.line(&format!("shot {}: {}", made.number, made.set), Role::Dim);
-        lines.paragraph(&format!("{}.", words::capital(&made.told)), Role::Dim);
+        lines.paragraph(&format!("{}.", numbers::capital(&made.told)), Role::Dim);
     }
     if !play.tries.is_empty() {
         lines.gap();
@@ -205,7 +206,7 @@ fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
         } else {
             ("✗", Role::Warn)
         };
-        let told = words::capital(&finding.told);
+        let told = numbers::capital(&finding.told);
         lines.paragraph(&format!("{mark} {told}."), role);
     }
     if let Some(impact) = attempt.impacts.first() {
@@ -280,7 +281,7 @@ fn enlarged(play: &Play, attempt: &Attempt, zoom: &Zoom, lines: &mut Lines) {
     };
     let watch = &zoom.watch;
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
-    let met = words::capital(&format!("{first} on {second}"));
+    let met = numbers::capital(&format!("{first} on {second}"));
     lines.paragraph(&met, Role::Title);
     // What a win has shown is no secret any more.
     let secret = match attempt.win {
