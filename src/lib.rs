@@ -22,7 +22,8 @@
 //!   screens/       one folder a screen: its state and update, its view beside it
 //!                  home · learn · lab · foil · quiz · table · levels · progress
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
-//!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
+//!   widgets/       the drawn things: pictures as lists of marks (picture) with two
+//!                  renderers (ink, svg), the hit, plots, prompts; theme
 //!   messages/      what goes into the app and what comes out: keys, thoughts, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   class/         a round for a class round one screen: teams, two votes, scores, what

@@ -8,7 +8,7 @@ use crate::game::{Game, Piece};
 use crate::messages::Key;
 use crate::physics::{Shot, State};
 use crate::widgets::hit::FRAME;
-use crate::widgets::replay::{Clock, Impact, impacts};
+use crate::widgets::replay::{Impact, ShotClock, WatchRate, impacts};
 
 /// Seconds that `,` and `.` step by.
 const STEP: f64 = 0.02;
@@ -31,7 +31,7 @@ pub(super) struct Replay {
     /// The time to go back to when the list is put away.
     listed_at: f64,
     /// Its clock.
-    pub(super) clock: Clock,
+    pub(super) clock: ShotClock,
 }
 
 impl Replay {
@@ -44,7 +44,7 @@ impl Replay {
             impacts: impacts(&shot, 0).collect(),
             chosen: None,
             listed_at: 0.0,
-            clock: Clock::new(shot.duration(), reduced),
+            clock: ShotClock::new(shot.duration(), WatchRate::REAL, reduced),
             shot,
         }
     }
@@ -131,8 +131,8 @@ impl Replay {
                 self.chosen = None;
                 self.clock.rewind();
             }
-            Key::Char('+' | '=') => self.clock.change_rate(true),
-            Key::Char('-') => self.clock.change_rate(false),
+            Key::Char('+' | '=') => self.clock.set_rate(self.clock.rate().faster(1)),
+            Key::Char('-') => self.clock.set_rate(self.clock.rate().faster(-1)),
             Key::Char('i' | 'I') => self.toggle_list(),
             Key::Up => self.choose(false),
             Key::Down => self.choose(true),
