@@ -1,7 +1,7 @@
 //! Searching for a stroke, which takes longer than a frame.
 
 use crate::game::Game;
-use crate::game::opponent::{Decision, Hint, Strength};
+use crate::game::opponent::{Decision, Strength, StrokeHint};
 
 /// A search to be made by the shell, beside the app if it can.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +22,7 @@ pub enum Wanted {
     /// The stroke of an opponent of this strength.
     Stroke(Strength),
     /// A hint for the player.
-    Hint,
+    StrokeHint,
 }
 
 /// What came of a [`SearchTask`].
@@ -40,7 +40,7 @@ pub enum Found {
     /// The opponent's stroke.
     Stroke(Option<Decision>),
     /// The hint.
-    Hint(Option<Hint>),
+    StrokeHint(Option<StrokeHint>),
     /// Neither: the search failed.
     Failed,
 }

@@ -54,7 +54,7 @@ pub enum Meeting {
 
 /// What becomes of a [`Collision`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
+pub struct CollisionOutcome {
     /// How the two met.
     pub meeting: Meeting,
     /// Line of impact n, the unit vector from centre 1 to centre 2 at contact;
@@ -93,7 +93,7 @@ pub struct Outcome {
     pub energy_lost: f64,
 }
 
-impl Outcome {
+impl CollisionOutcome {
     /// Whether the discs touched, if only grazing.
     pub fn hit(&self) -> bool {
         self.meeting != Meeting::Miss
@@ -176,7 +176,7 @@ impl Collision {
     }
 
     /// What becomes of the two.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
             return self.unchanged(Meeting::Miss, None);
         };
@@ -191,7 +191,7 @@ impl Collision {
         let grazes = self.sine().is_some_and(|sine| cosine(sine) <= 0.0);
         match contact.resolve() {
             Some(impact) if !grazes => match self.bond {
-                Bond::Slip => Outcome {
+                Bond::Slip => CollisionOutcome {
                     impulse: impact.impulse,
                     energy_lost: impact.energy_lost,
                     ..self.after(Meeting::Hit, Some(normal), impact.v1, impact.v2)
@@ -224,12 +224,12 @@ impl Collision {
         ]
     }
 
-    fn captured(&self, normal: DVec2) -> Outcome {
+    fn captured(&self, normal: DVec2) -> CollisionOutcome {
         let shared = self.centre_of_mass_velocity();
         let relative_speed = self.relative_velocity().length();
         let pair = capture(self.striker, self.target, self.offset, relative_speed);
         let free = self.after(Meeting::Hit, Some(normal), shared, shared);
-        Outcome {
+        CollisionOutcome {
             spin: pair.spin,
             impulse: self.striker.mass * (shared - self.u1).length(),
             energy_after: free.energy_after + pair.rotation_energy,
@@ -239,16 +239,22 @@ impl Collision {
         }
     }
 
-    fn unchanged(&self, meeting: Meeting, normal: Option<DVec2>) -> Outcome {
+    fn unchanged(&self, meeting: Meeting, normal: Option<DVec2>) -> CollisionOutcome {
         self.after(meeting, normal, self.u1, self.u2)
     }
 
     /// An outcome with these velocities and nothing lost or turning.
-    fn after(&self, meeting: Meeting, normal: Option<DVec2>, v1: DVec2, v2: DVec2) -> Outcome {
+    fn after(
+        &self,
+        meeting: Meeting,
+        normal: Option<DVec2>,
+        v1: DVec2,
+        v2: DVec2,
+    ) -> CollisionOutcome {
         let energy = |a: DVec2, b: DVec2| {
             kinetic_energy(self.striker.mass, a) + kinetic_energy(self.target.mass, b)
         };
-        Outcome {
+        CollisionOutcome {
             meeting,
             normal,
             tangent: normal.map(DVec2::perp),

@@ -78,7 +78,7 @@ impl EventKind {
 
 /// What a disc is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum State {
+pub enum DiscState {
     /// It moves.
     Moving,
     /// It lies still on the board.
@@ -95,7 +95,7 @@ pub struct Sample {
     /// Velocity in m/s; zero unless moving.
     pub velocity: DVec2,
     /// What it is doing.
-    pub state: State,
+    pub state: DiscState,
 }
 
 /// A stretch of a disc's way: straight, from one event of this disc to its next.
@@ -297,11 +297,11 @@ impl Default for Shot {
 
 fn sample(motion: Motion, pocketed: bool) -> Sample {
     let state = if pocketed {
-        State::Pocketed
+        DiscState::Pocketed
     } else if motion.velocity == DVec2::ZERO {
-        State::Resting
+        DiscState::Resting
     } else {
-        State::Moving
+        DiscState::Moving
     };
     Sample {
         position: motion.position,

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 
 use super::{Pieces, Rays, Topic};
 use crate::numbers;
@@ -61,7 +61,7 @@ impl Hit {
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CollisionOutcome {
         self.collision().outcome()
     }
 

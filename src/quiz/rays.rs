@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 
-use crate::physics::Outcome;
+use crate::physics::CollisionOutcome;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use crate::numbers;
@@ -118,8 +118,8 @@ impl Rays {
     }
 }
 
-impl From<&Outcome> for Rays {
-    fn from(outcome: &Outcome) -> Self {
+impl From<&CollisionOutcome> for Rays {
+    fn from(outcome: &CollisionOutcome) -> Self {
         Self {
             striker: outcome.theta1,
             target: outcome.theta2,

@@ -11,7 +11,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 
 /// The best stroke that was found for the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hint {
+pub struct StrokeHint {
     /// The stroke, if it is struck exactly so.
     pub stroke: Motion,
     /// What it does.
@@ -21,7 +21,7 @@ pub struct Hint {
     pub fouls: bool,
 }
 
-impl Hint {
+impl StrokeHint {
     /// How far to the player's right of the middle the striker stands, in metres.
     pub fn along(&self) -> f64 {
         self.reason.seat.turn_back(self.stroke.position).x

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::super::frames::cm_scattering_angle;
 use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
 use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
-use super::super::{Bond, Collision, Frame, Outcome, RestingTarget};
+use super::super::{Bond, Collision, CollisionOutcome, Frame, RestingTarget};
 use crate::numbers::{fixed, true_minus};
 
 /// A number that follows from a collision.
@@ -19,7 +19,7 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Decimals it is shown with where nobody says how many.
     pub decimals: usize,
-    of: fn(&Collision, &Outcome) -> Option<f64>,
+    of: fn(&Collision, &CollisionOutcome) -> Option<f64>,
 }
 
 /// The same by name.
@@ -34,7 +34,7 @@ const fn quantity(
     symbol: &'static str,
     unit: &'static str,
     decimals: usize,
-    of: fn(&Collision, &Outcome) -> Option<f64>,
+    of: fn(&Collision, &CollisionOutcome) -> Option<f64>,
 ) -> Quantity {
     Quantity {
         name,

@@ -10,7 +10,7 @@ use super::choices::{Choice, Choices, ordered, shuffled};
 use super::setting::{more, number, wrong};
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::ALWAYS_SQUARE;
 use crate::quiz::misconceptions::catalogue::{
@@ -182,7 +182,7 @@ fn by_number(form: Form, beliefs: Vec<WrongAnswer>) -> Choices {
 }
 
 /// Who sees 90°, or what somebody sees who moves along.
-fn frames(meeting: &Meeting, outcome: &Outcome, dice: &mut Dice) -> Option<Asked> {
+fn frames(meeting: &Meeting, outcome: &CollisionOutcome, dice: &mut Dice) -> Option<Asked> {
     // The board would be the frame of the centre of mass.
     if meeting.way_deg == 180 && meeting.speed == meeting.target_speed {
         return None;
@@ -261,7 +261,7 @@ fn frames(meeting: &Meeting, outcome: &Outcome, dice: &mut Dice) -> Option<Asked
 
 /// More or less than 90° on the board. For equal masses without loss v₁·v₂ = u₁·u₂, so
 /// that alone the way of the coin decides.
-fn on_the_board(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
+fn on_the_board(meeting: &Meeting, outcome: &CollisionOutcome) -> Option<Asked> {
     let (less, square, more) = ("Less than 90°", "Exactly 90°", "More than 90°");
     let on_board = deg_from_rad(outcome.separation?);
     let wider = || {
@@ -313,7 +313,7 @@ fn on_the_board(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
 }
 
 /// The angle between the two on the board.
-fn parting(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
+fn parting(meeting: &Meeting, outcome: &CollisionOutcome) -> Option<Asked> {
     let form = Form::Number {
         quantity: Measure::Angle,
         truth: deg_from_rad(outcome.separation?),
@@ -353,7 +353,7 @@ fn parting(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
 
 /// The speed of one of the two on the board: what the other had along the line of
 /// impact, and its own across it.
-fn speed(meeting: &Meeting, of_target: bool, outcome: &Outcome) -> Asked {
+fn speed(meeting: &Meeting, of_target: bool, outcome: &CollisionOutcome) -> Asked {
     let line = rad_from_deg(f64::from(meeting.line_deg));
     let (u1, u2) = (f64::from(meeting.speed), f64::from(meeting.target_speed));
     let relative = if meeting.way_deg == 180 {

@@ -12,7 +12,7 @@ use super::where_to::figures;
 use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
 use crate::physics::units::{deg_from_rad, g_from_kg, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
@@ -120,7 +120,7 @@ fn why_turn(alpha: f64, turn: f64) -> String {
 }
 
 /// What misconceptions make of Θ.
-fn turned(alpha: f64, outcome: &Outcome) -> [Option<WrongAnswer>; 2] {
+fn turned(alpha: f64, outcome: &CollisionOutcome) -> [Option<WrongAnswer>; 2] {
     [
         number(
             &DOUBLE_ANGLE_FORGOTTEN,

@@ -1,6 +1,6 @@
 //! A beam under way.
 
-use crate::beams::{BINS, Counts, Law, Sampler};
+use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
 /// Pictures over which a beam is spread, so that one can watch the counts grow: about
 /// four seconds.
@@ -12,7 +12,7 @@ const MOST: u64 = 2_000_000;
 /// A beam, as far as it has been thrown.
 #[derive(Debug, Clone)]
 pub struct Run {
-    law: Law,
+    law: ScatteringLaw,
     sampler: Box<Sampler>,
     seed: u64,
     particles: u64,
@@ -24,7 +24,7 @@ pub struct Run {
 
 impl Run {
     /// A beam of `particles`, none of them thrown yet.
-    pub fn new(law: Law, seed: u64, particles: u64, said: Option<f64>) -> Self {
+    pub fn new(law: ScatteringLaw, seed: u64, particles: u64, said: Option<f64>) -> Self {
         Self {
             law,
             sampler: Box::new(Sampler::new(&law)),
@@ -37,7 +37,7 @@ impl Run {
     }
 
     /// The law it follows.
-    pub fn law(&self) -> &Law {
+    pub fn law(&self) -> &ScatteringLaw {
         &self.law
     }
 

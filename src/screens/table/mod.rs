@@ -23,7 +23,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, OldScreen};
-use crate::game::{Game, Record, RecordError};
+use crate::game::{Game, Record};
 use crate::messages::{Input, Key};
 use new_game::{Agreed, NewGame};
 pub use options::{Aids, Options, Player};
@@ -63,18 +63,6 @@ impl Table {
         Self {
             page: Page::Sitting(Box::new(Sitting::new(options, seed))),
         }
-    }
-
-    /// A table at which a recorded game goes on. Rules, hands and pieces are the
-    /// record's, whatever the options say.
-    ///
-    /// # Errors
-    /// If the record cannot be played.
-    pub fn resuming(options: Options, record: Record) -> Result<Self, RecordError> {
-        let sitting = Sitting::resume(options, record)?;
-        Ok(Self {
-            page: Page::Sitting(Box::new(sitting)),
-        })
     }
 
     /// The game that is played, if one is.

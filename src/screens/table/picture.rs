@@ -10,7 +10,7 @@ use super::replay::Replay;
 use super::sitting::{Hinted, Sitting};
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
-use crate::physics::{Board, State, stopping_distance};
+use crate::physics::{Board, DiscState, stopping_distance};
 use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture};
 use crate::widgets::{Role, board};
 
@@ -174,7 +174,7 @@ fn trail(picture: &mut Picture, replay: &Replay, disc: usize) {
     let now = replay.clock.time();
     let told = replay.clock.is_over();
     let first = replay.impacts.first().map(|impact| impact.discs[1]);
-    let fell = || replay.shot.at(disc, now).state == State::Pocketed;
+    let fell = || replay.shot.at(disc, now).state == DiscState::Pocketed;
     if told && disc != 0 && first != Some(disc) && !fell() {
         return;
     }

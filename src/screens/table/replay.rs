@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use crate::game::{Game, Piece};
 use crate::messages::Key;
-use crate::physics::{Shot, State};
+use crate::physics::{DiscState, Shot};
 use crate::widgets::hit::FRAME;
 use crate::widgets::replay::{Impact, ShotClock, WatchRate, impacts};
 
@@ -57,7 +57,7 @@ impl Replay {
             .enumerate()
             .filter_map(move |(disc, piece)| {
                 let now = self.shot.at(disc, time);
-                (now.state != State::Pocketed).then_some((disc, *piece, now.position))
+                (now.state != DiscState::Pocketed).then_some((disc, *piece, now.position))
             })
     }
 

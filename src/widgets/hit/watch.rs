@@ -12,7 +12,7 @@ use super::playback::{FRAME, Playback};
 use super::sketch::WantedWay;
 use super::stage::{HitLayout, time_in_sight};
 use crate::messages::Key;
-use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::Rays;
 use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
@@ -27,7 +27,7 @@ const SCRUB: f64 = 1.0 / 16.0;
 #[derive(Debug, Clone)]
 pub struct Watch {
     collision: Collision,
-    outcome: Outcome,
+    outcome: CollisionOutcome,
     shot: Option<Shot>,
     clock: Playback,
     contact: f64,
@@ -140,7 +140,7 @@ impl Watch {
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> &Outcome {
+    pub fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }
 

@@ -22,8 +22,8 @@ use super::replay::Replay;
 use super::session::Session;
 use super::words::sentence;
 use super::{panel, view};
-use crate::game::opponent::Hint;
-use crate::game::{Game, Move, PieceSet, Record, RecordError, Rules, Seat, Stage};
+use crate::game::opponent::StrokeHint;
+use crate::game::{Game, GameStage, Move, PieceSet, Record, RecordError, Rules, Seat};
 use crate::messages::{Input, Key, Mouse};
 use crate::physics::Shot;
 use crate::screens::Context;
@@ -88,7 +88,7 @@ pub(super) enum Hinted {
     },
     /// There.
     Told {
-        hint: Box<Hint>,
+        hint: Box<StrokeHint>,
         /// What it speaks of on the board, if it speaks of a coin.
         pointer: Option<Pointer>,
         /// Whether all of it is told, or only where to look.
@@ -308,13 +308,13 @@ impl Sitting {
 
     /// Whether leaving now would break a game off.
     fn is_running(&self) -> bool {
-        self.session.len() > 0 && !matches!(self.game().stage(), Stage::MatchOver(_))
+        self.session.len() > 0 && !matches!(self.game().stage(), GameStage::MatchOver(_))
     }
 
     /// Goes on with the game as it stands: aiming, or the end of the board.
     fn go_on(&mut self) {
         self.phase = match self.game().stage() {
-            Stage::Playing => Phase::Aim,
+            GameStage::Playing => Phase::Aim,
             _ => Phase::Over,
         };
     }
@@ -377,7 +377,7 @@ impl Sitting {
     fn over_key(&mut self, key: Key) -> Taken {
         match key {
             Key::Enter | Key::Char(' ') => {
-                if let Stage::MatchOver(_) = self.game().stage() {
+                if let GameStage::MatchOver(_) = self.game().stage() {
                     return Taken::Leave;
                 }
                 self.make(Move::NextBoard);
