@@ -22,7 +22,7 @@ pub enum Wanted {
     /// The stroke of an opponent of this strength.
     Stroke(Strength),
     /// A hint for the player.
-    StrokeHint,
+    Hint,
 }
 
 /// What came of a [`SearchTask`].
@@ -40,7 +40,7 @@ pub enum Found {
     /// The opponent's stroke.
     Stroke(Option<Decision>),
     /// The hint.
-    StrokeHint(Option<StrokeHint>),
+    Hint(Option<StrokeHint>),
     /// Neither: the search failed.
     Failed,
 }

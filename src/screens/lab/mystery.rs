@@ -4,7 +4,7 @@ use super::{Field, Setup};
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
 use crate::physics::{Bond, CollisionOutcome};
-use crate::widgets::{CollisionOutcome, Lines, NumberEntry, Role};
+use crate::widgets::{Lines, NumberEntry, Outcome, Role};
 
 /// The lightest mystery coin in g, and the step and number of the heavier ones.
 const LIGHTEST_G: f64 = 4.0;
@@ -57,9 +57,9 @@ impl Mystery {
             return false;
         }
         match self.entry.update(key) {
-            CollisionOutcome::Done(mass) if mass > 0.0 => self.said_g = Some(mass),
-            CollisionOutcome::Done(_) | CollisionOutcome::Used => {}
-            CollisionOutcome::Ignored => return false,
+            Outcome::Done(mass) if mass > 0.0 => self.said_g = Some(mass),
+            Outcome::Done(_) | Outcome::Used => {}
+            Outcome::Ignored => return false,
         }
         true
     }

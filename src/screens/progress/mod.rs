@@ -17,7 +17,7 @@ use super::recall::Recall;
 use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
-use crate::widgets::{Beside, Lines, Role, Scroll};
+use crate::widgets::{Lines, Role, Scroll, SplitLayout};
 use page::Page;
 
 /// Rows that a page is turned by.
@@ -169,11 +169,11 @@ impl Progress {
     }
 }
 
-fn layout(area: Rect) -> Beside {
+fn layout(area: Rect) -> SplitLayout {
     if area.width < NARROW {
-        Beside::with_panel(area, NARROW_PANEL)
+        SplitLayout::with_panel(area, NARROW_PANEL)
     } else {
-        Beside::new(area)
+        SplitLayout::new(area)
     }
 }
 
