@@ -27,7 +27,7 @@ use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Context, Next, Old, Place, Settings, SharedAction};
+use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
 
 use layer::Layer;
@@ -65,7 +65,7 @@ impl App {
     /// An app that starts at `place`, with Home below it.
     pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
         let mut app = Self {
-            stack: vec![Box::new(Old(Home::default()))],
+            stack: vec![Box::new(Hosted::new(Home::default()))],
             context: Context::new(settings, seed),
             size: Rect::default(),
             layers: Vec::new(),
@@ -328,7 +328,7 @@ impl App {
             Next::Back => {
                 self.stack.pop();
                 if self.stack.is_empty() {
-                    self.stack.push(Box::new(Old(Home::default())));
+                    self.stack.push(Box::new(Hosted::new(Home::default())));
                     return vec![Effect::Quit];
                 }
             }
@@ -341,7 +341,7 @@ impl App {
 
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
-            Place::Home => Box::new(Old(Home::default())),
+            Place::Home => Box::new(Hosted::new(Home::default())),
             Place::Lab => Box::new(Old(Lab::default())),
             Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
@@ -362,7 +362,7 @@ impl App {
             Place::Foil => Box::new(Old(Foil::default())),
             Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
             Place::Table => Box::new(Old(Table::default())),
-            Place::Progress => Box::new(Old(Progress::ask(&mut self.context))),
+            Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };
         self.stack.push(screen);
     }
