@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::{Ballot, ClassPlace, ClassRound, ClassStep, Vote, team_names};
 use crate::files::{FileError, Source};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, CourseKind, Question, Said};
+use crate::quiz::{Code, CourseKind, Question, Response};
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -71,7 +71,7 @@ impl ClassRound {
     pub fn text(&self) -> Result<String, String> {
         let votes = |question: usize, vote: Vote| {
             let said = |team| self.ballot(question, team).vote(vote);
-            let text = |team| said(team).map(Said::to_text).unwrap_or_default();
+            let text = |team| said(team).map(Response::to_text).unwrap_or_default();
             (0..self.teams().len()).map(text).collect()
         };
         let written = Written {
@@ -194,7 +194,7 @@ impl ClassRound {
         if text.is_empty() {
             return Ok(());
         }
-        let said = Said::parse(text);
+        let said = Response::parse(text);
         self.vote(question, team, vote, said);
         if said.is_none() || self.ballot(question, team).vote(vote) != said {
             return Err(format!(

@@ -5,7 +5,7 @@ use super::figure::Figure;
 use super::inline::{self, Meaning};
 use super::source::{Source, SourceLine};
 use super::words::Words;
-use super::{Quantity, Shot};
+use super::{CollisionSpec, Quantity};
 use crate::files::FileError;
 use crate::physics::Collision;
 
@@ -49,7 +49,7 @@ pub enum CheckpointKind {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A quantity of a shot.
-    Of(Quantity, Shot),
+    Of(Quantity, CollisionSpec),
     /// A quantity of the figure as the student has set it.
     Figure(Quantity),
     /// This one, in a unit.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::Shot;
+use super::CollisionSpec;
 use super::source::{FORMAT, Source, SourceLine};
 use super::words::Words;
 use crate::files::{FileError, newer};
@@ -29,7 +29,7 @@ pub(super) struct Header {
 
 /// The named shots of a chapter.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Shots(BTreeMap<String, Shot>);
+pub(super) struct Shots(BTreeMap<String, CollisionSpec>);
 
 impl Shots {
     /// Takes a shot out of the words of a directive: its name, or else `usual`, and
@@ -37,14 +37,14 @@ impl Shots {
     pub(super) fn take(
         &self,
         words: &mut Words,
-        usual: Option<Shot>,
-    ) -> Result<Option<Shot>, String> {
+        usual: Option<CollisionSpec>,
+    ) -> Result<Option<CollisionSpec>, String> {
         let named = match words.first() {
             None => None,
             Some(name) => Some(*self.0.get(&name).ok_or_else(|| self.unknown(&name))?),
         };
-        let fields = words.fields(Shot::has);
-        Shot::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
+        let fields = words.fields(CollisionSpec::has);
+        CollisionSpec::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
         let mut shot = match named.or(usual) {
             None if fields.is_empty() => return Ok(None),
             shot => shot.unwrap_or_default(),
@@ -207,8 +207,8 @@ impl Tables<'_> {
                 return Err(self.fault(at, "shot: expected a table of fields"));
             };
             let names = fields.keys().map(|name| name.get_ref().as_ref());
-            Shot::check_fields(names).map_err(|message| self.fault(at, message))?;
-            let mut shot = Shot::default();
+            CollisionSpec::check_fields(names).map_err(|message| self.fault(at, message))?;
+            let mut shot = CollisionSpec::default();
             for (field, value) in fields {
                 let at = value.span().start;
                 let written = match value.get_ref() {

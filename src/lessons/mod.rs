@@ -40,4 +40,5 @@ pub use page::ChapterPage;
 pub use source::FORMAT;
 
 pub use crate::files::FileError;
-pub use crate::physics::named::{Constant, Quantity, Shot};
+pub use crate::physics::CollisionSpec;
+pub use crate::physics::named::{Constant, Quantity};

@@ -158,12 +158,12 @@ impl Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Code, Given, Hit, Pieces, Rays, Round, Said};
+    use super::super::{Code, Hit, Pieces, Placement, Rays, Response, Round};
     use super::*;
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
-        given: Given::Angle { alpha_deg: 30.0 },
+        given: Placement::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
         speed: 4.0,
         direction_deg: 0.0,
@@ -180,7 +180,7 @@ mod tests {
                 } else {
                     Rays::new(-3.0, 3.0)
                 };
-                Answer::new(Said::Rays(rays), confidence)
+                Answer::new(Response::Rays(rays), confidence)
             })
             .collect();
         Summary::new(answers.iter().map(|answer| (&question, answer)))
@@ -224,7 +224,7 @@ mod tests {
         let summary = |right: usize| {
             let answers: Vec<Answer> = (round.questions().iter().enumerate())
                 .map(|(i, question)| match question.form.truth() {
-                    Said::Number(truth) if i >= right => Said::Number(truth + 90.0),
+                    Response::Number(truth) if i >= right => Response::Number(truth + 90.0),
                     truth => truth,
                 })
                 .map(|said| Answer::new(said, Confidence::Guess))

@@ -10,7 +10,7 @@ use carrom::app::App;
 use carrom::class::ClassRound;
 use carrom::game::SavedGame;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::quiz::{Form, Said};
+use carrom::quiz::{Form, Response};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -214,7 +214,7 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
     };
     let form = &round.questions()[0].form;
     let typed = |vote| match (form, vote) {
-        (Form::Rays { side, .. }, Some(Said::Rays(rays))) => {
+        (Form::Rays { side, .. }, Some(Response::Rays(rays))) => {
             Some((side * rays.striker?.to_degrees()).round() as u32)
         }
         _ => None,

@@ -19,7 +19,7 @@ use crate::progress::{
     Attempt, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice, beliefs,
     calibration, ends_deg, topics, utc,
 };
-use crate::quiz::{Quantity, RIGHT_DEG};
+use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
 
 /// Columns of the player's name.
@@ -175,7 +175,7 @@ impl<'a> Report<'a> {
             "Written by carrom{when} from the answers kept on this computer. Days are those of \
              UTC. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
              {} A chapter is done when all of it has been read and answered.",
-            Quantity::RIGHT,
+            Measure::RIGHT,
             Mastery::MEANING,
         )
     }

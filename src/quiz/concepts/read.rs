@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{self, FileError, Source, escape_control};
-use crate::physics::named::Shot;
+use crate::physics::CollisionSpec;
 use crate::quiz::{Difficulty, Misconception};
 
 /// The format that this program reads.
@@ -98,11 +98,11 @@ pub(super) fn file(
 }
 
 /// The hit of a question.
-fn read_hit(source: Source, item: &Item) -> Result<Option<Shot>, FileError> {
+fn read_hit(source: Source, item: &Item) -> Result<Option<CollisionSpec>, FileError> {
     let Some(fields) = &item.hit else {
         return Ok(None);
     };
-    let mut shot = Shot::default();
+    let mut shot = CollisionSpec::default();
     for (field, value) in fields.get_ref() {
         let written = match value.get_ref() {
             Field::Truth(truth) => truth.to_string(),
@@ -124,7 +124,7 @@ fn read_hit(source: Source, item: &Item) -> Result<Option<Shot>, FileError> {
 /// Reads the texts of one question.
 struct Reader<'a> {
     source: Source<'a>,
-    hit: Option<Shot>,
+    hit: Option<CollisionSpec>,
 }
 
 impl Reader<'_> {

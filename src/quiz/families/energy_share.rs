@@ -10,7 +10,7 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{HALF_AND_HALF, LOSSLESS};
 use crate::quiz::words::{bare_degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Hit, Pieces, Quantity, Question};
+use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Question};
 
 /// Draws a question.
 pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -46,14 +46,14 @@ const PERCENT: f64 = 100.0;
 /// A share asked for.
 fn share(truth: f64) -> Form {
     Form::Number {
-        quantity: Quantity::Share,
+        quantity: Measure::Share,
         truth: PERCENT * truth,
     }
 }
 
 /// A share of a belief, in percent.
 fn percent(x: f64) -> String {
-    Quantity::Share.print(PERCENT * x)
+    Measure::Share.print(PERCENT * x)
 }
 
 /// What the striker keeps, equal masses.
@@ -103,7 +103,7 @@ fn kept(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
 }
 
 /// Half of the energy to each.
-fn half() -> Option<crate::quiz::Belief> {
+fn half() -> Option<crate::quiz::WrongAnswer> {
     number(
         &HALF_AND_HALF,
         50.0,

@@ -12,7 +12,7 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{HEAVY_UNMOVED, LOSSLESS};
 use crate::quiz::words::{degrees, significant, tenths};
-use crate::quiz::{Difficulty, Family, Form, Hit, Picture, Quantity, Question};
+use crate::quiz::{Difficulty, Family, Form, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.
 const WEIGHTS: [&str; 3] = [
@@ -68,8 +68,8 @@ impl Seen {
         })
     }
 
-    fn picture(&self) -> Picture {
-        Picture::After {
+    fn picture(&self) -> Illustration {
+        Illustration::After {
             collision: self.hit.collision(),
         }
     }
@@ -87,7 +87,7 @@ impl Seen {
     /// The mass of the coin to be found.
     fn form(&self) -> Form {
         Form::Number {
-            quantity: Quantity::Mass,
+            quantity: Measure::Mass,
             truth: self.coin_g,
         }
     }

@@ -7,7 +7,7 @@ use super::heading::Heading;
 use super::play::Play;
 use super::view::{Text, column};
 use crate::class::ClassStep;
-use crate::quiz::{Form, Picture, Question, letter};
+use crate::quiz::{Form, Illustration, Question, letter};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Beside, Lines, Look, Role, draw_question};
 
@@ -37,7 +37,7 @@ fn layout(play: &Play, question: &Question, area: Rect, look: &Look) -> Layout {
     }
     let mut rest = area;
     heading_and(play, |heading| rest = heading.rest(area, look));
-    if question.picture == Picture::Nothing {
+    if question.picture == Illustration::Nothing {
         return Layout {
             words: column(rest),
             beside: None,

@@ -20,7 +20,7 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary, words,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
 };
 use crate::widgets::hit::{Layers, Telling, Watch};
 use crate::widgets::{AnswerInput, Outcome, Scroll};
@@ -424,13 +424,13 @@ impl Watched {
     /// An answer just given. What was answered by shooting is what is watched.
     fn new(question: Question, answer: Answer, layers: Layers, cx: &Context) -> Self {
         let rays = match answer.said {
-            Said::Rays(rays) => Some(rays),
+            Response::Rays(rays) => Some(rays),
             _ => None,
         };
         let reduced = cx.settings.reduced_motion;
         let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
         let (watch, remedy) = match (&question.form, answer.said) {
-            (Form::Shot(aim), Said::Shot(offset)) => {
+            (Form::Shot(aim), Response::Shot(offset)) => {
                 let shot = |offset| watch(aim.with(offset)).with_mark(aim.into());
                 let right = Grade::new(&question, &answer).right;
                 let remedy = (!right).then(|| shot(aim.offset));

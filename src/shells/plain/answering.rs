@@ -3,14 +3,14 @@
 use super::number::number;
 use super::talk::{Leave, Prompt, Talk};
 use crate::physics::units::{m_from_mm, rad_from_deg};
-use crate::quiz::{Confidence, Form, Quantity, Rays, Said, letter};
+use crate::quiz::{Confidence, Form, Measure, Rays, Response, letter};
 
 /// Hears the answer to a question in its form; `None` if it is skipped.
 pub(super) fn answer(
     talk: &mut Talk,
     question: &[String],
     form: &Form,
-) -> Result<Option<Said>, Leave> {
+) -> Result<Option<Response>, Leave> {
     match form {
         Form::Rays { side, target, .. } => rays(talk, question, *side, target),
         Form::Number { quantity, .. } => {
@@ -25,7 +25,7 @@ pub(super) fn answer(
                 let (least, most) = (quantity.smallest(), quantity.largest());
                 skipped(heard, |heard| number(heard, quantity.unit(), least, most))
             };
-            Ok(talk.ask_for(&asked, read)?.map(Said::Number))
+            Ok(talk.ask_for(&asked, read)?.map(Response::Number))
         }
         Form::Choice { options, .. } => {
             let mut lines = question.to_vec();
@@ -37,7 +37,7 @@ pub(super) fn answer(
                 help: "Type the letter of your choice. Type skip to leave it open.",
             };
             let read = |heard: &str| skipped(heard, |heard| choice(heard, options.len()));
-            Ok(talk.ask_for(&asked, read)?.map(Said::Choice))
+            Ok(talk.ask_for(&asked, read)?.map(Response::Choice))
         }
         Form::Shot(aim) => {
             let most_mm = (1.1e3 * aim.collision.reach()).ceil();
@@ -50,7 +50,7 @@ pub(super) fn answer(
             };
             let read = |heard: &str| skipped(heard, |heard| number(heard, "mm", -most_mm, most_mm));
             let offset_mm = talk.ask_for(&asked, read)?;
-            Ok(offset_mm.map(|offset_mm| Said::Shot(m_from_mm(offset_mm))))
+            Ok(offset_mm.map(|offset_mm| Response::Shot(m_from_mm(offset_mm))))
         }
     }
 }
@@ -61,7 +61,7 @@ pub(super) fn rays(
     question: &[String],
     side: f64,
     target: &str,
-) -> Result<Option<Said>, Leave> {
+) -> Result<Option<Response>, Leave> {
     let help = format!(
         "Type an angle in degrees from the striker's old direction, such as 30, or still for a \
          disc that stays where it is. The striker counts to the side away from the {target}, the \
@@ -93,7 +93,7 @@ pub(super) fn rays(
         }
     }
     let signed = |angle: Option<f64>| angle.map(|angle| side * rad_from_deg(angle));
-    Ok(Some(Said::Rays(Rays {
+    Ok(Some(Response::Rays(Rays {
         striker: signed(angles[0]),
         target: signed(angles[1]),
     })))
@@ -148,15 +148,15 @@ pub(super) fn choice(heard: &str, count: usize) -> Result<usize, String> {
 }
 
 /// The unit of a quantity as it follows "your answer".
-pub(super) fn unit_words(quantity: Quantity) -> &'static str {
+pub(super) fn unit_words(quantity: Measure) -> &'static str {
     match quantity {
-        Quantity::Angle => " in degrees",
-        Quantity::Share => " in percent",
-        Quantity::Speed => " in metres per second",
-        Quantity::Mass => " in grams",
-        Quantity::Length => " in millimetres",
-        Quantity::Times => ", how many times",
-        Quantity::Restitution => "",
+        Measure::Angle => " in degrees",
+        Measure::Share => " in percent",
+        Measure::Speed => " in metres per second",
+        Measure::Mass => " in grams",
+        Measure::Length => " in millimetres",
+        Measure::Times => ", how many times",
+        Measure::Restitution => "",
     }
 }
 

@@ -12,7 +12,7 @@ use crate::lessons::{
 };
 use crate::messages::{StoreReply, StoreRequest};
 use crate::physics::Collision;
-use crate::quiz::{Rays, Said};
+use crate::quiz::{Rays, Response};
 use crate::screens::{learn::attempt, why};
 
 /// What may be said between two pages.
@@ -250,7 +250,7 @@ fn hear(
             };
             let said = answering::rays(talk, question, side, "coin")?;
             Ok(said.and_then(|said| match said {
-                Said::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
+                Response::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
                 _ => None,
             }))
         }

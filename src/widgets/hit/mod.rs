@@ -19,7 +19,7 @@ pub use after::draw_after;
 pub use layers::{Layer, Layers};
 pub use mark::Mark;
 pub use playback::{FRAME, Playback};
-pub use setup::{Given, drag_offset, draw_aim, draw_setup, draw_setup_of, point_at};
+pub use setup::{Markings, drag_offset, draw_aim, draw_setup, draw_setup_of, point_at};
 pub use stage::{Stage, degrees, side};
 pub use telling::Telling;
 pub use watch::{Face, Watch, WatchAction};

@@ -7,7 +7,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::{KeyTable, NumberAction, NumberInput, Outcome, RayAction, RayInput};
 use crate::messages::Key;
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::quiz::{Aim, Form, Quantity, Question, Said, letter};
+use crate::quiz::{AimTask, Form, Measure, Question, Response, letter};
 use crate::widgets::hit::{drag_offset, point_at};
 use crate::widgets::{Lines, Role};
 
@@ -56,7 +56,7 @@ impl AnswerInput {
                 count: options.len(),
             },
             Form::Shot(aim) => Self::Shot(NumberInput::within(
-                Quantity::Length,
+                Measure::Length,
                 -most_mm(aim),
                 most_mm(aim),
             )),
@@ -64,13 +64,15 @@ impl AnswerInput {
     }
 
     /// What was said before, to be changed.
-    pub fn saying(form: &Form, said: &Said) -> Self {
+    pub fn saying(form: &Form, said: &Response) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
-            (Self::Rays(input), Said::Rays(rays)) => *input = input.clone().saying(rays),
-            (Self::Number(number), Said::Number(x)) => number.set(*x),
-            (Self::Choice { chosen, count }, Said::Choice(i)) if i < count => *chosen = Some(*i),
-            (Self::Shot(offset), Said::Shot(x)) => {
+            (Self::Rays(input), Response::Rays(rays)) => *input = input.clone().saying(rays),
+            (Self::Number(number), Response::Number(x)) => number.set(*x),
+            (Self::Choice { chosen, count }, Response::Choice(i)) if i < count => {
+                *chosen = Some(*i)
+            }
+            (Self::Shot(offset), Response::Shot(x)) => {
                 offset.set((mm_from_m(*x) * 1e6).round() / 1e6);
             }
             _ => {}
@@ -79,12 +81,12 @@ impl AnswerInput {
     }
 
     /// What has been said; `None` while nothing was, or not all that is asked for.
-    pub fn said(&self) -> Option<Said> {
+    pub fn said(&self) -> Option<Response> {
         Some(match self {
-            Self::Rays(rays) => Said::Rays(rays.said()?),
-            Self::Number(number) => Said::Number(number.value()?),
-            Self::Choice { chosen, .. } => Said::Choice((*chosen)?),
-            Self::Shot(offset) => Said::Shot(m_from_mm(offset.value()?)),
+            Self::Rays(rays) => Response::Rays(rays.said()?),
+            Self::Number(number) => Response::Number(number.value()?),
+            Self::Choice { chosen, .. } => Response::Choice((*chosen)?),
+            Self::Shot(offset) => Response::Shot(m_from_mm(offset.value()?)),
         })
     }
 
@@ -258,6 +260,6 @@ fn choice_rows(option: &str, lines: &Lines) -> u16 {
 }
 
 /// The largest offset that can be set, in millimetres: a little more than still hits.
-fn most_mm(aim: &Aim) -> f64 {
+fn most_mm(aim: &AimTask) -> f64 {
     (1.1 * mm_from_m(aim.collision.reach())).ceil()
 }

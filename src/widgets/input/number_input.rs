@@ -4,13 +4,13 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
-use crate::quiz::Quantity;
+use crate::quiz::Measure;
 use crate::widgets::{Lines, Role};
 
 /// A number in the making.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NumberInput {
-    quantity: Quantity,
+    quantity: Measure,
     /// The smallest and the largest that it can be.
     range: (f64, f64),
     value: Option<f64>,
@@ -36,12 +36,12 @@ pub enum NumberAction {
 
 impl NumberInput {
     /// Nothing given yet.
-    pub fn new(quantity: Quantity) -> Self {
+    pub fn new(quantity: Measure) -> Self {
         Self::within(quantity, quantity.smallest(), quantity.largest())
     }
 
     /// The same, held within these bounds.
-    pub fn within(quantity: Quantity, least: f64, most: f64) -> Self {
+    pub fn within(quantity: Measure, least: f64, most: f64) -> Self {
         Self {
             quantity,
             range: (least, most),
@@ -169,12 +169,12 @@ impl NumberInput {
 }
 
 /// A small and a large step.
-const fn steps(quantity: Quantity) -> (f64, f64) {
+const fn steps(quantity: Measure) -> (f64, f64) {
     match quantity {
-        Quantity::Angle | Quantity::Share => (1.0, 5.0),
-        Quantity::Speed | Quantity::Restitution => (0.05, 0.5),
-        Quantity::Mass | Quantity::Length => (0.5, 5.0),
-        Quantity::Times => (0.5, 5.0),
+        Measure::Angle | Measure::Share => (1.0, 5.0),
+        Measure::Speed | Measure::Restitution => (0.05, 0.5),
+        Measure::Mass | Measure::Length => (0.5, 5.0),
+        Measure::Times => (0.5, 5.0),
     }
 }
 
@@ -195,7 +195,7 @@ mod tests {
 
     #[test]
     fn nothing_is_done_before_there_is_a_number() {
-        let mut number = NumberInput::new(Quantity::Speed);
+        let mut number = NumberInput::new(Measure::Speed);
         assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Used);
         assert_eq!(number.value(), None);
         let typed = [Key::Char('2'), Key::Char('.'), Key::Char('1')];
@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn it_is_dialled_within_its_bounds() {
-        let mut number = NumberInput::new(Quantity::Share);
+        let mut number = NumberInput::new(Measure::Share);
         press(&mut number, &[Key::Up, Key::Up, Key::Right, Key::Left]);
         assert_eq!(number.shown(), "10 %");
         press(&mut number, &[Key::Down; 9]);

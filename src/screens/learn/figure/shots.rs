@@ -135,7 +135,7 @@ fn way(offset: f64) -> [DVec2; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lessons::Shot;
+    use crate::physics::CollisionSpec;
     use crate::physics::beam::Beam;
     use crate::physics::units::rad_from_deg;
 
@@ -145,7 +145,10 @@ mod tests {
         for at in on_board() {
             let [from, contact, to] = way(at.y);
             let alpha = at.y.asin();
-            let outcome = Shot::default().collision().with_alpha(alpha).outcome();
+            let outcome = CollisionSpec::default()
+                .collision()
+                .with_alpha(alpha)
+                .outcome();
             let turned = (contact - from).angle_to(to - contact);
             let expected = outcome.v1.to_angle();
             assert!((turned - expected).abs() < 1e-12, "{turned} {expected}");

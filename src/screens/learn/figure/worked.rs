@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::Shown;
 use crate::physics::Collision;
-use crate::physics::worked::{self, Given, Step};
+use crate::physics::worked::{self, Step};
 use crate::screens::lab::Field;
 use crate::widgets::{Lines, Look, Role};
 
@@ -20,7 +20,7 @@ pub(super) const FIELDS: [Field; 5] = [
 
 /// All steps of the solution.
 pub(super) fn steps(collision: &Collision) -> Vec<Step> {
-    worked::steps(collision, Given::Angle)
+    worked::steps(collision, false)
 }
 
 /// Draws the step at hand: below the settings, one of which is chosen, if there are
