@@ -29,6 +29,7 @@ use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
 use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
+use crate::widgets::input::KeyTable;
 
 use layer::Layer;
 
@@ -241,6 +242,16 @@ impl App {
         self.stack.last()?.wake(&self.context)
     }
 
+    /// The keys that mean something just now, as the player has them: those of what lies
+    /// over the screen, or the screen's own and those that all share.
+    pub fn keys(&self) -> KeyTable<()> {
+        match (self.layers.last(), self.stack.last()) {
+            (Some(layer), _) => layer.keys().map(|_| ()),
+            (None, Some(screen)) => screen.table(&self.context),
+            (None, None) => KeyTable::new("app"),
+        }
+    }
+
     /// Draws the whole screen. The app must have been told the frame's size by
     /// [`Input::Resize`] for the mouse to find what it points at.
     pub fn draw(&self, frame: &mut Frame) {
@@ -361,7 +372,7 @@ impl App {
             }
             Place::Foil => Box::new(Old(Foil::default())),
             Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
-            Place::Table => Box::new(Old(Table::default())),
+            Place::Table => Box::new(Hosted::new(Table::default())),
             Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };
         self.stack.push(screen);

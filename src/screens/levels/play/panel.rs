@@ -175,7 +175,7 @@ fn watching(play: &Play, attempt: &Attempt, lines: &mut Lines) {
     lines.pair("time", &time, Role::Dim, Role::Text);
     lines.pair(
         "watched at",
-        &attempt.clock.rate_words(),
+        &attempt.clock.rate().words(),
         Role::Dim,
         Role::Text,
     );

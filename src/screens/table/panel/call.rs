@@ -1,7 +1,7 @@
 //! The panel while the first impact is called.
 
 use crate::quiz::Ray;
-use crate::screens::table::sitting::Calling;
+use crate::screens::table::active_game::Calling;
 use crate::widgets::{Lines, Role};
 
 /// The hit, and both rays as said so far.
