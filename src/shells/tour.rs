@@ -35,7 +35,11 @@ pub const TOUR: &[Moment] = &[
     moment("lab, a number typed", "lab", "12"),
     moment("lab, saying where", "lab", "<Enter>"),
     moment("lab, watching", "lab", "<Enter>60<Enter>30<Enter>"),
-    moment("lab, a mystery coin", "lab", "m<Enter>60<Enter>30<Enter><Space>"),
+    moment(
+        "lab, a mystery coin",
+        "lab",
+        "m<Enter>60<Enter>30<Enter><Space>",
+    ),
     moment("foil, tracks", "foil", ""),
     moment("foil, counts", "foil", "<Tab>"),
     moment("foil, 1913", "foil", "<Tab><Tab>"),
@@ -63,7 +67,11 @@ pub const TOUR: &[Moment] = &[
     moment("table, an impact", "table", "<Enter><Space><End>i<Enter>"),
     moment("table, practice", "table", "<Right><Right><Enter>"),
     moment("table, laying coins out", "table", "<Right><Right><Enter>p"),
-    moment("table, saved games", "table", "<Enter><Space><End><Escape><Escape>y<Escape>s"),
+    moment(
+        "table, saved games",
+        "table",
+        "<Enter><Space><End><Escape><Escape>y<Escape>s",
+    ),
     moment("progress", "progress", ""),
 ];
 
@@ -108,7 +116,9 @@ pub fn all_keys() -> BTreeMap<String, (Vec<Key>, &'static str)> {
     for moment in TOUR {
         for row in moment.keys(Settings::default()).rows() {
             let keys: Vec<Key> = row.keys().collect();
-            let known = all.entry(row.id.clone()).or_insert((keys.clone(), row.help));
+            let known = all
+                .entry(row.id.clone())
+                .or_insert((keys.clone(), row.help));
             if keys.len() > known.0.len() {
                 known.0 = keys;
             }

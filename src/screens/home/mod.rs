@@ -11,7 +11,7 @@ use super::{Context, Next, Place, Question, Screen};
 use crate::messages::{Input, Key};
 use crate::physics::{Collision, Disc};
 use crate::widgets::Outcome;
-use crate::widgets::hit::{Layer, Layers, Watch};
+use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// The first screen.
@@ -24,8 +24,8 @@ pub struct Home {
 impl Default for Home {
     /// The first choice, beside a hit at its contact.
     fn default() -> Self {
-        let mut layers = Layers::default();
-        layers.toggle(Layer::Triangle);
+        let mut layers = Overlays::default();
+        layers.toggle(Overlay::Triangle);
         Self {
             list: ListView::default(),
             picture: Watch::new(worked_shot(), None, true).with_layers(layers),

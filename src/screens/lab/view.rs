@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::{Lab, Phase, panel};
 use crate::screens::Context;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup};
+use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Draws the lab.
 pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
@@ -27,17 +27,19 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
         angle: true,
         figures: true,
     };
+    let faces = Face::STRIKER_AND_COIN;
+    let setup = |rays| setup_picture(layout.picture, faces, &collision, given, rays);
     match &lab.phase {
         Phase::Aim => {
-            draw_setup(layout.picture, buf, &look, &collision, given, None);
+            setup(None).draw(buf, &look);
             panel::draw_settings(lab, layout.panel, buf, cx);
         }
         Phase::Predict(rays) => {
-            draw_setup(layout.picture, buf, &look, &collision, given, Some(rays));
+            setup(Some(rays)).draw(buf, &look);
             panel::draw_prediction(lab, rays, layout.panel, buf, cx);
         }
         Phase::Watch(watch) => {
-            watch.draw(layout.picture, buf, &look);
+            watch.picture(layout.picture).draw(buf, &look);
             lab.scroll.draw(layout.panel, buf, look, |lines| {
                 panel::write_shot(lab, watch, lines);
             });

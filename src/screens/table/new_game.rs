@@ -62,7 +62,7 @@ impl NewGame {
         let layout = view::layout(area, false);
         layout.draw(buf, &look, "the pack", "a new game");
         let coins = pack(self.options.set, Seat::South);
-        picture::draw_pack(&coins, self.options.set, layout.picture, buf, &look);
+        picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
         self.form.write(&self.options, &mut lines);
         lines.gap();

@@ -8,7 +8,7 @@ use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup};
+use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
@@ -35,7 +35,8 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
     let layout = layout(area, is_enlarged(active));
     let (title, side_title) = titles(active);
     layout.draw(buf, &look, &title, &side_title);
-    match &active.phase {
+    let area = layout.picture;
+    let picture = match &active.phase {
         TablePhase::Call(calling) => {
             let given = Markings {
                 offset: true,
@@ -43,27 +44,18 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
                 figures: true,
             };
             let collision = &calling.hit.impact.collision;
-            draw_setup(
-                layout.picture,
-                buf,
-                &look,
-                collision,
-                given,
-                Some(&calling.rays),
-            );
+            let rays = Some(&calling.rays);
+            setup_picture(area, Face::STRIKER_AND_COIN, collision, given, rays)
         }
-        TablePhase::Aim => picture::draw_aim(active, layout.picture, buf, &look),
+        TablePhase::Aim => picture::of_aim(active, area),
         TablePhase::Watch(replay) => match replay.player.zoom() {
-            Some(watch) => watch.draw(layout.picture, buf, &look),
-            None => picture::draw_replay(active, replay, layout.picture, buf, &look),
+            Some(watch) => watch.picture(area),
+            None => picture::of_replay(active, replay, area),
         },
-        TablePhase::Arrange(arrange) => {
-            picture::draw_arrange(active, arrange, layout.picture, buf, &look);
-        }
-        TablePhase::Think { .. } | TablePhase::Over => {
-            picture::draw_coins(active, layout.picture, buf, &look);
-        }
-    }
+        TablePhase::Arrange(arrange) => picture::of_arrange(active, arrange, area),
+        TablePhase::Think { .. } | TablePhase::Over => picture::of_coins(active, area),
+    };
+    picture.draw(buf, &look);
     panel::draw(active, layout.panel, buf, cx);
 }
 
