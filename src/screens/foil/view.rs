@@ -6,14 +6,14 @@ use ratatui::layout::Rect;
 use super::{Foil, Page, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Beside, Lines, Look, Role, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
 pub struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
-    pub beside: Beside,
+    pub beside: SplitLayout,
 }
 
 impl FoilLayout {
@@ -31,7 +31,7 @@ impl FoilLayout {
         };
         Self {
             tabs,
-            beside: Beside::new(rest),
+            beside: SplitLayout::new(rest),
         }
     }
 

@@ -19,7 +19,7 @@ use super::{Context, Next, Place, Screen};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Beside, Lines, Role, Scroll};
+use crate::widgets::{Lines, Role, Scroll, SplitLayout};
 use page::Page;
 
 /// What keys do on the progress screen.
@@ -170,11 +170,11 @@ impl Progress {
     }
 }
 
-fn layout(area: Rect) -> Beside {
+fn layout(area: Rect) -> SplitLayout {
     if area.width < NARROW {
-        Beside::with_panel(area, NARROW_PANEL)
+        SplitLayout::with_panel(area, NARROW_PANEL)
     } else {
-        Beside::new(area)
+        SplitLayout::new(area)
     }
 }
 

@@ -7,16 +7,16 @@ use super::active_game::{ActiveGame, TablePhase};
 use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
-use crate::widgets::Beside;
+use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
-pub(super) fn layout(area: Rect, enlarged: bool) -> Beside {
+pub(super) fn layout(area: Rect, enlarged: bool) -> SplitLayout {
     if enlarged {
-        Beside::new(area)
+        SplitLayout::new(area)
     } else {
-        Beside::square(area)
+        SplitLayout::square(area)
     }
 }
 

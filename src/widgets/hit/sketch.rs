@@ -239,7 +239,7 @@ impl Sketch {
                 DVec2::NEG_Y,
             ),
         };
-        // Beside the disc, as after a head-on hit the arrow may be on the other disc.
+        // SplitLayout the disc, as after a head-on hit the arrow may be on the other disc.
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture
