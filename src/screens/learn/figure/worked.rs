@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Shown;
+use super::LiveFigure;
 use crate::physics::Collision;
 use crate::physics::worked::{self, Step};
 use crate::screens::lab::Field;
@@ -26,7 +26,7 @@ pub(super) fn steps(collision: &Collision) -> Vec<Step> {
 /// Draws the step at hand: below the settings, one of which is chosen, if there are
 /// any; with its results left `blank` from a step on, counted from 1.
 pub(super) fn draw(
-    shown: &Shown,
+    shown: &LiveFigure,
     chosen: Option<usize>,
     blank: Option<usize>,
     area: Rect,
