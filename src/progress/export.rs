@@ -140,7 +140,7 @@ pub fn utc(time_s: i64) -> Option<String> {
 pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String> {
     let all = All {
         summary: summary(attempts, calendar),
-        attempts: Rows(attempts),
+        attempts: AttemptRows(attempts),
     };
     serde_json::to_string(&all).map_err(|error| error.to_string())
 }
@@ -148,21 +148,21 @@ pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String>
 #[derive(Serialize)]
 struct All<'a> {
     summary: Value,
-    attempts: Rows<'a>,
+    attempts: AttemptRows<'a>,
 }
 
 /// Attempts, each made ready only when it is written: there may be very many.
-struct Rows<'a>(&'a [Attempt]);
+struct AttemptRows<'a>(&'a [Attempt]);
 
-impl Serialize for Rows<'_> {
+impl Serialize for AttemptRows<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(Row::from))
+        serializer.collect_seq(self.0.iter().map(AttemptRow::from))
     }
 }
 
 /// An attempt as it is written.
 #[derive(Serialize)]
-struct Row<'a> {
+struct AttemptRow<'a> {
     time: Option<String>,
     player: &'a str,
     family: &'a str,
@@ -179,7 +179,7 @@ struct Row<'a> {
     misconception: Option<&'a str>,
 }
 
-impl<'a> From<&'a Attempt> for Row<'a> {
+impl<'a> From<&'a Attempt> for AttemptRow<'a> {
     fn from(attempt: &'a Attempt) -> Self {
         let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
         Self {

@@ -9,7 +9,7 @@ use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
-use carrom::screens::{Old, Place, Settings};
+use carrom::screens::{Hosted, Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ const SEED: u64 = 11;
 
 fn at_the_table(options: Options, settings: Settings) -> Headless {
     let table = Table::playing(options, SEED);
-    Headless::new(App::on(Box::new(Old(table)), settings, 1), 120, 40)
+    Headless::new(App::on(Box::new(Hosted::new(table)), settings, 1), 120, 40)
 }
 
 fn still() -> Settings {
@@ -390,8 +390,13 @@ fn leaving_a_running_game_is_asked_about_once() {
     game.press(" <Enter><Escape>");
     assert!(game.screen().contains("Leave this game?"));
     game.press("x");
+    assert!(
+        game.screen().contains("Leave this game?"),
+        "only an answer counts"
+    );
+    game.press("<Escape>");
     assert!(!game.screen().contains("Leave this game?"));
-    game.press("<Escape><Escape>");
+    game.press("<Escape>y");
     assert!(game.screen().contains("a new game"));
 }
 

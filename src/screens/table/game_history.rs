@@ -10,7 +10,7 @@ use crate::physics::Shot;
 
 /// A game and its record, always in step.
 #[derive(Debug, Clone)]
-pub(super) struct Session {
+pub(super) struct GameHistory {
     record: Record,
     game: Game,
     past: Vec<Past>,
@@ -54,7 +54,7 @@ pub(super) struct Tally {
     pub(super) most: u32,
 }
 
-impl Session {
+impl GameHistory {
     /// A new game.
     pub(super) fn new(setup: GameSetup) -> Self {
         Self {
