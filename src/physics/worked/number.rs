@@ -13,12 +13,12 @@ pub fn number(x: f64) -> String {
 }
 
 /// A number that is 0 where it is rounding noise beside `scale`.
-pub fn beside(x: f64, scale: f64) -> String {
+pub(super) fn beside(x: f64, scale: f64) -> String {
     number(if x.abs() <= NOISE * scale { 0.0 } else { x })
 }
 
 /// A number to be put after an operator: in brackets where it is negative.
-pub fn factor(x: f64, scale: f64) -> String {
+pub(super) fn factor(x: f64, scale: f64) -> String {
     let text = beside(x, scale);
     if text.starts_with('−') {
         format!("({text})")
@@ -28,13 +28,13 @@ pub fn factor(x: f64, scale: f64) -> String {
 }
 
 /// A vector by its components, without the noise beside its own length or `scale`.
-pub fn vector(v: DVec2, scale: f64) -> String {
+pub(super) fn vector(v: DVec2, scale: f64) -> String {
     let scale = scale.max(v.length());
     format!("({}, {})", beside(v.x, scale), beside(v.y, scale))
 }
 
 /// An angle given in radians, in degrees.
-pub fn degrees(angle: f64) -> String {
+pub(super) fn degrees(angle: f64) -> String {
     format!("{}°", beside(angle.to_degrees(), 180.0))
 }
 
