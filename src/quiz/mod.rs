@@ -34,6 +34,6 @@ pub use misconceptions::{Explanation, explain, reasoning};
 pub use question::{
     AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Fit, Form, Grade, Hit,
     Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Pieces, Question, RIGHT_DEG,
-    Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter, words,
+    Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
 };
 pub use rounds::{Code, Course, CourseKind, ENOUGH_ANGLES, Round, Summary, SummaryLine};

@@ -3,6 +3,7 @@
 
 use super::draft::Draft;
 use super::hit_draws::{ALL, HitDraws, NO_LOSS, UNEQUAL, in_short, unmarked, who};
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Collision;
 use crate::physics::ImpactPoint;
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
@@ -12,7 +13,6 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
 use crate::quiz::question::Dice;
-use crate::quiz::question::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Measure, Pieces, Question};
 
 /// Draws a question.

@@ -2,10 +2,10 @@
 
 use std::ops::RangeInclusive;
 
+use crate::numbers::{bare_millimetres, degrees, significant};
 use crate::physics::Disc;
 use crate::physics::ImpactPoint;
 use crate::quiz::question::Dice;
-use crate::quiz::question::words::{bare_millimetres, degrees, significant};
 use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Pieces};
 
 pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];

@@ -3,6 +3,7 @@
 
 use super::draft::Draft;
 use super::hit_draws::{direction_deg, pair, unmarked};
+use crate::numbers::{bare_degrees, degrees, millimetres, significant};
 use crate::physics::ImpactPoint;
 use crate::physics::RestingTarget;
 use crate::physics::resting_target::LargestDeflection;
@@ -15,7 +16,6 @@ use crate::quiz::misconceptions::{
     OFFSET_AS_ANGLE,
 };
 use crate::quiz::question::Dice;
-use crate::quiz::question::words::{bare_degrees, degrees, millimetres, significant};
 use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.

@@ -2,13 +2,13 @@
 
 use super::draft::Draft;
 use super::hit_draws::direction_deg;
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Disc;
 use crate::physics::ImpactPoint;
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
 use crate::quiz::question::Dice;
-use crate::quiz::question::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::question::{
     AimTask, Difficulty, Hit, Illustration, Markings, Pieces, Question, Ray, Topic,
 };

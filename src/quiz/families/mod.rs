@@ -23,7 +23,7 @@ mod separation;
 mod slip_or_stick;
 mod speeds;
 mod weigh;
-pub mod where_to;
+pub(super) mod where_to;
 
 /// How many draws a question may take before a family is given up: a guard against a
 /// family that has nothing clear to ask. A test sees that none needs a twentieth of it.

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use super::draft::Draft;
 use super::hit_draws::{HitDraws, NO_LOSS, UNEQUAL, pair, unmarked};
+use crate::numbers::{degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
 use crate::quiz::misconceptions::reasoning;
@@ -12,7 +13,6 @@ use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
 };
 use crate::quiz::question::Dice;
-use crate::quiz::question::words::{degrees, significant};
 use crate::quiz::question::{Difficulty, Hit, Measure, Question};
 
 /// The choices, in their natural order.

@@ -1,7 +1,7 @@
 //! The one explanation after an answer: first what was wrong with it, then why the true
 //! answer is true.
 
-use crate::quiz::question::words::{degrees, tenths};
+use crate::numbers::{degrees, tenths};
 use crate::quiz::question::{
     Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response,
 };

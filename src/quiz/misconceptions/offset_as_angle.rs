@@ -3,9 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::{Misconception, Prediction};
+use crate::numbers;
 use crate::physics::ImpactPoint;
 use crate::quiz::question::Rays;
-use crate::quiz::question::words;
 
 /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
 pub static OFFSET_AS_ANGLE: Misconception = Misconception {
@@ -28,7 +28,7 @@ pub static OFFSET_AS_ANGLE: Misconception = Misconception {
         format!(
             "You took the offset as a share of 90° and found {}. It gives the sine of the \
              angle.",
-            words::degrees(alpha)
+            numbers::degrees(alpha)
         )
     },
 };

@@ -3,10 +3,11 @@
 use glam::DVec2;
 
 use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, ImpactPoint, Outcome};
+use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 
-use super::words::significant;
-use super::{Pieces, Rays, Topic, words};
+use super::{Pieces, Rays, Topic};
+use crate::numbers;
+use crate::numbers::significant;
 
 /// A hit: the figures as the player reads them. All else follows from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +72,7 @@ impl Hit {
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CollisionOutcome {
         self.collision().outcome()
     }
 
@@ -131,7 +132,7 @@ impl Hit {
 
     /// The distance of the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
-        mm_from_m(self.collision().reach())
+        mm_from_m(self.collision().contact_distance())
     }
 
     /// What it is about: "equal masses, by offset".
@@ -169,13 +170,13 @@ impl Hit {
             _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
             ImpactPoint::Angle { .. } => format!(
                 "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
-                words::degrees(self.alpha().abs())
+                numbers::degrees(self.alpha().abs())
             ),
             ImpactPoint::Offset { offset_mm } => format!(
                 "The {name}'s centre lies {} to the {side} of its path; the two radii \
                  make {} together.",
-                words::millimetres(offset_mm.abs()),
-                words::millimetres(self.reach_mm())
+                numbers::millimetres(offset_mm.abs()),
+                numbers::millimetres(self.reach_mm())
             ),
         };
         let loss = self.loss();

@@ -19,7 +19,6 @@ mod pieces;
 mod question;
 mod rays;
 mod topic;
-pub mod words;
 
 pub use answer::{Answer, Response};
 pub use confidence::Confidence;
@@ -31,7 +30,8 @@ pub use grade::{Grade, RIGHT_DEG, RayGrade, RaysGrade};
 pub use hit::Hit;
 pub use illustration::{Illustration, Markings};
 pub use measure::Measure;
-pub use misconception::{Misconception, Prediction};
+pub use misconception::Misconception;
+pub(super) use misconception::Prediction;
 pub use pieces::Pieces;
 pub use question::{Diagnosis, Fit, MIN_SEPARATION, Question, WrongAnswer};
 pub use rays::{Ray, Rays};
