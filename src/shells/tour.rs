@@ -19,10 +19,26 @@ pub struct Moment {
     place: &'static str,
     /// The keys that lead there, as [`Headless::press`] takes them.
     keys: &'static str,
+    /// Whether letters are typed into a text there.
+    pub types: bool,
 }
 
 const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> Moment {
-    Moment { name, place, keys }
+    Moment {
+        name,
+        place,
+        keys,
+        types: false,
+    }
+}
+
+impl Moment {
+    const fn typing(self) -> Self {
+        Self {
+            types: true,
+            ..self
+        }
+    }
 }
 
 /// Every phase of every screen.
@@ -51,7 +67,7 @@ pub const TOUR: &[Moment] = &[
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
     moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<Enter>"),
-    moment("class, setting up", "class", ""),
+    moment("class, setting up", "class", "").typing(),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
     moment("a level, saying where", "level 4", "<Enter>"),
