@@ -12,7 +12,7 @@ use crate::widgets::input::KeyTable;
 
 /// One moment: where the game is opened, and the keys that lead there from that place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Moment {
+pub struct TourStop {
     /// What it is called.
     pub name: &'static str,
     /// The place, as in the command line: "quiz mixed-7".
@@ -23,8 +23,8 @@ pub struct Moment {
     pub types: bool,
 }
 
-const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> Moment {
-    Moment {
+const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> TourStop {
+    TourStop {
         name,
         place,
         keys,
@@ -32,7 +32,7 @@ const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> 
     }
 }
 
-impl Moment {
+impl TourStop {
     const fn typing(self) -> Self {
         Self {
             types: true,
@@ -42,7 +42,7 @@ impl Moment {
 }
 
 /// Every phase of every screen.
-pub const TOUR: &[Moment] = &[
+pub const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),
     moment("a page of a chapter", "chapter 2", ""),
@@ -91,7 +91,7 @@ pub const TOUR: &[Moment] = &[
     moment("progress", "progress", ""),
 ];
 
-impl Moment {
+impl TourStop {
     /// The game at this moment, on a screen of 80 by 24.
     pub fn game(&self, settings: Settings) -> Headless {
         let (place, rest) = self.place.split_once(' ').unwrap_or((self.place, ""));

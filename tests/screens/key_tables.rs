@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use carrom::messages::{Key, MouseKind};
 use carrom::screens::Settings;
 use carrom::shells::Headless;
-use carrom::shells::tour::{Moment, TOUR, all_keys};
+use carrom::shells::tour::{TOUR, TourStop, all_keys};
 use carrom::widgets::input::Rebound;
 
-fn game(moment: &Moment) -> Headless {
+fn game(moment: &TourStop) -> Headless {
     moment.game(Settings::default())
 }
 
@@ -30,7 +30,7 @@ fn seen(game: &mut Headless) -> String {
 
 /// Whether a key changes anything at a moment, or after one of the moment's other keys:
 /// the mark of a list cannot go up from its first line.
-fn does_something(moment: &Moment, key: Key) -> bool {
+fn does_something(moment: &TourStop, key: Key) -> bool {
     let changes = |before: Option<Key>| {
         let mut game = game(moment);
         if let Some(before) = before {
