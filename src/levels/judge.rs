@@ -5,8 +5,8 @@ use glam::DVec2;
 
 use super::goal::{Goal, GoalCircle, between, between_deg};
 use super::level::Level;
-use super::quantity::Range;
 use super::scene::{Scene, figures, pockets, tidy};
+use crate::files::Range;
 use crate::physics::angle::angle_between;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::physics::{Event, EventKind, Shot, State};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::shelf::Shelf;
-use crate::files::FileError;
+use crate::files::FileErrors;
 
 /// A shelf of things of one kind that are saved again and again, each known by the
 /// ticket of whoever works on it.
@@ -20,7 +20,7 @@ pub(super) struct Drawer<T> {
 }
 
 /// Makes a thing of the bytes of a file of a name.
-type Read<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileError> + Send>;
+type Read<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
 
 /// A thing being worked on.
 struct Open {
@@ -42,7 +42,7 @@ impl<T> Drawer<T> {
     pub(super) fn new(
         shelf: impl Shelf + 'static,
         kind: &'static str,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) -> Self {
         Self {
             shelf: Box::new(shelf),
@@ -56,7 +56,7 @@ impl<T> Drawer<T> {
     /// Has the things made of bytes in another way from now on.
     pub(super) fn read_by(
         &mut self,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) {
         self.read = Box::new(read);
     }
@@ -115,7 +115,7 @@ impl<T> Drawer<T> {
     }
 
     /// The text under a name, and the thing that it makes.
-    fn read(&self, name: &str) -> Result<(String, T), FileError> {
+    fn read(&self, name: &str) -> Result<(String, T), FileErrors> {
         let bytes = self.shelf.read(name)?;
         let thing = (self.read)(&self.shelf.place(name), &bytes)?;
         Ok((String::from_utf8_lossy(&bytes).into_owned(), thing))

@@ -65,6 +65,12 @@ const SCALES: [Scale; 10] = [
 ];
 
 impl Shot {
+    /// The names of its fields in a file.
+    pub fn field_names() -> Vec<&'static str> {
+        let names = SCALES.iter().map(|(name, ..)| *name);
+        names.chain(["stick"]).collect()
+    }
+
     /// Whether a shot has a field of this name.
     pub fn has(field: &str) -> bool {
         field == "stick" || SCALES.iter().any(|(name, ..)| *name == field)
