@@ -5,20 +5,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 use ratatui::widgets::{Clear, Widget};
 
+use super::layer::Layer;
 use super::{App, SMALLEST};
-use crate::screens::{Help, Hint, Screen, Settings};
+use crate::screens::{AnyScreen, Settings};
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Charset, Role, Theme, keys, text};
-
-/// Keys that every screen shares, for the help page.
-const SHARED: [Hint; 6] = [
-    Hint::new("?", "explain this screen"),
-    Hint::new("Esc", "go back"),
-    Hint::new("U or F2", "switch between ASCII and Unicode"),
-    Hint::new("T or F3", "next theme: dark, light, no colour"),
-    Hint::new("M or F4", "reduce motion, or bring it back"),
-    Hint::new("Ctrl+C", "leave carrom"),
-];
 
 /// The part of a screen of this size that belongs to the screen on top.
 pub(super) fn body(size: Rect) -> Rect {
@@ -43,22 +34,28 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     };
     title_line(app, screen.as_ref(), area, buf, &theme);
     screen.draw(body(area), buf, &app.context);
-    match app.help {
-        None => key_line(
-            &screen.keys(&app.context),
-            area,
-            buf,
-            &theme,
-            settings.charset,
-        ),
-        Some(scrolled) => {
-            help_page(app, screen.as_ref(), scrolled, body(area), buf);
-            let hints = [Hint::new("any key", "back"), Hint::new("Up Down", "scroll")];
-            key_line(&hints, area, buf, &theme, settings.charset);
+    screen_keys(app, screen.as_ref(), area, buf);
+    for layer in &app.layers {
+        match layer {
+            Layer::Help { scrolled } => {
+                help_page(app, screen.as_ref(), *scrolled, body(area), buf);
+            }
+            Layer::Notice(words) => show_note("please note", words, settings, area, buf),
+            Layer::Confirm(question) => {
+                show_note("please say", &question.text, settings, area, buf);
+            }
         }
     }
-    if let Some(notice) = &app.notice {
-        show_notice(notice, settings, area, buf);
+    if let Some(layer) = app.layers.last() {
+        let close = match layer {
+            Layer::Help { .. } => Some("back"),
+            Layer::Notice(_) => Some("go on"),
+            Layer::Confirm(_) => None,
+        };
+        let table = layer.keys();
+        let rows = table.rows().iter().map(|row| (row.shown(), row.name));
+        let any = close.map(|close| ("any key".to_owned(), close));
+        key_line(any.into_iter().chain(rows), area, buf, settings);
     }
     if settings.charset == Charset::Ascii {
         keep_ascii(area, buf);
@@ -84,7 +81,7 @@ fn ask_for_room(area: Rect, buf: &mut Buffer, theme: &Theme) {
     }
 }
 
-fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, theme: &Theme) {
     let charset = app.settings().charset;
     let name = format!(" carrom : {}", screen.title());
     let status = [app.keeping(), screen.status(&app.context)].join("  ");
@@ -104,30 +101,65 @@ fn title_line(app: &App, screen: &dyn Screen, area: Rect, buf: &mut Buffer, them
     buf.set_stringn(start, 0, status, room, theme.style(Role::Dim));
 }
 
-/// Shows as many hints as fit whole; `?` always keeps its place at the end.
-fn key_line(hints: &[Hint], area: Rect, buf: &mut Buffer, theme: &Theme, charset: Charset) {
-    let mut pairs: Vec<_> = hints.iter().map(|hint| (hint.key, hint.does)).collect();
-    pairs.push(("?", "help"));
-    let line = keys::key_line(&pairs, area.width, charset, theme);
-    buf.set_line(area.x, area.bottom() - 1, &line, area.width);
+/// The keys of the screen, `?` the last of them.
+fn screen_keys(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer) {
+    let table = screen.table(&app.context);
+    let rows = table.rows().iter().filter(|row| !row.name.is_empty());
+    let rows = rows.map(|row| (row.shown(), row.name));
+    let by_hand = screen.by_hand(&app.context).map(|(hints, _)| hints);
+    let by_hand = by_hand.into_iter().flatten();
+    let by_hand = by_hand.map(|hint| (hint.key.to_owned(), hint.does));
+    let help = table.rows().iter().find(|row| row.id == "everywhere.help");
+    let help = help.map(|row| (row.shown(), "help"));
+    key_line(rows.chain(by_hand).chain(help), area, buf, app.settings());
 }
 
-fn help_lines(help: &Help, width: usize, charset: Charset) -> Vec<(String, Role)> {
+/// Shows as many keys as fit whole; the last always keeps its place.
+fn key_line(
+    keys: impl Iterator<Item = (String, &'static str)>,
+    area: Rect,
+    buf: &mut Buffer,
+    settings: &Settings,
+) {
+    let keys: Vec<_> = keys.filter(|(keys, _)| !keys.is_empty()).collect();
+    let pairs: Vec<_> = keys
+        .iter()
+        .map(|(keys, name)| (keys.as_str(), *name))
+        .collect();
+    let theme = settings.theme();
+    let line = keys::key_line(&pairs, area.width, settings.charset, &theme);
+    let row = Rect::new(area.x, area.bottom() - 1, area.width, 1);
+    Clear.render(row, buf);
+    buf.set_style(row, theme.base());
+    buf.set_line(row.x, row.y, &line, row.width);
+}
+
+fn help_lines(app: &App, screen: &dyn AnyScreen, width: usize) -> Vec<(String, Role)> {
+    let charset = app.settings().charset;
     let mut lines = Vec::new();
-    for paragraph in &help.text {
+    for paragraph in screen.about(&app.context) {
         for line in text::wrap(&charset.text(paragraph), width) {
             lines.push((line, Role::Text));
         }
         lines.push((String::new(), Role::Text));
     }
-    let all = || help.keys.iter().chain(&SHARED);
-    let column = all().map(|hint| text::width(hint.key)).max().unwrap_or(0) + 2;
-    for hint in all() {
-        let does = charset.text(hint.does);
+    let by_hand = screen.by_hand(&app.context).map(|(_, help)| help.keys);
+    let by_hand = by_hand.into_iter().flatten();
+    let by_hand = by_hand.map(|hint| (hint.key.to_owned(), hint.does));
+    let table = screen.table(&app.context);
+    let rows = table.rows().iter().map(|row| (row.shown(), row.help));
+    let all: Vec<_> = by_hand
+        .chain(rows)
+        .filter(|(keys, _)| !keys.is_empty())
+        .collect();
+    let widest = all.iter().map(|(keys, _)| text::width(keys)).max();
+    let column = widest.unwrap_or(0) + 2;
+    for (keys, does) in &all {
+        let does = charset.text(does);
         let wrapped = text::wrap(&does, width.saturating_sub(column).max(8));
         for (i, does) in wrapped.iter().enumerate() {
-            let key = if i == 0 { hint.key } else { "" };
-            lines.push((format!("{key:column$}{does}"), Role::Dim));
+            let keys = if i == 0 { keys.as_str() } else { "" };
+            lines.push((format!("{keys:column$}{does}"), Role::Dim));
         }
     }
     lines
@@ -146,15 +178,11 @@ pub(super) fn help_overflow(app: &App) -> usize {
         return 0;
     };
     let inner = help_area(app.context.body).inner(Margin::new(2, 1));
-    let lines = help_lines(
-        &screen.help(&app.context),
-        inner.width.into(),
-        app.settings().charset,
-    );
+    let lines = help_lines(app, screen.as_ref(), inner.width.into());
     lines.len().saturating_sub(inner.height.into())
 }
 
-fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &mut Buffer) {
+fn help_page(app: &App, screen: &dyn AnyScreen, scrolled: usize, body: Rect, buf: &mut Buffer) {
     let settings = app.settings();
     let theme = settings.theme();
     let area = help_area(body);
@@ -164,11 +192,7 @@ fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &
     let title = format!("help: {}", screen.title());
     draw_panel(buf, area, &title, settings.charset, &theme);
     let inner = area.inner(Margin::new(2, 1));
-    let lines = help_lines(
-        &screen.help(&app.context),
-        inner.width.into(),
-        settings.charset,
-    );
+    let lines = help_lines(app, screen, inner.width.into());
     for (row, (line, role)) in inner.rows().zip(lines.iter().skip(scrolled)) {
         buf.set_stringn(
             row.x,
@@ -180,12 +204,12 @@ fn help_page(app: &App, screen: &dyn Screen, scrolled: usize, body: Rect, buf: &
     }
 }
 
-/// Shows what the player is to be told, at the foot of the body.
-fn show_notice(notice: &str, settings: &Settings, area: Rect, buf: &mut Buffer) {
+/// Shows what the player is told or asked, at the foot of the body.
+fn show_note(title: &str, words: &str, settings: &Settings, area: Rect, buf: &mut Buffer) {
     let theme = settings.theme();
     let body = body(area);
     let width = body.width.min(76);
-    let words = settings.charset.text(notice);
+    let words = settings.charset.text(words);
     // Whatever it says, it leaves something of the screen to be seen.
     let mut lines = text::wrap(&words, width.saturating_sub(4).into());
     lines.truncate(usize::from(body.height / 2).saturating_sub(2));
@@ -198,7 +222,7 @@ fn show_notice(notice: &str, settings: &Settings, area: Rect, buf: &mut Buffer) 
     };
     Clear.render(frame, buf);
     buf.set_style(frame, theme.base());
-    draw_panel(buf, frame, "please note", settings.charset, &theme);
+    draw_panel(buf, frame, title, settings.charset, &theme);
     for (row, line) in frame.inner(Margin::new(2, 1)).rows().zip(&lines) {
         buf.set_stringn(
             row.x,
@@ -208,12 +232,6 @@ fn show_notice(notice: &str, settings: &Settings, area: Rect, buf: &mut Buffer) 
             theme.style(Role::Text),
         );
     }
-    let hint = [("any key", "go on")];
-    let line = keys::key_line(&hint, area.width, settings.charset, &theme);
-    let keys = Rect::new(area.x, area.bottom() - 1, area.width, 1);
-    Clear.render(keys, buf);
-    buf.set_style(keys, theme.base());
-    buf.set_line(keys.x, keys.y, &line, keys.width);
 }
 
 /// The last word on the promise that an ASCII screen holds nothing else: names and

@@ -5,6 +5,7 @@
 //! looks. Nothing here knows a clock, a file, a thread or a global.
 
 mod chrome;
+mod layer;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -15,7 +16,7 @@ use ratatui::layout::Rect;
 
 use crate::lessons::Book;
 use crate::levels::Shelf;
-use crate::messages::{Answer, Done, Effect, Input, Key, Mouse};
+use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
 use crate::screens::foil::Foil;
@@ -26,7 +27,10 @@ use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{Context, Next, Place, Screen, Settings};
+use crate::screens::{AnyScreen, Context, Next, Old, Place, Settings, SharedAction};
+use crate::widgets::Outcome;
+
+use layer::Layer;
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -44,13 +48,11 @@ pub struct Data {
 
 /// The whole game, headless.
 pub struct App {
-    stack: Vec<Box<dyn Screen>>,
+    stack: Vec<Box<dyn AnyScreen>>,
     context: Context,
     size: Rect,
-    /// Lines the help page is scrolled by, while it is open.
-    help: Option<usize>,
-    /// What the player is to be told, until a key is pressed.
-    notice: Option<String>,
+    /// What lies over the screen, the topmost last.
+    layers: Vec<Layer>,
     /// The tickets of what is being kept and takes long.
     saving: BTreeSet<u64>,
     /// How many things could not be kept.
@@ -63,11 +65,10 @@ impl App {
     /// An app that starts at `place`, with Home below it.
     pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
         let mut app = Self {
-            stack: vec![Box::new(Home::default())],
+            stack: vec![Box::new(Old(Home::default()))],
             context: Context::new(settings, seed),
             size: Rect::default(),
-            help: None,
-            notice: None,
+            layers: Vec::new(),
             saving: BTreeSet::new(),
             lost: 0,
             losing: false,
@@ -123,7 +124,7 @@ impl App {
     }
 
     /// An app on a screen of the caller's own, with Home below it.
-    pub fn on(screen: Box<dyn Screen>, settings: Settings, seed: u64) -> Self {
+    pub fn on(screen: Box<dyn AnyScreen>, settings: Settings, seed: u64) -> Self {
         let mut app = Self::new(Place::Home, settings, seed);
         app.stack.push(screen);
         app
@@ -150,7 +151,7 @@ impl App {
             }
             Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Thought(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Searched(_) | Input::Exported(_) => return self.pass_on(input),
             Input::Saving(ticket) => {
                 self.saving.insert(*ticket);
             }
@@ -160,46 +161,48 @@ impl App {
             }
             // Too small to see what a key would do.
             _ if self.too_small() => {}
-            Input::Key(_) if self.notice.is_some() => self.notice = None,
-            _ if self.help.is_some() => return self.update_help(input),
+            Input::Key(key) => return self.press(*key),
             Input::Mouse(mouse) => {
-                if self.in_body(mouse) {
+                if self.layers.is_empty() && self.in_body(mouse) {
                     return self.pass_on(input);
                 }
             }
+            _ if !self.layers.is_empty() => {}
             _ => return self.pass_on(input),
         }
         vec![]
     }
 
     /// Takes what is for no screen alone of what came of a request.
-    fn note(&mut self, answer: &Answer) {
+    fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
-        if answer.notice.is_some() {
-            self.notice.clone_from(&answer.notice);
+        if let Some(notice) = &answer.notice {
+            self.tell(notice.clone());
         }
         match &answer.done {
-            Done::Stars(Ok(stars)) => {
+            StoreReply::Stars(Ok(stars)) => {
                 for starred in stars {
                     self.context.shelf.recall(starred);
                 }
             }
-            Done::Marks(marks) => {
+            StoreReply::Marks(marks) => {
                 let book = &mut self.context.book;
                 book.recall(marks.as_ref().cloned().unwrap_or_default());
             }
             _ => {}
         }
         match &answer.done {
-            Done::Noted(Ok(())) => self.losing = false,
-            Done::Noted(Err(reason)) | Done::Stars(Err(reason)) | Done::Marks(Err(reason)) => {
+            StoreReply::Noted(Ok(())) => self.losing = false,
+            StoreReply::Noted(Err(reason))
+            | StoreReply::Stars(Err(reason))
+            | StoreReply::Marks(Err(reason)) => {
                 if !self.losing {
-                    self.notice = Some(format!(
+                    self.tell(format!(
                         "What you do cannot be kept: {reason}. You can go on all the same."
                     ));
                 }
                 self.losing = true;
-                self.lost += usize::from(matches!(answer.done, Done::Noted(_)));
+                self.lost += usize::from(matches!(answer.done, StoreReply::Noted(_)));
             }
             _ => {}
         }
@@ -231,7 +234,8 @@ impl App {
 
     /// When the app next needs time; `None` while nothing moves.
     pub fn wake(&self) -> Option<Duration> {
-        if self.help.is_some() || self.too_small() {
+        let stands = |layer: &Layer| !matches!(layer, Layer::Notice(_));
+        if self.layers.iter().any(stands) || self.too_small() {
             return None;
         }
         self.stack.last()?.wake(&self.context)
@@ -253,55 +257,63 @@ impl App {
         self.context.body.contains((mouse.column, mouse.row).into())
     }
 
+    /// Tells the player something, over whatever the screen shows, until a key is pressed.
+    fn tell(&mut self, words: String) {
+        self.layers
+            .retain(|layer| !matches!(layer, Layer::Notice(_)));
+        self.layers.push(Layer::Notice(words));
+    }
+
+    /// Gives a key to what lies on top.
+    fn press(&mut self, key: Key) -> Vec<Effect> {
+        let most = chrome::help_overflow(self);
+        let Some(layer) = self.layers.last_mut() else {
+            return self.with_screen(|screen, cx| screen.press(key, cx));
+        };
+        match layer.press(key, most) {
+            Outcome::Ignored | Outcome::Used => vec![],
+            Outcome::Done(agreed) => {
+                self.layers.pop();
+                match agreed {
+                    true => self.with_screen(|screen, cx| screen.confirmed(cx)),
+                    false => vec![],
+                }
+            }
+        }
+    }
+
     fn pass_on(&mut self, input: &Input) -> Vec<Effect> {
+        self.with_screen(|screen, cx| screen.input(input, cx))
+    }
+
+    /// Lets the screen on top do something, and does what follows from it.
+    fn with_screen(
+        &mut self,
+        act: impl FnOnce(&mut dyn AnyScreen, &mut Context) -> Next,
+    ) -> Vec<Effect> {
         let Some(screen) = self.stack.last_mut() else {
             return vec![];
         };
-        let mut effects = match screen.update(input, &mut self.context) {
-            Next::Ignored => self.shared_key(input),
-            next => self.follow(next),
-        };
+        let next = act(screen.as_mut(), &mut self.context);
+        let mut effects = self.follow(next);
         if let Some(told) = self.context.take_told() {
-            self.notice = Some(told);
+            self.tell(told);
         }
         effects.extend(self.context.take_asked());
         effects
     }
 
-    /// Keys that mean the same on every screen that leaves them over.
-    fn shared_key(&mut self, input: &Input) -> Vec<Effect> {
-        let Input::Key(key) = input else {
-            return vec![];
-        };
+    /// Does what means the same on every screen.
+    fn share(&mut self, action: SharedAction) -> Vec<Effect> {
         let settings = &mut self.context.settings;
-        match key {
-            Key::Char('?') | Key::F(1) => self.help = Some(0),
-            Key::Char('U') | Key::F(2) => {
-                settings.charset = settings.charset.other();
-            }
-            Key::Char('T') | Key::F(3) => {
-                settings.palette = settings.palette.next();
-            }
-            Key::Char('M') | Key::F(4) => settings.reduced_motion = !settings.reduced_motion,
-            Key::Escape => return self.follow(Next::Back),
-            _ => {}
+        match action {
+            SharedAction::Help => self.layers.push(Layer::Help { scrolled: 0 }),
+            SharedAction::Charset => settings.charset = settings.charset.other(),
+            SharedAction::Theme => settings.palette = settings.palette.next(),
+            SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
+            SharedAction::Back => return self.follow(Next::Back),
+            SharedAction::Quit => return vec![Effect::Quit],
         }
-        vec![]
-    }
-
-    fn update_help(&mut self, input: &Input) -> Vec<Effect> {
-        let Some(scrolled) = self.help else {
-            return vec![];
-        };
-        let most = chrome::help_overflow(self);
-        self.help = match input {
-            Input::Key(Key::Down) => Some(most.min(scrolled + 1)),
-            Input::Key(Key::PageDown) => Some(most.min(scrolled + 10)),
-            Input::Key(Key::Up) => Some(scrolled.saturating_sub(1)),
-            Input::Key(Key::PageUp) => Some(scrolled.saturating_sub(10)),
-            Input::Key(_) => None,
-            _ => self.help,
-        };
         vec![]
     }
 
@@ -316,39 +328,41 @@ impl App {
             Next::Back => {
                 self.stack.pop();
                 if self.stack.is_empty() {
-                    self.stack.push(Box::new(Home::default()));
+                    self.stack.push(Box::new(Old(Home::default())));
                     return vec![Effect::Quit];
                 }
             }
+            Next::Confirm(question) => self.layers.push(Layer::Confirm(question)),
+            Next::Shared(action) => return self.share(action),
             Next::Quit => return vec![Effect::Quit],
         }
         vec![]
     }
 
     fn open(&mut self, place: Place) {
-        let screen: Box<dyn Screen> = match place {
-            Place::Home => Box::new(Home::default()),
-            Place::Lab => Box::new(Lab::default()),
-            Place::LabOf { setup } => Box::new(Lab::of(setup)),
-            Place::Learn => Box::new(Contents::new(&mut self.context)),
+        let screen: Box<dyn AnyScreen> = match place {
+            Place::Home => Box::new(Old(Home::default())),
+            Place::Lab => Box::new(Old(Lab::default())),
+            Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
+            Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
             Place::Chapter { number } => match Reading::new(number, &mut self.context) {
-                Some(reading) => Box::new(reading),
+                Some(reading) => Box::new(Old(reading)),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Quiz::new(code)),
-            Place::Quiz { code: None } => Box::new(Choosing::ask(&mut self.context)),
-            Place::Levels => Box::new(Levels::new(&mut self.context)),
+            Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
+            Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
+            Place::Levels => Box::new(Old(Levels::new(&mut self.context))),
             Place::Level { number } => match Play::new(number, &mut self.context) {
-                Some(play) => Box::new(play),
+                Some(play) => Box::new(Old(play)),
                 None => return,
             },
             Place::Class { code, teams } => {
-                Box::new(Class::new(code.as_ref(), teams, &self.context))
+                Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
             }
-            Place::Foil => Box::new(Foil::default()),
-            Place::FoilAt { page } => Box::new(Foil::at(page)),
-            Place::Table => Box::new(Table::default()),
-            Place::Progress => Box::new(Progress::ask(&mut self.context)),
+            Place::Foil => Box::new(Old(Foil::default())),
+            Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
+            Place::Table => Box::new(Old(Table::default())),
+            Place::Progress => Box::new(Old(Progress::ask(&mut self.context))),
         };
         self.stack.push(screen);
     }

@@ -1,7 +1,7 @@
 //! The votes of the teams.
 
-use super::Place;
-use crate::quiz::{Answer, Code, Confidence, Diagnosis, Grade, Question, Round, Said};
+use super::ClassPlace;
+use crate::quiz::{Answer, Code, Confidence, Diagnosis, Grade, Question, Response, Round};
 
 /// Which of the two votes on a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,14 +16,14 @@ pub enum Vote {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ballot {
     /// Its first vote, if it gave one.
-    pub first: Option<Said>,
+    pub first: Option<Response>,
     /// Its second vote, if it gave one.
-    pub second: Option<Said>,
+    pub second: Option<Response>,
 }
 
 impl Ballot {
     /// One of its votes.
-    pub fn vote(&self, vote: Vote) -> Option<Said> {
+    pub fn vote(&self, vote: Vote) -> Option<Response> {
         match vote {
             Vote::First => self.first,
             Vote::Second => self.second,
@@ -31,7 +31,7 @@ impl Ballot {
     }
 
     /// The vote that scores: the second, or where there is none the first.
-    pub fn counts(&self) -> Option<Said> {
+    pub fn counts(&self) -> Option<Response> {
         self.second.or(self.first)
     }
 }
@@ -43,7 +43,7 @@ pub struct ClassRound {
     teams: Vec<String>,
     /// A row a question, a ballot a team.
     ballots: Vec<Vec<Ballot>>,
-    place: Place,
+    place: ClassPlace,
 }
 
 impl ClassRound {
@@ -56,7 +56,7 @@ impl ClassRound {
             round,
             teams,
             ballots,
-            place: Place::default(),
+            place: ClassPlace::default(),
         }
     }
 
@@ -76,12 +76,12 @@ impl ClassRound {
     }
 
     /// Where in the round the class is.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> ClassPlace {
         self.place
     }
 
     /// Goes to a place in the round; to one behind the last question it does not.
-    pub fn go(&mut self, place: Place) {
+    pub fn go(&mut self, place: ClassPlace) {
         if place.question < self.questions().len() {
             self.place = place;
         }
@@ -98,8 +98,8 @@ impl ClassRound {
 
     /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
     /// back. A vote of another kind than was asked for is not taken.
-    pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Said>) {
-        let fits = |said: &Said| {
+    pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Response>) {
+        let fits = |said: &Response| {
             self.questions()
                 .get(question)
                 .is_some_and(|question| question.form.distance(said, said) <= 0.0)
@@ -132,13 +132,13 @@ impl ClassRound {
     }
 
     /// How good a vote was; `None` where none was given.
-    pub fn grade(&self, question: usize, said: Option<Said>) -> Option<Grade> {
+    pub fn grade(&self, question: usize, said: Option<Response>) -> Option<Grade> {
         let question = self.questions().get(question)?;
         Some(Grade::new(question, &unsure(said?)))
     }
 
     /// The misconception that a vote fits.
-    pub fn diagnose(&self, question: usize, said: Option<Said>) -> Option<Diagnosis> {
+    pub fn diagnose(&self, question: usize, said: Option<Response>) -> Option<Diagnosis> {
         self.questions().get(question)?.diagnose(&unsure(said?))
     }
 
@@ -152,6 +152,6 @@ impl ClassRound {
 }
 
 /// A vote as an answer, with the confidence that changes nothing about its credit.
-fn unsure(said: Said) -> Answer {
+fn unsure(said: Response) -> Answer {
     Answer::new(said, Confidence::ThinkSo)
 }

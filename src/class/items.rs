@@ -5,7 +5,7 @@ use crate::quiz::{Misconception, misconceptions};
 
 /// What a question showed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Item {
+pub struct ItemAnalysis {
     /// The question, counted from 0.
     pub question: usize,
     /// How many teams voted on it first, and after talking; a team that did not change
@@ -34,12 +34,12 @@ pub struct Spread {
 }
 
 /// What the first `asked` questions showed.
-pub fn items(round: &ClassRound, asked: usize) -> Vec<Item> {
+pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
     let asked = asked.min(round.questions().len());
     (0..asked).map(|i| item(round, i, asked)).collect()
 }
 
-fn item(round: &ClassRound, question: usize, asked: usize) -> Item {
+fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
     let teams = 0..round.teams().len();
     let said = |vote: Vote| {
         teams.clone().filter_map(move |team| {
@@ -64,7 +64,7 @@ fn item(round: &ClassRound, question: usize, asked: usize) -> Item {
         .collect();
     // Of equals the first: the sort keeps their order.
     counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-    Item {
+    ItemAnalysis {
         question,
         votes: grades.each_ref().map(Vec::len),
         right: grades.each_ref().map(|grades| {

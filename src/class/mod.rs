@@ -14,8 +14,8 @@ mod step;
 mod tables;
 
 pub use ballot::{Ballot, ClassRound, Vote};
-pub use items::{Item, Spread, items};
+pub use items::{ItemAnalysis, Spread, items};
 pub use names::{LONGEST_NAME, MOST_TEAMS, NameTrouble, team_names};
 pub use scores::{Standing, standings};
-pub use step::{Place, Step};
+pub use step::{ClassPlace, ClassStep};
 pub use tables::{answers_csv, items_csv};

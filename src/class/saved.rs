@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Ballot, ClassRound, Place, Step, Vote, team_names};
+use super::{Ballot, ClassPlace, ClassRound, ClassStep, Vote, team_names};
 use crate::files::{Fields, FileErrors, Source};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, CourseKind, Question, Said};
+use crate::quiz::{Code, CourseKind, Question, Response};
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -53,7 +53,7 @@ impl ClassRound {
     pub fn text(&self) -> Result<String, String> {
         let votes = |question: usize, vote: Vote| {
             let said = |team| self.ballot(question, team).vote(vote);
-            let text = |team| said(team).map(Said::to_text).unwrap_or_default();
+            let text = |team| said(team).map(Response::to_text).unwrap_or_default();
             (0..self.teams().len()).map(text).collect()
         };
         let written = Written {
@@ -134,10 +134,10 @@ impl ClassRound {
             let expected = format!("the number of a question, 1 to {}", last + 1);
             Some(fields.whole(name, &expected, 1..=last + 1)? - 1)
         });
-        let step = fields.or("step", Step::default(), |name| {
-            fields.word(name, &Step::ALL.map(|step| (step.id(), step)))
+        let step = fields.or("step", ClassStep::default(), |name| {
+            fields.word(name, &ClassStep::ALL.map(|step| (step.id(), step)))
         });
-        round.go(Place {
+        round.go(ClassPlace {
             question: question?,
             step: step?,
         });
@@ -156,7 +156,7 @@ impl ClassRound {
         if text.is_empty() {
             return Ok(());
         }
-        let said = Said::parse(text);
+        let said = Response::parse(text);
         self.vote(question, team, vote, said);
         if said.is_none() || self.ballot(question, team).vote(vote) != said {
             return Err(format!(

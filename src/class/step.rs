@@ -2,7 +2,7 @@
 
 /// A step of a question, in their order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
-pub enum Step {
+pub enum ClassStep {
     /// The question is read out.
     #[default]
     Describe,
@@ -20,7 +20,7 @@ pub enum Step {
     Scores,
 }
 
-impl Step {
+impl ClassStep {
     /// All of them, in order.
     pub const ALL: [Self; 7] = [
         Self::Describe,
@@ -63,9 +63,9 @@ impl Step {
 
 /// Where in a round a class is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Place {
+pub struct ClassPlace {
     /// The question, counted from 0.
     pub question: usize,
     /// The step of that question.
-    pub step: Step,
+    pub step: ClassStep,
 }

@@ -3,7 +3,7 @@
 use super::{ClassRound, Vote, items};
 use crate::physics::units::deg_from_rad;
 use crate::progress::table;
-use crate::quiz::Said;
+use crate::quiz::Response;
 
 /// A row a team and question: both votes, the truth, how good they were.
 ///
@@ -58,7 +58,7 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
 
 /// A vote, whether it was right, its credit, how far off it was, the misconception; five
 /// empty cells where there is none.
-fn judged(round: &ClassRound, question: usize, said: Option<Said>) -> [String; 5] {
+fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [String; 5] {
     let words = said.and_then(|said| Some(round.questions().get(question)?.form.words(&said)));
     let grade = round.grade(question, said);
     let diagnosis = round.diagnose(question, said);

@@ -10,7 +10,7 @@ use super::play::any_seed;
 use super::{Failure, Options};
 use crate::physics::worked::Step;
 use crate::quiz::Code;
-use crate::shells::plain::{self, Keeper, Leave, Talk};
+use crate::shells::plain::{self, Leave, Recorder, Talk};
 
 /// A round of the quiz.
 pub(super) fn quiz(code: Option<&Code>, options: &Options) -> Result<ExitCode, Failure> {
@@ -60,11 +60,11 @@ pub(super) fn advise(message: &mut clap::Error) {
 
 fn with_keeper(
     options: &Options,
-    run: impl FnOnce(&mut Talk, &mut Keeper) -> Result<(), Leave>,
+    run: impl FnOnce(&mut Talk, &mut Recorder) -> Result<(), Leave>,
 ) -> Result<ExitCode, Failure> {
     let mut store = options.store();
     let player = options.player_name();
-    talk(|talk| run(talk, &mut Keeper::new(&player, &mut store)))
+    talk(|talk| run(talk, &mut Recorder::new(&player, &mut store)))
 }
 
 /// A talk over standard input and output. To leave it early is no failure.

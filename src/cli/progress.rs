@@ -8,7 +8,7 @@ use anyhow::anyhow;
 
 use super::{Failure, Options, print, written};
 use crate::files::{Document, escape_control_lines};
-use crate::messages::{Done, Request, Wish};
+use crate::messages::{StoreCall, StoreReply, StoreRequest};
 use crate::paper::report::{Report, Sources};
 use crate::progress::{csv, json};
 use crate::store::Store;
@@ -75,18 +75,18 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let player = options.player_name();
     let history = match ask(
         &mut store,
-        Wish::Recall((!args.everyone).then(|| player.clone())),
+        StoreRequest::Recall((!args.everyone).then(|| player.clone())),
     ) {
-        Done::Recalled(recalled) => recalled.map_err(|reason| anyhow!(reason))?,
+        StoreReply::Recalled(recalled) => recalled.map_err(|reason| anyhow!(reason))?,
         _ => return Err(anyhow!("the answers could not be looked up").into()),
     };
     if let Some(file) = &args.report {
-        let stars = match ask(&mut store, Wish::Stars(player.clone())) {
-            Done::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
+        let stars = match ask(&mut store, StoreRequest::Stars(player.clone())) {
+            StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
             _ => return Err(anyhow!("the stars could not be looked up").into()),
         };
-        let marks = match ask(&mut store, Wish::Marks(player.clone())) {
-            Done::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
+        let marks = match ask(&mut store, StoreRequest::Marks(player.clone())) {
+            StoreReply::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
             _ => return Err(anyhow!("the bookmarks could not be looked up").into()),
         };
         let (shelf, book) = (options.shelf(), options.book());
@@ -111,8 +111,8 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
 }
 
 /// What the store has to say, after what the player should know of it.
-fn ask(store: &mut Store, wish: Wish) -> Done {
-    let answer = store.answer(&Request { ticket: 0, wish });
+fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
+    let answer = store.answer(&StoreCall { ticket: 0, wish });
     if let Some(notice) = answer.notice {
         eprintln!("carrom: {}", escape_control_lines(&notice));
     }

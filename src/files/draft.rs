@@ -92,7 +92,7 @@ pub fn is_there(path: &Path) -> bool {
 ///
 /// # Errors
 /// If that cannot be done.
-pub fn settle(folder: &Path) -> io::Result<()> {
+pub fn fsync_dir(folder: &Path) -> io::Result<()> {
     // Only Unix lets a folder be opened; elsewhere the rename has to do.
     #[cfg(unix)]
     File::open(folder)?.sync_all()?;

@@ -274,12 +274,12 @@ impl<'a> Fields<'a> {
         Some(tables.into_iter().map(|it| it.only(known)).collect())
     }
 
-    /// The tables in this one, whose names are free, with these names.
-    pub(crate) fn named_tables(&self, known: &[&'static str]) -> Vec<(&'a str, Self)> {
+    /// The tables in this one, whose names are free, each with its name.
+    pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
         let names = self.table.keys().map(|key| key.get_ref().as_ref());
-        names
-            .filter_map(|name| Some((name, self.table(name, known)?)))
-            .collect()
+        all(names
+            .map(|name| Some((name, self.table(name, known)?)))
+            .collect())
     }
 
     fn inner(&self, name: &str, value: Value<'a>) -> Option<Self> {

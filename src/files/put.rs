@@ -45,12 +45,12 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
     let mut streams = Vec::new();
     for (path, text) in documents {
         let failed = |error| Unwritten::Failed(path.clone(), error);
-        match kind(path).map_err(failed)? {
-            Kind::Stream => streams.push((path, text)),
-            Kind::There if existing == Existing::Stay => {
+        match target(path).map_err(failed)? {
+            Target::Stream => streams.push((path, text)),
+            Target::There if existing == Existing::Stay => {
                 return Err(Unwritten::There(path.clone()));
             }
-            Kind::There | Kind::Free => {
+            Target::There | Target::Free => {
                 // The file that a link leads to is the one that is meant.
                 let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
                 let folder = folder(&place);
@@ -79,7 +79,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
 }
 
 /// What is at a place where a document is to be.
-enum Kind {
+enum Target {
     /// Nothing.
     Free,
     /// Something that would have to go.
@@ -88,13 +88,13 @@ enum Kind {
     Stream,
 }
 
-fn kind(path: &Path) -> io::Result<Kind> {
+fn target(path: &Path) -> io::Result<Target> {
     match fs::metadata(path) {
         Ok(about) if about.is_dir() => Err(io::Error::other("expected a file, found a folder")),
-        Ok(about) if about.is_file() => Ok(Kind::There),
-        Ok(_) => Ok(Kind::Stream),
-        Err(_) if is_there(path) => Ok(Kind::There),
-        Err(_) => Ok(Kind::Free),
+        Ok(about) if about.is_file() => Ok(Target::There),
+        Ok(_) => Ok(Target::Stream),
+        Err(_) if is_there(path) => Ok(Target::There),
+        Err(_) => Ok(Target::Free),
     }
 }
 

@@ -124,6 +124,14 @@ impl<'a> Source<'a> {
         self.errors.borrow_mut().clear();
     }
 
+    /// What was made of a line, or its message noted.
+    pub(crate) fn accept<T>(&self, line: usize, made: Result<T, String>) -> Option<T> {
+        match made {
+            Ok(made) => Some(made),
+            Err(message) => self.refuse(line, message),
+        }
+    }
+
     /// Takes over what was found wrong with a [part](Self::part).
     pub(crate) fn absorb(&self, part: Self) {
         let mut errors = self.errors.borrow_mut();

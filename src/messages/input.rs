@@ -1,6 +1,6 @@
 //! What a shell tells the app.
 
-use super::{Answer, Key, Thought};
+use super::{Key, SearchResult, StoreAnswer};
 
 /// One thing that happened outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,13 +13,13 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// What came of an [`Effect::Think`](super::Effect::Think).
-    Thought(Box<Thought>),
+    /// What came of an [`Effect::Search`](super::Effect::Search).
+    Searched(Box<SearchResult>),
     /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; what comes of
     /// it is still to come.
     Saving(u64),
     /// What came of an [`Effect::Keep`](super::Effect::Keep).
-    Kept(Box<Answer>),
+    Kept(Box<StoreAnswer>),
     /// What came of an [`Effect::Export`](super::Effect::Export): where the file is,
     /// or why there is none.
     Exported(Result<String, String>),

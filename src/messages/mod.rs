@@ -6,12 +6,12 @@
 
 mod effect;
 mod input;
-mod keeping;
 mod key;
-mod thought;
+mod search;
+mod store;
 
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
-pub use keeping::{Answer, Done, History, Kept, KeptRound, Request, Wish};
 pub use key::Key;
-pub use thought::{Found, Task, Thought, Wanted};
+pub use search::{Found, SearchResult, SearchTask, Wanted};
+pub use store::{History, Kept, KeptGame, StoreAnswer, StoreCall, StoreReply, StoreRequest};

@@ -45,7 +45,7 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
         .iter()
         .filter(|topic| topic.mastery() != Mastery::Solid)
         .min_by(|a, b| {
-            let share = |topic: &super::Topic| topic.lately.share_right().unwrap_or(1.0);
+            let share = |topic: &super::TopicStanding| topic.lately.share_right().unwrap_or(1.0);
             share(a).total_cmp(&share(b))
         });
     match weakest {

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Said};
+use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Response};
 
 /// The family of all questions that chapters ask.
 pub const LESSON: &str = "lesson";
@@ -66,7 +66,7 @@ impl Attempt {
             time_s: None,
             player: player.to_owned(),
             family: question.family.id().to_owned(),
-            topic: question.topic.clone(),
+            topic: question.topic.name(),
             seed: code.seed,
             number,
             question: Value::Object(figures).to_string(),
@@ -86,7 +86,7 @@ impl Attempt {
     /// names in files; none where that was not noted.
     pub(super) fn could_show(&self) -> Vec<&str> {
         serde_json::from_str(&self.question)
-            .map_or_else(|_| Vec::new(), |it: Figures| it.misconceptions)
+            .map_or_else(|_| Vec::new(), |it: StoredFigures| it.misconceptions)
     }
 
     /// Whether the player was sure, and wrong: what is worth most attention.
@@ -100,17 +100,17 @@ const MISCONCEPTIONS: &str = "misconceptions";
 
 /// What of the figures of a question is read again.
 #[derive(Deserialize)]
-struct Figures<'a> {
+struct StoredFigures<'a> {
     #[serde(borrow, default)]
     misconceptions: Vec<&'a str>,
 }
 
 /// What is said to a question, with the units in the names.
-fn said(form: &Form, said: &Said) -> Value {
+fn said(form: &Form, said: &Response) -> Value {
     match (form, said) {
-        (_, Said::Rays(rays)) => rays.json(),
-        (Form::Number { quantity, .. }, Said::Number(x)) => json!({ quantity.id(): x }),
-        (_, Said::Shot(offset)) => json!({ "offset_mm": mm_from_m(*offset) }),
+        (_, Response::Rays(rays)) => rays.json(),
+        (Form::Number { quantity, .. }, Response::Number(x)) => json!({ quantity.id(): x }),
+        (_, Response::Shot(offset)) => json!({ "offset_mm": mm_from_m(*offset) }),
         _ => json!({ "choice": form.words(said) }),
     }
 }
@@ -118,11 +118,11 @@ fn said(form: &Form, said: &Said) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quiz::{Given, Hit, Pieces, Ray, Rays};
+    use crate::quiz::{Hit, Pieces, Placement, Ray, Rays};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
-        given: Given::Angle { alpha_deg: 30.0 },
+        given: Placement::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
         speed: 4.0,
         direction_deg: 90.0,
@@ -134,7 +134,7 @@ mod tests {
     }
 
     fn noted(rays: Rays, confidence: Confidence) -> Attempt {
-        let answer = Answer::new(Said::Rays(rays), confidence);
+        let answer = Answer::new(Response::Rays(rays), confidence);
         let code = Code::parse("7").unwrap();
         Attempt::of_quiz("Ada", &code, 3, &Question::from(&HIT), &answer)
     }

@@ -9,18 +9,18 @@ use crate::quiz::Misconception;
 /// A misconception that answers fitted, in the first half of all attempts and in the
 /// second, which is the larger one by one where there is an odd number of attempts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Belief {
+pub struct HeldBelief {
     /// Which.
     pub misconception: &'static Misconception,
     /// In the first half.
-    pub before: Shown,
+    pub before: Occurrence,
     /// In the second.
-    pub since: Shown,
+    pub since: Occurrence,
 }
 
 /// How often a misconception showed itself, of how often it could have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Shown {
+pub struct Occurrence {
     /// How many answers fitted it.
     pub times: usize,
     /// How many questions could have shown it.
@@ -28,7 +28,7 @@ pub struct Shown {
 }
 
 /// "2 of 5"; "-" where it was never asked.
-impl fmt::Display for Shown {
+impl fmt::Display for Occurrence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self { asked: 0, .. } => f.pad("-"),
@@ -71,7 +71,7 @@ impl Trend {
     }
 }
 
-impl Belief {
+impl HeldBelief {
     /// How many answers fitted it.
     pub fn count(&self) -> usize {
         self.before.times + self.since.times
@@ -95,12 +95,12 @@ impl Belief {
 
 /// All misconceptions that were held, the one held most since the middle first. Those
 /// that this carrom does not know are left out.
-pub fn beliefs(attempts: &[Attempt]) -> Vec<Belief> {
+pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let held: Vec<_> = attempts
         .iter()
         .map(|it| it.misconception.as_deref())
         .collect();
-    let mut shown: HashMap<&str, [Shown; 2]> = held
+    let mut shown: HashMap<&str, [Occurrence; 2]> = held
         .iter()
         .flatten()
         .map(|id| (*id, Default::default()))
@@ -124,7 +124,7 @@ pub fn beliefs(attempts: &[Attempt]) -> Vec<Belief> {
     let mut beliefs: Vec<_> = crate::quiz::misconceptions::all()
         .filter_map(|misconception| {
             let [before, since] = *shown.get(misconception.id)?;
-            Some(Belief {
+            Some(HeldBelief {
                 misconception,
                 before,
                 since,
@@ -223,7 +223,7 @@ mod tests {
             ..attempt("a", 20.0)
         };
         let found = beliefs(&[old, attempt("a", 1.0)]);
-        assert_eq!(found[0].before, Shown { times: 1, asked: 1 });
+        assert_eq!(found[0].before, Occurrence { times: 1, asked: 1 });
         assert_eq!(found[0].trend(), Trend::NotMet);
     }
 }

@@ -1,7 +1,7 @@
 //! What is due of the quiz.
 
 use super::{Attempt, LESSON, Review, reviews};
-use crate::quiz::{Course, CourseKind, Family};
+use crate::quiz::{Course, CourseKind, Family, Topic};
 
 /// What is due of the quiz, and what comes next. What chapters asked is not of it: they
 /// say themselves what they ask again.
@@ -39,7 +39,14 @@ impl Due {
 
     /// A review, if anything is due.
     pub fn course(&self) -> Option<CourseKind> {
-        (!self.now.is_empty()).then(|| CourseKind::Review(self.now.clone()))
+        (!self.now.is_empty()).then(|| {
+            let topics = self.now.iter();
+            CourseKind::Review(
+                topics
+                    .map(|name| Topic::from_name_before_ids(name))
+                    .collect(),
+            )
+        })
     }
 }
 
@@ -52,7 +59,10 @@ impl Review {
 
     /// Whether the quiz can ask about it.
     fn is_of_quiz(&self) -> bool {
-        Family::with_id(&self.family).is_some() && !Family::asking(&self.topic).is_empty()
+        Family::with_id(&self.family).is_some()
+            && !Topic::from_name_before_ids(&self.topic)
+                .families()
+                .is_empty()
     }
 }
 
@@ -90,6 +100,7 @@ mod tests {
         assert_eq!(found.now, topics);
         let next = ("counts at two angles".into(), "in 1 day".into());
         assert_eq!(found.next, Some(next));
+        let topics = ["equal-masses-by-offset", "equal-masses"].map(Topic::with_id);
         assert_eq!(found.course(), Some(CourseKind::Review(topics.to_vec())));
         let none = due(&[known]);
         assert!(none.course().is_none() && none.next.is_some());

@@ -3,8 +3,8 @@
 //! An [`Attempt`] is one answer with all that is known of it, whatever asked for it.
 //! Everything else here is worked out from the attempts of a player, in the order in
 //! which they were made, and never stored: a [`Tally`] of any of them, how each
-//! [`Topic`] stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
-//! together, which [`Belief`]s were held and whether they fade, what is [`Due`] for
+//! [`TopicStanding`] stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
+//! together, which [`HeldBelief`]s were held and whether they fade, what is [`Due`] for
 //! [`review`](reviews), and what to do next.
 
 mod advice;
@@ -20,10 +20,10 @@ pub mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
-pub use beliefs::{Belief, Shown, Trend, beliefs};
+pub use beliefs::{HeldBelief, Occurrence, Trend, beliefs};
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
 pub use due::Due;
 pub use export::{csv, json, table, utc};
 pub use schedule::{DAY_S, Review, reviews};
 pub use tally::{Tally, ends_deg, smoothed_errors_deg};
-pub use topics::{LATELY, Mastery, Topic, topics};
+pub use topics::{LATELY, Mastery, TopicStanding, topics};

@@ -9,7 +9,7 @@ pub const LATELY: usize = 5;
 
 /// A topic, and what was done with it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Topic {
+pub struct TopicStanding {
     /// Its name: "equal masses, by offset".
     pub name: String,
     /// All attempts at it.
@@ -68,7 +68,7 @@ impl Mastery {
     }
 }
 
-impl Topic {
+impl TopicStanding {
     /// What was done with these attempts, under this name.
     pub fn of<'a>(name: &str, attempts: impl IntoIterator<Item = &'a Attempt>) -> Self {
         let all: Vec<_> = attempts.into_iter().collect();
@@ -95,7 +95,7 @@ impl Topic {
 }
 
 /// All topics that were ever met, in the order in which they first were.
-pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<Topic> {
+pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<TopicStanding> {
     let mut places: HashMap<&str, usize> = HashMap::new();
     let mut met: Vec<(&str, Vec<&Attempt>)> = Vec::new();
     for attempt in attempts {
@@ -107,7 +107,7 @@ pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<Topic>
         }
     }
     met.into_iter()
-        .map(|(name, of_it)| Topic::of(name, of_it))
+        .map(|(name, of_it)| TopicStanding::of(name, of_it))
         .collect()
 }
 
@@ -148,7 +148,7 @@ mod tests {
         ] {
             let errors = std::iter::repeat_n(0.0, right).chain(std::iter::repeat_n(20.0, wrong));
             let attempts: Vec<_> = errors.map(|error| attempt("a", error)).collect();
-            let found = Topic::of("a", &attempts).mastery();
+            let found = TopicStanding::of("a", &attempts).mastery();
             assert_eq!(found, mastery, "{right} right, {wrong} wrong");
         }
     }

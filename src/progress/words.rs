@@ -1,4 +1,4 @@
-//! Figures in words.
+//! StoredFigures in words.
 
 /// "1 answer", "7 answers".
 pub fn answers(count: usize) -> String {

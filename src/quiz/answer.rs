@@ -6,10 +6,10 @@ use super::{Confidence, Rays};
 
 /// What is said to a question, in the way it asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Said {
+pub enum Response {
     /// Where the two will go.
     Rays(Rays),
-    /// A number, in the unit of its [`Quantity`](super::Quantity).
+    /// A number, in the unit of its [`Measure`](super::Measure).
     Number(f64),
     /// One of the choices, counted from 0.
     Choice(usize),
@@ -17,7 +17,7 @@ pub enum Said {
     Shot(f64),
 }
 
-impl Said {
+impl Response {
     /// The text with which it is kept: "rays 60 still", "number 2.1", "choice 2" (from
     /// 1), "shot 15" (angles in degrees, the offset in millimetres).
     pub fn to_text(self) -> String {
@@ -64,14 +64,14 @@ const STILL: &str = "still";
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
     /// What is said.
-    pub said: Said,
+    pub said: Response,
     /// How sure the player is.
     pub confidence: Confidence,
 }
 
 impl Answer {
     /// An answer.
-    pub const fn new(said: Said, confidence: Confidence) -> Self {
+    pub const fn new(said: Response, confidence: Confidence) -> Self {
         Self { said, confidence }
     }
 }
@@ -89,10 +89,10 @@ mod tests {
             "choice 2",
             "shot -15.5",
         ] {
-            let said = Said::parse(text).unwrap_or_else(|| panic!("{text}"));
-            assert_eq!(Said::parse(&said.to_text()), Some(said), "{text}");
+            let said = Response::parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(Response::parse(&said.to_text()), Some(said), "{text}");
         }
-        assert_eq!(Said::Choice(0).to_text(), "choice 1");
+        assert_eq!(Response::Choice(0).to_text(), "choice 1");
     }
 
     #[test]
@@ -112,7 +112,7 @@ mod tests {
             "choice  1",
             "ray 1 2",
         ] {
-            assert_eq!(Said::parse(text), None, "{text}");
+            assert_eq!(Response::parse(text), None, "{text}");
         }
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::concepts::Library;
-use super::{Family, families};
+use super::{Family, Topic, families};
 
 /// What a round is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +32,7 @@ pub enum CourseKind {
     Topic(Family),
     /// A question about each of these topics, because they are due, the longest due
     /// first; where they are many, about the first of them.
-    Review(Vec<String>),
+    Review(Vec<Topic>),
     /// Written questions that are not in the program: a teacher's own. In a code that
     /// was only just read there are none yet: [`Code::with_own`] gives them.
     Own(Arc<Library>),

@@ -2,7 +2,7 @@
 //! answer is true.
 
 use super::words::{degrees, tenths};
-use super::{Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Said};
+use super::{Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response};
 
 /// An explanation, to be shown as a title over a text.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,8 +38,8 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
 fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
     let form = &question.form;
     match (form, &answer.said) {
-        (Form::Rays { truth, target, .. }, Said::Rays(said)) => rays_off(said, truth, target),
-        (Form::Shot(aim), Said::Shot(offset)) => {
+        (Form::Rays { truth, target, .. }, Response::Rays(said)) => rays_off(said, truth, target),
+        (Form::Shot(aim), Response::Shot(offset)) => {
             let disc = match aim.ray {
                 Ray::Striker => "striker",
                 Ray::Target => "coin",
@@ -51,7 +51,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             };
             ("off the mark", way)
         }
-        (Form::Choice { .. }, Said::Choice(choice)) => {
+        (Form::Choice { .. }, Response::Choice(choice)) => {
             let reply = question.replies.get(choice).cloned();
             ("not that one", reply.unwrap_or_default())
         }
@@ -111,13 +111,13 @@ fn off(said: &Rays, truth: &Rays, ray: Ray, grade: &RayGrade) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Confidence, Given, Hit, Pieces};
+    use super::super::{Confidence, Hit, Pieces, Placement};
     use super::*;
 
     fn explained(pieces: Pieces, alpha_deg: f64, striker: Option<f64>, target: f64) -> String {
         let question = Question::from(&Hit {
             pieces,
-            given: Given::Angle { alpha_deg },
+            given: Placement::Angle { alpha_deg },
             restitution: 1.0,
             speed: 3.0,
             direction_deg: 0.0,
@@ -126,7 +126,7 @@ mod tests {
             striker: striker.map(f64::to_radians),
             target: Some(target.to_radians()),
         };
-        let answer = Answer::new(Said::Rays(rays), Confidence::Sure);
+        let answer = Answer::new(Response::Rays(rays), Confidence::Sure);
         let explanation = explain(&question, &answer);
         format!("[{}] {}", explanation.title, explanation.text)
     }

@@ -4,7 +4,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::physics::{Collision, Outcome};
 
 use super::words::millimetres;
-use super::{Quantity, Ray, Rays, Said};
+use super::{Measure, Ray, Rays, Response};
 
 /// How a question is answered, with the true answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +21,7 @@ pub enum Form {
     /// By a number.
     Number {
         /// What it measures.
-        quantity: Quantity,
+        quantity: Measure,
         /// The true number, in the quantity's unit.
         truth: f64,
     },
@@ -33,12 +33,12 @@ pub enum Form {
         right: usize,
     },
     /// By setting the offset and shooting.
-    Shot(Aim),
+    Shot(AimTask),
 }
 
 /// A shot that is to send one of the two a given way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Aim {
+pub struct AimTask {
     /// The hit, head-on; its offset is the player's to set.
     pub collision: Collision,
     /// Which of the two has a way to go.
@@ -49,7 +49,7 @@ pub struct Aim {
     pub offset: f64,
 }
 
-impl Aim {
+impl AimTask {
     /// What becomes of the hit with this offset in metres.
     pub fn outcome(&self, offset: f64) -> Outcome {
         self.with(offset).outcome()
@@ -77,21 +77,21 @@ impl Aim {
 
 impl Form {
     /// The true answer.
-    pub fn truth(&self) -> Said {
+    pub fn truth(&self) -> Response {
         match self {
-            Self::Rays { truth, .. } => Said::Rays(*truth),
-            Self::Number { truth, .. } => Said::Number(*truth),
-            Self::Choice { right, .. } => Said::Choice(*right),
-            Self::Shot(aim) => Said::Shot(aim.offset),
+            Self::Rays { truth, .. } => Response::Rays(*truth),
+            Self::Number { truth, .. } => Response::Number(*truth),
+            Self::Choice { right, .. } => Response::Choice(*right),
+            Self::Shot(aim) => Response::Shot(aim.offset),
         }
     }
 
     /// How far an answer is from `truth`, or from what somebody believes, counted in what
     /// still counts as right: 1 is the edge, 0 is the same answer. Infinite where they
     /// are of different kinds.
-    pub fn distance(&self, said: &Said, truth: &Said) -> f64 {
+    pub fn distance(&self, said: &Response, truth: &Response) -> f64 {
         match (self, said, truth) {
-            (Self::Number { quantity, .. }, Said::Number(said), Said::Number(truth)) => {
+            (Self::Number { quantity, .. }, Response::Number(said), Response::Number(truth)) => {
                 quantity.distance(*said, *truth)
             }
             _ => self.spacing(said, truth),
@@ -99,16 +99,16 @@ impl Form {
     }
 
     /// How far apart two answers are, counted in the widest that can count as right: see
-    /// [`Quantity::spacing`].
-    pub fn spacing(&self, a: &Said, b: &Said) -> f64 {
+    /// [`Measure::spacing`].
+    pub fn spacing(&self, a: &Response, b: &Response) -> f64 {
         let angle = |angle: f64| deg_from_rad(angle) / super::grade::RIGHT_DEG;
         match (self, a, b) {
-            (Self::Rays { .. }, Said::Rays(a), Said::Rays(b)) => angle(a.gap(b)),
-            (Self::Number { quantity, .. }, Said::Number(a), Said::Number(b)) => {
+            (Self::Rays { .. }, Response::Rays(a), Response::Rays(b)) => angle(a.gap(b)),
+            (Self::Number { quantity, .. }, Response::Number(a), Response::Number(b)) => {
                 quantity.spacing(*a, *b)
             }
-            (Self::Choice { .. }, Said::Choice(a), Said::Choice(b)) if a == b => 0.0,
-            (Self::Shot(aim), Said::Shot(a), Said::Shot(b)) => {
+            (Self::Choice { .. }, Response::Choice(a), Response::Choice(b)) if a == b => 0.0,
+            (Self::Shot(aim), Response::Shot(a), Response::Shot(b)) => {
                 let [a, b] = [*a, *b].map(|offset| {
                     let outcome = aim.outcome(offset);
                     outcome.hit().then(|| Rays::from(&outcome))
@@ -124,18 +124,18 @@ impl Form {
     }
 
     /// An answer in words, as long as it takes: "striker 60.0° left, coin 30.0° right".
-    pub fn words(&self, said: &Said) -> String {
+    pub fn words(&self, said: &Response) -> String {
         match (self, said) {
-            (Self::Rays { target, .. }, Said::Rays(rays)) => format!(
+            (Self::Rays { target, .. }, Response::Rays(rays)) => format!(
                 "striker {}, {target} {}",
                 Ray::Striker.words(rays.striker),
                 Ray::Target.words(rays.target)
             ),
-            (Self::Number { quantity, .. }, Said::Number(x)) => quantity.print(*x),
-            (Self::Choice { options, .. }, Said::Choice(i)) => {
+            (Self::Number { quantity, .. }, Response::Number(x)) => quantity.print(*x),
+            (Self::Choice { options, .. }, Response::Choice(i)) => {
                 options.get(*i).cloned().unwrap_or_else(|| "-".into())
             }
-            (Self::Shot(_), Said::Shot(offset)) => {
+            (Self::Shot(_), Response::Shot(offset)) => {
                 let length = millimetres(mm_from_m(offset.abs()));
                 match *offset {
                     offset if offset > 0.0 => format!("offset {length} right"),
@@ -149,17 +149,17 @@ impl Form {
 
     /// An answer in at most ten columns, for a table: "60 30", "63.4°", "B", "12.5 mm".
     /// Rays count from the target's side, as the player turns them.
-    pub fn brief(&self, said: &Said) -> String {
+    pub fn brief(&self, said: &Response) -> String {
         match (self, said) {
-            (Self::Rays { side, .. }, Said::Rays(rays)) => {
+            (Self::Rays { side, .. }, Response::Rays(rays)) => {
                 let whole = |ray| match rays.get(ray) {
                     Some(angle) => format!("{:.0}", (side * deg_from_rad(angle)).round() + 0.0),
                     None => "rest".into(),
                 };
                 format!("{:>4}{:>5}", whole(Ray::Striker), whole(Ray::Target))
             }
-            (Self::Choice { .. }, Said::Choice(i)) => letter(*i).to_string(),
-            (Self::Shot(_), Said::Shot(offset)) => {
+            (Self::Choice { .. }, Response::Choice(i)) => letter(*i).to_string(),
+            (Self::Shot(_), Response::Shot(offset)) => {
                 format!("{:.1} mm", mm_from_m(offset.abs()))
             }
             _ => self.words(said),

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use super::quantity::apart_deg;
-use super::{Answer, Confidence, Form, Question, Ray, Rays, Said};
+use super::{Answer, Confidence, Form, Question, Ray, Rays, Response};
 
 /// Up to this error an angle counts as right, in degrees.
 pub const RIGHT_DEG: f64 = 4.0;
@@ -105,19 +105,19 @@ impl Grade {
         let form = &question.form;
         let distance = form.distance(&answer.said, &form.truth());
         let rays = match (form, &answer.said) {
-            (Form::Rays { truth, .. }, Said::Rays(said)) => Some(RaysGrade::new(said, truth)),
+            (Form::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
             _ => None,
         };
         Self {
             credit: rays.map_or_else(|| credit(distance), |rays| rays.credit()),
             right: distance <= 1.0,
             angle_error: match (form, &answer.said) {
-                (Form::Number { quantity, truth }, Said::Number(said))
-                    if *quantity == super::Quantity::Angle =>
+                (Form::Number { quantity, truth }, Response::Number(said))
+                    if *quantity == super::Measure::Angle =>
                 {
                     Some(rad_from_deg(apart_deg(*said, *truth)))
                 }
-                (Form::Shot(aim), Said::Shot(offset)) => aim.error(*offset),
+                (Form::Shot(aim), Response::Shot(offset)) => aim.error(*offset),
                 _ => rays.and_then(|rays| {
                     let errors = [rays.striker.error, rays.target.error];
                     errors.into_iter().flatten().reduce(f64::max)

@@ -6,11 +6,11 @@ use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, Outcome};
 
 use super::words::significant;
-use super::{Pieces, Rays, words};
+use super::{Pieces, Rays, Topic, words};
 
 /// How it is said where the two meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Given {
+pub enum Placement {
     /// By the impact angle α in degrees, positive when the target lies to the right.
     Angle {
         /// α, −90 to 90.
@@ -30,7 +30,7 @@ pub struct Hit {
     /// What meets what.
     pub pieces: Pieces,
     /// Where they meet.
-    pub given: Given,
+    pub given: Placement,
     /// Coefficient of restitution e, 0 to 1.
     pub restitution: f64,
     /// Speed of the striker in m/s.
@@ -46,10 +46,10 @@ impl Hit {
         let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
         let (striker, target) = (self.pieces.striker(), self.pieces.target());
         let collision = match self.given {
-            Given::Angle { alpha_deg } => {
+            Placement::Angle { alpha_deg } => {
                 Collision::at_angle(striker, target, u1, rad_from_deg(alpha_deg))
             }
-            Given::Offset { offset_mm } => {
+            Placement::Offset { offset_mm } => {
                 Collision::at_offset(striker, target, u1, m_from_mm(offset_mm))
             }
         };
@@ -105,27 +105,23 @@ impl Hit {
         mm_from_m(self.collision().reach())
     }
 
-    /// What it is about, in a few words: "equal masses, by offset".
-    pub fn topic(&self) -> String {
+    /// What it is about: "equal masses, by offset".
+    pub fn topic(&self) -> Topic {
         let ratio = self.mass_ratio();
         let pieces = if ratio > 1.0 {
-            "heavier striker"
+            "heavier-striker"
         } else if ratio < 1.0 {
-            "heavier target"
+            "heavier-target"
         } else {
-            "equal masses"
+            "equal-masses"
         };
         let place = match self.given {
-            _ if self.head_on() => ", head-on",
-            Given::Angle { .. } => "",
-            Given::Offset { .. } => ", by offset",
+            _ if self.head_on() => "-head-on",
+            Placement::Angle { .. } => "",
+            Placement::Offset { .. } => "-by-offset",
         };
-        let loss = if self.restitution < 1.0 {
-            ", lossy"
-        } else {
-            ""
-        };
-        format!("{pieces}{place}{loss}")
+        let loss = if self.restitution < 1.0 { "-lossy" } else { "" };
+        Topic::with_id(format!("{pieces}{place}{loss}"))
     }
 
     /// The question where both will go, in words.
@@ -142,11 +138,11 @@ impl Hit {
         let side = self.side_name();
         let place = match self.given {
             _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
-            Given::Angle { .. } => format!(
+            Placement::Angle { .. } => format!(
                 "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
                 words::degrees(self.alpha().abs())
             ),
-            Given::Offset { offset_mm } => format!(
+            Placement::Offset { offset_mm } => format!(
                 "The {name}'s centre lies {} to the {side} of its path; the two radii \
                  make {} together.",
                 words::millimetres(offset_mm.abs()),

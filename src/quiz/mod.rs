@@ -2,7 +2,7 @@
 //!
 //! A [`Round`] is a list of [`Question`]s fixed by a [`Code`]. Each belongs to a
 //! [`Family`], which draws its figures and knows the true answer and what each
-//! [`Misconception`] would answer. The player gives an [`Answer`]: what is [`Said`] in
+//! [`Misconception`] would answer. The player gives an [`Answer`]: what is [`Response`] in
 //! the [`Form`] the question asks for, and how sure they are. [`Grade`] says how good it
 //! is, [`Question::diagnose`] which known misconception it fits, [`explain()`] why the
 //! truth is true, and [`Summary`] looks back over the round.
@@ -33,10 +33,10 @@ mod reasoning;
 mod review;
 mod round;
 mod summary;
-mod topics;
+mod topic;
 pub mod words;
 
-pub use answer::{Answer, Said};
+pub use answer::{Answer, Response};
 pub use confidence::Confidence;
 pub use course::{Code, Course, CourseKind};
 pub use dice::Dice;
@@ -44,15 +44,16 @@ pub use difficulty::Difficulty;
 pub use explain::{Explanation, explain};
 pub use families::where_to::hits;
 pub use family::Family;
-pub use form::{Aim, Form, letter};
+pub use form::{AimTask, Form, letter};
 pub use grade::{Grade, RIGHT_DEG, RayGrade, RaysGrade};
-pub use hit::{Given, Hit};
+pub use hit::{Hit, Placement};
 pub use misconceptions::Misconception;
-pub use picture::{Picture, Shown};
+pub use picture::{Illustration, Markings};
 pub use pieces::Pieces;
-pub use quantity::Quantity;
-pub use question::{Belief, CLEAR, Diagnosis, Fit, Question};
+pub use quantity::Measure;
+pub use question::{Diagnosis, Fit, MIN_SEPARATION, Question, WrongAnswer};
 pub use rays::{Ray, Rays};
 pub use reasoning::reasoning;
 pub use round::Round;
 pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};
+pub use topic::Topic;

@@ -1,12 +1,12 @@
 //! What is seen beside a question.
 
-use super::{Given, Hit};
+use super::{Hit, Placement};
 use crate::physics::Collision;
 use crate::physics::rutherford::Rutherford;
 
 /// What is seen beside a question.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Picture {
+pub enum Illustration {
     /// Nothing: words alone.
     Nothing,
     /// A hit about to happen. Once the answer is given, it does.
@@ -14,7 +14,7 @@ pub enum Picture {
         /// The hit.
         collision: Collision,
         /// What of it is drawn in.
-        shown: Shown,
+        shown: Markings,
     },
     /// A hit that has happened: the ways out, with their angles. Once the answer is
     /// given, it can be watched.
@@ -33,7 +33,7 @@ pub enum Picture {
 
 /// What of a hit's geometry is drawn in, besides the discs and the ways in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Shown {
+pub struct Markings {
     /// The impact parameter, between the two centre lines.
     pub offset: bool,
     /// The line of impact where the two will meet, and α.
@@ -43,10 +43,10 @@ pub struct Shown {
     pub figures: bool,
 }
 
-impl Shown {
+impl Markings {
     /// What a hit is given by, with all figures.
     pub const fn given(hit: &Hit) -> Self {
-        let by_angle = matches!(hit.given, Given::Angle { .. });
+        let by_angle = matches!(hit.given, Placement::Angle { .. });
         Self {
             offset: !by_angle,
             angle: by_angle,
@@ -55,7 +55,7 @@ impl Shown {
     }
 }
 
-impl Picture {
+impl Illustration {
     /// The hit that can be watched once the answer is given.
     pub const fn collision(&self) -> Option<&Collision> {
         match self {

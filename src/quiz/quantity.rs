@@ -11,7 +11,7 @@ const MOST_RESTITUTION: f64 = 0.04;
 /// What a number that is asked for measures: its unit, how it is printed, and how near
 /// is near enough.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Measure {
     /// An angle in degrees.
     Angle,
     /// A share of a whole in percent.
@@ -28,7 +28,7 @@ pub enum Quantity {
     Restitution,
 }
 
-impl Quantity {
+impl Measure {
     /// In words what counts as right: see [`distance`](Self::distance).
     pub const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
         further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
@@ -151,13 +151,13 @@ mod tests {
     #[test]
     fn numbers_are_printed_with_sense() {
         for (quantity, x, text) in [
-            (Quantity::Angle, 63.434_948, "63.4°"),
-            (Quantity::Share, 25.0, "25.0 %"),
-            (Quantity::Speed, 2.121_32, "2.12 m/s"),
-            (Quantity::Mass, 5.5, "5.50 g"),
-            (Quantity::Length, 15.0, "15.0 mm"),
-            (Quantity::Times, 16.0, "16.0 times"),
-            (Quantity::Restitution, 0.5, "0.500"),
+            (Measure::Angle, 63.434_948, "63.4°"),
+            (Measure::Share, 25.0, "25.0 %"),
+            (Measure::Speed, 2.121_32, "2.12 m/s"),
+            (Measure::Mass, 5.5, "5.50 g"),
+            (Measure::Length, 15.0, "15.0 mm"),
+            (Measure::Times, 16.0, "16.0 times"),
+            (Measure::Restitution, 0.5, "0.500"),
         ] {
             assert_eq!(quantity.print(x), text);
         }
@@ -165,37 +165,37 @@ mod tests {
 
     #[test]
     fn near_enough_is_one_and_ratios_count_both_ways_alike() {
-        assert!((Quantity::Angle.distance(64.0, 60.0) - 1.0).abs() < 1e-12);
-        assert!((Quantity::Angle.distance(-179.0, 179.0) - 0.5).abs() < 1e-12);
-        assert!((Quantity::Speed.distance(2.1, 2.0) - 1.0).abs() < 1e-12);
+        assert!((Measure::Angle.distance(64.0, 60.0) - 1.0).abs() < 1e-12);
+        assert!((Measure::Angle.distance(-179.0, 179.0) - 0.5).abs() < 1e-12);
+        assert!((Measure::Speed.distance(2.1, 2.0) - 1.0).abs() < 1e-12);
         let (up, down) = (
-            Quantity::Times.distance(2.0, 1.0),
-            Quantity::Times.distance(0.5, 1.0),
+            Measure::Times.distance(2.0, 1.0),
+            Measure::Times.distance(0.5, 1.0),
         );
         assert!((up - down).abs() < 1e-12);
-        assert!(Quantity::Mass.distance(0.0, 15.0).is_infinite());
-        assert!(Quantity::Mass.distance(-1.0, 15.0).is_infinite());
-        assert!(Quantity::Speed.distance(0.0, 0.0) <= 0.0);
+        assert!(Measure::Mass.distance(0.0, 15.0).is_infinite());
+        assert!(Measure::Mass.distance(-1.0, 15.0).is_infinite());
+        assert!(Measure::Speed.distance(0.0, 0.0) <= 0.0);
     }
 
     #[test]
     fn small_numbers_count_by_themselves_and_large_ones_by_points() {
         for (quantity, said, truth, right) in [
-            (Quantity::Angle, 14.0, 10.2, false),
-            (Quantity::Angle, 11.0, 10.2, true),
-            (Quantity::Angle, -177.0, 180.0, true),
-            (Quantity::Share, 4.0, 6.7, false),
-            (Quantity::Share, 7.0, 6.7, true),
-            (Quantity::Share, 6.0, 6.7, false),
-            (Quantity::Share, 22.0, 25.0, false),
-            (Quantity::Share, 72.0, 75.0, true),
-            (Quantity::Share, 90.0, 93.3, true),
-            (Quantity::Share, 70.5, 75.0, false),
-            (Quantity::Share, 0.1, 0.0, true),
-            (Quantity::Restitution, 0.22, 0.2, true),
-            (Quantity::Restitution, 0.24, 0.2, false),
-            (Quantity::Restitution, 0.77, 0.8, true),
-            (Quantity::Restitution, 0.75, 0.8, false),
+            (Measure::Angle, 14.0, 10.2, false),
+            (Measure::Angle, 11.0, 10.2, true),
+            (Measure::Angle, -177.0, 180.0, true),
+            (Measure::Share, 4.0, 6.7, false),
+            (Measure::Share, 7.0, 6.7, true),
+            (Measure::Share, 6.0, 6.7, false),
+            (Measure::Share, 22.0, 25.0, false),
+            (Measure::Share, 72.0, 75.0, true),
+            (Measure::Share, 90.0, 93.3, true),
+            (Measure::Share, 70.5, 75.0, false),
+            (Measure::Share, 0.1, 0.0, true),
+            (Measure::Restitution, 0.22, 0.2, true),
+            (Measure::Restitution, 0.24, 0.2, false),
+            (Measure::Restitution, 0.77, 0.8, true),
+            (Measure::Restitution, 0.75, 0.8, false),
         ] {
             let distance = quantity.distance(said, truth);
             assert_eq!(distance < 1.0 + 1e-9, right, "{quantity:?} {said} {truth}");
@@ -206,7 +206,7 @@ mod tests {
     /// are spaced.
     #[test]
     fn nothing_is_right_that_is_wide_of_the_spacing() {
-        for quantity in [Quantity::Angle, Quantity::Share, Quantity::Restitution] {
+        for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {
             for (said, truth) in (0..=100).flat_map(|a| (0..=100).map(move |b| (a, b))) {
                 let scale = quantity.largest().min(100.0) / 100.0;
                 let (said, truth) = (scale * f64::from(said), scale * f64::from(truth));

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
 
-use super::{Answer, Difficulty, Family, Form, Misconception, Picture, Ray, Said};
+use super::{Answer, Difficulty, Family, Form, Illustration, Misconception, Ray, Response, Topic};
 
 /// Answers nearer to each other than this cannot be told apart, counted in the widest
 /// that can count as right; more than 2, so that no answer fits two.
-pub const CLEAR: f64 = 2.0625;
+pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,17 +18,17 @@ pub struct Question {
     pub family: Family,
     /// How hard it is.
     pub difficulty: Difficulty,
-    /// What it is about, in a few words: "equal masses, by offset".
-    pub topic: String,
+    /// What it is about: "equal masses, by offset".
+    pub topic: Topic,
     /// The question in words.
     pub text: String,
     /// What is seen beside it.
-    pub picture: Picture,
+    pub picture: Illustration,
     /// How it is answered, and the true answer.
     pub form: Form,
     /// What misconceptions would answer; one that happens to be right is not among
     /// them.
-    pub beliefs: Vec<Belief>,
+    pub beliefs: Vec<WrongAnswer>,
     /// What to say to wrong choices that follow no known misconception, by the choice
     /// counted from 0; a choice that is not here has nothing of its own to be told.
     pub replies: BTreeMap<usize, String>,
@@ -42,11 +42,11 @@ pub struct Question {
 
 /// What a misconception would answer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Belief {
+pub struct WrongAnswer {
     /// Which misconception.
     pub misconception: &'static Misconception,
     /// Its answer.
-    pub said: Said,
+    pub said: Response,
     /// Of two rays the one that gives it away whatever the other does; `None` if only
     /// both together do.
     pub telltale: Option<Ray>,
@@ -54,9 +54,9 @@ pub struct Belief {
     pub says: String,
 }
 
-impl Belief {
+impl WrongAnswer {
     /// What a misconception would answer where one thing is asked for.
-    pub fn new(misconception: &'static Misconception, said: Said, says: String) -> Self {
+    pub fn new(misconception: &'static Misconception, said: Response, says: String) -> Self {
         Self {
             misconception,
             said,
@@ -89,7 +89,7 @@ impl Question {
     /// would answer are, counted in the widest that can count as right. Choices are 0 or
     /// infinitely far apart.
     pub fn clearance(&self) -> f64 {
-        let mut answers: Vec<Said> = self.beliefs.iter().map(|belief| belief.said).collect();
+        let mut answers: Vec<Response> = self.beliefs.iter().map(|belief| belief.said).collect();
         answers.push(self.form.truth());
         let pairs = answers.iter().enumerate().flat_map(|(i, a)| {
             let later = answers.iter().skip(i + 1);
@@ -105,7 +105,7 @@ impl Question {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
             Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
         };
-        !told && self.clearance() > CLEAR
+        !told && self.clearance() > MIN_SEPARATION
     }
 
     /// Finds the misconception that an answer fits best, if it fits one.
@@ -123,8 +123,8 @@ impl Question {
     }
 
     /// The belief that an answer fits best, and how much of it fits.
-    pub(super) fn belief_of(&self, answer: &Answer) -> Option<(&Belief, Fit)> {
-        let right = |said: &Said| self.form.distance(said, &self.form.truth()) <= 1.0;
+    pub(super) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
+        let right = |said: &Response| self.form.distance(said, &self.form.truth()) <= 1.0;
         if right(&answer.said) {
             return None;
         }
@@ -137,13 +137,13 @@ impl Question {
     }
 
     /// How `said` fits a belief, and how far off it is.
-    fn fit(&self, belief: &Belief, said: &Said) -> Option<(Fit, f64)> {
+    fn fit(&self, belief: &WrongAnswer, said: &Response) -> Option<(Fit, f64)> {
         let distance = self.form.distance(said, &belief.said);
         if distance <= 1.0 {
             return Some((Fit::Whole, distance));
         }
         let ray = belief.telltale?;
-        let (Form::Rays { truth, .. }, Said::Rays(said), Said::Rays(held)) =
+        let (Form::Rays { truth, .. }, Response::Rays(said), Response::Rays(held)) =
             (&self.form, said, &belief.said)
         else {
             return None;

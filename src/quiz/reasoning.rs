@@ -3,7 +3,7 @@
 use crate::physics::Outcome;
 
 use super::words::{bare_degrees, bare_millimetres, degrees, significant};
-use super::{Given, Hit};
+use super::{Hit, Placement};
 
 /// Why the two go where they go, on the hit's own figures.
 pub fn reasoning(hit: &Hit) -> String {
@@ -14,8 +14,8 @@ pub fn reasoning(hit: &Hit) -> String {
     let name = hit.pieces.target_name();
     let alpha = degrees(hit.alpha().abs());
     let target = match hit.given {
-        Given::Angle { .. } => format!("The {name} leaves along the line of impact: {alpha}."),
-        Given::Offset { offset_mm } => format!(
+        Placement::Angle { .. } => format!("The {name} leaves along the line of impact: {alpha}."),
+        Placement::Offset { offset_mm } => format!(
             "{} / {} = sin {alpha}: there lies the line of impact, and the {name} leaves along it.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())

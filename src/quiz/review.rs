@@ -1,7 +1,7 @@
 //! The questions of a review: one about each topic that is due.
 
 use super::dice::Dice;
-use super::{Difficulty, Family, Question};
+use super::{Difficulty, Family, Question, Topic};
 
 /// How many draws may pass before a topic is looked for at another difficulty, or in
 /// another family: enough for the rarest of them.
@@ -11,10 +11,10 @@ const DRAWS: usize = 200;
 /// the topics have it. Where it can be helped no family comes twice in a row, for coming
 /// back works best when something else has come between. A topic that nothing asks about
 /// is left out.
-pub(super) fn questions(topics: &[String], dice: &mut Dice) -> Vec<Question> {
-    let mut left: Vec<(&String, Vec<Family>)> = topics
+pub(super) fn questions(topics: &[Topic], dice: &mut Dice) -> Vec<Question> {
+    let mut left: Vec<(&Topic, Vec<Family>)> = topics
         .iter()
-        .map(|topic| (topic, Family::asking(topic)))
+        .map(|topic| (topic, topic.families()))
         .filter(|(_, families)| !families.is_empty())
         .collect();
     dice.shuffle(&mut left);
@@ -37,7 +37,7 @@ pub(super) fn questions(topics: &[String], dice: &mut Dice) -> Vec<Question> {
 /// A question about a topic, of the first of these families that has one, of this
 /// difficulty if there is one.
 fn about(
-    topic: &str,
+    topic: &Topic,
     families: &[Family],
     difficulty: Difficulty,
     dice: &mut Dice,
@@ -48,7 +48,7 @@ fn about(
         difficulties.iter().find_map(|difficulty| {
             (0..DRAWS).find_map(|_| {
                 let (question, _) = family.ask(*difficulty, dice)?;
-                (question.topic == topic).then_some(question)
+                (question.topic == *topic).then_some(question)
             })
         })
     })
@@ -62,7 +62,7 @@ mod tests {
     use crate::quiz::concepts;
 
     /// Every topic that there is.
-    fn all() -> Vec<String> {
+    fn all() -> Vec<Topic> {
         let asked = |seed| {
             let mut dice = Dice::new(seed);
             let of = |family: Family| {
@@ -71,7 +71,7 @@ mod tests {
             let found: Vec<_> = Family::ALL.into_iter().flat_map(of).flatten().collect();
             found.into_iter().map(|(question, _)| question.topic)
         };
-        let mut topics: BTreeSet<String> = (0..200).flat_map(asked).collect();
+        let mut topics: BTreeSet<Topic> = (0..200).flat_map(asked).collect();
         topics.extend(concepts::all().iter().map(|concept| concept.topic()));
         topics.into_iter().collect()
     }
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn the_families_of_a_topic_take_turns_and_none_comes_twice_in_a_row() {
-        let topics = ["equal masses", "heavier striker", "coin's speed"].map(str::to_owned);
+        let topics = ["equal-masses", "heavier-striker", "target-speed"].map(Topic::with_id);
         let mut met = BTreeSet::new();
         for seed in 0..100 {
             let questions = questions(&topics, &mut Dice::new(seed));
@@ -101,7 +101,7 @@ mod tests {
         let all = ["from-angle", "speeds", "unequal-masses", "where-to"];
         assert_eq!(met.into_iter().collect::<Vec<_>>(), all);
         // What is alone is asked all the same, and what is unknown is not.
-        let same = ["striker's speed", "coin's speed", "a chapter"].map(str::to_owned);
+        let same = ["striker-speed", "target-speed", "a-chapter"].map(Topic::with_id);
         assert_eq!(questions(&same, &mut Dice::new(7)).len(), 2);
     }
 }

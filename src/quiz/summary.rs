@@ -1,7 +1,7 @@
 //! A look back over a round.
 
 use super::misconceptions::all;
-use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question};
+use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
 
 /// Fewest angles whose mean error says something.
 pub const ENOUGH_ANGLES: usize = 3;
@@ -17,7 +17,7 @@ pub struct Summary {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SummaryLine {
     /// What it was about: "equal masses, by offset".
-    pub topic: String,
+    pub topic: Topic,
     /// How good the answer was.
     pub grade: Grade,
     /// The misconception it fitted.
@@ -158,12 +158,12 @@ impl Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Code, Given, Hit, Pieces, Rays, Round, Said};
+    use super::super::{Code, Hit, Pieces, Placement, Rays, Response, Round};
     use super::*;
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
-        given: Given::Angle { alpha_deg: 30.0 },
+        given: Placement::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
         speed: 4.0,
         direction_deg: 0.0,
@@ -180,7 +180,7 @@ mod tests {
                 } else {
                     Rays::new(-3.0, 3.0)
                 };
-                Answer::new(Said::Rays(rays), confidence)
+                Answer::new(Response::Rays(rays), confidence)
             })
             .collect();
         Summary::new(answers.iter().map(|answer| (&question, answer)))
@@ -224,7 +224,7 @@ mod tests {
         let summary = |right: usize| {
             let answers: Vec<Answer> = (round.questions().iter().enumerate())
                 .map(|(i, question)| match question.form.truth() {
-                    Said::Number(truth) if i >= right => Said::Number(truth + 90.0),
+                    Response::Number(truth) if i >= right => Response::Number(truth + 90.0),
                     truth => truth,
                 })
                 .map(|said| Answer::new(said, Confidence::Guess))

@@ -9,9 +9,10 @@ use ratatui::layout::Rect;
 use crate::game::Game;
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
-use crate::messages::{Effect, Request, Task, Wanted, Wish};
+use crate::messages::{Effect, SearchTask, StoreCall, StoreRequest, Wanted};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
+use crate::widgets::input::Rebound;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -29,6 +30,8 @@ pub struct Settings {
     pub predict: bool,
     /// Name of the player, as shown.
     pub player: String,
+    /// Keys of the player's own choice.
+    pub keys: Rebound,
 }
 
 impl Default for Settings {
@@ -40,6 +43,7 @@ impl Default for Settings {
             reduced_motion: false,
             predict: true,
             player: "player".into(),
+            keys: Rebound::default(),
         }
     }
 }
@@ -98,10 +102,10 @@ impl Context {
     }
 
     /// Asks for something to be thought about and gives the ticket by which the
-    /// [`Thought`](crate::messages::Thought) will be known.
+    /// [`SearchResult`](crate::messages::SearchResult) will be known.
     pub fn think(&mut self, game: Game, seed: u64, wanted: Wanted) -> u64 {
         let ticket = self.ticket();
-        self.asked.push(Effect::Think(Box::new(Task {
+        self.asked.push(Effect::Search(Box::new(SearchTask {
             ticket,
             game,
             seed,
@@ -111,14 +115,14 @@ impl Context {
     }
 
     /// Asks for something to be done with what is kept. The
-    /// [`Answer`](crate::messages::Answer) will bear the ticket, which for a game
+    /// [`StoreAnswer`](crate::messages::StoreAnswer) will bear the ticket, which for a game
     /// that is saved again and again is always the same.
-    pub fn keep(&mut self, ticket: u64, wish: Wish) {
-        self.asked.push(Effect::Keep(Request { ticket, wish }));
+    pub fn keep(&mut self, ticket: u64, wish: StoreRequest) {
+        self.asked.push(Effect::Keep(StoreCall { ticket, wish }));
     }
 
     /// The same with a ticket of its own, which it gives.
-    pub fn ask(&mut self, wish: Wish) -> u64 {
+    pub fn ask(&mut self, wish: StoreRequest) -> u64 {
         let ticket = self.ticket();
         self.keep(ticket, wish);
         ticket
@@ -127,21 +131,21 @@ impl Context {
     /// Notes that a level was won, and has that kept.
     pub fn won(&mut self, number: usize, win: Win) {
         if let Some(starred) = self.shelf.won(number, win) {
-            self.ask(Wish::Star(self.settings.player.clone(), starred));
+            self.ask(StoreRequest::Star(self.settings.player.clone(), starred));
         }
     }
 
     /// Asks how far the chapters have been read, unless that is known.
     pub fn ask_for_marks(&mut self) {
         if !self.book.is_known() {
-            self.ask(Wish::Marks(self.settings.player.clone()));
+            self.ask(StoreRequest::Marks(self.settings.player.clone()));
         }
     }
 
     /// Notes what was done in the chapter of this id, and has that kept.
     pub fn mark(&mut self, chapter: &str, later: Bookmark) {
         self.book.merge(chapter, later.clone());
-        self.ask(Wish::Mark {
+        self.ask(StoreRequest::Mark {
             player: self.settings.player.clone(),
             chapter: chapter.to_owned(),
             later: Box::new(later),
@@ -151,7 +155,7 @@ impl Context {
     /// Forgets what was done in chapters, here and where it is kept.
     pub fn forget(&mut self, what: Forget) {
         self.book.forget(&what);
-        self.ask(Wish::Forget(self.settings.player.clone(), what));
+        self.ask(StoreRequest::Forget(self.settings.player.clone(), what));
     }
 
     /// A ticket that no request has had.
@@ -162,7 +166,7 @@ impl Context {
 
     /// Has an answer kept, before anything that follows from it is seen.
     pub fn record(&mut self, attempt: Attempt) {
-        self.ask(Wish::Record(Box::new(attempt)));
+        self.ask(StoreRequest::Record(Box::new(attempt)));
     }
 
     /// Asks for a text to be written to a file of this name.

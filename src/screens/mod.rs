@@ -1,6 +1,7 @@
 //! The screens: one folder each, with its state and update, and its view beside it.
 
 mod context;
+mod hosted;
 mod list;
 mod place;
 mod recall;
@@ -22,15 +23,71 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 pub use context::{Context, Settings};
+pub use hosted::{AnyScreen, Hosted, Old, SharedAction};
 pub use place::Place;
 
-use crate::messages::Input;
+use crate::messages::{Input, Key};
+use crate::widgets::input::KeyTable;
 
 /// A place in the app: it takes input, lets time pass and draws itself.
 ///
-/// A screen is pure: it reads no clock and touches no file. Keys it has no use
-/// for it hands back as [`Next::Ignored`], and the app tries its own.
+/// A screen is pure: it reads no clock and touches no file. What its keys do stands in one
+/// table, from which come the line at the bottom, the help page and what a press does;
+/// keys that are not in it are the app's.
 pub trait Screen {
+    /// What keys do here.
+    type Action: Copy;
+
+    /// Its name for the title line, in lower case.
+    fn title(&self) -> String;
+
+    /// The rest of the title line: what is set up.
+    fn status(&self, _cx: &Context) -> String {
+        String::new()
+    }
+
+    /// The keys that mean something just now, the most useful first.
+    fn keys(&self, cx: &Context) -> KeyTable<Self::Action>;
+
+    /// The page that `?` opens, before its keys: what the screen is for and how to begin,
+    /// a paragraph each.
+    fn about(&self, cx: &Context) -> Vec<&'static str>;
+
+    /// Takes a key before the table is asked: for text that is being typed. Says whether
+    /// it was taken.
+    fn typed(&mut self, _key: Key, _cx: &mut Context) -> bool {
+        false
+    }
+
+    /// Does what a key stands for.
+    fn act(&mut self, action: Self::Action, cx: &mut Context) -> Next;
+
+    /// Does what was asked about by [`Next::Confirm`], now that the player has agreed.
+    fn confirmed(&mut self, _action: Self::Action, _cx: &mut Context) -> Next {
+        Next::Stay
+    }
+
+    /// Takes an input that is no key: the mouse, pasted text, what came of a request.
+    fn input(&mut self, _input: &Input, _cx: &mut Context) -> Next {
+        Next::Ignored
+    }
+
+    /// Lets time pass; called only while [`Screen::wake`] asks for time.
+    fn advance(&mut self, _passed: Duration, _cx: &mut Context) -> Next {
+        Next::Stay
+    }
+
+    /// When it next needs time; `None` while nothing moves.
+    fn wake(&self, _cx: &Context) -> Option<Duration> {
+        None
+    }
+
+    /// Draws itself into `area`, which is [`Context::body`].
+    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
+}
+
+/// A screen on its way to [`Screen`]: it still lists its keys by hand.
+pub trait OldScreen {
     /// Its name for the title line, in lower case.
     fn title(&self) -> String;
 
@@ -75,8 +132,34 @@ pub enum Next {
     Replace(Place),
     /// Return to the screen below.
     Back,
+    /// Ask the player first; if they agree, the same is done by [`Screen::confirmed`].
+    Confirm(Question),
+    /// A key that means the same on every screen.
+    Shared(SharedAction),
     /// Leave the program.
     Quit,
+}
+
+/// What is asked before something is done that cannot be undone.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Question {
+    /// The question, with what follows from a yes.
+    pub text: String,
+    /// What a yes is called.
+    pub yes: &'static str,
+    /// What a no is called.
+    pub no: &'static str,
+}
+
+impl Question {
+    /// A question, and what its answers are called.
+    pub fn new(text: impl Into<String>, yes: &'static str, no: &'static str) -> Self {
+        Self {
+            text: text.into(),
+            yes,
+            no,
+        }
+    }
 }
 
 /// A key and what it does, for the bottom line.

@@ -1,7 +1,7 @@
 //! What the player has done, asked of whoever keeps it.
 
 use super::Context;
-use crate::messages::{Answer, Done, History, Wish};
+use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
 
 /// What the player has done, as far as it is known here.
 #[derive(Debug, Clone)]
@@ -18,12 +18,12 @@ impl Recall {
     /// Asks for it.
     pub(super) fn ask(cx: &mut Context) -> Self {
         let player = cx.settings.player.clone();
-        Self::Asked(cx.ask(Wish::Recall(Some(player))))
+        Self::Asked(cx.ask(StoreRequest::Recall(Some(player))))
     }
 
     /// Takes what came of it, if `answer` is that.
-    pub(super) fn take(&mut self, answer: &Answer) {
-        if let (Self::Asked(ticket), Done::Recalled(recalled)) = (&*self, &answer.done)
+    pub(super) fn take(&mut self, answer: &StoreAnswer) {
+        if let (Self::Asked(ticket), StoreReply::Recalled(recalled)) = (&*self, &answer.done)
             && *ticket == answer.ticket
         {
             *self = match recalled {

@@ -1,7 +1,7 @@
 //! Reasons that more than one screen gives.
 
 use crate::physics::{Collision, Meeting};
-use crate::quiz::{self, Answer, Confidence, Given, Hit, Pieces, Rays, Said};
+use crate::quiz::{self, Answer, Confidence, Hit, Pieces, Placement, Rays, Response};
 
 /// Why two that both move go where they go, in their own numbers; nothing for a miss.
 pub(super) fn both_moving(collision: &Collision) -> String {
@@ -35,7 +35,7 @@ pub(crate) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, S
             striker: collision.striker,
             target: collision.target,
         },
-        given: Given::Offset {
+        given: Placement::Offset {
             // A head-on hit is exactly that in words too, whatever rounding left.
             offset_mm: (collision.offset * 1e9).round() / 1e6,
         },
@@ -55,7 +55,7 @@ pub(crate) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, S
 /// Why the two of a hit go where they go, starting from what the player said of them: a
 /// title and a text.
 pub(super) fn of_hit(hit: &Hit, said: Rays) -> (&'static str, String) {
-    let answer = Answer::new(Said::Rays(said), Confidence::ThinkSo);
+    let answer = Answer::new(Response::Rays(said), Confidence::ThinkSo);
     let explanation = quiz::explain(&hit.into(), &answer);
     (explanation.title, explanation.text)
 }

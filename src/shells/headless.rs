@@ -8,8 +8,9 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::FRAME;
+use super::search::search;
 use crate::app::App;
-use crate::messages::{Done, Effect, Input, Key, Mouse, MouseKind, Request, Wish};
+use crate::messages::{Effect, Input, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest};
 use crate::progress::Attempt;
 use crate::store::Store;
 use crate::widgets::cells::text;
@@ -78,9 +79,9 @@ impl Headless {
 
     /// The answers that are kept, in order; none where they cannot be looked up.
     pub fn attempts(&mut self) -> Vec<Attempt> {
-        let wish = Wish::Recall(None);
-        match self.store.answer(&Request { ticket: 0, wish }).done {
-            Done::Recalled(Ok(history)) => history.attempts,
+        let wish = StoreRequest::Recall(None);
+        match self.store.answer(&StoreCall { ticket: 0, wish }).done {
+            StoreReply::Recalled(Ok(history)) => history.attempts,
             _ => Vec::new(),
         }
     }
@@ -182,7 +183,7 @@ impl Headless {
             match effect {
                 Effect::Quit => self.quit = true,
                 // On the spot, so that it is the same every time.
-                Effect::Think(task) => self.input(&Input::Thought(Box::new(task.think()))),
+                Effect::Search(task) => self.input(&Input::Searched(Box::new(search(task)))),
                 Effect::Keep(request) => {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));
@@ -206,7 +207,8 @@ impl From<App> for Headless {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::screens::{Context, Help, Hint, Next, Place, Screen, Settings};
+    use crate::screens::{Context, Hosted, Next, Place, Screen, Settings};
+    use crate::widgets::input::KeyTable;
     use ratatui::layout::Rect;
 
     /// Counts what it is told, and moves for a second after a space.
@@ -218,17 +220,27 @@ mod tests {
     }
 
     impl Screen for Counter {
+        type Action = ();
+
         fn title(&self) -> String {
             format!("{} {}", self.typed, self.steps.len())
         }
-        fn update(&mut self, input: &Input, _: &mut Context) -> Next {
-            match input {
-                Input::Key(Key::Char(' ')) => self.left = Duration::from_secs(1),
-                Input::Key(Key::Char(c)) => self.typed.push(*c),
-                Input::Key(Key::Escape) => return Next::Back,
-                Input::Key(key) => self.typed += &format!("[{key}]"),
-                _ => {}
+        fn keys(&self, _: &Context) -> KeyTable<()> {
+            KeyTable::new("counter")
+        }
+        fn about(&self, _: &Context) -> Vec<&'static str> {
+            vec![]
+        }
+        fn typed(&mut self, key: Key, _: &mut Context) -> bool {
+            match key {
+                Key::Char(' ') => self.left = Duration::from_secs(1),
+                Key::Char(c) => self.typed.push(c),
+                Key::Escape => return false,
+                key => self.typed += &format!("[{key}]"),
             }
+            true
+        }
+        fn act(&mut self, (): (), _: &mut Context) -> Next {
             Next::Stay
         }
         fn advance(&mut self, passed: Duration, _: &mut Context) -> Next {
@@ -240,19 +252,14 @@ mod tests {
             (!self.left.is_zero()).then(|| Duration::from_millis(40).min(self.left))
         }
         fn draw(&self, _: Rect, _: &mut Buffer, _: &Context) {}
-        fn keys(&self, _: &Context) -> Vec<Hint> {
-            vec![]
-        }
-        fn help(&self, _: &Context) -> Help {
-            Help {
-                text: vec![],
-                keys: vec![],
-            }
-        }
     }
 
     fn counter() -> Headless {
-        let app = App::on(Box::new(Counter::default()), Settings::default(), 1);
+        let app = App::on(
+            Box::new(Hosted::new(Counter::default())),
+            Settings::default(),
+            1,
+        );
         Headless::new(app, 80, 24)
     }
 

@@ -10,6 +10,7 @@ use std::time::Duration;
 
 pub mod headless;
 pub mod plain;
+mod search;
 pub mod tape;
 pub mod terminal;
 

@@ -5,9 +5,9 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use super::shelf::{Shelf, free_number, number};
-use super::turn::Turn;
-use crate::files::{self, Draft, FileError, UNFINISHED, settle};
+use super::folder_lock::FolderLock;
+use super::text_store::{TextStore, free_number, number};
+use crate::files::{self, Draft, FileError, UNFINISHED, fsync_dir};
 
 /// The file that stands for the right to write to a folder.
 const LOCK: &str = ".lock";
@@ -37,8 +37,8 @@ impl Disk {
     }
 
     /// Waits until nobody else writes to the folder.
-    fn turn(&self) -> io::Result<Turn> {
-        Turn::alone(&self.folder, LOCK)
+    fn turn(&self) -> io::Result<FolderLock> {
+        FolderLock::alone(&self.folder, LOCK)
     }
 
     fn add(&self, kind: &str, text: &str) -> io::Result<String> {
@@ -52,7 +52,7 @@ impl Disk {
             let free = free_number(names.iter().map(String::as_str), kind);
             let name = format!("{kind}-{free}");
             if draft.place(&self.path(&name))? {
-                settle(&self.folder)?;
+                fsync_dir(&self.folder)?;
                 return Ok(name);
             }
             names.push(name);
@@ -66,7 +66,7 @@ impl Disk {
             return Ok(false);
         }
         Draft::write(&self.folder, text)?.replace(&path)?;
-        settle(&self.folder)?;
+        fsync_dir(&self.folder)?;
         Ok(true)
     }
 
@@ -115,7 +115,7 @@ impl Disk {
     }
 }
 
-impl Shelf for Disk {
+impl TextStore for Disk {
     fn names(&self) -> Result<Vec<String>, String> {
         let mut names = self.names().map_err(|error| self.told(&error))?;
         names.sort_by_cached_key(|name| (self.saved(name), number(name), name.clone()));
@@ -146,7 +146,7 @@ impl Shelf for Disk {
     fn remove(&mut self, name: &str) -> Result<(), String> {
         let removed = self.turn().and_then(|_turn| {
             fs::remove_file(self.path(name))?;
-            settle(&self.folder)
+            fsync_dir(&self.folder)
         });
         match removed {
             Err(error) if error.kind() != ErrorKind::NotFound => Err(self.told(&error)),

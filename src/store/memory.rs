@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::shelf::{Shelf, free_number};
+use super::text_store::{TextStore, free_number};
 use crate::files::FileError;
 
 /// Texts in memory, the latest last.
@@ -14,7 +14,7 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// An empty shelf that goes by this name, whose texts have this ending.
+    /// An empty text_store that goes by this name, whose texts have this ending.
     pub(super) fn new(folder: &'static str, ending: &'static str) -> Self {
         Self {
             folder,
@@ -24,7 +24,7 @@ impl Memory {
     }
 }
 
-impl Shelf for Memory {
+impl TextStore for Memory {
     fn names(&self) -> Result<Vec<String>, String> {
         let names = self.texts.iter().rev().map(|(name, _)| name.clone());
         Ok(names.collect())

@@ -12,10 +12,10 @@
 
 mod database;
 mod disk;
-mod drawer;
+mod folder_lock;
 mod memory;
-mod shelf;
-mod turn;
+mod open_files;
+mod text_store;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -23,14 +23,14 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::class::{ClassRound, answers_csv, items_csv};
 use crate::game::{Game, SavedGame};
-use crate::messages::{Answer, Done, History, Kept, KeptRound, Request, Wish};
+use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
 use database::Database;
 use disk::Disk;
-use drawer::Drawer;
 use memory::Memory;
-use shelf::Shelf;
+use open_files::OpenFiles;
+use text_store::TextStore;
 
 /// How the names of texts that are read again end.
 const TEXT: &str = ".toml";
@@ -40,10 +40,10 @@ const TABLE: &str = ".csv";
 /// Where everything is kept.
 pub struct Store {
     /// Each game with where it stands.
-    games: Drawer<(SavedGame, Game)>,
-    classes: Drawer<ClassRound>,
-    exports: Box<dyn Shelf>,
-    tables: Box<dyn Shelf>,
+    games: OpenFiles<(SavedGame, Game)>,
+    classes: OpenFiles<ClassRound>,
+    exports: Box<dyn TextStore>,
+    tables: Box<dyn TextStore>,
     progress: Database,
     clock: Clock,
     closed: bool,
@@ -132,10 +132,10 @@ impl Store {
         self.clock = Clock::Stopped(time_s);
     }
 
-    fn of<S: Shelf + 'static>(shelves: Shelves<S>, progress: Database) -> Self {
+    fn of<S: TextStore + 'static>(shelves: Shelves<S>, progress: Database) -> Self {
         Self {
-            games: Drawer::new(shelves.games, "game", SavedGame::read),
-            classes: Drawer::new(shelves.classes, "class", |name, bytes| {
+            games: OpenFiles::new(shelves.games, "game", SavedGame::read),
+            classes: OpenFiles::new(shelves.classes, "class", |name, bytes| {
                 ClassRound::read(name, bytes, &Arc::default())
             }),
             exports: Box::new(shelves.exports),
@@ -147,35 +147,41 @@ impl Store {
     }
 
     /// Does what is asked.
-    pub fn answer(&mut self, request: &Request) -> Answer {
+    pub fn answer(&mut self, request: &StoreCall) -> StoreAnswer {
         if self.closed {
             return request.refused("no folder for data is known; --data-dir gives one");
         }
         let ticket = request.ticket;
         let done = match &request.wish {
-            Wish::Save(game) => Done::Saved(self.save(ticket, game)),
-            Wish::List => Done::Listed(self.list()),
-            Wish::Load(name) => Done::Loaded(self.load(ticket, name)),
-            Wish::Remove(name) => Done::Removed(self.games.remove(name)),
-            Wish::Export(game) => Done::Exported(self.export(game)),
-            Wish::SaveClass(round) => Done::Saved(self.save_class(ticket, round)),
-            Wish::ListClasses => Done::Classes(self.list_classes()),
-            Wish::LoadClass(name) => Done::Class(self.classes.load(ticket, name).map(Box::new)),
-            Wish::RemoveClass(name) => Done::Removed(self.classes.remove(name)),
-            Wish::ExportClass(round) => Done::Exported(self.export_class(round)),
-            Wish::Record(attempt) => Done::Noted(self.record(attempt)),
-            Wish::Star(player, starred) => Done::Noted(self.progress.star(player, starred)),
-            Wish::Recall(player) => Done::Recalled(self.recall(player.as_deref())),
-            Wish::Stars(player) => Done::Stars(self.progress.stars(player)),
-            Wish::Mark {
+            StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
+            StoreRequest::List => StoreReply::Listed(self.games.list(self.knows_age())),
+            StoreRequest::Load(name) => StoreReply::Loaded(self.load(ticket, name)),
+            StoreRequest::Remove(name) => StoreReply::Removed(self.games.remove(name)),
+            StoreRequest::Export(game) => StoreReply::Exported(self.export(game)),
+            StoreRequest::SaveClass(round) => StoreReply::Saved(self.save_class(ticket, round)),
+            StoreRequest::ListClasses => StoreReply::Classes(self.classes.list(self.knows_age())),
+            StoreRequest::LoadClass(name) => {
+                StoreReply::Class(self.classes.load(ticket, name).map(Box::new))
+            }
+            StoreRequest::RemoveClass(name) => StoreReply::Removed(self.classes.remove(name)),
+            StoreRequest::ExportClass(round) => StoreReply::Exported(self.export_class(round)),
+            StoreRequest::Record(attempt) => StoreReply::Noted(self.record(attempt)),
+            StoreRequest::Star(player, starred) => {
+                StoreReply::Noted(self.progress.star(player, starred))
+            }
+            StoreRequest::Recall(player) => StoreReply::Recalled(self.recall(player.as_deref())),
+            StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
+            StoreRequest::Mark {
                 player,
                 chapter,
                 later,
-            } => Done::Noted(self.progress.mark(player, chapter, later)),
-            Wish::Forget(player, what) => Done::Noted(self.progress.forget(player, what)),
-            Wish::Marks(player) => Done::Marks(self.progress.marks(player)),
+            } => StoreReply::Noted(self.progress.mark(player, chapter, later)),
+            StoreRequest::Forget(player, what) => {
+                StoreReply::Noted(self.progress.forget(player, what))
+            }
+            StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
         };
-        Answer {
+        StoreAnswer {
             ticket,
             done,
             notice: (self.progress.take_notice())
@@ -187,16 +193,6 @@ impl Store {
     fn save(&mut self, ticket: u64, game: &SavedGame) -> Result<(), String> {
         let text = game.text().map_err(|error| error.to_string())?;
         self.games.save(ticket, text)
-    }
-
-    fn list(&self) -> Result<Vec<Kept>, String> {
-        let found = self.games.list()?.into_iter();
-        let kept = found.map(|found| Kept {
-            name: found.name,
-            age: found.age.filter(|_| self.clock == Clock::Computer),
-            game: found.thing.map(Box::new),
-        });
-        Ok(kept.collect())
     }
 
     fn load(&mut self, ticket: u64, name: &str) -> Result<Box<SavedGame>, String> {
@@ -212,16 +208,6 @@ impl Store {
 
     fn save_class(&mut self, ticket: u64, round: &ClassRound) -> Result<(), String> {
         self.classes.save(ticket, round.text()?)
-    }
-
-    fn list_classes(&self) -> Result<Vec<KeptRound>, String> {
-        let found = self.classes.list()?.into_iter();
-        let kept = found.map(|found| KeptRound {
-            name: found.name,
-            age: found.age.filter(|_| self.clock == Clock::Computer),
-            round: found.thing.map(Box::new),
-        });
-        Ok(kept.collect())
     }
 
     /// Writes both tables of a class's round.
@@ -251,6 +237,11 @@ impl Store {
             attempts: self.progress.attempts(player)?,
             now_s: self.now_s(),
         }))
+    }
+
+    /// Whether the ages of files mean anything beside what its clock says.
+    fn knows_age(&self) -> bool {
+        self.clock == Clock::Computer
     }
 
     /// The time in seconds since 1970 began; `None` where it is not to be known.

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::hit::{draw_after, draw_aim, draw_setup};
 use super::tracks::draw_tracks;
 use super::{AnswerInput, Look};
-use crate::quiz::{Form, Picture, Question, Said};
+use crate::quiz::{Form, Illustration, Question, Response};
 
 /// Draws what a question shows, with no more in it than it gives, and what is being
 /// said to it; nothing for a question of words alone.
@@ -18,22 +18,22 @@ pub fn draw_question(
     input: Option<&AnswerInput>,
 ) {
     match (&question.picture, &question.form) {
-        (Picture::Before { shown, .. }, Form::Shot(aim)) => {
+        (Illustration::Before { shown, .. }, Form::Shot(aim)) => {
             let offset = match input.and_then(AnswerInput::said) {
-                Some(Said::Shot(offset)) => offset,
+                Some(Response::Shot(offset)) => offset,
                 _ => 0.0,
             };
             draw_aim(area, buf, look, (aim, offset), *shown);
         }
-        (Picture::Before { collision, shown }, _) => {
+        (Illustration::Before { collision, shown }, _) => {
             let rays = input.and_then(AnswerInput::rays);
             draw_setup(area, buf, look, collision, *shown, rays);
         }
-        (Picture::After { collision }, _) => draw_after(area, buf, look, collision),
-        (Picture::Tracks { rutherford, angles }, _) => {
+        (Illustration::After { collision }, _) => draw_after(area, buf, look, collision),
+        (Illustration::Tracks { rutherford, angles }, _) => {
             draw_tracks(area, buf, look, rutherford, *angles);
         }
-        (Picture::Nothing, _) => {}
+        (Illustration::Nothing, _) => {}
     }
 }
 
@@ -44,13 +44,13 @@ mod tests {
     use super::*;
     use crate::physics::rutherford::Rutherford;
     use crate::physics::{Collision, Disc};
-    use crate::quiz::{Aim, Code, Quantity, Ray, Round, Shown};
+    use crate::quiz::{AimTask, Code, Markings, Measure, Ray, Round};
     use crate::widgets::cells::text;
     use crate::widgets::{Charset, Depth, Palette, Theme};
 
     const AREA: Rect = Rect::new(0, 0, 48, 20);
 
-    fn drawn(picture: Picture, form: Form) -> String {
+    fn drawn(picture: Illustration, form: Form) -> String {
         let round = Round::of(Code::hits(7));
         let question = Question {
             picture,
@@ -68,7 +68,7 @@ mod tests {
 
     fn number() -> Form {
         Form::Number {
-            quantity: Quantity::Mass,
+            quantity: Measure::Mass,
             truth: 10.0,
         }
     }
@@ -84,7 +84,7 @@ mod tests {
     fn a_hit_that_was_seen_shows_its_angles_alone() {
         let collision = hit(30.0);
         let outcome = collision.outcome();
-        let picture = drawn(Picture::After { collision }, number());
+        let picture = drawn(Illustration::After { collision }, number());
         for angle in [outcome.theta1, outcome.theta2] {
             let shown = format!("{:.1}", angle.unwrap().to_degrees());
             assert!(picture.contains(&shown), "{shown}\n{picture}");
@@ -99,7 +99,7 @@ mod tests {
             ..collision
         };
         assert_eq!(
-            drawn(Picture::After { collision: faster }, number()),
+            drawn(Illustration::After { collision: faster }, number()),
             picture
         );
     }
@@ -108,7 +108,7 @@ mod tests {
     fn two_ways_past_a_nucleus_have_their_angles() {
         for angles in [[60.0, 120.0], [15.0, 90.0], [5.0, 10.0], [180.0, 0.0]] {
             let picture = drawn(
-                Picture::Tracks {
+                Illustration::Tracks {
                     rutherford: Rutherford::radium_c_on_gold(),
                     angles: angles.map(f64::to_radians),
                 },
@@ -122,15 +122,15 @@ mod tests {
 
     #[test]
     fn a_shot_shows_its_mark() {
-        let aim = Aim {
+        let aim = AimTask {
             collision: hit(0.0),
             ray: Ray::Target,
             wanted: 0.7,
             offset: 0.01,
         };
-        let picture = Picture::Before {
+        let picture = Illustration::Before {
             collision: aim.collision,
-            shown: Shown::default(),
+            shown: Markings::default(),
         };
         let picture = drawn(picture, Form::Shot(aim));
         assert!(

@@ -1,19 +1,19 @@
 //! The keys that say something.
 
-use carrom::quiz::{Form, Said};
+use carrom::quiz::{Form, Response};
 
 /// The keys with which this is said to a question of this form.
-pub fn said(form: &Form, said: &Said) -> String {
+pub fn said(form: &Form, said: &Response) -> String {
     match (form, said) {
-        (Form::Rays { side, .. }, Said::Rays(rays)) => [rays.striker, rays.target]
+        (Form::Rays { side, .. }, Response::Rays(rays)) => [rays.striker, rays.target]
             .map(|angle| match angle {
                 Some(angle) => format!("{:.1}<Enter>", side * angle.to_degrees() + 0.0),
                 None => "x<Enter>".into(),
             })
             .concat(),
-        (_, Said::Number(x)) => format!("{x:.3}<Enter>"),
-        (_, Said::Choice(i)) => format!("{}<Enter>", char::from(b'a' + *i as u8)),
-        (_, Said::Shot(offset)) => format!("{:.2}<Enter>", offset * 1000.0),
+        (_, Response::Number(x)) => format!("{x:.3}<Enter>"),
+        (_, Response::Choice(i)) => format!("{}<Enter>", char::from(b'a' + *i as u8)),
+        (_, Response::Shot(offset)) => format!("{:.2}<Enter>", offset * 1000.0),
         _ => unreachable!("another kind than is asked for"),
     }
 }

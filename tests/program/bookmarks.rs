@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use carrom::app::{App, Data};
 use carrom::lessons::{Book, ChapterLibrary};
-use carrom::messages::{Done, Effect, Input, Key, Request, Wish};
+use carrom::messages::{Effect, Input, Key, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -250,7 +250,7 @@ fn nothing_is_said_and_nothing_kept_before_it_is_known_where_a_chapter_was_left(
         let [Effect::Keep(request)] = &asked[..] else {
             panic!("{asked:?}");
         };
-        assert_eq!(request.wish, Wish::Marks("Ada".into()));
+        assert_eq!(request.wish, StoreRequest::Marks("Ada".into()));
         for key in [
             Key::Char('n'),
             Key::Down,
@@ -326,14 +326,14 @@ fn marks(
     folder: &Path,
     player: &str,
 ) -> std::collections::BTreeMap<String, carrom::lessons::Bookmark> {
-    let request = Request {
+    let request = StoreCall {
         ticket: 0,
-        wish: Wish::Marks(player.into()),
+        wish: StoreRequest::Marks(player.into()),
     };
     let answer = Store::in_folder(folder).answer(&request);
     assert_eq!(answer.notice, None);
     match answer.done {
-        Done::Marks(Ok(marks)) => marks,
+        StoreReply::Marks(Ok(marks)) => marks,
         other => panic!("{other:?}"),
     }
 }

@@ -9,8 +9,8 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::class::ClassRound;
 use carrom::game::SavedGame;
-use carrom::messages::{Done, Request, Wish};
-use carrom::quiz::{Form, Said};
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::quiz::{Form, Response};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -34,16 +34,16 @@ fn start(folder: &Path, seed: u64, keys: &str) -> Player {
 
 /// All games by name; each must be readable.
 fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
-    let request = Request {
+    let request = StoreCall {
         ticket: 0,
-        wish: Wish::List,
+        wish: StoreRequest::List,
     };
-    let Done::Listed(Ok(games)) = Store::in_folder(folder).answer(&request).done else {
+    let StoreReply::Listed(Ok(games)) = Store::in_folder(folder).answer(&request).done else {
         panic!("the games cannot be listed");
     };
     let read = games.into_iter().map(|kept| {
         let game = kept
-            .game
+            .content
             .unwrap_or_else(|why| panic!("{}: {why}", kept.name));
         (kept.name, game.0)
     });
@@ -197,16 +197,16 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
 
 /// The angle of the striker that each team said first, in degrees as it was typed.
 fn first_votes(folder: &Path) -> Vec<Option<u32>> {
-    let request = Request {
+    let request = StoreCall {
         ticket: 0,
-        wish: Wish::ListClasses,
+        wish: StoreRequest::ListClasses,
     };
-    let Done::Classes(Ok(rounds)) = Store::in_folder(folder).answer(&request).done else {
+    let StoreReply::Classes(Ok(rounds)) = Store::in_folder(folder).answer(&request).done else {
         panic!("the rounds cannot be listed");
     };
     let rounds: Vec<ClassRound> = rounds
         .into_iter()
-        .map(|kept| *kept.round.unwrap())
+        .map(|kept| *kept.content.unwrap())
         .collect();
     let [round] = &rounds[..] else {
         assert!(rounds.is_empty(), "the round has lost its file");
@@ -214,7 +214,7 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
     };
     let form = &round.questions()[0].form;
     let typed = |vote| match (form, vote) {
-        (Form::Rays { side, .. }, Some(Said::Rays(rays))) => {
+        (Form::Rays { side, .. }, Some(Response::Rays(rays))) => {
             Some((side * rays.striker?.to_degrees()).round() as u32)
         }
         _ => None,

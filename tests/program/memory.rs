@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 
 use carrom::app::App;
 use carrom::levels::Starred;
-use carrom::messages::{Done, Request, Wish};
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, DAY_S, Due};
 use carrom::quiz::{Code, Course, Round};
 use carrom::screens::{Place, Settings};
@@ -26,14 +26,14 @@ use crate::pty::{Pty, carrom as carrom_in_terminal};
 
 /// All answers that are kept in a folder.
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
-    let request = Request {
+    let request = StoreCall {
         ticket: 0,
-        wish: Wish::Recall(player.map(str::to_owned)),
+        wish: StoreRequest::Recall(player.map(str::to_owned)),
     };
     let answer = Store::in_folder(folder).answer(&request);
     assert_eq!(answer.notice, None);
     match answer.done {
-        Done::Recalled(Ok(history)) => history.attempts,
+        StoreReply::Recalled(Ok(history)) => history.attempts,
         other => panic!("{other:?}"),
     }
 }
@@ -275,11 +275,11 @@ fn stars_are_there_the_next_time_and_for_their_player_alone() {
         level,
         stars: 2,
     };
-    let wish = Wish::Star("Ada".into(), starred);
+    let wish = StoreRequest::Star("Ada".into(), starred);
     let done = Store::in_folder(folder.path())
-        .answer(&Request { ticket: 1, wish })
+        .answer(&StoreCall { ticket: 1, wish })
         .done;
-    assert_eq!(done, Done::Noted(Ok(())));
+    assert_eq!(done, StoreReply::Noted(Ok(())));
     let mut ada = app_of("Ada");
     assert_eq!(ada.app().shelf().stars(0), 2);
     assert!(ada.screen().contains("1 of"), "{}", ada.screen());
@@ -328,9 +328,9 @@ fn no_name_breaks_the_screen_the_table_or_json() {
                 player: player.into(),
                 ..attempt.clone()
             };
-            let wish = Wish::Record(Box::new(attempt));
-            let answer = store.answer(&Request { ticket: 0, wish });
-            assert_eq!(answer.done, Done::Noted(Ok(())), "{i}");
+            let wish = StoreRequest::Record(Box::new(attempt));
+            let answer = store.answer(&StoreCall { ticket: 0, wish });
+            assert_eq!(answer.done, StoreReply::Noted(Ok(())), "{i}");
         }
         let app = app(Place::Progress, &name);
         let mut game = Headless::keeping(app, 80, 24, Store::in_folder(folder.path()));

@@ -3,7 +3,7 @@
 
 use carrom::class::ClassRound;
 use carrom::game::{Fingerprint, SavedGame};
-use carrom::messages::{Done, Request, Wish};
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, Tally, topics};
 use carrom::store::Store;
 use rusqlite::Connection;
@@ -21,15 +21,15 @@ fn folder_with(name: &str, sql: &str) -> Folder {
     folder
 }
 
-fn done(store: &mut Store, wish: Wish) -> Done {
-    let answer = store.answer(&Request { ticket: 0, wish });
+fn done(store: &mut Store, wish: StoreRequest) -> StoreReply {
+    let answer = store.answer(&StoreCall { ticket: 0, wish });
     assert_eq!(answer.notice, None);
     answer.done
 }
 
 fn attempts(store: &mut Store, player: Option<&str>) -> Vec<Attempt> {
-    match done(store, Wish::Recall(player.map(str::to_owned))) {
-        Done::Recalled(Ok(history)) => history.attempts,
+    match done(store, StoreRequest::Recall(player.map(str::to_owned))) {
+        StoreReply::Recalled(Ok(history)) => history.attempts,
         other => panic!("{other:?}"),
     }
 }
@@ -82,7 +82,7 @@ fn a_database_of_format_2_means_the_same() {
     }
     assert!(under_four_names > 100);
 
-    let Done::Stars(Ok(stars)) = done(&mut store, Wish::Stars(ADA.into())) else {
+    let StoreReply::Stars(Ok(stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {
         panic!("no stars");
     };
     let stars: Vec<_> = stars
@@ -90,7 +90,7 @@ fn a_database_of_format_2_means_the_same() {
         .map(|it| (it.pack.as_str(), it.level.as_str(), it.stars))
         .collect();
     assert_eq!(stars, [("first-hits", "square-corner", 3)]);
-    let Done::Marks(Ok(marks)) = done(&mut store, Wish::Marks(ADA.into())) else {
+    let StoreReply::Marks(Ok(marks)) = done(&mut store, StoreRequest::Marks(ADA.into())) else {
         panic!("no bookmarks");
     };
     let mark = &marks["the-line-of-impact"];

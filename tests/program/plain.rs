@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use carrom::quiz::{Code, Form, Question, Round, Said};
+use carrom::quiz::{Code, Form, Question, Response, Round};
 
 use crate::folder::Folder;
 
@@ -43,22 +43,22 @@ fn talk(arguments: &str, folder: &Path, heard: &[u8]) -> String {
 }
 
 /// The lines that say this answer, as the player would type them.
-fn typed(question: &Question, said: &Said) -> String {
+fn typed(question: &Question, said: &Response) -> String {
     match (&question.form, said) {
-        (Form::Rays { side, .. }, Said::Rays(rays)) => [rays.striker, rays.target]
+        (Form::Rays { side, .. }, Response::Rays(rays)) => [rays.striker, rays.target]
             .map(|angle| match angle {
                 Some(angle) => format!("{:.1}\n", side * angle.to_degrees()),
                 None => "still\n".into(),
             })
             .concat(),
-        (Form::Number { .. }, Said::Number(x)) => format!("{x}\n"),
-        (_, Said::Choice(i)) => format!("{}\n", carrom::quiz::letter(*i)),
-        (_, Said::Shot(offset)) => format!("{}\n", 1000.0 * offset),
+        (Form::Number { .. }, Response::Number(x)) => format!("{x}\n"),
+        (_, Response::Choice(i)) => format!("{}\n", carrom::quiz::letter(*i)),
+        (_, Response::Shot(offset)) => format!("{}\n", 1000.0 * offset),
         other => panic!("no answer of this form: {other:?}"),
     }
 }
 
-fn answers(round: &Round, said: impl Fn(&Question) -> Said) -> String {
+fn answers(round: &Round, said: impl Fn(&Question) -> Response) -> String {
     let each = round.questions().iter();
     each.map(|question| format!("{}3\n", typed(question, &said(question))))
         .collect()

@@ -10,7 +10,7 @@ use carrom::app::App;
 use carrom::lessons::{self, Bookmark, Chapter, CheckpointAnswer, GivenAnswer};
 use carrom::levels;
 use carrom::levels::Starred;
-use carrom::messages::{Done, History, Request, Wish};
+use carrom::messages::{History, StoreCall, StoreReply, StoreRequest};
 use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
 use carrom::progress::{Attempt, LESSON, csv, json};
@@ -76,16 +76,16 @@ fn attempt(player: &str, number: u32) -> Attempt {
     }
 }
 
-fn ask(store: &mut Store, wish: Wish) -> Done {
-    store.answer(&Request { ticket: 0, wish }).done
+fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
+    store.answer(&StoreCall { ticket: 0, wish }).done
 }
 
 /// What a store has of a player who answered six questions and won a level.
 fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
     let mut store = Store::in_folder(folder);
     for number in 1..=6 {
-        let wish = Wish::Record(Box::new(attempt(player, number)));
-        assert_eq!(ask(&mut store, wish), Done::Noted(Ok(())));
+        let wish = StoreRequest::Record(Box::new(attempt(player, number)));
+        assert_eq!(ask(&mut store, wish), StoreReply::Noted(Ok(())));
     }
     let (pack, level) = first_level();
     let star = Starred {
@@ -93,12 +93,14 @@ fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
         level,
         stars: 2,
     };
-    ask(&mut store, Wish::Star(player.into(), star));
+    ask(&mut store, StoreRequest::Star(player.into(), star));
     let mut store = Store::in_folder(folder);
-    let Done::Recalled(Ok(history)) = ask(&mut store, Wish::Recall(Some(player.into()))) else {
+    let StoreReply::Recalled(Ok(history)) =
+        ask(&mut store, StoreRequest::Recall(Some(player.into())))
+    else {
         panic!("nothing is recalled");
     };
-    let Done::Stars(Ok(stars)) = ask(&mut store, Wish::Stars(player.into())) else {
+    let StoreReply::Stars(Ok(stars)) = ask(&mut store, StoreRequest::Stars(player.into())) else {
         panic!("no stars are recalled");
     };
     assert_eq!((history.attempts.len(), stars.len()), (6, 1));

@@ -9,7 +9,7 @@ use carrom::app::App;
 use carrom::game::{
     Aids, Company, Fingerprint, Game, Hands, Player, Record, Rules, SavedGame, Setup,
 };
-use carrom::messages::{Done, Kept, Request, Wish};
+use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -57,18 +57,18 @@ fn friendly(seed: u64) -> Setup {
     }
 }
 
-fn ask(store: &mut Store, ticket: u64, wish: Wish) -> Done {
-    store.answer(&Request { ticket, wish }).done
+fn ask(store: &mut Store, ticket: u64, wish: StoreRequest) -> StoreReply {
+    store.answer(&StoreCall { ticket, wish }).done
 }
 
 fn save(store: &mut Store, ticket: u64, game: &SavedGame) {
-    let done = ask(store, ticket, Wish::Save(Box::new(game.clone())));
-    assert_eq!(done, Done::Saved(Ok(())));
+    let done = ask(store, ticket, StoreRequest::Save(Box::new(game.clone())));
+    assert_eq!(done, StoreReply::Saved(Ok(())));
 }
 
-fn list(store: &mut Store) -> Vec<Kept> {
-    match ask(store, 0, Wish::List) {
-        Done::Listed(Ok(games)) => games,
+fn list(store: &mut Store) -> Vec<KeptGame> {
+    match ask(store, 0, StoreRequest::List) {
+        StoreReply::Listed(Ok(games)) => games,
         other => panic!("{other:?}"),
     }
 }
@@ -76,7 +76,7 @@ fn list(store: &mut Store) -> Vec<Kept> {
 fn readable(store: &mut Store) -> Vec<(String, SavedGame)> {
     let games = list(store).into_iter();
     games
-        .filter_map(|kept| Some((kept.name, kept.game.ok()?.0)))
+        .filter_map(|kept| Some((kept.name, kept.content.ok()?.0)))
         .collect()
 }
 
@@ -255,10 +255,10 @@ fn a_bad_file_gives_a_message_and_is_left_alone_and_all_others_go_on() {
     assert_eq!(listed.len(), bad().len() + 1);
     for (name, _, expected) in bad() {
         let kept = listed.iter().find(|kept| kept.name == name).unwrap();
-        let reason = kept.game.as_ref().unwrap_err();
+        let reason = kept.content.as_ref().unwrap_err();
         assert!(reason.starts_with(expected), "{name}: {reason}");
-        let done = ask(&mut other, 9, Wish::Load(name.into()));
-        let Done::Loaded(Err(reason)) = done else {
+        let done = ask(&mut other, 9, StoreRequest::Load(name.into()));
+        let StoreReply::Loaded(Err(reason)) = done else {
             panic!("{name} was loaded");
         };
         assert!(reason.contains(&format!("{name}.toml:")), "{reason}");
@@ -306,8 +306,8 @@ fn two_who_resume_the_same_game_both_keep_what_they_play() {
     );
     let resume = || {
         let mut store = Store::in_folder(folder.path());
-        let done = ask(&mut store, 1, Wish::Load("game-1".into()));
-        assert!(matches!(done, Done::Loaded(Ok(_))));
+        let done = ask(&mut store, 1, StoreRequest::Load("game-1".into()));
+        assert!(matches!(done, StoreReply::Loaded(Ok(_))));
         store
     };
     let (mut one, mut two) = (resume(), resume());
@@ -377,8 +377,8 @@ fn an_export_never_replaces_another() {
     let game = saved(friendly(7), 3, 7);
     let mut places = Vec::new();
     for _ in 0..3 {
-        match ask(&mut store, 1, Wish::Export(Box::new(game.clone()))) {
-            Done::Exported(Ok(place)) => places.push(place),
+        match ask(&mut store, 1, StoreRequest::Export(Box::new(game.clone()))) {
+            StoreReply::Exported(Ok(place)) => places.push(place),
             other => panic!("{other:?}"),
         }
     }
@@ -395,8 +395,8 @@ fn a_game_that_is_removed_is_gone_and_only_that() {
         for ticket in 1..=3 {
             save(&mut store, ticket, &saved(friendly(8), 3, ticket));
         }
-        let removed = ask(&mut store, 9, Wish::Remove("game-2".into()));
-        assert_eq!(removed, Done::Removed(Ok(())));
+        let removed = ask(&mut store, 9, StoreRequest::Remove("game-2".into()));
+        assert_eq!(removed, StoreReply::Removed(Ok(())));
         let names: Vec<_> = readable(&mut store)
             .into_iter()
             .map(|(name, _)| name)

@@ -7,11 +7,12 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use carrom::app::App;
-use carrom::messages::{Input, Key};
-use carrom::screens::{Context, Help, Hint, Next, Screen, Settings};
+use carrom::messages::Key;
+use carrom::screens::{Context, Hosted, Next, Screen, Settings};
 use carrom::shells::FRAME;
 use carrom::shells::terminal::{self, Ending};
 use carrom::store::Store;
+use carrom::widgets::input::KeyTable;
 use portable_pty::CommandBuilder;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -286,7 +287,7 @@ fn child_plays() {
         moves: role == "animated",
         ..Restless::default()
     };
-    let app = App::on(Box::new(screen), Settings::default(), 1);
+    let app = App::on(Box::new(Hosted::new(screen)), Settings::default(), 1);
     match terminal::run(app, Store::in_memory()) {
         Ok(Ending::Quit) => process::exit(0),
         Ok(Ending::Signal(signal)) => process::exit(128 + signal),
@@ -302,24 +303,44 @@ struct Restless {
     steps: u32,
 }
 
+/// What `q` does.
+#[derive(Clone, Copy, strum::IntoStaticStr, strum::EnumMessage)]
+enum RestlessAction {
+    /// quit
+    Quit,
+}
+
 impl Screen for Restless {
+    type Action = RestlessAction;
+
     fn title(&self) -> String {
         format!("restless {}", self.steps)
     }
 
-    fn update(&mut self, input: &Input, _: &mut Context) -> Next {
-        match input {
-            Input::Key(Key::Char('w')) => {
+    fn keys(&self, _: &Context) -> KeyTable<RestlessAction> {
+        KeyTable::new("restless").on(Key::Char('q'), RestlessAction::Quit, "quit")
+    }
+
+    fn about(&self, _: &Context) -> Vec<&'static str> {
+        vec!["Restless."]
+    }
+
+    fn act(&mut self, _: RestlessAction, _: &mut Context) -> Next {
+        Next::Quit
+    }
+
+    fn typed(&mut self, key: Key, _: &mut Context) -> bool {
+        match key {
+            Key::Char('w') => {
                 let _ = thread::spawn(|| panic!("a worker's bad mood")).join();
             }
-            Input::Key(Key::Char('p')) => panic!("a bad mood"),
-            Input::Key(Key::Char('s')) => loop {
+            Key::Char('p') => panic!("a bad mood"),
+            Key::Char('s') => loop {
                 thread::park();
             },
-            Input::Key(Key::Char('q')) => return Next::Quit,
-            _ => {}
+            _ => return false,
         }
-        Next::Stay
+        true
     }
 
     fn advance(&mut self, _: Duration, _: &mut Context) -> Next {
@@ -335,17 +356,6 @@ impl Screen for Restless {
         use ratatui::style::Stylize;
         let line = format!("step {}", self.steps).bold().reversed();
         buf.set_span(area.x, area.y, &line, area.width);
-    }
-
-    fn keys(&self, _: &Context) -> Vec<Hint> {
-        vec![Hint::new("q", "quit")]
-    }
-
-    fn help(&self, _: &Context) -> Help {
-        Help {
-            text: vec!["Restless."],
-            keys: vec![],
-        }
     }
 }
 

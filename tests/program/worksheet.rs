@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 
 use carrom::paper::clean;
 use carrom::paper::worksheet::Worksheet;
-use carrom::quiz::{Code, CourseKind, Form, Picture, Round};
+use carrom::quiz::{Code, CourseKind, Form, Illustration, Round};
 use pulldown_cmark::{Event, Options, Parser, Tag};
 use scraper::{Html, Selector};
 
@@ -62,7 +62,7 @@ fn the_sheet_asks_what_the_code_asks_and_tells_no_answer() {
             };
             let number: usize = number.parse().unwrap();
             let asked = &round.questions()[number - 1];
-            if matches!(asked.picture, Picture::Before { .. }) {
+            if matches!(asked.picture, Illustration::Before { .. }) {
                 let file = picture.svg.file();
                 for letter in ["θ", "v₁", "v₂"] {
                     assert!(!file.contains(letter), "{letter}: {}", asked.text);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carrom::class::{ClassRound, Vote, answers_csv, items, items_csv, standings, team_names};
-use carrom::quiz::{Code, Form, Said};
+use carrom::quiz::{Code, Form, Response};
 
 fn round(code: &str, teams: &[&str]) -> ClassRound {
     let names = team_names(teams.iter().copied()).unwrap();
@@ -123,11 +123,15 @@ fn a_bad_file_says_what_is_wrong_with_it() {
 fn a_vote_of_another_kind_is_not_taken() {
     let mut round = round("7", &["Ants"]);
     assert!(matches!(round.questions()[0].form, Form::Rays { .. }));
-    for said in [Said::Number(3.0), Said::Choice(0), Said::Shot(0.0)] {
+    for said in [
+        Response::Number(3.0),
+        Response::Choice(0),
+        Response::Shot(0.0),
+    ] {
         round.vote(0, 0, Vote::First, Some(said));
         assert_eq!(round.ballot(0, 0).first, None);
     }
-    round.vote(99, 0, Vote::First, Some(Said::Number(1.0)));
+    round.vote(99, 0, Vote::First, Some(Response::Number(1.0)));
     round.vote(0, 99, Vote::First, None);
     assert!(!round.is_begun());
 }

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use carrom::quiz::{CLEAR, Code, Difficulty, Family, Form, Question, Round};
+use carrom::quiz::{Code, Difficulty, Family, Form, MIN_SEPARATION, Question, Round};
 
 /// All of a question that a player reads, with what it is answered by.
 fn written(question: &Question) -> String {
@@ -87,7 +87,7 @@ fn no_question_hangs_on_the_last_bit() {
             for seed in 0..200 {
                 let mut dice = carrom::quiz::Dice::new(seed);
                 let (question, _) = family.ask(difficulty, &mut dice).unwrap();
-                let margin = question.clearance() - CLEAR;
+                let margin = question.clearance() - MIN_SEPARATION;
                 assert!(margin > 1e-7, "{question:?}");
             }
         }

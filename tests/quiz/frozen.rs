@@ -9,7 +9,9 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use carrom::quiz::{Code, Dice, Difficulty, Family, Form, Picture, Question, Rays, Round, Said};
+use carrom::quiz::{
+    Code, Dice, Difficulty, Family, Form, Illustration, Question, Rays, Response, Round,
+};
 use serde_json::{Value, json};
 
 /// Numbers are held to twelve figures: machines differ in the last bit of a sine.
@@ -24,11 +26,11 @@ fn rays(rays: &Rays) -> Value {
     json!([rays.striker.map(number), rays.target.map(number)])
 }
 
-fn said(said: &Said) -> Value {
+fn said(said: &Response) -> Value {
     match said {
-        Said::Rays(it) => rays(it),
-        Said::Number(x) | Said::Shot(x) => number(*x),
-        Said::Choice(i) => json!(i),
+        Response::Rays(it) => rays(it),
+        Response::Number(x) | Response::Shot(x) => number(*x),
+        Response::Choice(i) => json!(i),
     }
 }
 
@@ -48,18 +50,18 @@ fn collision(it: &carrom::physics::Collision) -> Value {
     json!({ "numbers": numbers.map(number), "bond": format!("{:?}", it.bond) })
 }
 
-fn picture(picture: &Picture) -> Value {
+fn picture(picture: &Illustration) -> Value {
     match picture {
-        Picture::Nothing => json!("nothing"),
-        Picture::Before {
+        Illustration::Nothing => json!("nothing"),
+        Illustration::Before {
             collision: it,
             shown,
         } => json!({
             "before": collision(it),
             "shown": [shown.offset, shown.angle, shown.figures],
         }),
-        Picture::After { collision: it } => json!({ "after": collision(it) }),
-        Picture::Tracks { rutherford, angles } => json!({
+        Illustration::After { collision: it } => json!({ "after": collision(it) }),
+        Illustration::Tracks { rutherford, angles } => json!({
             // In femtometres, for what is nearly nothing is written as nothing.
             "approach": number(1e15 * rutherford.head_on_approach),
             "angles": angles.map(number),
@@ -104,7 +106,7 @@ fn written(question: &Question) -> Value {
     json!({
         "family": question.family.id(),
         "difficulty": question.difficulty.id(),
-        "topic": question.topic,
+        "topic": question.topic.id(),
         "text": question.text,
         "picture": picture(&question.picture),
         "form": form(&question.form),

@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 
 use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{
-    Answer, Confidence, Fit, Form, Given, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG,
-    Ray, Rays, Round, Said, Summary, explain, hits,
+    Answer, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Placement, Question,
+    RIGHT_DEG, Ray, Rays, Response, Round, Summary, explain, hits,
 };
 use carrom::widgets::text::wrap;
 use glam::DVec2;
@@ -26,7 +26,7 @@ fn drawn() -> impl Iterator<Item = Hit> {
 /// The rays that are true for a question of this family.
 fn truth(question: &Question) -> Rays {
     match question.form.truth() {
-        Said::Rays(rays) => rays,
+        Response::Rays(rays) => rays,
         other => panic!("not rays: {other:?}"),
     }
 }
@@ -44,13 +44,13 @@ fn beliefs(
     question: &Question,
 ) -> impl Iterator<Item = (&'static Misconception, Rays, Option<Ray>)> {
     question.beliefs.iter().map(|belief| match belief.said {
-        Said::Rays(rays) => (belief.misconception, rays, belief.telltale),
+        Response::Rays(rays) => (belief.misconception, rays, belief.telltale),
         other => panic!("not rays: {other:?}"),
     })
 }
 
 fn sure(rays: Rays) -> Answer {
-    Answer::new(Said::Rays(rays), Confidence::Sure)
+    Answer::new(Response::Rays(rays), Confidence::Sure)
 }
 
 /// The angle from `a` to `b`, anticlockwise; `None` if `b` is at rest.
@@ -68,8 +68,8 @@ fn by_impulse(question: &Hit) -> Rays {
     };
     let u = question.speed * DVec2::from_angle(question.direction_deg.to_radians());
     let sine = match question.given {
-        Given::Angle { alpha_deg } => alpha_deg.to_radians().sin(),
-        Given::Offset { offset_mm } => offset_mm / (r1 + r2),
+        Placement::Angle { alpha_deg } => alpha_deg.to_radians().sin(),
+        Placement::Offset { offset_mm } => offset_mm / (r1 + r2),
     };
     // The target's centre lies `sine` of the way to the right of the path.
     let right = DVec2::new(u.y, -u.x) / question.speed;

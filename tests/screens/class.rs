@@ -5,9 +5,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::class::{ClassRound, Step, Vote};
+use carrom::class::{ClassRound, ClassStep, Vote};
 use carrom::cli;
-use carrom::messages::{Done, Input, Request, Wish};
+use carrom::messages::{Input, StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::Code;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -49,14 +49,14 @@ fn exported(folder: &Path, name: &str) -> String {
 
 /// The rounds that are kept.
 fn kept(folder: &Path) -> Vec<ClassRound> {
-    let request = Request {
+    let request = StoreCall {
         ticket: 0,
-        wish: Wish::ListClasses,
+        wish: StoreRequest::ListClasses,
     };
     match Store::in_folder(folder).answer(&request).done {
-        Done::Classes(Ok(rounds)) => rounds
+        StoreReply::Classes(Ok(rounds)) => rounds
             .into_iter()
-            .map(|kept| *kept.round.unwrap())
+            .map(|kept| *kept.content.unwrap())
             .collect(),
         other => panic!("{other:?}"),
     }
@@ -248,7 +248,7 @@ fn a_round_that_is_killed_is_taken_up_where_it_was_left() {
     let rounds = kept(folder.path());
     assert_eq!(rounds.len(), 1);
     assert_eq!(rounds[0].voted(0, Vote::First), 1);
-    assert_eq!(rounds[0].place().step, Step::FirstVote);
+    assert_eq!(rounds[0].place().step, ClassStep::FirstVote);
     game.press("<Enter>45<Enter>45<Enter>");
     drop(game);
     let mut game = class(folder.path(), "quick-1", &[]);
@@ -267,7 +267,7 @@ fn a_round_that_is_killed_is_taken_up_where_it_was_left() {
     // It goes on in the same file.
     let rounds = kept(folder.path());
     assert_eq!((rounds.len(), rounds[0].voted(0, Vote::First)), (1, 3));
-    assert_eq!(rounds[0].place().step, Step::Talk);
+    assert_eq!(rounds[0].place().step, ClassStep::Talk);
     // And can be removed.
     let mut game = class(folder.path(), "quick-1", &[]);
     game.press("<End><Down><Enter>dn");

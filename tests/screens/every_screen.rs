@@ -30,7 +30,7 @@ fn places() -> Vec<Place> {
         Place::Level { number: 4 },
     ];
     let topics = CourseKind::topics().map(CourseKind::Topic);
-    let review = CourseKind::Review(vec!["equal masses".into(), "both moving".into()]);
+    let review = CourseKind::Review(vec!["equal-masses".into(), "both-moving".into()]);
     places.extend(
         CourseKind::ALWAYS
             .into_iter()

@@ -1,7 +1,7 @@
 //! What the player sees of keeping when it does not go as it should.
 
 use carrom::app::App;
-use carrom::messages::{Answer, Done, Input};
+use carrom::messages::{Input, StoreAnswer, StoreReply};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 
@@ -10,9 +10,9 @@ fn what_takes_long_and_what_is_lost_is_told_each_time() {
     let app = App::new(Place::Lab, Settings::default(), 1);
     let mut game = Headless::from(app);
     let kept = |ticket, done: Result<(), String>| {
-        Input::Kept(Box::new(Answer {
+        Input::Kept(Box::new(StoreAnswer {
             ticket,
-            done: Done::Noted(done),
+            done: StoreReply::Noted(done),
             notice: None,
         }))
     };

@@ -4,6 +4,7 @@
 
 mod article;
 mod class;
+mod colours;
 mod every_screen;
 mod foil;
 mod keeping;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::quiz::misconceptions::OF_RAYS as ALL;
-use carrom::quiz::{Answer, Code, Confidence, Form, Question, Rays, Round, Said, explain};
+use carrom::quiz::{Answer, Code, Confidence, Form, Question, Rays, Response, Round, explain};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::{Beside, Charset};
@@ -32,16 +32,16 @@ fn plain(seed: u64) -> Headless {
 /// Where the two truly go.
 fn truth(question: &Question) -> Rays {
     match question.form.truth() {
-        Said::Rays(rays) => rays,
+        Response::Rays(rays) => rays,
         other => panic!("not rays: {other:?}"),
     }
 }
 
 /// What a misconception answers, where it has a word on the question.
 fn held(question: &Question, i: usize) -> Option<Rays> {
-    let belief = |it: &&carrom::quiz::Belief| it.misconception == ALL[i];
+    let belief = |it: &&carrom::quiz::WrongAnswer| it.misconception == ALL[i];
     match question.beliefs.iter().find(belief)?.said {
-        Said::Rays(rays) => Some(rays),
+        Response::Rays(rays) => Some(rays),
         _ => None,
     }
 }
@@ -147,7 +147,7 @@ fn every_misconception_is_named_and_explained_in_whole() {
                 target: rays.target.map(|a| tenth(a).to_radians()),
             };
             let confidence = Confidence::ThinkSo;
-            let explanation = explain(question, &Answer::new(Said::Rays(rays), confidence));
+            let explanation = explain(question, &Answer::new(Response::Rays(rays), confidence));
             let expected = format!("{} {}", ALL[i].name, explanation.text);
             let expected = words(&charset.text(&expected));
             let shown = panel(&mut game, (80, 24));

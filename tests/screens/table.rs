@@ -8,8 +8,8 @@ use carrom::game::{Colour, Game, Move, Piece, Rules, Ruling, Stage, Strike, Team
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
-use carrom::screens::Settings;
 use carrom::screens::table::{Aids, Options, Table};
+use carrom::screens::{Old, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ const SEED: u64 = 11;
 
 fn at_the_table(options: Options, settings: Settings) -> Headless {
     let table = Table::playing(options, SEED);
-    Headless::new(App::on(Box::new(table), settings, 1), 120, 40)
+    Headless::new(App::on(Box::new(Old(table)), settings, 1), 120, 40)
 }
 
 fn still() -> Settings {

@@ -5,8 +5,9 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::cli;
 use carrom::messages::{Input, Key, MouseKind};
-use carrom::screens::{Context, Help, Hint, Next, Place, Screen, Settings};
+use carrom::screens::{Context, Hosted, Next, Place, Screen, Settings};
 use carrom::shells::tape::{ParseError, PlayError, Screenshot, Tape, play};
+use carrom::widgets::input::KeyTable;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -210,13 +211,29 @@ fn nothing_can_follow_when_carrom_is_left() {
 struct Notes(String);
 
 impl Screen for Notes {
+    type Action = ();
+
     fn title(&self) -> String {
         "notes".into()
     }
-    fn update(&mut self, input: &Input, _: &mut Context) -> Next {
+    fn keys(&self, _: &Context) -> KeyTable<()> {
+        KeyTable::new("notes")
+    }
+    fn about(&self, _: &Context) -> Vec<&'static str> {
+        vec![]
+    }
+    fn typed(&mut self, key: Key, _: &mut Context) -> bool {
+        self.0 += &match key {
+            Key::Char(letter) => letter.to_string(),
+            key => format!("<{key}>"),
+        };
+        true
+    }
+    fn act(&mut self, (): (), _: &mut Context) -> Next {
+        Next::Stay
+    }
+    fn input(&mut self, input: &Input, _: &mut Context) -> Next {
         self.0 += &match input {
-            Input::Key(Key::Char(letter)) => letter.to_string(),
-            Input::Key(key) => format!("<{key}>"),
             Input::Mouse(mouse) => {
                 let kind = match mouse.kind {
                     MouseKind::Down => "down",
@@ -241,15 +258,6 @@ impl Screen for Notes {
     fn draw(&self, area: Rect, buf: &mut Buffer, _: &Context) {
         buf.set_stringn(area.x, area.y, &self.0, area.width.into(), Style::new());
     }
-    fn keys(&self, _: &Context) -> Vec<Hint> {
-        vec![]
-    }
-    fn help(&self, _: &Context) -> Help {
-        Help {
-            text: vec![],
-            keys: vec![],
-        }
-    }
 }
 
 #[test]
@@ -269,7 +277,7 @@ fn each_instruction_does_what_it_says() {
         ("Sleep 0s", ""),
     ] {
         let open = |_: &str| {
-            let screen = Box::new(Notes::default());
+            let screen = Box::new(Hosted::new(Notes::default()));
             Ok(App::on(screen, Settings::default(), 1))
         };
         let text = format!("{instructions}\nScreenshot s");

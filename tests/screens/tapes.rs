@@ -1,7 +1,8 @@
 //! The tapes under `tests/tapes`, each played in both charsets at two sizes. What they
 //! expect and refuse holds in all four; their screenshots are kept as one snapshot a
 //! tape and variant, accepted after they were looked at: two variants of every tape,
-//! and all four of those that together show every kind of picture.
+//! and all four of those that together show every kind of picture. Some screenshots are
+//! kept with their colours too.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -12,6 +13,11 @@ use std::thread;
 
 use carrom::cli;
 use carrom::shells::tape::{Screenshot, Tape, play};
+use carrom::widgets::Depth::{self, Ansi16, Indexed256, True};
+use carrom::widgets::Palette::{self, Dark, Light, Mono};
+use carrom::widgets::Theme;
+
+use super::colours;
 
 /// Charset and size of each variant, and whether every tape has a snapshot of it.
 const VARIANTS: [(&str, &str, bool); 4] = [
@@ -42,6 +48,32 @@ const IN_ALL_VARIANTS: [&str; 17] = [
     "worked-shot",
 ];
 
+/// The screenshots that are kept with their colours, at 80x24.
+const COLOURED: [(&str, &str, &str, Palette, Depth); 22] = [
+    ("home", "home", "unicode", Dark, True),
+    ("home", "home-help", "ascii", Light, Ansi16),
+    ("worked-shot", "say-it", "ascii", Dark, Ansi16),
+    ("worked-shot", "split", "unicode", Dark, True),
+    ("worked-shot", "contact", "unicode", Light, True),
+    ("worked-shot", "departure", "ascii", Light, Ansi16),
+    ("worked-shot", "departure", "unicode", Mono, True),
+    ("worked-shot", "centre-of-mass", "unicode", Dark, Indexed256),
+    ("board", "aim", "unicode", Dark, True),
+    ("board", "queen", "ascii", Light, Ansi16),
+    ("learn-04", "page4-moved", "unicode", Dark, True),
+    ("learn-09", "page2-answered", "unicode", Light, True),
+    ("levels", "missed", "unicode", Dark, Ansi16),
+    ("levels", "won", "unicode", Light, True),
+    ("foil-beam", "foil", "unicode", Dark, True),
+    ("foil-particle", "nucleus", "unicode", Light, Ansi16),
+    ("family-from-picture", "diagnosed", "unicode", Dark, True),
+    ("quiz-right", "right", "ascii", Dark, Ansi16),
+    ("progress", "sure", "unicode", Dark, True),
+    ("class-round", "second-vote", "unicode", Light, True),
+    ("stick", "turning", "unicode", Dark, True),
+    ("saved-games", "list", "ascii", Dark, Ansi16),
+];
+
 fn folder(of: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(of)
 }
@@ -55,14 +87,20 @@ fn names(folder: &Path, ending: &str) -> BTreeSet<String> {
 }
 
 /// Plays the tape `name` with charset and size set after its first instruction, `Run`.
-fn played(name: &str, charset: &str, size: &str) -> Vec<Screenshot> {
+fn played(name: &str, charset: &str, size: &str, theme: Theme) -> Vec<Screenshot> {
     let text = fs::read_to_string(folder("tapes").join(format!("{name}.tape"))).unwrap();
     let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
     let run = lines.iter().position(|line| line.starts_with("Run"));
     let setting = format!("Set Size {size}\nSet Charset {charset}");
     lines.insert(run.map_or(0, |i| i + 1), setting);
     let tape = Tape::parse(&lines.join("\n")).unwrap_or_else(|error| panic!("{name}:{error}"));
-    play(&tape, cli::open).unwrap_or_else(|error| panic!("{name} in {charset} at {size}:{error}"))
+    let open = |arguments: &str| {
+        let mut app = cli::open(arguments)?;
+        let settings = app.settings_mut();
+        (settings.palette, settings.depth) = (theme.palette, theme.depth);
+        Ok(app)
+    };
+    play(&tape, open).unwrap_or_else(|error| panic!("{name} in {charset} at {size}:{error}"))
 }
 
 /// All screenshots of a tape in one text.
@@ -80,6 +118,13 @@ fn compare(folder: &str, name: &str, text: &str) {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+/// Fails unless the snapshots in `tests/snapshots/<of>` are those that are `wanted`.
+fn assert_kept(of: &str, wanted: &BTreeSet<String>) {
+    let kept = names(&folder("snapshots").join(of), ".snap");
+    let wrong: Vec<_> = kept.symmetric_difference(wanted).collect();
+    assert!(wrong.is_empty(), "left over or missing: {wrong:?}");
 }
 
 /// Runs `check` on every item, on all cores; fails at the end with all that failed.
@@ -118,7 +163,7 @@ fn every_tape_plays_and_looks_as_it_did() {
         }
     }
     check_each(plays, |(name, charset, size, kept)| {
-        let screenshots = played(name, charset, size);
+        let screenshots = played(name, charset, size, Theme::new(Dark, Depth::None));
         for screenshot in &screenshots {
             let screen = screenshot.text();
             assert!(!screen.contains("NaN") && !screen.contains("inf "));
@@ -129,7 +174,21 @@ fn every_tape_plays_and_looks_as_it_did() {
             compare("tapes", &snapshot, &album(&screenshots));
         }
     });
-    let kept = names(&folder("snapshots/tapes"), ".snap");
-    let wrong: Vec<_> = kept.symmetric_difference(&expected).collect();
-    assert!(wrong.is_empty(), "left over or missing: {wrong:?}");
+    assert_kept("tapes", &expected);
+}
+
+#[test]
+fn some_pictures_are_coloured_as_they_were() {
+    let file = |(tape, shot, charset, palette, depth): (&str, &str, &str, Palette, Depth)| {
+        format!("{tape}-{shot}-{charset}-{palette:?}-{depth:?}").to_lowercase()
+    };
+    check_each(COLOURED.to_vec(), |&picture| {
+        let (tape, shot, charset, palette, depth) = picture;
+        let theme = Theme::new(palette, depth);
+        let screenshots = played(tape, charset, "80x24", theme);
+        let screenshot = screenshots.iter().find(|other| other.name == shot);
+        let text = colours::written(screenshot.unwrap(), theme);
+        compare("colours", &file(picture), &text);
+    });
+    assert_kept("colours", &COLOURED.map(file).into());
 }

@@ -9,7 +9,7 @@ use super::stage::Stage;
 use crate::paper::{Ink, Stroke};
 use crate::physics::units::m_from_mm;
 use crate::quiz::words::degrees;
-use crate::quiz::{Aim, Ray};
+use crate::quiz::{AimTask, Ray};
 
 /// How much larger than other hits it is drawn, so that the scale can be read.
 pub(super) const LARGER: f64 = 1.3;
@@ -23,7 +23,7 @@ const ARC: f64 = 1.9;
 
 /// Draws the shot. The target's place is the student's to mark on the scale; at 0, where
 /// it is hit head-on, it is drawn in dashes.
-pub(super) fn shot(sheet: &mut Sheet, stage: &Stage, aim: &Aim) {
+pub(super) fn shot(sheet: &mut Sheet, stage: &Stage, aim: &AimTask) {
     let [striker, target] = [stage.start[0], stage.contact[1]];
     let heading = stage.along();
     let thin = Stroke::new(Ink::Dim).dashed();
@@ -73,7 +73,7 @@ fn scale(sheet: &mut Sheet, stage: &Stage, zero: DVec2) {
 }
 
 /// Where one of the two is to go, and how far that turns from the striker's way.
-fn wanted(sheet: &mut Sheet, stage: &Stage, aim: &Aim, from: DVec2) {
+fn wanted(sheet: &mut Sheet, stage: &Stage, aim: &AimTask, from: DVec2) {
     let heading = stage.along();
     let (name, turn) = match aim.ray {
         Ray::Striker => ("striker", aim.wanted),

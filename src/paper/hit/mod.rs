@@ -13,7 +13,7 @@ mod tests;
 
 use super::Svg;
 use crate::physics::Collision;
-use crate::quiz::Aim;
+use crate::quiz::AimTask;
 use sheet::Sheet;
 use stage::Stage;
 
@@ -75,7 +75,7 @@ pub fn seen_picture(collision: &Collision) -> Svg {
 /// in millimetres across it, true to the size of the discs, and the way that one of the
 /// two is to go.
 #[must_use]
-pub fn aim_picture(aim: &Aim) -> Svg {
+pub fn aim_picture(aim: &AimTask) -> Svg {
     draw_aim(aim).picture()
 }
 
@@ -92,7 +92,7 @@ fn draw_seen(collision: &Collision) -> Sheet {
     sheet
 }
 
-fn draw_aim(aim: &Aim) -> Sheet {
+fn draw_aim(aim: &AimTask) -> Sheet {
     let shown = Shown {
         numbers: true,
         speeds: true,

@@ -140,7 +140,7 @@ fn a_shot_to_be_set_has_its_mark_and_a_scale_true_to_size() {
             let u1 = 4.0 * DVec2::from_angle(f64::from(30 * turn).to_radians());
             for wanted_deg in [-120.0_f64, -80.0, -35.0, 15.0, 45.0, 75.0, 130.0] {
                 for ray in crate::quiz::Ray::BOTH {
-                    let aim = Aim {
+                    let aim = AimTask {
                         collision: Collision::at_offset(striker, target, u1, 0.0),
                         ray,
                         wanted: wanted_deg.to_radians(),
@@ -152,7 +152,7 @@ fn a_shot_to_be_set_has_its_mark_and_a_scale_true_to_size() {
                     let file = aim_picture(&aim).file();
                     assert!(file.contains(&format!(">{:.1}°<", wanted_deg.abs())));
                     // What does it is not given away.
-                    let other = Aim {
+                    let other = AimTask {
                         offset: -0.02,
                         ..aim
                     };

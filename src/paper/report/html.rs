@@ -3,7 +3,7 @@
 use maud::{Markup, Render, html};
 
 use super::rows::{Cut, of};
-use super::{Picture, Report};
+use super::{Report, ReportPicture};
 use crate::paper::{Page, clean};
 use crate::progress::words::{angles, degrees, percent};
 use crate::progress::{LATELY, Mastery, Trend};
@@ -95,7 +95,7 @@ fn columns(report: &Report) -> Markup {
     }
 }
 
-fn figure(picture: &Picture) -> Markup {
+fn figure(picture: &ReportPicture) -> Markup {
     html! {
         figure {
             h2 { (picture.title) }

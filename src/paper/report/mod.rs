@@ -5,7 +5,7 @@ mod markdown;
 mod pictures;
 mod rows;
 
-pub use pictures::Picture;
+pub use pictures::ReportPicture;
 
 use std::collections::BTreeMap;
 
@@ -16,10 +16,10 @@ use crate::levels::Starred;
 use crate::messages::History;
 use crate::progress::words::answers;
 use crate::progress::{
-    Attempt, Belief, Calibrated, LESSON, Mastery, Tally, Topic, advice, beliefs, calibration,
-    ends_deg, topics, utc,
+    Attempt, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice, beliefs,
+    calibration, ends_deg, topics, utc,
 };
-use crate::quiz::{Quantity, RIGHT_DEG};
+use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
 
 /// Columns of the player's name.
@@ -57,9 +57,9 @@ pub struct Report<'a> {
     attempts: &'a [Attempt],
     now_s: Option<i64>,
     all: Tally,
-    topics: Cut<Topic>,
+    topics: Cut<TopicStanding>,
     calibration: [Calibrated; 3],
-    beliefs: Cut<Belief>,
+    beliefs: Cut<HeldBelief>,
     chapters: Cut<ChapterRow>,
     packs: Cut<PackRow>,
     /// How many topics are solid.
@@ -122,7 +122,7 @@ impl<'a> Report<'a> {
 
     /// The pictures there are: none where there is nothing to be seen.
     #[must_use]
-    pub fn pictures(&self) -> Vec<Picture> {
+    pub fn pictures(&self) -> Vec<ReportPicture> {
         pictures::all(self)
     }
 
@@ -175,7 +175,7 @@ impl<'a> Report<'a> {
             "Written by carrom{when} from the answers kept on this computer. Days are those of \
              UTC. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
              {} A chapter is done when all of it has been read and answered.",
-            Quantity::RIGHT,
+            Measure::RIGHT,
             Mastery::MEANING,
         )
     }

@@ -21,7 +21,7 @@ const APART: f64 = 12.0;
 
 /// A picture of the report.
 #[derive(Debug, Clone)]
-pub struct Picture {
+pub struct ReportPicture {
     /// Its name, fit for a file.
     pub name: &'static str,
     /// What it is about.
@@ -33,14 +33,14 @@ pub struct Picture {
 }
 
 /// All pictures there are.
-pub(super) fn all(report: &Report) -> Vec<Picture> {
+pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
     let pictures = [errors(report), calibration(report), over_time(report)];
     pictures.into_iter().flatten().collect()
 }
 
 /// The error of each answer and the mean of the last few; of many answers, the means of
 /// groups of them.
-fn errors(report: &Report) -> Option<Picture> {
+fn errors(report: &Report) -> Option<ReportPicture> {
     let errors = smoothed_errors_deg(report.attempts, REACH);
     let (first, last) = (errors.first()?, errors.last()?);
     let group = errors.len().div_ceil(MOST_MARKS);
@@ -96,7 +96,7 @@ fn errors(report: &Report) -> Option<Picture> {
         1 => format!("Dots are right, rings not yet; the line is the mean of {REACH}."),
         _ => format!("The line is the mean of each {group} answers; right is within {RIGHT_DEG}°."),
     };
-    Some(Picture {
+    Some(ReportPicture {
         name: "errors",
         title: "How far off, over time",
         legend,
@@ -109,7 +109,7 @@ fn at(number: usize, y: f64) -> DVec2 {
 }
 
 /// Of each confidence the share that was right, on the range for which it pays.
-fn calibration(report: &Report) -> Option<Picture> {
+fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {
         return None;
@@ -179,7 +179,7 @@ fn calibration(report: &Report) -> Option<Picture> {
         };
         svg.label(&counted, dvec2(x(share) + off, y - 9.0), anchor, Ink::Text);
     }
-    Some(Picture {
+    Some(ReportPicture {
         name: "calibration",
         title: "How sure, and how right",
         legend: calibration_words(&report.calibration).into(),
@@ -188,7 +188,7 @@ fn calibration(report: &Report) -> Option<Picture> {
 }
 
 /// Of each confidence the share that was right among the last few, as time went by.
-fn over_time(report: &Report) -> Option<Picture> {
+fn over_time(report: &Report) -> Option<ReportPicture> {
     // Of many answers, the share of more of them: the line shall not tremble.
     let reach = SHARED.max(report.attempts.len() / GROUPS / 10 * 10);
     let shares = calibration_over_time(report.attempts, reach);
@@ -238,7 +238,7 @@ fn over_time(report: &Report) -> Option<Picture> {
         let off = dvec2(6.0, wanted - height);
         chart.label(name, end, off, Anchor::Start, Ink::Text);
     }
-    Some(Picture {
+    Some(ReportPicture {
         name: "calibration-over-time",
         title: "How sure, and how right, over time",
         legend: format!(

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
 use crate::paper::{Page, Svg};
-use crate::quiz::{Confidence, Form, Quantity, Question, letter};
+use crate::quiz::{Confidence, Form, Measure, Question, letter};
 
 /// The widest picture that stands beside its question: 96 mm.
 const BESIDE: f64 = 363.0;
@@ -99,7 +99,7 @@ fn room(form: &Form) -> Markup {
             (work())
             p.answer {
                 "Answer: "
-                @if *quantity == Quantity::Restitution { "e = " }
+                @if *quantity == Measure::Restitution { "e = " }
                 (blank(quantity.unit()))
             }
         },

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{Worksheet, html::figure, html::head, pictures, words};
-use crate::quiz::{Belief, Question};
+use crate::quiz::{Question, WrongAnswer};
 
 /// All answers: at a glance, and then each with its reasons.
 pub(super) fn answers(worksheet: &Worksheet) -> Markup {
@@ -46,7 +46,7 @@ fn one(number: usize, question: &Question) -> Markup {
     }
 }
 
-fn row(question: &Question, belief: &Belief) -> Markup {
+fn row(question: &Question, belief: &WrongAnswer) -> Markup {
     html! {
         tr {
             td { (words::said(question, &belief.said)) }

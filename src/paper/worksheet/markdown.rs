@@ -2,7 +2,7 @@
 
 use super::{Worksheet, pictures, words};
 use crate::paper::Markdown;
-use crate::quiz::{Confidence, Form, Quantity, letter};
+use crate::quiz::{Confidence, Form, Measure, letter};
 
 /// A line to write on, a short one, and a box to be ticked.
 const BLANK: &str = "____________";
@@ -51,14 +51,10 @@ fn room(document: &mut Markdown, form: &Form) {
         })),
         Form::Number { quantity, .. } => {
             let name = match quantity {
-                Quantity::Restitution => "Answer: e =",
+                Measure::Restitution => "Answer: e =",
                 _ => "Answer:",
             };
-            let gap = if *quantity == Quantity::Angle {
-                ""
-            } else {
-                " "
-            };
+            let gap = if *quantity == Measure::Angle { "" } else { " " };
             document.paragraph(&format!("{name} {BLANK}{gap}{}", quantity.unit()))
         }
         Form::Choice { options, .. } => document.list(

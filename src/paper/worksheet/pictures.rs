@@ -49,8 +49,8 @@ pub(super) fn all(round: &Round) -> Vec<Picture> {
 /// both ways are asked for, a scale where an offset is.
 pub(super) fn of_question(question: &Question) -> Option<Svg> {
     match (&question.picture, &question.form) {
-        (quiz::Picture::Before { .. }, Form::Shot(aim)) => Some(aim_picture(aim)),
-        (quiz::Picture::Before { collision, shown }, form) => {
+        (quiz::Illustration::Before { .. }, Form::Shot(aim)) => Some(aim_picture(aim)),
+        (quiz::Illustration::Before { collision, shown }, form) => {
             let after = match form {
                 Form::Rays { .. } => After::Space,
                 _ => After::Nothing,
@@ -66,11 +66,11 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
             };
             Some(hit_picture(collision, &shown))
         }
-        (quiz::Picture::After { collision }, _) => Some(seen_picture(collision)),
-        (quiz::Picture::Tracks { rutherford, angles }, _) => {
+        (quiz::Illustration::After { collision }, _) => Some(seen_picture(collision)),
+        (quiz::Illustration::Tracks { rutherford, angles }, _) => {
             Some(tracks_picture(rutherford, *angles))
         }
-        (quiz::Picture::Nothing, _) => None,
+        (quiz::Illustration::Nothing, _) => None,
     }
 }
 

@@ -1,6 +1,8 @@
 //! What stands on sheet and key, whatever they are written in.
 
-use crate::quiz::{Code, Confidence, Form, Picture, Quantity, Question, RIGHT_DEG, Round, letter};
+use crate::quiz::{
+    Code, Confidence, Form, Illustration, Measure, Question, RIGHT_DEG, Round, letter,
+};
 
 /// What a student is to know before the first question.
 pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
@@ -30,7 +32,7 @@ pub(super) fn tolerance() -> String {
     format!(
         "Counts as right: both ways within {RIGHT_DEG}°, where ways are drawn; {}; an offset \
          that sends the disc within {RIGHT_DEG}° of its way.",
-        Quantity::RIGHT
+        Measure::RIGHT
     )
 }
 
@@ -47,7 +49,7 @@ pub(super) fn points() -> String {
 /// What is to be done where an answer cannot just be written down.
 pub(super) fn task(question: &Question) -> Option<&'static str> {
     match (&question.form, &question.picture) {
-        (Form::Rays { .. }, Picture::Before { .. }) => {
+        (Form::Rays { .. }, Illustration::Before { .. }) => {
             Some("Draw both ways from the middle of the protractor, then read off:")
         }
         (Form::Shot(_), _) => Some("Mark the target's centre on the scale, and write its offset:"),
@@ -71,10 +73,10 @@ pub(super) fn truth(question: &Question) -> String {
 }
 
 /// An answer in words, a choice with its letter.
-pub(super) fn said(question: &Question, said: &crate::quiz::Said) -> String {
+pub(super) fn said(question: &Question, said: &crate::quiz::Response) -> String {
     let words = question.form.words(said);
     match said {
-        crate::quiz::Said::Choice(choice) => format!("{}: {words}", letter(*choice)),
+        crate::quiz::Response::Choice(choice) => format!("{}: {words}", letter(*choice)),
         _ => words,
     }
 }

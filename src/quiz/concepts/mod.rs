@@ -17,12 +17,13 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::{Difficulty, Misconception};
+use super::{Difficulty, Misconception, Topic};
 use crate::files::{FileError, FileErrors};
 use crate::physics::Collision;
 
 pub use check::check;
 pub use library::Library;
+pub(crate) use read::read_hit;
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");
 
@@ -96,8 +97,8 @@ impl<'a> Choice<'a> {
 
 impl Concept {
     /// What it is about, in words: "right angle".
-    pub fn topic(&self) -> String {
-        self.subject.replace('-', " ")
+    pub fn topic(&self) -> Topic {
+        Topic::of_subject(&self.subject)
     }
 
     /// What is wrong with a field of it, with its place.

@@ -73,7 +73,9 @@ pub(super) fn file(
 }
 
 fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
-    let hit = item.or("hit", None, |_| hit(item).map(Some));
+    let hit = item.or("hit", None, |name| {
+        read_hit(&item.table(name, &Shot::field_names())?).map(Some)
+    });
     // Where the hit is none, the texts are looked at with any other.
     let filled = hit.unwrap_or_else(|| Some(Shot::default()));
     let id = item.id("id");
@@ -114,9 +116,8 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     Some(concept)
 }
 
-/// The hit of a question.
-fn hit(item: &Fields) -> Option<Shot> {
-    let fields = item.table("hit", &Shot::field_names())?;
+/// Reads a hit from its fields.
+pub(crate) fn read_hit(fields: &Fields) -> Option<Shot> {
     let mut shot = Shot::default();
     fields.each(|name, written| shot.set(name, written))?;
     if fields.has("alpha_deg") && fields.has("offset_mm") {

@@ -16,7 +16,9 @@ use crate::quiz::misconceptions::catalogue::{
     FRAMES_MIXED, ONE_LINE_FORMULA, SINE_COSINE, SPEED_OPENS_ANGLE, SQUARE_ON_THE_GROUND,
 };
 use crate::quiz::words::{bare_degrees, degrees, significant};
-use crate::quiz::{Belief, Difficulty, Family, Form, Picture, Pieces, Quantity, Question, Shown};
+use crate::quiz::{
+    Difficulty, Family, Form, Illustration, Markings, Measure, Pieces, Question, WrongAnswer,
+};
 
 /// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
 const LEAST_COSINE: f64 = 0.3;
@@ -144,11 +146,11 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     Some(Question {
         family: Family::BothMoving,
         difficulty,
-        topic: "both moving".into(),
+        topic: "both-moving".into(),
         text,
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision,
-            shown: Shown {
+            shown: Markings {
                 offset: false,
                 angle: false,
                 figures: true,
@@ -171,7 +173,7 @@ struct Asked {
 }
 
 /// The answers to a question for a number.
-fn by_number(form: Form, beliefs: Vec<Belief>) -> Choices {
+fn by_number(form: Form, beliefs: Vec<WrongAnswer>) -> Choices {
     Choices {
         form,
         beliefs,
@@ -313,7 +315,7 @@ fn on_the_board(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
 /// The angle between the two on the board.
 fn parting(meeting: &Meeting, outcome: &Outcome) -> Option<Asked> {
     let form = Form::Number {
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth: deg_from_rad(outcome.separation?),
     };
     let beliefs = wrong(
@@ -363,7 +365,7 @@ fn speed(meeting: &Meeting, of_target: bool, outcome: &Outcome) -> Asked {
     let (taken, kept) = (others * line.cos(), own * line.sin());
     let truth = if of_target { outcome.v2 } else { outcome.v1 }.length();
     let form = Form::Number {
-        quantity: Quantity::Speed,
+        quantity: Measure::Speed,
         truth,
     };
     let (name, seen) = if of_target {

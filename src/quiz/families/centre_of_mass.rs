@@ -14,13 +14,13 @@ use crate::physics::units::{deg_from_rad, g_from_kg, rad_from_deg};
 use crate::physics::{Collision, Outcome};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
-    DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, LINEAR_OFFSET, SCALAR_MOMENTUM,
-    UPSIDE_DOWN,
+    DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
 };
-use crate::quiz::misconceptions::{COPIED_ANGLE, SWAPPED};
+use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
 use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
-    Belief, Difficulty, Family, Form, Given, Hit, Picture, Pieces, Quantity, Question, Shown,
+    Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Pieces, Placement, Question,
+    WrongAnswer,
 };
 
 const ALL: [Pieces; 3] = [Pieces::Equal, Pieces::Tournament, Pieces::Marbles];
@@ -60,7 +60,7 @@ fn by_offset(difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
     let hit = hit(&ALL, difficulty, dice)?;
     let tenths = f64::from(2 + dice.below(8));
     Some(Hit {
-        given: Given::Offset {
+        given: Placement::Offset {
             offset_mm: hit.side() * (hit.reach_mm() * tenths).round() / 10.0,
         },
         ..hit
@@ -71,14 +71,14 @@ fn by_offset(difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
 struct Asked {
     id: &'static str,
     text: String,
-    quantity: Quantity,
+    quantity: Measure,
     truth: f64,
-    beliefs: Vec<Option<Belief>>,
+    beliefs: Vec<Option<WrongAnswer>>,
     why: String,
     more: Map<String, Value>,
 }
 
-fn question(hit: &Hit, target_velocity: DVec2, shown: Shown, asked: Asked) -> Question {
+fn question(hit: &Hit, target_velocity: DVec2, shown: Markings, asked: Asked) -> Question {
     let form = Form::Number {
         quantity: asked.quantity,
         truth: asked.truth,
@@ -89,9 +89,9 @@ fn question(hit: &Hit, target_velocity: DVec2, shown: Shown, asked: Asked) -> Qu
     Question {
         family: Family::CentreOfMass,
         difficulty: Difficulty::Middle,
-        topic: "the centre of mass".into(),
+        topic: "centre-of-mass".into(),
         text: asked.text,
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision: Collision {
                 u2: target_velocity,
                 ..hit.collision()
@@ -120,7 +120,7 @@ fn why_turn(alpha: f64, turn: f64) -> String {
 }
 
 /// What misconceptions make of Θ.
-fn turned(alpha: f64, outcome: &Outcome) -> [Option<Belief>; 2] {
+fn turned(alpha: f64, outcome: &Outcome) -> [Option<WrongAnswer>; 2] {
     [
         number(
             &DOUBLE_ANGLE_FORGOTTEN,
@@ -138,17 +138,17 @@ fn turned(alpha: f64, outcome: &Outcome) -> [Option<Belief>; 2] {
 }
 
 /// Θ asked for.
-fn turn_question(hit: &Hit, turn: f64, beliefs: Vec<Option<Belief>>, why: String) -> Question {
+fn turn_question(hit: &Hit, turn: f64, beliefs: Vec<Option<WrongAnswer>>, why: String) -> Question {
     let asked = Asked {
         id: "turn",
         text: format!("{} No energy is lost. {TURN}", in_short(hit)),
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth: deg_from_rad(turn),
         beliefs,
         why,
         more: Map::new(),
     };
-    question(hit, DVec2::ZERO, Shown::given(hit), asked)
+    question(hit, DVec2::ZERO, Markings::given(hit), asked)
 }
 
 /// Θ from α.
@@ -166,7 +166,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
 
 /// Θ from the offset.
 fn turn_from_offset(hit: &Hit) -> Option<Question> {
-    let Given::Offset { offset_mm } = hit.given else {
+    let Placement::Offset { offset_mm } = hit.given else {
         return None;
     };
     let alpha = hit.alpha().abs();
@@ -174,7 +174,7 @@ fn turn_from_offset(hit: &Hit) -> Option<Question> {
     let turn = cm_scattering_angle(alpha, hit.restitution)?;
     let mut beliefs = turned(alpha, &hit.outcome()).to_vec();
     beliefs.push(number(
-        &LINEAR_OFFSET,
+        &OFFSET_AS_ANGLE,
         180.0 * (1.0 - share),
         "You let the angle shrink in step with the offset. It is the sine of α that goes with \
          the offset."
@@ -248,7 +248,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let asked = Asked {
         id: "centre-speed",
         text,
-        quantity: Quantity::Speed,
+        quantity: Measure::Speed,
         truth: velocity.length(),
         beliefs: vec![
             number(
@@ -279,7 +279,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ),
         more: more([("target_speed", json!(u2))]),
     };
-    let shown = Shown {
+    let shown = Markings {
         offset: false,
         angle: false,
         figures: true,
@@ -292,7 +292,7 @@ fn on_the_board(difficulty: Difficulty, striker: bool, dice: &mut Dice) -> Optio
     let turn_deg = f64::from(10 * (4 + dice.below(11)));
     let drawn = hit(&UNEQUAL, difficulty, dice)?;
     let hit = Hit {
-        given: Given::Angle {
+        given: Placement::Angle {
             alpha_deg: drawn.side() * (90.0 - turn_deg / 2.0),
         },
         ..drawn
@@ -379,13 +379,13 @@ fn on_the_board(difficulty: Difficulty, striker: bool, dice: &mut Dice) -> Optio
     let asked = Asked {
         id: if striker { "theta1" } else { "theta2" },
         text,
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth,
         beliefs,
         why,
         more: more([("turn_deg", json!(turn_deg))]),
     };
-    let shown = Shown {
+    let shown = Markings {
         offset: false,
         angle: false,
         figures: true,

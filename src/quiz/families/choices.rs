@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::quiz::dice::Dice;
-use crate::quiz::{Belief, Form, Misconception, Said};
+use crate::quiz::{Form, Misconception, Response, WrongAnswer};
 
 /// One of the choices of a question.
 pub(super) struct Choice {
@@ -14,7 +14,7 @@ pub(super) struct Choice {
 enum StandsFor {
     Truth,
     Nobody(String),
-    Belief(&'static Misconception, String),
+    WrongAnswer(&'static Misconception, String),
 }
 
 impl Choice {
@@ -34,7 +34,7 @@ impl Choice {
         text: impl Into<String>,
         says: impl Into<String>,
     ) -> Self {
-        Self::new(text, StandsFor::Belief(misconception, says.into()))
+        Self::new(text, StandsFor::WrongAnswer(misconception, says.into()))
     }
 
     fn new(text: impl Into<String>, stands_for: StandsFor) -> Self {
@@ -50,7 +50,7 @@ pub(super) struct Choices {
     /// The choices, with the right one.
     pub(super) form: Form,
     /// Those that follow a misconception.
-    pub(super) beliefs: Vec<Belief>,
+    pub(super) beliefs: Vec<WrongAnswer>,
     /// What to say to the other wrong ones.
     pub(super) replies: BTreeMap<usize, String>,
 }
@@ -74,8 +74,8 @@ pub(super) fn ordered(choices: Vec<Choice>) -> Option<Choices> {
             StandsFor::Nobody(says) => {
                 replies.insert(i, says);
             }
-            StandsFor::Belief(misconception, says) => {
-                beliefs.push(Belief::new(misconception, Said::Choice(i), says));
+            StandsFor::WrongAnswer(misconception, says) => {
+                beliefs.push(WrongAnswer::new(misconception, Response::Choice(i), says));
             }
         }
     }

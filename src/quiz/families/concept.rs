@@ -6,7 +6,7 @@ use super::choices::{Choice, ordered, shuffled};
 use super::setting::more;
 use crate::quiz::concepts::{self, Concept};
 use crate::quiz::dice::Dice;
-use crate::quiz::{Difficulty, Family, Picture, Question, Shown};
+use crate::quiz::{Difficulty, Family, Illustration, Markings, Question};
 
 /// Draws a question.
 pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -33,11 +33,11 @@ pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Qu
         shuffled(choices, dice)
     }?;
     let picture = match concept.hit {
-        Some(collision) => Picture::Before {
+        Some(collision) => Illustration::Before {
             collision,
-            shown: Shown::default(),
+            shown: Markings::default(),
         },
-        None => Picture::Nothing,
+        None => Illustration::Nothing,
     };
     Some(Question {
         family: Family::Concept,

@@ -10,7 +10,7 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{HALF_AND_HALF, LOSSLESS};
 use crate::quiz::words::{bare_degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Hit, Pieces, Quantity, Question};
+use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Question};
 
 /// Draws a question.
 pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -46,14 +46,14 @@ const PERCENT: f64 = 100.0;
 /// A share asked for.
 fn share(truth: f64) -> Form {
     Form::Number {
-        quantity: Quantity::Share,
+        quantity: Measure::Share,
         truth: PERCENT * truth,
     }
 }
 
 /// A share of a belief, in percent.
 fn percent(x: f64) -> String {
-    Quantity::Share.print(PERCENT * x)
+    Measure::Share.print(PERCENT * x)
 }
 
 /// What the striker keeps, equal masses.
@@ -86,7 +86,7 @@ fn kept(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
     let asked = Asked {
         family: Family::EnergyShare,
         difficulty,
-        topic: "energy the striker keeps".into(),
+        topic: "energy-of-striker".into(),
         ask: "What share of its energy does it keep?".into(),
         form,
         beliefs,
@@ -103,7 +103,7 @@ fn kept(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
 }
 
 /// Half of the energy to each.
-fn half() -> Option<crate::quiz::Belief> {
+fn half() -> Option<crate::quiz::WrongAnswer> {
     number(
         &HALF_AND_HALF,
         50.0,
@@ -181,7 +181,7 @@ fn passed(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
     let asked = Asked {
         family: Family::EnergyShare,
         difficulty,
-        topic: format!("energy the {name} takes"),
+        topic: "energy-of-target".into(),
         ask: format!("What share of its energy does the {name} get?"),
         form,
         beliefs,
@@ -234,7 +234,7 @@ fn lost(hit: &Hit, difficulty: Difficulty) -> Option<Question> {
     let asked = Asked {
         family: Family::EnergyShare,
         difficulty,
-        topic: "energy lost".into(),
+        topic: "energy-lost".into(),
         ask: "What share of its energy is lost?".into(),
         form,
         beliefs,

@@ -3,7 +3,7 @@
 use super::hit_kinds::Kind;
 use super::where_to::of_kinds;
 use crate::quiz::dice::Dice;
-use crate::quiz::{Difficulty, Family, Picture, Question, Shown};
+use crate::quiz::{Difficulty, Family, Illustration, Markings, Question};
 
 /// Draws a question.
 pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -20,13 +20,13 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     };
     let collision = *question.picture.collision()?;
     Some(Question {
-        topic: "from the picture".into(),
+        topic: "from-the-picture".into(),
         text: format!(
             "Two alike, one at rest, no energy lost, and no figures. {eye} where will they go?"
         ),
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision,
-            shown: Shown {
+            shown: Markings {
                 offset: false,
                 angle: line,
                 figures: false,

@@ -6,9 +6,9 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
-use crate::quiz::question::CLEAR;
+use crate::quiz::question::MIN_SEPARATION;
 use crate::quiz::words::tenths;
-use crate::quiz::{Difficulty, Given, Hit, Pieces, RIGHT_DEG, Rays};
+use crate::quiz::{Difficulty, Hit, Pieces, Placement, RIGHT_DEG, Rays};
 
 /// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,16 +79,16 @@ impl Kind {
     fn find(self) -> Vec<Hit> {
         let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
             let given = steps
-                .map(|i| Given::Angle {
+                .map(|i| Placement::Angle {
                     alpha_deg: f64::from(i * step),
                 })
                 .collect::<Vec<_>>();
             every(pieces, &given, losses)
         };
         let offsets = |pieces: Pieces| {
-            let head_on = plain(pieces, Given::Angle { alpha_deg: 0.0 }, 1.0);
+            let head_on = plain(pieces, Placement::Angle { alpha_deg: 0.0 }, 1.0);
             let given = (1..=(10.0 * head_on.reach_mm()) as u32)
-                .map(|tenths| Given::Offset {
+                .map(|tenths| Placement::Offset {
                     offset_mm: f64::from(tenths) / 10.0,
                 })
                 .collect::<Vec<_>>();
@@ -112,7 +112,7 @@ impl Kind {
             .filter(|hit| {
                 within_reason(hit)
                     && adds_up(hit)
-                    && clearance(hit) > rad_from_deg(CLEAR * RIGHT_DEG)
+                    && clearance(hit) > rad_from_deg(MIN_SEPARATION * RIGHT_DEG)
             })
             .collect()
     }
@@ -141,7 +141,7 @@ impl Kind {
 }
 
 /// A hit with the target on the right and nothing else about it.
-fn plain(pieces: Pieces, given: Given, restitution: f64) -> Hit {
+fn plain(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
     Hit {
         pieces,
         given,
@@ -151,20 +151,20 @@ fn plain(pieces: Pieces, given: Given, restitution: f64) -> Hit {
     }
 }
 
-fn every(pieces: Pieces, given: &[Given], losses: &[f64]) -> Vec<Hit> {
+fn every(pieces: Pieces, given: &[Placement], losses: &[f64]) -> Vec<Hit> {
     given
         .iter()
         .flat_map(|&given| losses.iter().map(move |&e| plain(pieces, given, e)))
         .collect()
 }
 
-fn mirrored(given: Given) -> Given {
+fn mirrored(given: Placement) -> Placement {
     match given {
         // 0.0 - x, not -x: a head-on hit has no side.
-        Given::Angle { alpha_deg } => Given::Angle {
+        Placement::Angle { alpha_deg } => Placement::Angle {
             alpha_deg: 0.0 - alpha_deg,
         },
-        Given::Offset { offset_mm } => Given::Offset {
+        Placement::Offset { offset_mm } => Placement::Offset {
             offset_mm: 0.0 - offset_mm,
         },
     }
@@ -252,7 +252,7 @@ mod tests {
                 let outcome = hit.outcome();
                 let printed = [outcome.theta1, outcome.theta2, outcome.separation];
                 assert!(!printed.into_iter().flatten().any(near_tie), "{hit:?}");
-                let margin = clearance(hit).to_degrees() - CLEAR * RIGHT_DEG;
+                let margin = clearance(hit).to_degrees() - MIN_SEPARATION * RIGHT_DEG;
                 assert!(margin > 1e-7, "{hit:?}");
             }
         }

@@ -2,16 +2,16 @@
 
 use crate::physics::units::g_from_kg;
 use crate::quiz::words::{bare_millimetres, degrees, significant};
-use crate::quiz::{Given, Hit};
+use crate::quiz::{Hit, Placement};
 
 /// The hit with its masses, its speed and where the two meet, without a word on loss.
 pub(super) fn in_short(hit: &Hit) -> String {
     let place = match hit.given {
-        Given::Angle { .. } => format!(
+        Placement::Angle { .. } => format!(
             "the line of impact makes {} with its path",
             degrees(hit.alpha().abs())
         ),
-        Given::Offset { offset_mm } => format!(
+        Placement::Offset { offset_mm } => format!(
             "the offset is {} mm, the two radii make {} mm together",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())

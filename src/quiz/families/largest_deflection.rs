@@ -9,13 +9,16 @@ use crate::physics::resting_target::LargestDeflection;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
-    BEYOND_LARGEST, DOUBLE_ANGLE_FORGOTTEN, LINEAR_OFFSET, SINE_COSINE, UPSIDE_DOWN,
+    BEYOND_LARGEST, DOUBLE_ANGLE_FORGOTTEN, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HALF_AND_HALF, HEAVY_UNMOVED, LOSSLESS, OFF_A_WALL,
+    OFFSET_AS_ANGLE,
 };
 use crate::quiz::words::{bare_degrees, degrees, millimetres, significant};
-use crate::quiz::{Belief, Difficulty, Family, Form, Given, Hit, Picture, Quantity, Question};
+use crate::quiz::{
+    Difficulty, Family, Form, Hit, Illustration, Measure, Placement, Question, WrongAnswer,
+};
 
 /// The choices, in their natural order.
 const LIMITS: [&str; 3] = [
@@ -78,7 +81,7 @@ fn turned_most(
     let turn = difficulty.turn_deg();
     let hit = Hit {
         pieces: pair(m1_g, m2_g),
-        given: Given::Angle { alpha_deg: 30.0 },
+        given: Placement::Angle { alpha_deg: 30.0 },
         restitution: f64::from(e_tenths) / 10.0,
         speed: f64::from(2 + dice.below(4)),
         direction_deg: f64::from(turn * dice.below(360 / turn)),
@@ -88,7 +91,7 @@ fn turned_most(
         LargestDeflection::NearlyRight | LargestDeflection::Reversed => 30.0,
     };
     Hit {
-        given: Given::Angle {
+        given: Placement::Angle {
             alpha_deg: if left { -alpha_deg } else { alpha_deg },
         },
         ..hit
@@ -187,7 +190,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::LargestDeflection,
         difficulty: Difficulty::Easy,
-        topic: "is there a limit?".into(),
+        topic: "limit-of-turn".into(),
         ask: "You choose the offset. How far can it be turned?".into(),
         form: Form::Choice {
             options: LIMITS.map(str::to_owned).into(),
@@ -208,7 +211,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         return None;
     };
     let form = Form::Number {
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth: deg_from_rad(theta1),
     };
     let lossy = hit.restitution < 1.0;
@@ -246,7 +249,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     let asked = Asked {
         family: Family::LargestDeflection,
         difficulty,
-        topic: "the largest turn".into(),
+        topic: "largest-turn".into(),
         ask: "By how many degrees can it be turned at most?".into(),
         form,
         beliefs,
@@ -286,10 +289,10 @@ fn aimed(dice: &mut Dice) -> Option<((u32, u32), Hit, f64, f64)> {
 }
 
 /// What both ask about that ask where to aim.
-const AIM: &str = "aim for the largest turn";
+const AIM: &str = "aim-for-largest-turn";
 
 /// To aim head-on for the largest turn.
-fn head_on() -> Option<Belief> {
+fn head_on() -> Option<WrongAnswer> {
     number(
         &BEYOND_LARGEST,
         0.0,
@@ -301,7 +304,7 @@ fn head_on() -> Option<Belief> {
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (masses, hit, theta1, alpha) = aimed(dice)?;
     let form = Form::Number {
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth: deg_from_rad(alpha),
     };
     let theta1_deg = deg_from_rad(theta1);
@@ -342,7 +345,12 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         why: touching(theta1, alpha),
         more: more([("asked", json!("alpha"))]),
     };
-    Some(told(&hit, &setting(masses, &hit), Picture::Nothing, asked))
+    Some(told(
+        &hit,
+        &setting(masses, &hit),
+        Illustration::Nothing,
+        asked,
+    ))
 }
 
 fn touching(theta1: f64, alpha: f64) -> String {
@@ -359,14 +367,14 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
     let (masses, hit, theta1, alpha) = aimed(dice)?;
     let reach_mm = hit.reach_mm();
     let form = Form::Number {
-        quantity: Quantity::Length,
+        quantity: Measure::Length,
         truth: reach_mm * alpha.sin(),
     };
-    let beliefs: Vec<Belief> = wrong(
+    let beliefs: Vec<WrongAnswer> = wrong(
         &form,
         [
             number(
-                &LINEAR_OFFSET,
+                &OFFSET_AS_ANGLE,
                 reach_mm * deg_from_rad(alpha) / 90.0,
                 format!(
                     "You took the offset in proportion to {}. It goes with the sine.",
@@ -407,9 +415,14 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
              times sin α = {}: {}.",
             degrees(alpha),
             significant(alpha.sin()),
-            Quantity::Length.print(reach_mm * alpha.sin())
+            Measure::Length.print(reach_mm * alpha.sin())
         ),
         more: more([("asked", json!("offset"))]),
     };
-    Some(told(&hit, &setting(masses, &hit), Picture::Nothing, asked))
+    Some(told(
+        &hit,
+        &setting(masses, &hit),
+        Illustration::Nothing,
+        asked,
+    ))
 }

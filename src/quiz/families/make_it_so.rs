@@ -8,12 +8,12 @@ use super::setting::{more, wrong};
 use crate::physics::Disc;
 use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use crate::quiz::dice::Dice;
-use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, LINEAR_OFFSET, SINE_COSINE};
-use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, SIDES_EXCHANGED};
+use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
+use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
 use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
-    Aim, Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question,
-    Ray, Said, Shown,
+    AimTask, Difficulty, Family, Form, Hit, Illustration, Markings, Misconception, Pieces,
+    Placement, Question, Ray, Response, Topic, WrongAnswer,
 };
 
 /// Lighter strikers, which can be turned by any angle.
@@ -44,7 +44,7 @@ pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     let turn = difficulty.turn_deg();
     let hit = Hit {
         pieces,
-        given: Given::Angle { alpha_deg: 0.0 },
+        given: Placement::Angle { alpha_deg: 0.0 },
         restitution: 1.0,
         speed: f64::from(2 + dice.below(4)),
         direction_deg: f64::from(turn * dice.below(360 / turn)),
@@ -63,7 +63,7 @@ fn target(hit: &Hit, side: f64, wanted_deg: f64) -> Question {
     let offset_mm = reach_mm * wanted.sin();
     let beliefs = [
         (
-            &LINEAR_OFFSET,
+            &OFFSET_AS_ANGLE,
             reach_mm * wanted_deg / 90.0,
             "You took the offset in proportion to the angle. It goes with the sine.".to_owned(),
         ),
@@ -112,7 +112,7 @@ fn striker(hit: &Hit, side: f64, wanted_deg: f64, difficulty: Difficulty) -> Que
             .to_owned(),
     );
     let linear = (
-        &LINEAR_OFFSET,
+        &OFFSET_AS_ANGLE,
         reach_mm * deg_from_rad(alpha) / 90.0,
         format!(
             "You took the offset in proportion to α = {}. It goes with the sine.",
@@ -209,7 +209,7 @@ fn question(hit: &Hit, difficulty: Difficulty, asked: Asked) -> Question {
     let (m1, m2) = (g_from_kg(striker.mass), g_from_kg(target.mass));
     let collision = hit.collision();
     let at = |offset_mm: f64| asked.side * m_from_mm(offset_mm);
-    let form = Form::Shot(Aim {
+    let form = Form::Shot(AimTask {
         collision,
         ray: asked.ray,
         wanted: asked.side * rad_from_deg(asked.wanted_deg),
@@ -219,9 +219,9 @@ fn question(hit: &Hit, difficulty: Difficulty, asked: Asked) -> Question {
         .beliefs
         .iter()
         .map(|(misconception, offset_mm, says)| {
-            Some(Belief::new(
+            Some(WrongAnswer::new(
                 misconception,
-                Said::Shot(at(*offset_mm)),
+                Response::Shot(at(*offset_mm)),
                 says.clone(),
             ))
         });
@@ -251,11 +251,11 @@ fn question(hit: &Hit, difficulty: Difficulty, asked: Asked) -> Question {
     Question {
         family: Family::MakeItSo,
         difficulty,
-        topic: format!("send the {sent}"),
+        topic: Topic::with_id(format!("send-{sent}")),
         text,
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision,
-            shown: Shown {
+            shown: Markings {
                 offset: true,
                 angle: false,
                 figures: true,

@@ -13,7 +13,9 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, LOSSLESS};
 use crate::quiz::words::{bare_degrees, degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Given, Hit, Picture, Pieces, Quantity, Question};
+use crate::quiz::{
+    Difficulty, Family, Form, Hit, Illustration, Measure, Pieces, Placement, Question,
+};
 
 /// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
 const SQUARE: [(u32, u32, u32); 12] = [
@@ -94,7 +96,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Easy,
-        topic: "90° in spite of loss".into(),
+        topic: "square-in-spite-of-loss".into(),
         ask: "With which striker do the two part at exactly 90°?".into(),
         form: Form::Choice {
             options: order.iter().map(|i| STRIKERS[*i].to_owned()).collect(),
@@ -112,7 +114,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         significant(f64::from(coin_g)),
         significant(e)
     );
-    Some(told(&hit, &text, Picture::Nothing, asked))
+    Some(told(&hit, &text, Illustration::Nothing, asked))
 }
 
 /// An e from 0.2 to 0.8.
@@ -124,7 +126,7 @@ fn tenths(dice: &mut Dice) -> Option<f64> {
 /// e is asked for.
 fn asks_e(e: f64) -> Form {
     Form::Number {
-        quantity: Quantity::Restitution,
+        quantity: Measure::Restitution,
         truth: e,
     }
 }
@@ -133,7 +135,7 @@ fn asks_e(e: f64) -> Form {
 fn parting(dice: &mut Dice) -> Option<Question> {
     let e = tenths(dice)?;
     let hit = Hit {
-        given: Given::Angle { alpha_deg: 0.0 },
+        given: Placement::Angle { alpha_deg: 0.0 },
         ..drawn(Pieces::Equal, e, Difficulty::Easy, dice)?
     };
     let outcome = hit.outcome();
@@ -167,7 +169,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Easy,
-        topic: "e of a head-on hit".into(),
+        topic: "e-head-on".into(),
         ask: "What is e?".into(),
         form,
         beliefs,
@@ -192,7 +194,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let (m1, m2, e) = (f64::from(m1_g), f64::from(m2_g), f64::from(e_tenths) / 10.0);
     let hit = drawn(pair(m1_g, m2_g), e, Difficulty::Middle, dice)?;
     let form = Form::Number {
-        quantity: Quantity::Mass,
+        quantity: Measure::Mass,
         truth: m1,
     };
     let [e_words, m2_words] = [e, m2].map(significant);
@@ -222,7 +224,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Middle,
-        topic: "90° in spite of loss".into(),
+        topic: "square-in-spite-of-loss".into(),
         ask: "With which mass of the striker do they part at exactly 90°?".into(),
         form,
         beliefs,
@@ -237,7 +239,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
         "Smooth discs meet off-centre, the coin of {m2_words} g at rest. Some energy is lost: \
          e = {e_words}."
     );
-    Some(told(&hit, &text, Picture::Nothing, asked))
+    Some(told(&hit, &text, Illustration::Nothing, asked))
 }
 
 /// The e that brings the right angle to two masses.
@@ -272,7 +274,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Middle,
-        topic: "e for a right angle".into(),
+        topic: "e-for-square".into(),
         ask: "They part at exactly 90°. What is e?".into(),
         form,
         beliefs,
@@ -303,7 +305,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         hit.outcome().separation.map(deg_from_rad)
     };
     let form = Form::Number {
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth: separation(e)?,
     };
     let beliefs = wrong(
@@ -343,7 +345,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Hard,
-        topic: "the corner with loss".into(),
+        topic: "corner-with-loss".into(),
         ask: "How many degrees apart do they leave?".into(),
         form,
         beliefs,
@@ -396,7 +398,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Restitution,
         difficulty: Difficulty::Hard,
-        topic: "e from the angles".into(),
+        topic: "e-from-angles".into(),
         ask: "What is e?".into(),
         form,
         beliefs,
@@ -414,7 +416,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         degrees(theta1),
         degrees(theta2)
     );
-    let seen = Picture::After {
+    let seen = Illustration::After {
         collision: hit.collision(),
     };
     Some(told(&hit, &text, seen, asked))

@@ -13,7 +13,7 @@ use crate::quiz::misconceptions::catalogue::{
     EVERY_ANGLE_ALIKE, HALF_ANGLE_FORGOTTEN, TOO_GENTLE, UPSIDE_DOWN,
 };
 use crate::quiz::words::{bare_degrees, degrees, significant};
-use crate::quiz::{Belief, Difficulty, Family, Form, Picture, Quantity, Question};
+use crate::quiz::{Difficulty, Family, Form, Illustration, Measure, Question, WrongAnswer};
 
 /// Foils and their charge numbers.
 const FOILS: [(&str, f64); 4] = [
@@ -53,8 +53,8 @@ impl Beam {
         format!("α-particles meet a thin foil of {}.", self.foil)
     }
 
-    fn tracks(&self, angles_deg: [f64; 2]) -> Picture {
-        Picture::Tracks {
+    fn tracks(&self, angles_deg: [f64; 2]) -> Illustration {
+        Illustration::Tracks {
             rutherford: self.rutherford(),
             angles: angles_deg.map(rad_from_deg),
         }
@@ -139,7 +139,7 @@ fn whole_ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Easy,
-        topic: "counts at two angles".into(),
+        topic: "counts-at-two-angles".into(),
         text: format!(
             "{} Compared with {}, how many does the same small screen count at {}?",
             beam.words(),
@@ -165,7 +165,7 @@ fn whole_ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
 fn ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let form = Form::Number {
-        quantity: Quantity::Times,
+        quantity: Measure::Times,
         truth: times_as_many(here_deg, there_deg),
     };
     let beliefs = wrong(
@@ -183,7 +183,7 @@ fn ratio(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Middle,
-        topic: "counts at two angles".into(),
+        topic: "counts-at-two-angles".into(),
         text: format!(
             "{} How many times as many does a small screen count at {} as at {}?",
             beam.words(),
@@ -213,7 +213,7 @@ fn ratio_of_energies(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     let by_energy = (to_energy_mev / energy_mev).powi(2);
     let by_angle = times_as_many(here_deg, there_deg);
     let form = Form::Number {
-        quantity: Quantity::Times,
+        quantity: Measure::Times,
         truth: by_energy * by_angle,
     };
     if (to_energy_mev - energy_mev).abs() < 0.5 {
@@ -242,7 +242,7 @@ fn ratio_of_energies(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Hard,
-        topic: "counts, angle and energy".into(),
+        topic: "counts-angle-and-energy".into(),
         text: format!(
             "{} How many times as many does a screen count at {} with {} MeV as at {} with {} \
              MeV?",
@@ -288,7 +288,7 @@ fn angle(beam: &Beam, dice: &mut Dice) -> Option<Question> {
         return None;
     }
     let form = Form::Number {
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth,
     };
     let beliefs = wrong(
@@ -314,13 +314,13 @@ fn angle(beam: &Beam, dice: &mut Dice) -> Option<Question> {
     Some(Question {
         family: Family::Rutherford,
         difficulty: Difficulty::Hard,
-        topic: "the angle of a count".into(),
+        topic: "angle-of-count".into(),
         text: format!(
             "{} At which angle does a small screen count 1/{fewer} of what it counts at {}?",
             beam.words(),
             in_degrees(from_deg)
         ),
-        picture: Picture::Nothing,
+        picture: Illustration::Nothing,
         beliefs,
         replies: BTreeMap::new(),
         form,
@@ -350,7 +350,7 @@ fn two_angles(dice: &mut Dice) -> Option<(f64, f64)> {
     (a < b).then_some((a, b))
 }
 
-fn half_forgotten(from_deg: f64, to_deg: f64, by_energy: f64) -> Option<Belief> {
+fn half_forgotten(from_deg: f64, to_deg: f64, by_energy: f64) -> Option<WrongAnswer> {
     // Straight back has a whole angle whose sine is 0 but for rounding.
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg))?;
     number(
@@ -360,7 +360,7 @@ fn half_forgotten(from_deg: f64, to_deg: f64, by_energy: f64) -> Option<Belief> 
     )
 }
 
-fn too_gentle(from_deg: f64, to_deg: f64, by_energy: f64) -> Option<Belief> {
+fn too_gentle(from_deg: f64, to_deg: f64, by_energy: f64) -> Option<WrongAnswer> {
     number(
         &TOO_GENTLE,
         by_energy * times_as_many(from_deg, to_deg).sqrt(),

@@ -13,7 +13,7 @@ use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
 };
 use crate::quiz::words::{degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Given, Hit, Pieces, Quantity, Question, reasoning};
+use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Placement, Question, reasoning};
 
 /// The choices, in their natural order.
 const CORNERS: [&str; 3] = ["more than 90°", "exactly 90°", "less than 90°"];
@@ -167,9 +167,9 @@ fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<
         family: Family::Separation,
         difficulty,
         topic: if lossy {
-            "the corner, with loss".into()
+            "corner-with-loss".into()
         } else {
-            "the corner, without loss".into()
+            "corner-without-loss".into()
         },
         ask: "How large is the angle between their ways out?".into(),
         form,
@@ -228,7 +228,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
     let alpha = hit.alpha().abs();
     let wide = |hit: &Hit| hit.outcome().separation.map(deg_from_rad);
     let form = Form::Number {
-        quantity: Quantity::Angle,
+        quantity: Measure::Angle,
         truth: wide(&hit)?,
     };
     let exchanged = Hit {
@@ -236,7 +236,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
             striker: hit.pieces.target(),
             target: hit.pieces.striker(),
         },
-        given: Given::Angle {
+        given: Placement::Angle {
             alpha_deg: deg_from_rad(hit.alpha()),
         },
         ..hit
@@ -288,9 +288,9 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         family: Family::Separation,
         difficulty,
         topic: if heavy {
-            "the corner, heavier striker".into()
+            "corner-heavier-striker".into()
         } else {
-            "the corner, lighter striker".into()
+            "corner-lighter-striker".into()
         },
         ask: "How many degrees apart do they leave?".into(),
         form,

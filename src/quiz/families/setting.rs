@@ -11,8 +11,8 @@ use crate::physics::Disc;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::SINE_COSINE;
 use crate::quiz::{
-    Belief, Difficulty, Family, Form, Given, Hit, Misconception, Picture, Pieces, Question, Said,
-    Shown,
+    Difficulty, Family, Form, Hit, Illustration, Markings, Misconception, Pieces, Placement,
+    Question, Response, Topic, WrongAnswer,
 };
 
 /// What a hit on a resting target is drawn from.
@@ -38,7 +38,7 @@ impl Setting<'_> {
         let turn = difficulty.turn_deg();
         Some(Hit {
             pieces,
-            given: Given::Angle {
+            given: Placement::Angle {
                 // 0.0 - x, not -x: a head-on hit has no side.
                 alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
             },
@@ -53,18 +53,18 @@ impl Setting<'_> {
 pub(super) struct Asked {
     pub(super) family: Family,
     pub(super) difficulty: Difficulty,
-    pub(super) topic: String,
+    pub(super) topic: Topic,
     /// What is asked, after the hit has been described.
     pub(super) ask: String,
     pub(super) form: Form,
-    pub(super) beliefs: Vec<Belief>,
+    pub(super) beliefs: Vec<WrongAnswer>,
     pub(super) why: String,
     /// Figures besides those of the hit.
     pub(super) more: Map<String, Value>,
 }
 
 /// The question about a hit that is told in other words, beside another picture.
-pub(super) fn told(hit: &Hit, text: &str, picture: Picture, asked: Asked) -> Question {
+pub(super) fn told(hit: &Hit, text: &str, picture: Illustration, asked: Asked) -> Question {
     Question {
         text: format!("{text} {}", asked.ask),
         picture,
@@ -81,9 +81,9 @@ pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
         difficulty: asked.difficulty,
         topic: asked.topic,
         text: format!("{} {}", hit.setting(), asked.ask),
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision: hit.collision(),
-            shown: Shown::given(hit),
+            shown: Markings::given(hit),
         },
         form: asked.form,
         beliefs: asked.beliefs,
@@ -94,7 +94,7 @@ pub(super) fn about(hit: &Hit, asked: Asked) -> Question {
 }
 
 /// To take the sine for the cosine in what the struck disc of this name gets.
-pub(super) fn sine_for_cosine(x: f64, name: &str) -> Option<Belief> {
+pub(super) fn sine_for_cosine(x: f64, name: &str) -> Option<WrongAnswer> {
     let says = format!("You took the sine for the cosine. Head-on the {name} gets the most.");
     number(&SINE_COSINE, x, says)
 }
@@ -113,18 +113,21 @@ pub(super) fn number(
     misconception: &'static Misconception,
     said: f64,
     says: String,
-) -> Option<Belief> {
+) -> Option<WrongAnswer> {
     let sane = said.is_finite() && said >= 0.0;
-    sane.then(|| Belief::new(misconception, Said::Number(said), says))
+    sane.then(|| WrongAnswer::new(misconception, Response::Number(said), says))
 }
 
 /// The beliefs whose answer can be given and is not the true one by accident; the others
 /// are none.
-pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief>>) -> Vec<Belief> {
+pub(super) fn wrong(
+    form: &Form,
+    beliefs: impl IntoIterator<Item = Option<WrongAnswer>>,
+) -> Vec<WrongAnswer> {
     /// What rounding alone may do.
     const SAME: f64 = 1e-6;
-    let can_be_said = |said: &Said| match (form, said) {
-        (Form::Number { quantity, .. }, Said::Number(x)) => {
+    let can_be_said = |said: &Response| match (form, said) {
+        (Form::Number { quantity, .. }, Response::Number(x)) => {
             (quantity.smallest()..=quantity.largest()).contains(x)
         }
         _ => true,
@@ -141,12 +144,15 @@ pub(super) fn wrong(form: &Form, beliefs: impl IntoIterator<Item = Option<Belief
 pub(super) type Chosen = (&'static Misconception, usize, String);
 
 /// The beliefs among these that choose wrongly; of those that choose alike the first.
-pub(super) fn wrong_choices(right: usize, chosen: impl IntoIterator<Item = Chosen>) -> Vec<Belief> {
-    let mut beliefs: Vec<Belief> = Vec::new();
+pub(super) fn wrong_choices(
+    right: usize,
+    chosen: impl IntoIterator<Item = Chosen>,
+) -> Vec<WrongAnswer> {
+    let mut beliefs: Vec<WrongAnswer> = Vec::new();
     for (misconception, choice, says) in chosen {
-        let said = Said::Choice(choice);
+        let said = Response::Choice(choice);
         if choice != right && !beliefs.iter().any(|belief| belief.said == said) {
-            beliefs.push(Belief::new(misconception, said, says));
+            beliefs.push(WrongAnswer::new(misconception, said, says));
         }
     }
     beliefs
@@ -162,12 +168,12 @@ pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
 }
 
 /// A picture of a hit about to happen that shows nothing of where the two will meet.
-pub(super) fn unmarked(hit: &Hit) -> Picture {
-    Picture::Before {
+pub(super) fn unmarked(hit: &Hit) -> Illustration {
+    Illustration::Before {
         collision: hit.collision(),
-        shown: Shown {
+        shown: Markings {
             figures: true,
-            ..Shown::default()
+            ..Markings::default()
         },
     }
 }

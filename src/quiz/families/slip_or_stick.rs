@@ -16,7 +16,9 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
 use crate::quiz::words::{bare_degrees, degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Hit, Picture, Pieces, Quantity, Question, Shown};
+use crate::quiz::{
+    Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Pieces, Question,
+};
 
 const UNEQUAL: [Pieces; 2] = [Pieces::Tournament, Pieces::Marbles];
 
@@ -202,7 +204,7 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
     );
     let (quantity, truth, beliefs, why) = match sought {
         Sought::Parting => (
-            Quantity::Angle,
+            Measure::Angle,
             angle(slip.separation),
             vec![
                 number(
@@ -232,7 +234,7 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
             ),
         ),
         Sought::StrikerSpeed => (
-            Quantity::Speed,
+            Measure::Speed,
             slip.v1.length(),
             vec![
                 number(
@@ -269,7 +271,7 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
             ),
         ),
         Sought::PairSpeed => (
-            Quantity::Speed,
+            Measure::Speed,
             collision(hit, Rims::Stick).outcome().v1.length(),
             vec![
                 number(
@@ -308,7 +310,7 @@ fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
             ),
         ),
         Sought::Loss => (
-            Quantity::Share,
+            Measure::Share,
             100.0 * slip.energy_lost / slip.energy_before,
             vec![
                 number(
@@ -404,14 +406,14 @@ fn question(hit: &Hit, rims: Rims, difficulty: Difficulty, asked: Asked) -> Ques
         family: Family::SlipOrStick,
         difficulty,
         topic: match rims {
-            Rims::Lossless => "smooth, no loss".into(),
-            Rims::Slip => "smooth, e = 0".into(),
-            Rims::Stick => "sticking together".into(),
+            Rims::Lossless => "smooth-no-loss".into(),
+            Rims::Slip => "smooth-no-spring".into(),
+            Rims::Stick => "sticking".into(),
         },
         text: format!("{} {} {}", in_short(hit), rims.words(), asked.text),
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision: collision(hit, rims),
-            shown: Shown {
+            shown: Markings {
                 offset: false,
                 angle: true,
                 figures: true,

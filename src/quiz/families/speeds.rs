@@ -9,7 +9,7 @@ use crate::quiz::misconceptions::catalogue::{
     LOSS_ON_EVERYTHING, ONE_LINE_FORMULA, SINE_COSINE, SPEEDS_ADD, UPSIDE_DOWN,
 };
 use crate::quiz::words::{bare_degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Hit, Pieces, Quantity, Question};
+use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Question};
 
 const UNEQUAL: [Pieces; 2] = [Pieces::Tournament, Pieces::Marbles];
 
@@ -42,7 +42,7 @@ fn target(hit: &Hit, difficulty: Difficulty) -> Question {
     let along = u * alpha.cos();
     let truth = gain(m1, e) * along;
     let form = Form::Number {
-        quantity: Quantity::Speed,
+        quantity: Measure::Speed,
         truth,
     };
     let lossless = gain(m1, 1.0) * along;
@@ -111,7 +111,7 @@ fn target(hit: &Hit, difficulty: Difficulty) -> Question {
     let asked = Asked {
         family: Family::Speeds,
         difficulty,
-        topic: format!("{name}'s speed"),
+        topic: "target-speed".into(),
         ask: format!("How fast does the {name} leave?"),
         form,
         beliefs,
@@ -127,7 +127,7 @@ fn striker(hit: &Hit, difficulty: Difficulty) -> Question {
     let (u, alpha) = (hit.speed, hit.alpha().abs());
     let truth = u * alpha.sin();
     let form = Form::Number {
-        quantity: Quantity::Speed,
+        quantity: Measure::Speed,
         truth,
     };
     let beliefs = wrong(
@@ -157,7 +157,7 @@ fn striker(hit: &Hit, difficulty: Difficulty) -> Question {
     let asked = Asked {
         family: Family::Speeds,
         difficulty,
-        topic: "striker's speed".into(),
+        topic: "striker-speed".into(),
         ask: "How fast does the striker go on?".into(),
         form,
         beliefs,

@@ -12,7 +12,7 @@ use crate::quiz::misconceptions::catalogue::{
 };
 use crate::quiz::misconceptions::{HEAVY_UNMOVED, LOSSLESS};
 use crate::quiz::words::{degrees, significant, tenths};
-use crate::quiz::{Difficulty, Family, Form, Hit, Picture, Quantity, Question};
+use crate::quiz::{Difficulty, Family, Form, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.
 const WEIGHTS: [&str; 3] = [
@@ -68,8 +68,8 @@ impl Seen {
         })
     }
 
-    fn picture(&self) -> Picture {
-        Picture::After {
+    fn picture(&self) -> Illustration {
+        Illustration::After {
             collision: self.hit.collision(),
         }
     }
@@ -87,7 +87,7 @@ impl Seen {
     /// The mass of the coin to be found.
     fn form(&self) -> Form {
         Form::Number {
-            quantity: Quantity::Mass,
+            quantity: Measure::Mass,
             truth: self.coin_g,
         }
     }
@@ -149,7 +149,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Weigh,
         difficulty: Difficulty::Easy,
-        topic: "which is heavier?".into(),
+        topic: "which-is-heavier".into(),
         ask: "No energy was lost. What is the coin?".into(),
         form: Form::Choice {
             options: WEIGHTS.map(str::to_owned).into(),
@@ -202,7 +202,7 @@ fn by_momentum(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Weigh,
         difficulty: Difficulty::Middle,
-        topic: "mass from the momentum".into(),
+        topic: "mass-from-momentum".into(),
         ask: format!(
             "Speeds: {} m/s before, then {} m/s, the coin {} m/s. Its mass?",
             significant(seen.hit.speed),
@@ -281,7 +281,7 @@ fn by_angles(dice: &mut Dice) -> Option<Question> {
     let asked = Asked {
         family: Family::Weigh,
         difficulty: Difficulty::Hard,
-        topic: "mass from the angles".into(),
+        topic: "mass-from-angles".into(),
         ask: if e < 1.0 {
             format!("e = {}. What is the coin's mass?", significant(e))
         } else {

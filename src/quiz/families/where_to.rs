@@ -9,7 +9,8 @@ use crate::physics::units::{g_from_kg, mm_from_m};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
 use crate::quiz::{
-    Belief, Difficulty, Family, Form, Given, Hit, Picture, Question, Said, Shown, reasoning,
+    Difficulty, Family, Form, Hit, Illustration, Markings, Placement, Question, Response,
+    WrongAnswer, reasoning,
 };
 
 /// How many hits a round of this family has.
@@ -64,9 +65,9 @@ pub fn question(hit: &Hit) -> Question {
         difficulty: Difficulty::Middle,
         topic: hit.topic(),
         text: hit.text(),
-        picture: Picture::Before {
+        picture: Illustration::Before {
             collision: hit.collision(),
-            shown: Shown::given(hit),
+            shown: Markings::given(hit),
         },
         form: Form::Rays {
             truth: hit.truth(),
@@ -81,14 +82,14 @@ pub fn question(hit: &Hit) -> Question {
 }
 
 /// What misconceptions make of a hit.
-fn beliefs(hit: &Hit) -> Vec<Belief> {
+fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
     OF_RAYS
         .into_iter()
         .filter_map(|misconception| {
             let prediction = misconception.predict(hit)?;
-            Some(Belief {
+            Some(WrongAnswer {
                 misconception,
-                said: Said::Rays(prediction.rays),
+                said: Response::Rays(prediction.rays),
                 telltale: prediction.telltale,
                 says: misconception.say(hit),
             })
@@ -100,8 +101,8 @@ fn beliefs(hit: &Hit) -> Vec<Belief> {
 pub(super) fn figures(hit: &Hit) -> Map<String, Value> {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
     let place = match hit.given {
-        Given::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
-        Given::Offset { offset_mm } => ("offset_mm", offset_mm),
+        Placement::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
+        Placement::Offset { offset_mm } => ("offset_mm", offset_mm),
     };
     let figures = [
         ("m1_g", g_from_kg(striker.mass)),

@@ -4,7 +4,7 @@
 use super::Misconception;
 
 /// All of them, in the order in which their subjects are taught.
-pub static ALL: [&Misconception; 25] = [
+pub static ALL: [&Misconception; 24] = [
     &SCALAR_MOMENTUM,
     &SPEEDS_ADD,
     &MOMENTUM_LOST,
@@ -14,7 +14,6 @@ pub static ALL: [&Misconception; 25] = [
     &SPEED_OPENS_ANGLE,
     &ENERGY_AS_SPEED,
     &HEAVY_TAKES_ENERGY,
-    &LINEAR_OFFSET,
     &EVERY_ANGLE_ALIKE,
     &UPSIDE_DOWN,
     &BEYOND_LARGEST,
@@ -98,13 +97,6 @@ pub static HEAVY_TAKES_ENERGY: Misconception = Misconception::in_words(
     "energy shared out by mass",
     "In the lab, hit head-on with a heavier and heavier coin, and watch the share it takes: \
      it is largest when the masses are equal.",
-);
-
-/// An angle taken in proportion to the offset.
-pub static LINEAR_OFFSET: Misconception = Misconception::in_words(
-    "linear-offset",
-    "the angle in proportion to the offset",
-    "In the lab, set half the largest offset and read the impact angle: 30°, not 45°.",
 );
 
 /// All angles, or all offsets, taken to do alike.

@@ -101,8 +101,12 @@ impl Misconception {
         }
     }
 
-    /// The misconception of an `id`.
+    /// The misconception of an `id`; ids of former versions have theirs for ever.
     pub fn with_id(id: &str) -> Option<&'static Self> {
+        let id = match id {
+            "linear-offset" => OFFSET_AS_ANGLE.id,
+            id => id,
+        };
         all().find(|misconception| misconception.id == id)
     }
 
@@ -141,11 +145,11 @@ fn on_usual_sides(hit: &Hit, theta1: f64, theta2: f64) -> Rays {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Given, Pieces};
+    use super::super::{Pieces, Placement};
     use super::*;
     use crate::physics::units::rad_from_deg;
 
-    fn hit(pieces: Pieces, given: Given, restitution: f64) -> Hit {
+    fn hit(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
         Hit {
             pieces,
             given,
@@ -159,13 +163,13 @@ mod tests {
     #[test]
     fn predictions_in_degrees() {
         let still = f64::NAN;
-        let angle = |alpha_deg| Given::Angle { alpha_deg };
+        let angle = |alpha_deg| Placement::Angle { alpha_deg };
         let equal = hit(Pieces::Equal, angle(30.0), 1.0);
         let to_the_left = hit(Pieces::Equal, angle(-30.0), 1.0);
         let tournament = hit(Pieces::Tournament, angle(30.0), 1.0);
         let marbles = hit(Pieces::Marbles, angle(30.0), 1.0);
         let lossy = hit(Pieces::Marbles, angle(45.0), 0.8);
-        let offset = hit(Pieces::Equal, Given::Offset { offset_mm: 10.0 }, 1.0);
+        let offset = hit(Pieces::Equal, Placement::Offset { offset_mm: 10.0 }, 1.0);
         let head_on = hit(Pieces::Tournament, angle(0.0), 1.0);
         for (id, hit, theta1_deg, theta2_deg) in [
             ("copied-angle", equal, 30.0, 30.0),
@@ -197,9 +201,9 @@ mod tests {
 
     #[test]
     fn what_is_true_is_no_misconception() {
-        let equal = hit(Pieces::Equal, Given::Angle { alpha_deg: 30.0 }, 1.0);
+        let equal = hit(Pieces::Equal, Placement::Angle { alpha_deg: 30.0 }, 1.0);
         // m1 = e m2 opens a right angle again.
-        let half = hit(Pieces::Marbles, Given::Angle { alpha_deg: 30.0 }, 0.5);
+        let half = hit(Pieces::Marbles, Placement::Angle { alpha_deg: 30.0 }, 0.5);
         for hit in [equal, half] {
             assert_eq!(ALWAYS_SQUARE.predict(&hit), None);
         }
@@ -214,5 +218,7 @@ mod tests {
             assert_eq!(Misconception::with_id(a.id), Some(a));
         }
         assert_eq!(Misconception::with_id("none"), None);
+        let merged = Misconception::with_id("linear-offset");
+        assert_eq!(merged, Some(&OFFSET_AS_ANGLE));
     }
 }

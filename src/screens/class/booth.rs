@@ -2,7 +2,7 @@
 
 use crate::class::{ClassRound, Vote};
 use crate::messages::Key;
-use crate::widgets::{AnswerInput, Turned};
+use crate::widgets::{AnswerInput, Outcome};
 
 /// Answers nearer to each other than this are the same, counted in what still counts as
 /// right.
@@ -107,8 +107,8 @@ impl Booths {
             return Polled::Ignored;
         };
         match input.update(key) {
-            Turned::Turning => Polled::Stay,
-            Turned::Done => {
+            Outcome::Used => Polled::Stay,
+            Outcome::Done(()) => {
                 let said = input.said();
                 self.input = None;
                 let before = round.ballot(self.question, self.at).first;
@@ -128,11 +128,11 @@ impl Booths {
                 };
                 Polled::Voted
             }
-            Turned::Ignored if key == Key::Escape => {
+            Outcome::Ignored if key == Key::Escape => {
                 self.input = None;
                 Polled::Stay
             }
-            Turned::Ignored => Polled::Ignored,
+            Outcome::Ignored => Polled::Ignored,
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use super::play::Play;
 use super::set_up::SetUp;
-use crate::messages::{Answer, Done, KeptRound, Key, Wish};
+use crate::class::ClassRound;
+use crate::messages::{Kept, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 
 /// The list.
@@ -27,7 +28,7 @@ pub(super) enum Rounds {
     /// Nobody can say, and why.
     Unknown(String),
     /// These.
-    Known(Vec<KeptRound>),
+    Known(Vec<Kept<ClassRound>>),
 }
 
 /// What follows from an input.
@@ -41,7 +42,7 @@ pub(super) enum Step {
 impl Earlier {
     /// The list, which is asked for.
     pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
-        cx.ask(Wish::ListClasses);
+        cx.ask(StoreRequest::ListClasses);
         Self {
             set_up,
             rounds: Rounds::Asked,
@@ -52,7 +53,7 @@ impl Earlier {
         }
     }
 
-    pub(super) fn known(&self) -> &[KeptRound] {
+    pub(super) fn known(&self) -> &[Kept<ClassRound>] {
         match &self.rounds {
             Rounds::Known(rounds) => rounds,
             _ => &[],
@@ -60,7 +61,7 @@ impl Earlier {
     }
 
     /// The one the mark is at.
-    pub(super) fn chosen(&self) -> Option<&KeptRound> {
+    pub(super) fn chosen(&self) -> Option<&Kept<ClassRound>> {
         self.known().get(self.at)
     }
 
@@ -71,7 +72,7 @@ impl Earlier {
             if let Key::Char('y' | 'Y') = key
                 && let Some(kept) = self.chosen()
             {
-                let wish = Wish::RemoveClass(kept.name.clone());
+                let wish = StoreRequest::RemoveClass(kept.name.clone());
                 cx.ask(wish);
             }
             return Step::Stay;
@@ -92,22 +93,22 @@ impl Earlier {
 
     fn load(&mut self, cx: &mut Context) {
         if let Some(kept) = self.chosen()
-            && kept.round.is_ok()
+            && kept.content.is_ok()
         {
-            let wish = Wish::LoadClass(kept.name.clone());
+            let wish = StoreRequest::LoadClass(kept.name.clone());
             self.loading = Some(cx.ask(wish));
         }
     }
 
     /// Takes in what came of what was asked.
-    pub(super) fn take_answer(&mut self, answer: &Answer, cx: &mut Context) -> Step {
+    pub(super) fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Step {
         match &answer.done {
-            Done::Classes(Ok(rounds)) => {
+            StoreReply::Classes(Ok(rounds)) => {
                 self.at = self.at.min(rounds.len().saturating_sub(1));
                 self.rounds = Rounds::Known(rounds.clone());
             }
-            Done::Classes(Err(reason)) => self.rounds = Rounds::Unknown(reason.clone()),
-            Done::Class(loaded) if self.loading == Some(answer.ticket) => {
+            StoreReply::Classes(Err(reason)) => self.rounds = Rounds::Unknown(reason.clone()),
+            StoreReply::Class(loaded) if self.loading == Some(answer.ticket) => {
                 self.loading = None;
                 match loaded {
                     Ok(round) => {
@@ -120,11 +121,11 @@ impl Earlier {
                     }
                 }
             }
-            Done::Removed(result) => {
+            StoreReply::Removed(result) => {
                 if let Err(reason) = result {
                     self.notice = Some(format!("It cannot be removed: {reason}."));
                 }
-                cx.ask(Wish::ListClasses);
+                cx.ask(StoreRequest::ListClasses);
             }
             _ => {}
         }

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::earlier::{Earlier, Rounds};
 use super::view::column;
 use crate::class::ClassRound;
-use crate::messages::KeptRound;
+use crate::messages::Kept;
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Lines, Look, Role, text};
 
@@ -63,7 +63,7 @@ fn about(earlier: &Earlier, lines: &mut Lines) {
         lines.paragraph(notice, Role::Warn);
         return;
     }
-    match &kept.round {
+    match &kept.content {
         Ok(round) => {
             lines.paragraph(&place(round), Role::Text);
             lines.paragraph(&round.teams().join(", "), Role::Dim);
@@ -78,8 +78,8 @@ fn about(earlier: &Earlier, lines: &mut Lines) {
 }
 
 /// A round in a line.
-fn title(kept: &KeptRound) -> String {
-    match &kept.round {
+fn title(kept: &Kept<ClassRound>) -> String {
+    match &kept.content {
         Ok(round) => format!("{}: {}", round.code(), round.teams().join(", ")),
         Err(_) => format!("{}: not readable", kept.name),
     }

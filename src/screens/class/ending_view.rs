@@ -8,7 +8,7 @@ use super::heading::Heading;
 use super::play::{Page, Play};
 use super::scores_view;
 use super::view::{Text, column};
-use crate::class::{ClassRound, Item, items};
+use crate::class::{ClassRound, ItemAnalysis, items};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::{Misconception, misconceptions};
 use crate::widgets::{Lines, Look, Role, text};
@@ -136,7 +136,7 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
             .questions()
             .get(item.question)
             .map_or(String::new(), |question| {
-                text::clipped(&question.topic, topic)
+                text::clipped(&question.topic.name(), topic)
             });
         lines.line(&row(&item, &about, topic), Role::Title);
         if let Some((misconception, count)) = item.commonest {
@@ -154,7 +154,7 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
     );
 }
 
-fn row(item: &Item, about: &str, topic: usize) -> String {
+fn row(item: &ItemAnalysis, about: &str, topic: usize) -> String {
     let percent =
         |share: Option<f64>| share.map_or("-".into(), |it| format!("{:.0} %", 100.0 * it));
     let mean = |vote: usize| {

@@ -1,6 +1,6 @@
 //! A round for a class round one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the [`Step`]s of [`crate::class`]; `play` knows the way
+//! A question goes through the [`ClassStep`]s of [`crate::class`]; `play` knows the way
 //! through them, and every step has a view of its own.
 
 mod booth;
@@ -25,8 +25,8 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Screen};
-use crate::class::Step;
+use super::{Context, Help, Hint, Next, OldScreen};
+use crate::class::ClassStep;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Code;
 use crate::widgets::{AnswerInput, Palette};
@@ -188,7 +188,7 @@ impl Class {
     }
 }
 
-impl Screen for Class {
+impl OldScreen for Class {
     fn title(&self) -> String {
         "class".into()
     }
@@ -384,16 +384,18 @@ fn play_keys(play: &Play) -> Vec<Hint> {
             keys.extend([Hint::new("e", "tables"), Hint::new("Up Down", "scroll")]);
             keys
         }
-        (_, Step::Describe) => vec![Hint::new("Enter", "predict"), Hint::new("z", "words alone")],
-        (_, Step::Predict) => vec![
+        (_, ClassStep::Describe) => {
+            vec![Hint::new("Enter", "predict"), Hint::new("z", "words alone")]
+        }
+        (_, ClassStep::Predict) => vec![
             Hint::new("Enter", "first vote"),
             Hint::new("z", "words alone"),
         ],
-        (_, Step::Talk) => vec![Hint::new("Enter", "second vote")],
-        (_, Step::Scores) if play.number() + 1 < play.round.questions().len() => {
+        (_, ClassStep::Talk) => vec![Hint::new("Enter", "second vote")],
+        (_, ClassStep::Scores) if play.number() + 1 < play.round.questions().len() => {
             vec![Hint::new("Enter", "next question")]
         }
-        (_, Step::Scores) => vec![Hint::new("Enter", "the end")],
+        (_, ClassStep::Scores) => vec![Hint::new("Enter", "the end")],
         _ => vec![Hint::new("Enter", "go on")],
     };
     keys.extend(tail);
@@ -413,7 +415,7 @@ fn input_keys(input: &AnswerInput) -> Vec<Hint> {
         }
         AnswerInput::Choice { .. } => {
             vec![
-                Hint::new(input.letters(), "choose"),
+                Hint::new("a b c", "choose"),
                 Hint::new("Up Down", "likewise"),
             ]
         }

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use super::booth::{Booths, Polled};
 use super::shown::Shown;
-use crate::class::{ClassRound, Place, Step, Vote};
-use crate::messages::{Answer, Done, Key, Wish};
+use crate::class::{ClassPlace, ClassRound, ClassStep, Vote};
+use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
 use crate::screens::Context;
 use crate::widgets::Scroll;
@@ -19,7 +19,7 @@ pub(super) struct Play {
     /// Whether the words of the question have the screen to themselves.
     pub(super) words_alone: bool,
     /// The step at which each question stands.
-    steps: Vec<Step>,
+    steps: Vec<ClassStep>,
     /// The last question that has been reached.
     furthest: usize,
     /// The ticket with which it is kept.
@@ -65,8 +65,8 @@ impl Play {
         let furthest = place.question.max(round.begun().saturating_sub(1));
         let steps = (0..round.questions().len()).map(|question| match question {
             question if question == place.question => place.step,
-            question if question <= furthest => Step::Scores,
-            _ => Step::Describe,
+            question if question <= furthest => ClassStep::Scores,
+            _ => ClassStep::Describe,
         });
         let mut play = Self {
             steps: steps.collect(),
@@ -93,7 +93,7 @@ impl Play {
     }
 
     /// The step at hand.
-    pub(super) fn step(&self) -> Step {
+    pub(super) fn step(&self) -> ClassStep {
         self.round.place().step
     }
 
@@ -112,33 +112,35 @@ impl Play {
     /// the truth is told.
     pub(super) fn asked(&self) -> usize {
         match self.step() {
-            Step::Scores => self.number() + 1,
+            ClassStep::Scores => self.number() + 1,
             _ => self.number(),
         }
     }
 
     /// Begins what there is to do at the place at hand.
     fn arrive(&mut self, cx: &Context) {
-        let Place { question, step } = self.round.place();
+        let ClassPlace { question, step } = self.round.place();
         self.furthest = self.furthest.max(question);
         if let Some(kept) = self.steps.get_mut(question) {
             *kept = step;
         }
         self.phase = match step {
-            Step::FirstVote => Phase::Vote(Booths::new(&self.round, question, Vote::First)),
-            Step::SecondVote => Phase::Vote(Booths::new(&self.round, question, Vote::Second)),
-            Step::Shot => match Shown::new(&self.round, question, cx.settings.reduced_motion) {
-                Some(shown) => Phase::Shot(Box::new(shown)),
-                None => Phase::Look,
-            },
+            ClassStep::FirstVote => Phase::Vote(Booths::new(&self.round, question, Vote::First)),
+            ClassStep::SecondVote => Phase::Vote(Booths::new(&self.round, question, Vote::Second)),
+            ClassStep::Shot => {
+                match Shown::new(&self.round, question, cx.settings.reduced_motion) {
+                    Some(shown) => Phase::Shot(Box::new(shown)),
+                    None => Phase::Look,
+                }
+            }
             _ => Phase::Look,
         };
         self.scroll = Scroll::default();
         self.words_alone = false;
     }
 
-    fn go(&mut self, question: usize, step: Step, cx: &mut Context) {
-        self.round.go(Place { question, step });
+    fn go(&mut self, question: usize, step: ClassStep, cx: &mut Context) {
+        self.round.go(ClassPlace { question, step });
         self.arrive(cx);
         self.save(cx);
     }
@@ -162,11 +164,11 @@ impl Play {
     fn back(&mut self, cx: &mut Context) {
         let question = self.number();
         match self.phase {
-            Phase::End(Page::Board) => self.go(question, Step::Scores, cx),
+            Phase::End(Page::Board) => self.go(question, ClassStep::Scores, cx),
             Phase::End(page) => self.turn_page(page, -1),
             _ => match (self.step().before(), question.checked_sub(1)) {
                 (Some(before), _) => self.go(question, before, cx),
-                (None, Some(question)) => self.go(question, Step::Scores, cx),
+                (None, Some(question)) => self.go(question, ClassStep::Scores, cx),
                 (None, None) => {}
             },
         }
@@ -197,14 +199,17 @@ impl Play {
     /// Has it kept as it stands, once there is a vote in it.
     fn save(&self, cx: &mut Context) {
         if self.round.is_begun() {
-            cx.keep(self.ticket, Wish::SaveClass(Box::new(self.round.clone())));
+            cx.keep(
+                self.ticket,
+                StoreRequest::SaveClass(Box::new(self.round.clone())),
+            );
         }
     }
 
     /// Takes in what came of saving and exporting.
-    pub(super) fn take_answer(&mut self, answer: &Answer, cx: &mut Context) {
+    pub(super) fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) {
         match &answer.done {
-            Done::Saved(saved) if answer.ticket == self.ticket => {
+            StoreReply::Saved(saved) if answer.ticket == self.ticket => {
                 if let Err(reason) = saved
                     && !self.unsaved
                 {
@@ -214,10 +219,10 @@ impl Play {
                 }
                 self.unsaved = saved.is_err();
             }
-            Done::Exported(Ok(place)) => {
+            StoreReply::Exported(Ok(place)) => {
                 cx.tell(format!("Both tables are written: {place}"));
             }
-            Done::Exported(Err(reason)) => {
+            StoreReply::Exported(Err(reason)) => {
                 cx.tell(format!("The tables cannot be written: {reason}."));
             }
             _ => {}
@@ -272,7 +277,7 @@ impl Play {
             Key::Char(']') => self.leap(1, cx),
             Key::Char('z' | 'Z') => self.words_alone = !self.words_alone,
             Key::Char('e' | 'E') => {
-                cx.ask(Wish::ExportClass(Box::new(self.round.clone())));
+                cx.ask(StoreRequest::ExportClass(Box::new(self.round.clone())));
             }
             _ => return false,
         }

@@ -6,8 +6,8 @@ use ratatui::layout::Rect;
 use super::heading::Heading;
 use super::play::Play;
 use super::view::{Text, column};
-use crate::class::Step;
-use crate::quiz::{Form, Picture, Question, letter};
+use crate::class::ClassStep;
+use crate::quiz::{Form, Illustration, Question, letter};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Beside, Lines, Look, Role, draw_question};
 
@@ -20,7 +20,7 @@ struct Layout {
 fn heading_and(play: &Play, then: impl FnOnce(Heading)) {
     let number = format!("Question {}", play.number() + 1);
     match play.step() {
-        Step::Predict => then(Heading::new(
+        ClassStep::Predict => then(Heading::new(
             &["Predict in silence", "In silence"],
             "Everyone writes down an answer. Nobody speaks.",
         )),
@@ -37,7 +37,7 @@ fn layout(play: &Play, question: &Question, area: Rect, look: &Look) -> Layout {
     }
     let mut rest = area;
     heading_and(play, |heading| rest = heading.rest(area, look));
-    if question.picture == Picture::Nothing {
+    if question.picture == Illustration::Nothing {
         return Layout {
             words: column(rest),
             beside: None,
@@ -63,7 +63,7 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
     let layout = layout(play, question, area, look);
     if let Some(beside) = &layout.beside {
         let aside = match play.step() {
-            Step::Predict => "what will happen?",
+            ClassStep::Predict => "what will happen?",
             _ => "the question",
         };
         beside.draw(buf, look, question.family.name(), aside);

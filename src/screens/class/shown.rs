@@ -2,7 +2,7 @@
 
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{
-    Answer, Confidence, Form, Misconception, Question, Said, explain, misconceptions,
+    Answer, Confidence, Form, Misconception, Question, Response, explain, misconceptions,
 };
 use crate::widgets::hit::{Telling, Watch};
 
@@ -42,13 +42,13 @@ impl Shown {
 
 /// The hit as it really goes, with what was said beside it. What is to be answered by
 /// shooting is shot as it should be.
-fn watch(question: &Question, said: Option<Said>, reduced: bool) -> Option<Watch> {
+fn watch(question: &Question, said: Option<Response>, reduced: bool) -> Option<Watch> {
     let collision = match &question.form {
         Form::Shot(aim) => Some(aim.with(aim.offset)),
         _ => question.picture.collision().copied(),
     };
     let rays = match said {
-        Some(Said::Rays(rays)) => Some(rays),
+        Some(Response::Rays(rays)) => Some(rays),
         _ => None,
     };
     collision.map(|collision| Watch::new(collision, rays, reduced))
@@ -60,7 +60,7 @@ fn commonest(
     round: &ClassRound,
     question: usize,
     vote: Vote,
-) -> Option<(&'static Misconception, usize, Said)> {
+) -> Option<(&'static Misconception, usize, Response)> {
     let votes = (0..round.teams().len()).filter_map(|team| {
         let ballot = round.ballot(question, team);
         match vote {

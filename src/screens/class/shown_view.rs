@@ -8,7 +8,7 @@ use super::play::Play;
 use super::shown::Shown;
 use super::view::{Text, teams};
 use crate::class::{ClassRound, Vote};
-use crate::quiz::{Question, Said, letter};
+use crate::quiz::{Question, Response, letter};
 use crate::widgets::{Beside, Lines, Look, Role, draw_question};
 
 /// Rows of a body from which on there is a heading above the picture, too.
@@ -24,7 +24,7 @@ fn layout(question: &Question, shown: &Shown, area: Rect, look: &Look) -> Beside
         area
     };
     let pictured =
-        shown.telling.watch().is_some() || question.picture != crate::quiz::Picture::Nothing;
+        shown.telling.watch().is_some() || question.picture != crate::quiz::Illustration::Nothing;
     if pictured {
         Beside::square(rest)
     } else {
@@ -82,7 +82,7 @@ fn write(play: &Play, question: &Question, shown: &Shown, lines: &mut Lines) {
     }
     let truth = question.form.truth();
     let words = match truth {
-        Said::Choice(i) => format!("{}: {}", letter(i), question.form.words(&truth)),
+        Response::Choice(i) => format!("{}: {}", letter(i), question.form.words(&truth)),
         _ => question.form.words(&truth),
     };
     lines.paragraph(&words, Role::Title);

@@ -11,7 +11,7 @@ use super::view::{Text, column, teams};
 use crate::class::Vote;
 use crate::physics::Collision;
 use crate::physics::units::mm_from_m;
-use crate::quiz::{Form, Question, Ray, Said, letter};
+use crate::quiz::{Form, Question, Ray, Response, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::hit::{Stage, degrees};
@@ -26,7 +26,7 @@ const HEADING: Heading<'static> = Heading::new(
 );
 
 /// The first votes that were given on the question at hand.
-fn votes(play: &Play) -> Vec<Said> {
+fn votes(play: &Play) -> Vec<Response> {
     let teams = 0..play.round.teams().len();
     let ballots = teams.map(|team| play.round.ballot(play.number(), team));
     ballots
@@ -54,7 +54,7 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
         }
         Form::Number { quantity, .. } => {
             let numbers = votes.iter().filter_map(|said| match said {
-                Said::Number(x) => Some(*x),
+                Response::Number(x) => Some(*x),
                 _ => None,
             });
             draw_line(
@@ -67,7 +67,7 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
         }
         Form::Shot(_) => {
             let offsets = votes.iter().filter_map(|said| match said {
-                Said::Shot(x) => Some(mm_from_m(*x)),
+                Response::Shot(x) => Some(mm_from_m(*x)),
                 _ => None,
             });
             let unit = "mm offset, a minus for the left";
@@ -103,12 +103,12 @@ fn write_rays(play: &Play, question: &Question, target: &str, lines: &mut Lines)
 }
 
 /// The angles said of a ray, in order, with how many said the same: "30.0, 45.0 (2)".
-fn listed(question: &Question, votes: &[Said], ray: Ray) -> String {
+fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     let index = usize::from(ray == Ray::Target);
     let mut angles: Vec<Option<f64>> = votes
         .iter()
         .filter_map(|said| match (said, question.picture.collision()) {
-            (Said::Rays(rays), Some(collision)) => Some(degrees(collision, rays)[index]),
+            (Response::Rays(rays), Some(collision)) => Some(degrees(collision, rays)[index]),
             _ => None,
         })
         .collect();
@@ -134,7 +134,7 @@ fn listed(question: &Question, votes: &[Said], ray: Ray) -> String {
 }
 
 /// All rays, from where the two will meet.
-fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer, look: &Look) {
+fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let stage = Stage::new(area, collision);
     let mut sheet = Sheet::new(stage.view, look.charset);
     let bodies = [
@@ -142,7 +142,7 @@ fn draw_fan(collision: &Collision, votes: &[Said], area: Rect, buf: &mut Buffer,
         (Ray::Target, "C", Role::CoinOut),
     ];
     for said in votes {
-        let Said::Rays(rays) = said else { continue };
+        let Response::Rays(rays) = said else { continue };
         for (body, (ray, name, role)) in bodies.into_iter().enumerate() {
             let centre = stage.centres[body];
             let Some(angle) = rays.get(ray) else {
@@ -169,7 +169,7 @@ const SIDE: u16 = 10;
 const LARGE: u16 = 4;
 
 /// Bars for choices: how many teams are for each.
-fn draw_bars(options: &[String], votes: &[Said], area: Rect, buf: &mut Buffer, look: &Look) {
+fn draw_bars(options: &[String], votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let rows = area.height / (options.len() as u16).max(1);
     let most = votes.len().max(1);
     for (i, option) in options.iter().enumerate() {
@@ -180,7 +180,7 @@ fn draw_bars(options: &[String], votes: &[Said], area: Rect, buf: &mut Buffer, l
         };
         let count = votes
             .iter()
-            .filter(|said| matches!(said, Said::Choice(chosen) if *chosen == i))
+            .filter(|said| matches!(said, Response::Choice(chosen) if *chosen == i))
             .count();
         let sides = [letter(i).to_string(), count.to_string()];
         let large = sides.each_ref().map(|side| {

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::heading::{Heading, centred};
 use super::play::{Page, Phase, Play};
 use super::{ending_view, question_view, scores_view, shown_view, spread_view, vote_view};
-use crate::class::{Step, Vote};
+use crate::class::{ClassStep, Vote};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role};
 
@@ -25,8 +25,8 @@ pub(super) fn draw(play: &Play, leaving: bool, area: Rect, buf: &mut Buffer, loo
             None => vote_view::draw_teams(play, booths, area, buf, look),
         },
         (Phase::Shot(shown), _) => shown_view::draw(play, shown, area, buf, look),
-        (Phase::Look, Step::Talk) => spread_view::draw(play, area, buf, look),
-        (Phase::Look, Step::Scores) => {
+        (Phase::Look, ClassStep::Talk) => spread_view::draw(play, area, buf, look),
+        (Phase::Look, ClassStep::Scores) => {
             let rest = Heading::new(&["Scores"], "").draw(area, buf, look);
             scores_view::draw(&play.round, play.asked(), rest, buf, look);
         }
@@ -56,8 +56,8 @@ fn text<'a>(play: &'a Play, area: Rect, look: &'a Look) -> Option<Text<'a>> {
         (Phase::End(page), _) => Some(ending_view::text(play, *page, area, look)),
         (Phase::Vote(booths), _) => vote_view::text(play, booths, area),
         (Phase::Shot(shown), _) => Some(shown_view::text(play, shown, area, look)),
-        (Phase::Look, Step::Talk) => spread_view::text(play, area, look),
-        (Phase::Look, Step::Scores) => None,
+        (Phase::Look, ClassStep::Talk) => spread_view::text(play, area, look),
+        (Phase::Look, ClassStep::Scores) => None,
         (Phase::Look, _) => question_view::text(play, area, look),
     }
 }

@@ -8,7 +8,7 @@ use super::heading::Heading;
 use super::play::Play;
 use super::view::{Text, column, teams, vote_name};
 use crate::class::{ClassRound, Vote};
-use crate::quiz::{Form, Picture, Question};
+use crate::quiz::{Form, Illustration, Question};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{AnswerInput, Beside, Lines, Look, Role, draw_question, text};
 
@@ -161,7 +161,7 @@ fn state(round: &ClassRound, question: usize, team: usize, vote: Vote) -> (bool,
 /// Where a team votes: picture and panel.
 pub(super) fn booth_layout(question: &Question, area: Rect) -> Beside {
     match question.picture {
-        Picture::Nothing => Beside::text_alone(area),
+        Illustration::Nothing => Beside::text_alone(area),
         _ => Beside::new(area),
     }
 }

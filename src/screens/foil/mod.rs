@@ -18,9 +18,9 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Screen};
+use super::{Context, Help, Hint, Next, OldScreen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::widgets::{NumberEntry, Scroll, Typed};
+use crate::widgets::{NumberEntry, Outcome, Scroll};
 
 pub use field::Field;
 pub use plot::Plot;
@@ -209,12 +209,12 @@ impl Foil {
         }
         if self.field().is_some_and(Field::is_number) {
             match self.entry.update(key) {
-                Typed::Editing => return Next::Stay,
-                Typed::Entered(value) => {
+                Outcome::Used => return Next::Stay,
+                Outcome::Done(value) => {
                     self.set(value);
                     return Next::Stay;
                 }
-                Typed::Ignored => {}
+                Outcome::Ignored => {}
             }
         }
         match key {
@@ -355,7 +355,7 @@ impl Foil {
     }
 }
 
-impl Screen for Foil {
+impl OldScreen for Foil {
     fn title(&self) -> String {
         "foil".into()
     }

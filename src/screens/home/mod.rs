@@ -6,7 +6,7 @@ use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Place, Screen};
+use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::messages::{Input, Key, MouseKind};
 use crate::physics::{Collision, Disc};
 use crate::widgets::hit::{Layer, Layers, Watch};
@@ -98,7 +98,7 @@ const CHOICES: [Choice; 8] = [
     },
 ];
 
-impl Screen for Home {
+impl OldScreen for Home {
     fn title(&self) -> String {
         "home".into()
     }

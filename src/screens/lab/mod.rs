@@ -12,11 +12,11 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Screen};
+use super::{Context, Help, Hint, Next, OldScreen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Frame;
 use crate::widgets::hit::{Watch, drag_offset, point_at, side};
-use crate::widgets::{Beside, NumberEntry, RayInput, Scroll, Turned, Typed};
+use crate::widgets::{Beside, NumberEntry, Outcome, RayInput, Scroll};
 
 use mystery::Mystery;
 
@@ -118,12 +118,12 @@ impl Lab {
     fn aim_key(&mut self, key: Key, cx: &mut Context) -> Next {
         self.held = false;
         match self.entry.update(key) {
-            Typed::Editing => return Next::Stay,
-            Typed::Entered(value) => {
+            Outcome::Used => return Next::Stay,
+            Outcome::Done(value) => {
                 self.set(value);
                 return Next::Stay;
             }
-            Typed::Ignored => {}
+            Outcome::Ignored => {}
         }
         match key {
             Key::Up | Key::BackTab => self.choose(self.field + Field::ALL.len() - 1),
@@ -175,7 +175,7 @@ impl Lab {
     }
 
     fn shoot(&mut self, rays: Option<&RayInput>, cx: &Context) -> Phase {
-        let said = rays.map(RayInput::said);
+        let said = rays.and_then(RayInput::said);
         let reduced = cx.settings.reduced_motion;
         self.scroll = Scroll::default();
         Phase::Watch(Box::new(Watch::new(self.setup.collision(), said, reduced)))
@@ -185,13 +185,13 @@ impl Lab {
         match &mut self.phase {
             Phase::Aim => return self.aim_key(key, cx),
             Phase::Predict(rays) => match rays.update(key) {
-                Turned::Turning => {}
-                Turned::Done => {
+                Outcome::Used => {}
+                Outcome::Done(()) => {
                     let rays = rays.clone();
                     self.phase = self.shoot(Some(&rays), cx);
                 }
-                Turned::Ignored if key == Key::Escape => self.phase = Phase::Aim,
-                Turned::Ignored => return Next::Ignored,
+                Outcome::Ignored if key == Key::Escape => self.phase = Phase::Aim,
+                Outcome::Ignored => return Next::Ignored,
             },
             Phase::Watch(watch) => {
                 let weighing = watch.is_told() && watch.frame() == Frame::Laboratory;
@@ -271,7 +271,7 @@ impl Lab {
     }
 }
 
-impl Screen for Lab {
+impl OldScreen for Lab {
     fn title(&self) -> String {
         "lab".into()
     }

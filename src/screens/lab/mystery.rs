@@ -3,8 +3,8 @@
 use super::{Field, Setup};
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
-use crate::physics::{Bond, Outcome};
-use crate::widgets::{Lines, NumberEntry, Role, Typed};
+use crate::physics::{Bond, Outcome as CollisionOutcome};
+use crate::widgets::{Lines, NumberEntry, Outcome, Role};
 
 /// The lightest mystery coin in g, and the step and number of the heavier ones.
 const LIGHTEST_G: f64 = 4.0;
@@ -57,15 +57,15 @@ impl Mystery {
             return false;
         }
         match self.entry.update(key) {
-            Typed::Entered(mass) if mass > 0.0 => self.said_g = Some(mass),
-            Typed::Entered(_) | Typed::Editing => {}
-            Typed::Ignored => return false,
+            Outcome::Done(mass) if mass > 0.0 => self.said_g = Some(mass),
+            Outcome::Done(_) | Outcome::Used => {}
+            Outcome::Ignored => return false,
         }
         true
     }
 
     /// What to do, or how the answer was.
-    pub(super) fn write(&self, setup: &Setup, outcome: &Outcome, lines: &mut Lines) {
+    pub(super) fn write(&self, setup: &Setup, outcome: &CollisionOutcome, lines: &mut Lines) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             lines.paragraph(
                 "No two angles to read here. Hit the coin off-centre and it can be weighed.",

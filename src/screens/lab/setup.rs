@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::physics::angle::unit_vector;
 use crate::physics::{Bond, Collision, Disc};
-use crate::quiz::{Given, Hit, Pieces};
+use crate::quiz::{Hit, Pieces, Placement};
 
 /// A named pair of discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,7 +147,7 @@ impl Setup {
                 striker: collision.striker,
                 target: collision.target,
             },
-            given: Given::Offset {
+            given: Placement::Offset {
                 offset_mm: self.offset_mm,
             },
             restitution: self.restitution,

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::{Lab, Phase, panel};
 use crate::screens::Context;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Given, draw_setup};
+use crate::widgets::hit::{Markings, draw_setup};
 
 /// Draws the lab.
 pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
@@ -22,7 +22,7 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     };
     layout.draw(buf, &look, &title, side_title);
     let collision = lab.setup.collision();
-    let given = Given {
+    let given = Markings {
         offset: true,
         angle: true,
         figures: true,

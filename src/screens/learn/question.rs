@@ -6,7 +6,7 @@ use crate::messages::Key;
 use crate::physics::Collision;
 use crate::quiz::Ray;
 use crate::widgets::hit::side;
-use crate::widgets::{Lines, NumberEntry, RayInput, Role, Turned, Typed};
+use crate::widgets::{Lines, NumberEntry, Outcome, RayInput, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,14 +62,14 @@ impl Question {
             // The other ray is chosen by Enter; Tab goes to the figure.
             Self::Rays(_) if matches!(key, Key::Tab | Key::BackTab) => Said::Nothing,
             Self::Rays(rays) => match rays.update(key) {
-                Turned::Ignored => Said::Nothing,
-                Turned::Turning => Said::Part,
-                Turned::Done => Said::Answer(CheckpointAnswer::Rays(rays.said())),
+                Outcome::Ignored => Said::Nothing,
+                Outcome::Used => Said::Part,
+                Outcome::Done(()) => Said::Answer(CheckpointAnswer::Rays(rays.so_far())),
             },
             Self::Number(entry) => match entry.update(key) {
-                Typed::Ignored => Said::Nothing,
-                Typed::Editing => Said::Part,
-                Typed::Entered(number) => Said::Answer(CheckpointAnswer::Number(number)),
+                Outcome::Ignored => Said::Nothing,
+                Outcome::Used => Said::Part,
+                Outcome::Done(number) => Said::Answer(CheckpointAnswer::Number(number)),
             },
             Self::Choice(chosen, count) => match key {
                 Key::Up => Self::step(chosen, *count - 1, *count),

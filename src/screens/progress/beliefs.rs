@@ -2,7 +2,7 @@
 
 use super::words::{brief, padded};
 use crate::messages::History;
-use crate::progress::{Belief, Trend, beliefs};
+use crate::progress::{HeldBelief, Trend, beliefs};
 use crate::widgets::{Lines, Role};
 
 /// Columns of the figures after a name.
@@ -33,7 +33,7 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
         } else {
             Role::Text
         };
-        let Belief { before, since, .. } = belief;
+        let HeldBelief { before, since, .. } = belief;
         let shown = belief.misconception.name;
         if wide {
             let shown = padded(&brief(shown, name - 1), name);

@@ -14,7 +14,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::recall::Recall;
-use super::{Context, Help, Hint, Next, Place, Screen};
+use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::widgets::{Beside, Lines, Role, Scroll};
@@ -177,7 +177,7 @@ fn layout(area: Rect) -> Beside {
     }
 }
 
-impl Screen for Progress {
+impl OldScreen for Progress {
     fn title(&self) -> String {
         "progress".into()
     }

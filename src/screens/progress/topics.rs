@@ -3,7 +3,7 @@
 use super::words::{brief, degrees, padded, percent};
 use crate::lessons::Book;
 use crate::messages::History;
-use crate::progress::{Due, LESSON, Mastery, Topic, reviews, topics};
+use crate::progress::{Due, LESSON, Mastery, TopicStanding, reviews, topics};
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role, text};
 
@@ -60,7 +60,7 @@ pub(super) fn table(history: &History, book: &Book, lines: &mut Lines) {
 }
 
 /// What was asked by the quiz; the chapters are told of by their own measure.
-fn topics_of_the_quiz(history: &History) -> Vec<Topic> {
+fn topics_of_the_quiz(history: &History) -> Vec<TopicStanding> {
     topics(history.attempts.iter().filter(|it| it.family != LESSON))
 }
 

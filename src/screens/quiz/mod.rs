@@ -15,15 +15,15 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Place, Screen};
+use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Round, Said, Summary, words,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
 };
 use crate::widgets::hit::{Layers, Telling, Watch};
-use crate::widgets::{AnswerInput, Scroll, Turned};
+use crate::widgets::{AnswerInput, Outcome, Scroll};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
@@ -238,13 +238,13 @@ impl Quiz {
         }
         match &mut self.phase {
             Phase::Asked(asked) => match asked.input.update(key) {
-                Turned::Turning => {}
-                Turned::Done => {
+                Outcome::Used => {}
+                Outcome::Done(()) => {
                     let asked = asked.clone();
                     self.enter(Phase::Confidence(asked, Confidence::ThinkSo));
                 }
-                Turned::Ignored if key == Key::Escape => return self.leave(leaving),
-                Turned::Ignored => return Next::Ignored,
+                Outcome::Ignored if key == Key::Escape => return self.leave(leaving),
+                Outcome::Ignored => return Next::Ignored,
             },
             Phase::Confidence(..) => return self.confidence_key(key, cx),
             Phase::Watch(_) => return self.watch_key(key, leaving, cx),
@@ -415,7 +415,7 @@ impl Asked {
     /// Puts the mark at a choice.
     fn choose(&mut self, choice: usize) {
         if let AnswerInput::Choice { chosen, .. } = &mut self.input {
-            *chosen = choice;
+            *chosen = Some(choice);
         }
     }
 }
@@ -424,13 +424,13 @@ impl Watched {
     /// An answer just given. What was answered by shooting is what is watched.
     fn new(question: Question, answer: Answer, layers: Layers, cx: &Context) -> Self {
         let rays = match answer.said {
-            Said::Rays(rays) => Some(rays),
+            Response::Rays(rays) => Some(rays),
             _ => None,
         };
         let reduced = cx.settings.reduced_motion;
         let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
         let (watch, remedy) = match (&question.form, answer.said) {
-            (Form::Shot(aim), Said::Shot(offset)) => {
+            (Form::Shot(aim), Response::Shot(offset)) => {
                 let shot = |offset| watch(aim.with(offset)).with_mark(aim.into());
                 let right = Grade::new(&question, &answer).right;
                 let remedy = (!right).then(|| shot(aim.offset));
@@ -455,7 +455,7 @@ fn beside(confidence: Confidence, steps: isize) -> Confidence {
     Confidence::ALL[index]
 }
 
-impl Screen for Quiz {
+impl OldScreen for Quiz {
     fn title(&self) -> String {
         "quiz".into()
     }
@@ -548,7 +548,7 @@ impl Screen for Quiz {
                 ],
                 AnswerInput::Choice { .. } => vec![
                     Hint::new("Up Down", "choose"),
-                    Hint::new(asked.input.letters(), "likewise"),
+                    Hint::new("a b c", "likewise"),
                     Hint::new("Enter", "next"),
                     Hint::new("Esc", "leave"),
                 ],

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::{Asked, Watched};
 use crate::quiz::words::{self, bare_degrees};
-use crate::quiz::{Confidence, Form, Grade, Ray, RaysGrade, Said, explain, letter};
+use crate::quiz::{Confidence, Form, Grade, Ray, RaysGrade, Response, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::hit::{Watch, degrees};
 use crate::widgets::{AnswerInput, Charset, Lines, Look, Role, brief};
@@ -120,9 +120,9 @@ fn said(asked: &Asked, lines: &mut Lines) {
 }
 
 /// An answer in words, a choice with its letter.
-fn lettered(form: &Form, said: &Said) -> String {
+fn lettered(form: &Form, said: &Response) -> String {
     match said {
-        Said::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
+        Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
         _ => form.words(said),
     }
 }
@@ -240,7 +240,7 @@ fn write_answers(watched: &Watched, grade: &Grade, lines: &mut Lines) {
 }
 
 fn ray_table(watched: &Watched, watch: &Watch, grade: &RaysGrade, lines: &mut Lines) {
-    let (Form::Rays { truth, target, .. }, Said::Rays(said)) =
+    let (Form::Rays { truth, target, .. }, Response::Rays(said)) =
         (&watched.question.form, &watched.answer.said)
     else {
         return;

@@ -171,7 +171,7 @@ impl Table {
         let row = self.cells(
             [chosen_mark, &number, mark, &said, &truth, &points],
             line.grade.confidence.name(),
-            &line.topic,
+            &line.topic.name(),
             explain(question, answer).title,
         );
         lines.line(&row, role);

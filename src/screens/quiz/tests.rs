@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::*;
 use crate::physics::rutherford::Rutherford;
 use crate::physics::{Collision, Disc};
-use crate::quiz::{Aim, Picture, Quantity, Ray, Shown};
+use crate::quiz::{AimTask, Illustration, Markings, Measure, Ray};
 use crate::screens::Settings;
 use crate::widgets::cells::text;
 
@@ -26,7 +26,7 @@ struct Sitting {
 }
 
 impl Sitting {
-    fn of(picture: Picture, form: Form) -> Self {
+    fn of(picture: Illustration, form: Form) -> Self {
         let mut quiz = Quiz::new(Code::hits(7));
         let question = Question {
             text: "What comes of it? Assume smooth discs.".into(),
@@ -78,8 +78,8 @@ fn hit(offset_mm: f64) -> Collision {
 }
 
 /// The coin is to go off at 30°: sin 30° of both radii together.
-fn aim() -> Aim {
-    Aim {
+fn aim() -> AimTask {
+    AimTask {
         collision: hit(0.0),
         ray: Ray::Target,
         wanted: 30_f64.to_radians(),
@@ -98,36 +98,36 @@ fn choice() -> Form {
 
 fn number() -> Form {
     Form::Number {
-        quantity: Quantity::Times,
+        quantity: Measure::Times,
         truth: 16.0,
     }
 }
 
-fn before() -> Picture {
-    Picture::Before {
+fn before() -> Illustration {
+    Illustration::Before {
         collision: hit(0.0),
-        shown: Shown::default(),
+        shown: Markings::default(),
     }
 }
 
-fn after() -> Picture {
-    Picture::After {
+fn after() -> Illustration {
+    Illustration::After {
         collision: hit(15.0),
     }
 }
 
-fn tracks() -> Picture {
-    Picture::Tracks {
+fn tracks() -> Illustration {
+    Illustration::Tracks {
         rutherford: Rutherford::radium_c_on_gold(),
         angles: [1.0, 2.0],
     }
 }
 
 /// Each picture with each form it may have.
-fn all() -> Vec<(Picture, Form)> {
+fn all() -> Vec<(Illustration, Form)> {
     let rays = Quiz::new(Code::hits(7)).round.questions()[0].form.clone();
     let mut all = vec![(before(), Form::Shot(aim()))];
-    for picture in [Picture::Nothing, before(), after(), tracks()] {
+    for picture in [Illustration::Nothing, before(), after(), tracks()] {
         all.extend([choice(), number(), rays.clone()].map(|form| (picture, form)));
     }
     all
@@ -202,7 +202,7 @@ fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
     // set to half a millimetre.
     for (row, rows) in [(11, 0.0), (12, 1.0), (13, 2.0), (9, -2.0)] {
         sitting.mouse(MouseKind::Drag, (30, row));
-        let Some(Said::Shot(offset)) = offset(&sitting) else {
+        let Some(Response::Shot(offset)) = offset(&sitting) else {
             panic!("no offset");
         };
         assert!((offset - 0.0099 * rows).abs() < 0.000_3, "{row}: {offset}");
@@ -212,7 +212,7 @@ fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
 #[test]
 fn a_choice_is_clicked_wherever_its_rows_are() {
     for size in [(60, 18), (80, 22), (120, 38)] {
-        for picture in [Picture::Nothing, after()] {
+        for picture in [Illustration::Nothing, after()] {
             let mut sitting = Sitting::of(picture, choice());
             sitting.cx.body = Rect::new(0, 1, size.0, size.1);
             for (i, words) in [(2, "C less than"), (0, "A more than"), (1, "B exactly")] {

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{Phase, Quiz, Watched, panel, summary};
 use crate::physics::Frame;
-use crate::quiz::{Form, Picture, Question};
+use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Beside, Lines, Look, Role, draw_question};
@@ -26,7 +26,7 @@ fn summary_frame(area: Rect) -> Rect {
 /// Where picture and panel are: the panel alone for what is asked in words.
 pub(super) fn layout(quiz: &Quiz, area: Rect) -> Beside {
     match question(quiz).map(|question| &question.picture) {
-        Some(Picture::Nothing) => Beside::card(area),
+        Some(Illustration::Nothing) => Beside::card(area),
         _ => Beside::new(area),
     }
 }

@@ -22,7 +22,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, Screen};
+use super::{Context, Help, Hint, Next, OldScreen};
 use crate::game::{Game, Record, RecordError};
 use crate::messages::{Input, Key};
 use new_game::{Agreed, NewGame};
@@ -94,7 +94,7 @@ impl Table {
     }
 }
 
-impl Screen for Table {
+impl OldScreen for Table {
     fn title(&self) -> String {
         "table".into()
     }

@@ -7,7 +7,9 @@ use super::options::Options;
 use super::sitting::Sitting;
 use super::{picture, view, words};
 use crate::game::{Game, Rules, SavedGame, Stage, Team};
-use crate::messages::{Answer, Done, Input, Kept, Key, Mouse, MouseKind, Wish};
+use crate::messages::{
+    Input, KeptGame, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest,
+};
 use crate::screens::{Context, Hint};
 use crate::widgets::{Lines, Role, text};
 
@@ -36,7 +38,7 @@ enum Games {
     /// Nobody can say, and why.
     Unknown(String),
     /// These.
-    Known(Vec<Kept>),
+    Known(Vec<KeptGame>),
 }
 
 /// What follows from an input.
@@ -54,7 +56,7 @@ pub(super) enum Step {
 impl SavedGames {
     /// The page, with the games asked for; `options` are those of the page before.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
-        cx.ask(Wish::List);
+        cx.ask(StoreRequest::List);
         Self {
             options,
             games: Games::Asked,
@@ -65,20 +67,20 @@ impl SavedGames {
         }
     }
 
-    fn known(&self) -> &[Kept] {
+    fn known(&self) -> &[KeptGame] {
         match &self.games {
             Games::Known(games) => games,
             Games::Asked | Games::Unknown(_) => &[],
         }
     }
 
-    fn chosen(&self) -> Option<&Kept> {
+    fn chosen(&self) -> Option<&KeptGame> {
         self.known().get(self.chosen)
     }
 
     /// The chosen game, if it can be read.
     fn game(&self) -> Option<&(SavedGame, Game)> {
-        self.chosen()?.game.as_deref().ok()
+        self.chosen()?.content.as_deref().ok()
     }
 
     pub(super) fn update(&mut self, input: &Input, cx: &mut Context) -> Step {
@@ -97,7 +99,7 @@ impl SavedGames {
             if let Key::Char('y' | 'Y') = key
                 && let Some(game) = self.chosen()
             {
-                let wish = Wish::Remove(game.name.clone());
+                let wish = StoreRequest::Remove(game.name.clone());
                 cx.ask(wish);
             }
             return Step::Stay;
@@ -122,25 +124,25 @@ impl SavedGames {
         if self.game().is_some()
             && let Some(game) = self.chosen()
         {
-            let wish = Wish::Load(game.name.clone());
+            let wish = StoreRequest::Load(game.name.clone());
             self.loading = Some((cx.ask(wish), watch));
         }
     }
 
     fn export(&self, cx: &mut Context) {
         if let Some((saved, _)) = self.game() {
-            cx.ask(Wish::Export(Box::new(saved.clone())));
+            cx.ask(StoreRequest::Export(Box::new(saved.clone())));
         }
     }
 
-    fn take_answer(&mut self, answer: &Answer, cx: &mut Context) -> Step {
+    fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Step {
         match &answer.done {
-            Done::Listed(Ok(games)) => {
+            StoreReply::Listed(Ok(games)) => {
                 self.chosen = self.chosen.min(games.len().saturating_sub(1));
                 self.games = Games::Known(games.clone());
             }
-            Done::Listed(Err(reason)) => self.games = Games::Unknown(reason.clone()),
-            Done::Loaded(loaded) => {
+            StoreReply::Listed(Err(reason)) => self.games = Games::Unknown(reason.clone()),
+            StoreReply::Loaded(loaded) => {
                 let Some((ticket, watch)) = self.loading.filter(|(it, _)| *it == answer.ticket)
                 else {
                     return Step::Stay;
@@ -159,14 +161,16 @@ impl SavedGames {
                     Err(reason) => self.notice = Some(format!("It cannot be resumed: {reason}.")),
                 }
             }
-            Done::Removed(result) => {
+            StoreReply::Removed(result) => {
                 if let Err(reason) = result {
                     self.notice = Some(format!("It cannot be removed: {reason}."));
                 }
-                cx.ask(Wish::List);
+                cx.ask(StoreRequest::List);
             }
-            Done::Exported(Ok(place)) => self.notice = Some(format!("It is written to {place}")),
-            Done::Exported(Err(reason)) => {
+            StoreReply::Exported(Ok(place)) => {
+                self.notice = Some(format!("It is written to {place}"))
+            }
+            StoreReply::Exported(Err(reason)) => {
                 self.notice = Some(format!("It cannot be exported: {reason}."));
             }
             _ => {}
@@ -256,7 +260,7 @@ impl SavedGames {
             lines.paragraph(notice, Role::Warn);
             lines.gap();
         }
-        match &kept.game {
+        match &kept.content {
             Ok(game) => {
                 lines.paragraph(&about(&game.0, &game.1), Role::Text);
                 lines.gap();
@@ -294,8 +298,8 @@ fn rows(height: u16) -> usize {
 }
 
 /// A game in a few words: who plays, and the score.
-fn title(kept: &Kept) -> String {
-    let Ok(game) = &kept.game else {
+fn title(kept: &KeptGame) -> String {
+    let Ok(game) = &kept.content else {
         return format!("{} ?", kept.name);
     };
     let (saved, game) = &**game;

@@ -8,7 +8,7 @@ use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Given, draw_setup};
+use crate::widgets::hit::{Markings, draw_setup};
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
@@ -33,7 +33,7 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
     layout.draw(buf, &look, &title, &side_title);
     match &sitting.phase {
         Phase::Call(calling) => {
-            let given = Given {
+            let given = Markings {
                 offset: true,
                 angle: true,
                 figures: true,

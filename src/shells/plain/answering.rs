@@ -1,23 +1,23 @@
 //! Answering a question in lines.
 
 use super::number::number;
-use super::talk::{Asked, Leave, Talk};
+use super::talk::{Leave, Prompt, Talk};
 use crate::physics::units::{m_from_mm, rad_from_deg};
-use crate::quiz::{Confidence, Form, Quantity, Rays, Said, letter};
+use crate::quiz::{Confidence, Form, Measure, Rays, Response, letter};
 
 /// Hears the answer to a question in its form; `None` if it is skipped.
 pub(super) fn answer(
     talk: &mut Talk,
     question: &[String],
     form: &Form,
-) -> Result<Option<Said>, Leave> {
+) -> Result<Option<Response>, Leave> {
     match form {
         Form::Rays { side, target, .. } => rays(talk, question, *side, target),
         Form::Number { quantity, .. } => {
             let unit = unit_words(*quantity);
             let help = format!("Type a number{unit}, such as 2.5. Type skip to leave it open.");
             let lines = [question, &[format!("Your answer{unit}?")]].concat();
-            let asked = Asked {
+            let asked = Prompt {
                 lines: &lines,
                 help: &help,
             };
@@ -25,32 +25,32 @@ pub(super) fn answer(
                 let (least, most) = (quantity.smallest(), quantity.largest());
                 skipped(heard, |heard| number(heard, quantity.unit(), least, most))
             };
-            Ok(talk.ask_for(&asked, read)?.map(Said::Number))
+            Ok(talk.ask_for(&asked, read)?.map(Response::Number))
         }
         Form::Choice { options, .. } => {
             let mut lines = question.to_vec();
             let choices = options.iter().enumerate();
             lines.extend(choices.map(|(i, option)| format!("{}: {option}", letter(i))));
             lines.push("Which one?".into());
-            let asked = Asked {
+            let asked = Prompt {
                 lines: &lines,
                 help: "Type the letter of your choice. Type skip to leave it open.",
             };
             let read = |heard: &str| skipped(heard, |heard| choice(heard, options.len()));
-            Ok(talk.ask_for(&asked, read)?.map(Said::Choice))
+            Ok(talk.ask_for(&asked, read)?.map(Response::Choice))
         }
         Form::Shot(aim) => {
             let most_mm = (1.1e3 * aim.collision.reach()).ceil();
             let line = "Your offset in millimetres? A minus puts the coin to the left.";
             let lines = [question, &[line.to_owned()]].concat();
-            let asked = Asked {
+            let asked = Prompt {
                 lines: &lines,
                 help: "The offset is how far the coin's centre lies from the striker's path: 0 is \
                        head-on. Type a number in millimetres, or skip.",
             };
             let read = |heard: &str| skipped(heard, |heard| number(heard, "mm", -most_mm, most_mm));
             let offset_mm = talk.ask_for(&asked, read)?;
-            Ok(offset_mm.map(|offset_mm| Said::Shot(m_from_mm(offset_mm))))
+            Ok(offset_mm.map(|offset_mm| Response::Shot(m_from_mm(offset_mm))))
         }
     }
 }
@@ -61,7 +61,7 @@ pub(super) fn rays(
     question: &[String],
     side: f64,
     target: &str,
-) -> Result<Option<Said>, Leave> {
+) -> Result<Option<Response>, Leave> {
     let help = format!(
         "Type an angle in degrees from the striker's old direction, such as 30, or still for a \
          disc that stays where it is. The striker counts to the side away from the {target}, the \
@@ -86,14 +86,14 @@ pub(super) fn rays(
     };
     let mut angles = [None; 2];
     for (angle, lines) in angles.iter_mut().zip([striker.as_slice(), &target]) {
-        let asked = Asked { lines, help: &help };
+        let asked = Prompt { lines, help: &help };
         match talk.ask_for(&asked, read)? {
             Some(said) => *angle = said,
             None => return Ok(None),
         }
     }
     let signed = |angle: Option<f64>| angle.map(|angle| side * rad_from_deg(angle));
-    Ok(Some(Said::Rays(Rays {
+    Ok(Some(Response::Rays(Rays {
         striker: signed(angles[0]),
         target: signed(angles[1]),
     })))
@@ -102,7 +102,7 @@ pub(super) fn rays(
 /// Hears how sure the player is.
 pub(super) fn confidence(talk: &mut Talk) -> Result<Confidence, Leave> {
     let lines = ["How sure are you? 1 guess, 2 think so, 3 sure.".to_owned()];
-    let asked = Asked {
+    let asked = Prompt {
         lines: &lines,
         help: "Sure brings 10 points if you are right and takes 6 if you are not; think so brings \
                9 or takes 2; guess brings 7 or nothing. The honest answer is the one that pays.",
@@ -148,15 +148,15 @@ pub(super) fn choice(heard: &str, count: usize) -> Result<usize, String> {
 }
 
 /// The unit of a quantity as it follows "your answer".
-pub(super) fn unit_words(quantity: Quantity) -> &'static str {
+pub(super) fn unit_words(quantity: Measure) -> &'static str {
     match quantity {
-        Quantity::Angle => " in degrees",
-        Quantity::Share => " in percent",
-        Quantity::Speed => " in metres per second",
-        Quantity::Mass => " in grams",
-        Quantity::Length => " in millimetres",
-        Quantity::Times => ", how many times",
-        Quantity::Restitution => "",
+        Measure::Angle => " in degrees",
+        Measure::Share => " in percent",
+        Measure::Speed => " in metres per second",
+        Measure::Mass => " in grams",
+        Measure::Length => " in millimetres",
+        Measure::Times => ", how many times",
+        Measure::Restitution => "",
     }
 }
 

@@ -1,18 +1,18 @@
 //! The chapters in lines.
 
 use super::answering::{self, choice};
-use super::keeper::Keeper;
 use super::number::number;
+use super::recorder::Recorder;
 use super::spoken::{sentence, unit_name, verbatim};
-use super::talk::{Asked as Question, Leave, Talk};
+use super::talk::{Leave, Prompt as Question, Talk};
 use super::{figure, formula};
 use crate::lessons::{
     Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointAnswer, CheckpointKind,
     GivenAnswer, Inline, TextBlock, Tone,
 };
-use crate::messages::{Done, Wish};
+use crate::messages::{StoreReply, StoreRequest};
 use crate::physics::Collision;
-use crate::quiz::{Rays, Said};
+use crate::quiz::{Rays, Response};
 use crate::screens::{learn::attempt, why};
 
 /// What may be said between two pages.
@@ -25,7 +25,7 @@ const MOVES: &str = "Enter or next for the next page, back for the one before, c
 /// If the player quits, or nothing more is to be heard: the place is kept.
 pub fn learn(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     library: &ChapterLibrary,
     chapter: Option<usize>,
 ) -> Result<(), Leave> {
@@ -37,10 +37,10 @@ pub fn learn(
     loop {
         let at = match chosen.take() {
             Some(at) => at,
-            None => contents(talk, keeper, library)?,
+            None => contents(talk, recorder, library)?,
         };
         if let Some(chapter) = library.chapters.get(at)
-            && read(talk, keeper, chapter)? == Next::Chapter
+            && read(talk, recorder, chapter)? == NextPage::Chapter
         {
             chosen = Some(at + 1).filter(|next| *next < library.chapters.len());
         }
@@ -49,7 +49,7 @@ pub fn learn(
 
 /// Where one goes from a chapter.
 #[derive(PartialEq)]
-enum Next {
+enum NextPage {
     Chapter,
     Contents,
 }
@@ -57,18 +57,18 @@ enum Next {
 /// Asks which chapter it shall be.
 fn contents(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     library: &ChapterLibrary,
 ) -> Result<usize, Leave> {
-    let player = keeper.player.to_owned();
-    let marks = match keeper.wish(talk, Wish::Marks(player))? {
-        Done::Marks(Ok(marks)) => marks,
+    let player = recorder.player.to_owned();
+    let marks = match recorder.wish(talk, StoreRequest::Marks(player))? {
+        StoreReply::Marks(Ok(marks)) => marks,
         _ => std::collections::BTreeMap::new(),
     };
     let mut lines = vec!["The chapters.".to_owned()];
     for (number, chapter) in (1..).zip(&library.chapters) {
         let read = match marks.get(&chapter.id) {
-            Some(mark) if mark.is_done(chapter) => " Done.".to_owned(),
+            Some(mark) if mark.is_done(chapter) => " StoreReply.".to_owned(),
             Some(mark) => format!(
                 " {} of {} pages read.",
                 mark.seen(chapter),
@@ -96,10 +96,10 @@ fn contents(
 }
 
 /// Reads a chapter from where it was left.
-fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next, Leave> {
-    let player = keeper.player.to_owned();
-    let mut at = match keeper.wish(talk, Wish::Marks(player))? {
-        Done::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
+fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<NextPage, Leave> {
+    let player = recorder.player.to_owned();
+    let mut at = match recorder.wish(talk, StoreRequest::Marks(player))? {
+        StoreReply::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
         _ => 0,
     };
     talk.say(&format!(
@@ -107,9 +107,9 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
         chapter.number,
         sentence(&chapter.title)
     ))?;
-    let mut shown = Shown::default();
+    let mut shown = ShownPage::default();
     while let Some(page) = chapter.pages.get(at) {
-        mark(talk, keeper, chapter, Bookmark::at(page))?;
+        mark(talk, recorder, chapter, Bookmark::at(page))?;
         talk.say(&format!(
             "Page {} of {}: {}",
             at + 1,
@@ -123,42 +123,42 @@ fn read(talk: &mut Talk, keeper: &mut Keeper, chapter: &Chapter) -> Result<Next,
         }
         shown.open(talk, figure::describe(chapter, at, false))?;
         if let Some(checkpoint) = &page.checkpoint
-            && ask(talk, keeper, chapter, (at, page), checkpoint, figure)?
+            && ask(talk, recorder, chapter, (at, page), checkpoint, figure)?
         {
             shown.add(talk, figure::describe(chapter, at, true))?;
         }
         let asked = Question {
-            lines: &["Next?".to_owned()],
+            lines: &["NextPage?".to_owned()],
             help: MOVES,
         };
         match talk.ask_for(&asked, |heard| match heard.to_lowercase().as_str() {
-            "" | "next" | "n" => Ok(Move::On),
-            "back" | "b" => Ok(Move::Back),
-            "contents" | "c" => Ok(Move::Contents),
+            "" | "next" | "n" => Ok(PageMove::On),
+            "back" | "b" => Ok(PageMove::Back),
+            "contents" | "c" => Ok(PageMove::Contents),
             _ => Err(MOVES.to_owned()),
         })? {
-            Move::On => at += 1,
-            Move::Back => {
+            PageMove::On => at += 1,
+            PageMove::Back => {
                 at = at.saturating_sub(1);
-                shown = Shown::default();
+                shown = ShownPage::default();
             }
-            Move::Contents => return Ok(Next::Contents),
+            PageMove::Contents => return Ok(NextPage::Contents),
         }
     }
     talk.say("That is the end of the chapter.")?;
     // It is opened at its beginning the next time.
     if let Some(first) = chapter.pages.first() {
-        mark(talk, keeper, chapter, Bookmark::at(first))?;
+        mark(talk, recorder, chapter, Bookmark::at(first))?;
     }
-    Ok(Next::Chapter)
+    Ok(NextPage::Chapter)
 }
 
 /// What the figures of a chapter have shown, so that it is said once rather than on every
 /// page anew.
 #[derive(Default)]
-struct Shown(Vec<String>);
+struct ShownPage(Vec<String>);
 
-impl Shown {
+impl ShownPage {
     /// Says what the figure of a page shows as the page is opened.
     fn open(&mut self, talk: &mut Talk, lines: Vec<String>) -> Result<(), Leave> {
         match lines.first() {
@@ -181,7 +181,7 @@ impl Shown {
 }
 
 /// Where one goes from a page.
-enum Move {
+enum PageMove {
     On,
     Back,
     Contents,
@@ -189,23 +189,23 @@ enum Move {
 
 fn mark(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     chapter: &Chapter,
     later: Bookmark,
 ) -> Result<(), Leave> {
-    let wish = Wish::Mark {
-        player: keeper.player.to_owned(),
+    let wish = StoreRequest::Mark {
+        player: recorder.player.to_owned(),
         chapter: chapter.id.clone(),
         later: Box::new(later),
     };
-    keeper.wish(talk, wish)?;
+    recorder.wish(talk, wish)?;
     Ok(())
 }
 
 /// Asks what a page asks, keeps the answer, and says how it is; whether there was one.
 fn ask(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     chapter: &Chapter,
     (at, page): (usize, &ChapterPage),
     checkpoint: &Checkpoint,
@@ -217,8 +217,8 @@ fn ask(
         return Ok(false);
     };
     let right = answer.is_right(checkpoint, figure);
-    let attempt = attempt(keeper.player, chapter, at, &answer, checkpoint, figure);
-    keeper.record(talk, attempt)?;
+    let attempt = attempt(recorder.player, chapter, at, &answer, checkpoint, figure);
+    recorder.record(talk, attempt)?;
     let given = GivenAnswer {
         asked: checkpoint.written.clone(),
         answer,
@@ -226,7 +226,7 @@ fn ask(
     };
     let mut later = Bookmark::at(page);
     later.pages.insert(page.title.clone(), Some(given));
-    mark(talk, keeper, chapter, later)?;
+    mark(talk, recorder, chapter, later)?;
     tell(talk, &answer, right, checkpoint, figure)?;
     for line in texts(&checkpoint.after, figure) {
         talk.say(&line)?;
@@ -250,7 +250,7 @@ fn hear(
             };
             let said = answering::rays(talk, question, side, "coin")?;
             Ok(said.and_then(|said| match said {
-                Said::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
+                Response::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
                 _ => None,
             }))
         }

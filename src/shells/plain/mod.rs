@@ -8,18 +8,18 @@
 mod answering;
 mod figure;
 mod formula;
-mod keeper;
 mod learn;
 mod number;
 mod picture;
 mod quiz;
+mod recorder;
 mod solve;
 mod spoken;
 mod talk;
 
-pub use keeper::Keeper;
 pub use learn::learn;
 pub use quiz::quiz;
+pub use recorder::Recorder;
 pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};

@@ -1,14 +1,14 @@
 //! What the picture of a question shows, in words.
 
 use crate::physics::Collision;
-use crate::quiz::{Picture, Question};
+use crate::quiz::{Illustration, Question};
 
 /// What the picture shows beyond the text of the question, which describes the hit
 /// whole; empty where it shows nothing more.
 pub(super) fn describe(question: &Question) -> String {
     match &question.picture {
         // Without figures the picture is all there is to go by.
-        Picture::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
+        Illustration::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
         _ => String::new(),
     }
 }

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::answering::{answer, confidence};
-use super::keeper::Keeper;
 use super::picture::describe;
+use super::recorder::Recorder;
 use super::spoken::{sentence, verbatim};
-use super::talk::{Asked, Leave, Talk};
-use crate::messages::{Done, Wish};
+use super::talk::{Leave, Prompt, Talk};
+use crate::messages::{StoreReply, StoreRequest};
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
@@ -21,7 +21,7 @@ use crate::quiz::{
 /// If the player quits, or nothing more is to be heard: what was answered is kept.
 pub fn quiz(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     code: Option<Code>,
     seed: u64,
     own: &Arc<Library>,
@@ -29,19 +29,19 @@ pub fn quiz(
     talk.say("carrom, the quiz. Type help at any question, and quit to leave.")?;
     let round = match code {
         Some(code) => Round::of(code),
-        None => choose(talk, keeper, seed, own)?,
+        None => choose(talk, recorder, seed, own)?,
     };
-    play(talk, keeper, &round)
+    play(talk, recorder, &round)
 }
 
 /// Asks which round it shall be.
 fn choose(
     talk: &mut Talk,
-    keeper: &mut Keeper,
+    recorder: &mut Recorder,
     seed: u64,
     own: &Arc<Library>,
 ) -> Result<Round, Leave> {
-    let due = due(talk, keeper)?;
+    let due = due(talk, recorder)?;
     let mut kinds: Vec<(String, CourseKind)> = CourseKind::ALWAYS
         .into_iter()
         .map(|kind| {
@@ -75,7 +75,7 @@ fn choose(
         format!("Left out of your own questions: {problem}.")
     }));
     lines.push("Type its number, or the code of a round, such as mixed-7.".into());
-    let asked = Asked {
+    let asked = Prompt {
         lines: &lines,
         help: "Mixing the kinds of question feels harder than one kind at a time, and it is what \
                makes them stay.",
@@ -97,16 +97,16 @@ fn choose(
 }
 
 /// What is due for this player.
-fn due(talk: &mut Talk, keeper: &mut Keeper) -> Result<Due, Leave> {
-    let player = keeper.player.to_owned();
-    match keeper.wish(talk, Wish::Recall(Some(player)))? {
-        Done::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, history.now_s)),
+fn due(talk: &mut Talk, recorder: &mut Recorder) -> Result<Due, Leave> {
+    let player = recorder.player.to_owned();
+    match recorder.wish(talk, StoreRequest::Recall(Some(player)))? {
+        StoreReply::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, history.now_s)),
         _ => Ok(Due::default()),
     }
 }
 
 /// Plays a round to its end.
-fn play(talk: &mut Talk, keeper: &mut Keeper, round: &Round) -> Result<(), Leave> {
+fn play(talk: &mut Talk, recorder: &mut Recorder, round: &Round) -> Result<(), Leave> {
     let at_end = round.course().tells_at_end();
     let mut answered: Vec<(&Question, Answer)> = Vec::new();
     let outcome = (1..)
@@ -117,8 +117,9 @@ fn play(talk: &mut Talk, keeper: &mut Keeper, round: &Round) -> Result<(), Leave
                 return talk.say("Left open.");
             };
             let answer = Answer::new(said, confidence(talk)?);
-            let attempt = Attempt::of_quiz(keeper.player, round.code(), number, question, &answer);
-            keeper.record(talk, attempt)?;
+            let attempt =
+                Attempt::of_quiz(recorder.player, round.code(), number, question, &answer);
+            recorder.record(talk, attempt)?;
             answered.push((question, answer));
             match at_end {
                 true => talk.say("Noted."),

@@ -2,7 +2,7 @@
 
 use super::number::number;
 use super::spoken::sentence;
-use super::talk::{Asked, Leave, Talk};
+use super::talk::{Leave, Prompt, Talk};
 use crate::physics::units::rad_from_deg;
 use crate::physics::worked::{self, Given, Step};
 use crate::physics::{Bond, Collision, Disc};
@@ -35,7 +35,7 @@ fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
     talk.say("carrom, a hit worked out. Enter alone takes what is proposed.")?;
     let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
         let lines = [format!("{what}? Proposed: {proposed}.")];
-        let asked = Asked {
+        let asked = Prompt {
             lines: &lines,
             help: "Type a number, or Enter alone for what is proposed.",
         };

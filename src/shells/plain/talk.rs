@@ -39,7 +39,7 @@ impl From<io::Error> for Leave {
 }
 
 /// Something that is asked.
-pub(super) struct Asked<'a> {
+pub(super) struct Prompt<'a> {
     /// What is said again on `repeat`, a line each; the last is the question itself.
     pub(super) lines: &'a [String],
     /// How it is answered, for `help`.
@@ -71,7 +71,7 @@ impl<'a> Talk<'a> {
     ///
     /// # Errors
     /// If the player quits, or nothing more is to be heard.
-    fn ask(&mut self, asked: &Asked, lines: &[String]) -> Result<String, Leave> {
+    fn ask(&mut self, asked: &Prompt, lines: &[String]) -> Result<String, Leave> {
         for line in lines {
             self.say(line)?;
         }
@@ -100,7 +100,7 @@ impl<'a> Talk<'a> {
     /// If the player quits, or nothing more is to be heard.
     pub(super) fn ask_for<T>(
         &mut self,
-        asked: &Asked,
+        asked: &Prompt,
         read: impl Fn(&str) -> Result<T, String>,
     ) -> Result<T, Leave> {
         let question = asked.lines.len().saturating_sub(1);

@@ -9,7 +9,7 @@ use crate::widgets::{Charset, Depth};
 #[derive(Debug, Clone, PartialEq)]
 pub enum Instruction {
     /// Change how the app is shown.
-    Set(Setting),
+    Set(ScreenSetting),
     /// Press the key of each character.
     Type(String),
     /// Press a key this many times.
@@ -32,7 +32,7 @@ pub enum Instruction {
 
 /// What `Set` sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Setting {
+pub enum ScreenSetting {
     /// Columns and rows of the screen.
     Size(u16, u16),
     /// The glyphs to draw with.

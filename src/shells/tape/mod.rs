@@ -33,7 +33,7 @@ mod parse;
 mod play;
 mod screenshot;
 
-pub use instruction::{Instruction, Setting};
+pub use instruction::{Instruction, ScreenSetting};
 pub use parse::ParseError;
 pub use play::{PlayError, play};
 pub use screenshot::Screenshot;

@@ -7,7 +7,7 @@ use std::time::{Duration, UNIX_EPOCH};
 use thiserror::Error;
 
 use super::line::{Part, parts};
-use super::{Instruction, Setting, Tape};
+use super::{Instruction, ScreenSetting, Tape};
 use crate::messages::{Key, MouseKind};
 use crate::widgets::{Charset, Depth};
 
@@ -140,7 +140,7 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
     })
 }
 
-fn setting(arguments: &Arguments) -> Result<Setting, String> {
+fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     const EXPECTED: &str = "Size, Charset, Color or Day with a value";
     let [Part::Word(what), Part::Word(value)] = arguments.rest else {
         return Err(arguments.not(EXPECTED));
@@ -153,21 +153,21 @@ fn setting(arguments: &Arguments) -> Result<Setting, String> {
             });
             let (columns, rows) =
                 size.ok_or_else(|| wrong("columns x rows, each up to 1000, such as 80x24"))?;
-            Setting::Size(columns, rows)
+            ScreenSetting::Size(columns, rows)
         }
-        "Charset" => Setting::Charset(match value.as_str() {
+        "Charset" => ScreenSetting::Charset(match value.as_str() {
             "ascii" => Charset::Ascii,
             "unicode" => Charset::Unicode,
             _ => return Err(wrong("ascii or unicode")),
         }),
-        "Color" => Setting::Color(match value.as_str() {
+        "Color" => ScreenSetting::Color(match value.as_str() {
             "none" => Depth::None,
             "16" => Depth::Ansi16,
             "256" => Depth::Indexed256,
             "truecolor" => Depth::True,
             _ => return Err(wrong("none, 16, 256 or truecolor")),
         }),
-        "Day" => Setting::Day(noon(value).ok_or_else(|| wrong("a day, such as 2026-01-05"))?),
+        "Day" => ScreenSetting::Day(noon(value).ok_or_else(|| wrong("a day, such as 2026-01-05"))?),
         _ => return Err(arguments.not(EXPECTED)),
     })
 }

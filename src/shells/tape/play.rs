@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 use thiserror::Error;
 
-use super::{Instruction, Screenshot, Setting, Tape};
+use super::{Instruction, ScreenSetting, Screenshot, Tape};
 use crate::messages::Key;
 use crate::shells::Headless;
 
@@ -71,12 +71,14 @@ pub fn play<G: Into<Headless>>(
             return Err(PlayError::Left { line: *line, left });
         }
         match instruction {
-            Instruction::Set(Setting::Size(columns, rows)) => game.resize(*columns, *rows),
-            Instruction::Set(Setting::Charset(charset)) => {
+            Instruction::Set(ScreenSetting::Size(columns, rows)) => game.resize(*columns, *rows),
+            Instruction::Set(ScreenSetting::Charset(charset)) => {
                 game.app_mut().settings_mut().charset = *charset;
             }
-            Instruction::Set(Setting::Day(time_s)) => game.set_time(*time_s),
-            Instruction::Set(Setting::Color(depth)) => game.app_mut().settings_mut().depth = *depth,
+            Instruction::Set(ScreenSetting::Day(time_s)) => game.set_time(*time_s),
+            Instruction::Set(ScreenSetting::Color(depth)) => {
+                game.app_mut().settings_mut().depth = *depth
+            }
             Instruction::Type(text) => text.chars().for_each(|letter| game.key(typed(letter))),
             Instruction::Press(key, times) => (0..*times).for_each(|_| game.key(*key)),
             Instruction::Click(at) => game.click(*at),

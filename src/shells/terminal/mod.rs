@@ -2,21 +2,21 @@
 //!
 //! Three threads: one reads the keyboard and the mouse, one waits for signals,
 //! and the one that called [`run`] holds the app and draws. The first two only
-//! send messages; while nothing moves, all three are blocked. What the app wants
-//! thought about gets a thread of its own for as long as that takes, and one more
+//! send messages; while nothing moves, all three are blocked. Each search that the app
+//! asks for gets a thread of its own for as long as it takes, and one more
 //! keeps its games.
 
 mod crash;
 mod export;
 mod guard;
-mod keeper;
 mod message;
 mod pace;
 mod reader;
+mod search_worker;
 #[cfg(unix)]
 mod signals;
+mod store_worker;
 mod surroundings;
-mod thinker;
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;
@@ -37,9 +37,9 @@ use crate::app::App;
 use crate::messages::{Effect, Input};
 use crate::store::Store;
 use guard::Guard;
-use keeper::Keeper;
 use message::Message;
 use pace::Pace;
+use store_worker::StoreWorker;
 
 /// Why the terminal could not be used any longer.
 #[derive(Debug, Error)]
@@ -69,7 +69,7 @@ pub enum Ending {
 /// Never dropped: ratatui would show the cursor once more, which is the guard's
 /// business, and on a terminal that is gone it would print to standard error,
 /// which is gone too, and panic.
-type Screen = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
+type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
 /// The largest screen that is drawn, in columns and rows; a terminal may say anything, and
 /// memory has its limits. Of a larger one the rest stays empty.
@@ -89,7 +89,7 @@ pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     #[cfg(unix)]
     signals::watch(sender.clone()).map_err(TerminalError::SetUp)?;
-    let keeper = Keeper::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
+    let store_worker = StoreWorker::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
     let guard = Guard::take().map_err(TerminalError::SetUp)?;
     reader::start(sender.clone()).map_err(TerminalError::SetUp)?;
     // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
@@ -100,34 +100,34 @@ pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     let viewport = Viewport::Fixed(drawn(columns, rows));
     let screen = Terminal::with_options(backend, TerminalOptions { viewport });
     let screen = screen.map_err(TerminalError::SetUp)?;
-    Run {
+    TerminalRun {
         app,
         screen: ManuallyDrop::new(screen),
         guard,
         messages,
         sender,
-        keeper,
+        store_worker,
         pace: Pace::new(Instant::now()),
     }
     .play()
 }
 
 /// A game in progress.
-struct Run {
+struct TerminalRun {
     app: App,
-    screen: Screen,
+    screen: FixedTerminal,
     guard: Guard,
     messages: Receiver<Message>,
-    /// For those who think.
+    /// For the searches and the store.
     sender: Sender<Message>,
-    keeper: Keeper,
+    store_worker: StoreWorker,
     pace: Pace,
 }
 
 /// Whether to go on.
 type Flow = std::ops::ControlFlow<Ending>;
 
-impl Run {
+impl TerminalRun {
     fn play(mut self) -> Result<Ending, TerminalError> {
         let size = self.screen.size().map_err(TerminalError::SetUp)?;
         if let Flow::Break(ending) = self.fit(size.width, size.height)? {
@@ -226,9 +226,9 @@ impl Run {
         for effect in effects {
             match effect {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
-                Effect::Think(task) => thinker::start(task, &self.sender),
+                Effect::Search(task) => search_worker::start(task, &self.sender),
                 Effect::Keep(request) => {
-                    if self.keeper.ask(request, &self.sender) {
+                    if self.store_worker.ask(request, &self.sender) {
                         // It asks for nothing itself.
                         self.app.update(&Input::Saving(request.ticket));
                     }

@@ -7,16 +7,16 @@
 //!   to the disk when it is done (write-ahead log, `synchronous = FULL`);
 //! - who waits for another is patient, and tries again;
 //! - a damaged database is set aside under another name, where it can still be looked
-//!   at, and a new one takes its place;
+//!   at, and a new one takes its location;
 //! - one that a newer carrom has written is refused, and not a byte of it is changed;
 //! - one that cannot be changed, such as a copy on a disk for reading, can be looked up.
 //!
 //! It is not touched before it is first needed: carrom starts no slower for it.
 
 mod bookmarks;
+mod error;
 mod schema;
 mod tables;
-mod trouble;
 mod unchanged;
 
 use std::collections::BTreeMap;
@@ -28,11 +28,11 @@ use std::time::{Duration, Instant};
 
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 
-use super::turn::Turn;
+use super::folder_lock::FolderLock;
 use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
 use crate::progress::Attempt;
-use trouble::Trouble;
+use error::DatabaseError;
 
 /// How long SQLite waits by itself for others.
 const WAIT: Duration = Duration::from_secs(2);
@@ -46,7 +46,7 @@ const LOCK: &str = ".progress.lock";
 
 /// Where progress is kept.
 pub(super) struct Database {
-    place: Place,
+    location: Location,
     /// Whether it was looked through by this process.
     checked: bool,
     /// Whether it was busy for longer than is waited.
@@ -54,7 +54,7 @@ pub(super) struct Database {
     notice: Option<String>,
 }
 
-enum Place {
+enum Location {
     /// Gone with the process; opened when it is first needed.
     Memory(Option<Connection>),
     /// `progress.db` in this folder.
@@ -64,17 +64,17 @@ enum Place {
 impl Database {
     /// A database that is gone with the process.
     pub(super) fn in_memory() -> Self {
-        Self::at(Place::Memory(None))
+        Self::at(Location::Memory(None))
     }
 
     /// A database in `folder`; both are made when there is first something to keep.
     pub(super) fn in_folder(folder: PathBuf) -> Self {
-        Self::at(Place::Folder(folder))
+        Self::at(Location::Folder(folder))
     }
 
-    fn at(place: Place) -> Self {
+    fn at(location: Location) -> Self {
         Self {
-            place,
+            location,
             checked: false,
             was_busy: false,
             notice: None,
@@ -131,9 +131,9 @@ impl Database {
 
     /// Whether there is no database yet, and so nothing to be found in it.
     fn is_nowhere(&self) -> bool {
-        match &self.place {
-            Place::Memory(connection) => connection.is_none(),
-            Place::Folder(folder) => matches!(fs::exists(path(folder)), Ok(false)),
+        match &self.location {
+            Location::Memory(connection) => connection.is_none(),
+            Location::Folder(folder) => matches!(fs::exists(path(folder)), Ok(false)),
         }
     }
 
@@ -191,11 +191,11 @@ impl Database {
         &mut self,
         behavior: TransactionBehavior,
         act: &impl Fn(&Transaction) -> rusqlite::Result<T>,
-    ) -> Result<T, Trouble> {
-        let folder = match &mut self.place {
-            Place::Folder(folder) => folder,
-            Place::Memory(Some(connection)) => return transact(connection, behavior, act),
-            Place::Memory(empty) => {
+    ) -> Result<T, DatabaseError> {
+        let folder = match &mut self.location {
+            Location::Folder(folder) => folder,
+            Location::Memory(Some(connection)) => return transact(connection, behavior, act),
+            Location::Memory(empty) => {
                 let mut connection = Connection::open_in_memory()?;
                 schema::prepare(&mut connection)?;
                 return transact(empty.insert(connection), behavior, act);
@@ -203,10 +203,10 @@ impl Database {
         };
         if let Some(found) = schema::version_in_header(&path(folder)).filter(is_newer) {
             // Before anything is written beside it.
-            return Err(Trouble::Newer(found));
+            return Err(DatabaseError::Newer(found));
         }
         // Nobody sets it aside meanwhile: what is done must be found again.
-        let _turn = Turn::shared(folder, LOCK)?;
+        let _turn = FolderLock::shared(folder, LOCK)?;
         let wait = if self.was_busy { LITTLE } else { WAIT };
         let mut connection = open(folder, wait)?;
         if !self.checked {
@@ -220,9 +220,9 @@ impl Database {
     fn look_only<T>(
         &self,
         look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
-        trouble: Trouble,
-    ) -> Result<T, Trouble> {
-        let Place::Folder(folder) = &self.place else {
+        trouble: DatabaseError,
+    ) -> Result<T, DatabaseError> {
+        let Location::Folder(folder) = &self.location else {
             return Err(trouble);
         };
         let mut connection = unchanged::open(folder, NAME)?;
@@ -230,11 +230,11 @@ impl Database {
     }
 
     /// Gives a damaged database another name.
-    fn set_aside(&mut self) -> Result<(), Trouble> {
-        let Place::Folder(folder) = &self.place else {
+    fn set_aside(&mut self) -> Result<(), DatabaseError> {
+        let Location::Folder(folder) = &self.location else {
             return Ok(());
         };
-        let _turn = Turn::alone(folder, LOCK)?;
+        let _turn = FolderLock::alone(folder, LOCK)?;
         // Another carrom may have done so before.
         let opened = open(folder, WAIT).and_then(|connection| schema::check(&connection));
         let Err(trouble) = opened else {
@@ -261,10 +261,10 @@ impl Database {
         Ok(())
     }
 
-    fn told(&self, trouble: &Trouble) -> String {
-        match &self.place {
-            Place::Memory(_) => trouble.to_string(),
-            Place::Folder(folder) => format!("{}: {trouble}", path(folder).display()),
+    fn told(&self, trouble: &DatabaseError) -> String {
+        match &self.location {
+            Location::Memory(_) => trouble.to_string(),
+            Location::Folder(folder) => format!("{}: {trouble}", path(folder).display()),
         }
     }
 }
@@ -292,7 +292,7 @@ fn free_name(folder: &Path) -> String {
 }
 
 /// Opens the database and brings it to the present version.
-fn open(folder: &Path, wait: Duration) -> Result<Connection, Trouble> {
+fn open(folder: &Path, wait: Duration) -> Result<Connection, DatabaseError> {
     let mut connection = Connection::open(path(folder))?;
     connection.busy_timeout(wait)?;
     schema::prepare(&mut connection)?;
@@ -303,7 +303,7 @@ fn transact<T>(
     connection: &mut Connection,
     behavior: TransactionBehavior,
     act: impl Fn(&Transaction) -> rusqlite::Result<T>,
-) -> Result<T, Trouble> {
+) -> Result<T, DatabaseError> {
     let transaction = connection.transaction_with_behavior(behavior)?;
     let result = act(&transaction)?;
     transaction.commit()?;

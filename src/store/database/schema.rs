@@ -10,7 +10,7 @@ use std::path::Path;
 use rusqlite::config::DbConfig;
 use rusqlite::{Connection, TransactionBehavior};
 
-use super::trouble::Trouble;
+use super::error::DatabaseError;
 use super::{bookmarks, tables};
 
 /// The steps, each to the version of its place, from 1.
@@ -20,13 +20,13 @@ const STEPS: [&str; 2] = [include_str!("schema-1.sql"), include_str!("schema-2.s
 pub(super) const VERSION: i64 = STEPS.len() as i64;
 
 /// Brings a database to the present version, unless it is a newer one.
-pub(super) fn prepare(connection: &mut Connection) -> Result<(), Trouble> {
+pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> {
     // Closing must not move anything about in a file that is not ours to change.
     let no_checkpoint = DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE;
     connection.set_db_config(no_checkpoint, true)?;
     let found = version(connection)?;
     if found > VERSION {
-        return Err(Trouble::Newer(found));
+        return Err(DatabaseError::Newer(found));
     }
     connection.set_db_config(no_checkpoint, false)?;
     connection.pragma_update(None, "journal_mode", "WAL")?;
@@ -37,14 +37,16 @@ pub(super) fn prepare(connection: &mut Connection) -> Result<(), Trouble> {
     Ok(())
 }
 
-fn upgrade(connection: &mut Connection) -> Result<(), Trouble> {
+fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
     // Another carrom may have been first.
     let found = version(&transaction)?;
     let tables: i64 =
         transaction.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get(0))?;
     if found < 0 || (found == 0 && tables > 0) {
-        return Err(Trouble::Damaged("it is no database of carrom's".into()));
+        return Err(DatabaseError::Damaged(
+            "it is no database of carrom's".into(),
+        ));
     }
     for step in STEPS
         .iter()
@@ -59,7 +61,7 @@ fn upgrade(connection: &mut Connection) -> Result<(), Trouble> {
     Ok(())
 }
 
-pub(super) fn version(connection: &Connection) -> Result<i64, Trouble> {
+pub(super) fn version(connection: &Connection) -> Result<i64, DatabaseError> {
     Ok(connection.query_row("PRAGMA user_version", [], |row| row.get(0))?)
 }
 
@@ -76,12 +78,12 @@ pub(super) fn version_in_header(path: &Path) -> Option<i64> {
 }
 
 /// Looks a database of the present version through, page by page.
-pub(super) fn check(connection: &Connection) -> Result<(), Trouble> {
+pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
     if found != "ok" {
-        return Err(Trouble::Damaged(found));
+        return Err(DatabaseError::Damaged(found));
     }
     tables::check(connection)
         .and_then(|()| bookmarks::check(connection))
-        .map_err(|_| Trouble::Damaged("its tables are not those of carrom".into()))
+        .map_err(|_| DatabaseError::Damaged("its tables are not those of carrom".into()))
 }

@@ -7,12 +7,12 @@ use std::path::Path;
 
 use rusqlite::{Connection, OpenFlags};
 
+use super::error::DatabaseError;
 use super::schema;
-use super::trouble::Trouble;
 
 /// Opens the database of this name in `folder` to look things up, without a file beside
 /// it.
-pub(super) fn open(folder: &Path, name: &str) -> Result<Connection, Trouble> {
+pub(super) fn open(folder: &Path, name: &str) -> Result<Connection, DatabaseError> {
     let log = format!("{name}-wal");
     let in_log = fs::metadata(folder.join(&log)).is_ok_and(|about| about.len() > 0);
     // What cannot change needs no locks, but its log is not looked at either.
@@ -20,9 +20,9 @@ pub(super) fn open(folder: &Path, name: &str) -> Result<Connection, Trouble> {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
     let connection = Connection::open_with_flags(address(&folder.join(name), how), flags)?;
     match schema::version(&connection) {
-        Ok(found) if found > schema::VERSION => Err(Trouble::Newer(found)),
+        Ok(found) if found > schema::VERSION => Err(DatabaseError::Newer(found)),
         Ok(_) => Ok(connection),
-        Err(_) if in_log => Err(Trouble::InLog(log)),
+        Err(_) if in_log => Err(DatabaseError::InLog(log)),
         Err(trouble) => Err(trouble),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::labels::Labels;
 use super::stage::Stage;
-use crate::quiz::{Aim, Ray};
+use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
 use crate::widgets::ink::{Pen, Sheet, Side};
 
@@ -15,8 +15,8 @@ pub struct Mark {
     pub angle: f64,
 }
 
-impl From<&Aim> for Mark {
-    fn from(aim: &Aim) -> Self {
+impl From<&AimTask> for Mark {
+    fn from(aim: &AimTask) -> Self {
         Self {
             ray: aim.ray,
             angle: aim.wanted,

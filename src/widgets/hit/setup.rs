@@ -9,11 +9,11 @@ use super::mark::Mark;
 use super::stage::Stage;
 use super::watch::Face;
 use crate::physics::Collision;
-use crate::quiz::{Aim, Ray};
+use crate::quiz::{AimTask, Ray};
 use crate::widgets::ink::{Pen, Sheet, Side};
 use crate::widgets::{Look, RayInput, Role};
 
-pub use crate::quiz::Shown as Given;
+pub use crate::quiz::Markings;
 
 /// Draws a striker and a coin about to meet, and the rays being turned.
 pub fn draw_setup(
@@ -21,7 +21,7 @@ pub fn draw_setup(
     buf: &mut Buffer,
     look: &Look,
     collision: &Collision,
-    given: Given,
+    given: Markings,
     rays: Option<&RayInput>,
 ) {
     let faces = Face::STRIKER_AND_COIN;
@@ -34,10 +34,10 @@ pub fn draw_aim(
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
-    (aim, offset): (&Aim, f64),
-    given: Given,
+    (aim, offset): (&AimTask, f64),
+    given: Markings,
 ) {
-    let given = Given {
+    let given = Markings {
         offset: true,
         ..given
     };
@@ -53,7 +53,7 @@ pub fn draw_setup_of(
     buf: &mut Buffer,
     look: &Look,
     collision: &Collision,
-    given: Given,
+    given: Markings,
     rays: Option<&RayInput>,
 ) {
     let saying = rays.map_or(Saying::Nothing, Saying::Rays);
@@ -77,7 +77,7 @@ fn draw(
     buf: &mut Buffer,
     look: &Look,
     collision: &Collision,
-    given: Given,
+    given: Markings,
     saying: Saying,
 ) {
     let stage = Stage::new(area, collision);
@@ -222,7 +222,7 @@ fn turned(
     faces: [Face; 2],
     rays: &RayInput,
 ) {
-    let said = rays.said();
+    let said = rays.so_far();
     for (body, ray) in Ray::BOTH.into_iter().enumerate() {
         if !rays.asks(ray) {
             continue;
@@ -230,7 +230,8 @@ fn turned(
         let name = faces[body].letter;
         let centre = stage.centres[body];
         let Some(angle) = said.get(ray) else {
-            let text = format!("{name} stays still");
+            let still = rays.is_said(ray);
+            let text = format!("{name} {}", if still { "stays still" } else { "?" });
             labels.add(&text, centre, Side::towards(DVec2::Y), Role::Predicted);
             continue;
         };
@@ -264,7 +265,7 @@ pub fn point_at(
 ) {
     let stage = Stage::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
-    let said = rays.said();
+    let said = rays.so_far();
     let distance = |body: usize, ray: Ray| {
         let centre = stage.centres[body];
         let tip = match said.get(ray) {

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use super::{Layers, Watch};
+use super::{Layers, Watch, WatchAction};
 use crate::messages::Key;
+use crate::widgets::input::KeyTable;
 
 /// What is to be watched, if anything, and whether its outcome has been told.
 #[derive(Debug, Clone)]
@@ -37,18 +38,32 @@ impl Telling {
         self.watch = Some(watch);
     }
 
+    /// The keys of the hit, where there is one; at its end the space bar plays it again.
+    pub fn keys(&self) -> KeyTable<WatchAction> {
+        let Some(watch) = &self.watch else {
+            return KeyTable::new("hit");
+        };
+        let again = KeyTable::new("hit")
+            .on(Key::Char(' '), WatchAction::Again, "again")
+            .when(watch.clock().is_over());
+        again.with(watch.keys(), |action| action)
+    }
+
+    /// Does what a key stands for.
+    pub fn act(&mut self, action: WatchAction) {
+        if let Some(watch) = &mut self.watch {
+            watch.act(action);
+            self.told |= watch.is_told();
+        }
+    }
+
     /// Takes a key of the hit's; says whether it was one.
     pub fn update(&mut self, key: Key) -> bool {
-        let Some(watch) = &mut self.watch else {
-            return false;
-        };
-        let key = match key {
-            Key::Char(' ') if watch.clock().is_over() => Key::Char('a'),
-            key => key,
-        };
-        let taken = watch.update(key);
-        self.told |= watch.is_told();
-        taken
+        let action = self.keys().find(key);
+        action.is_some_and(|action| {
+            self.act(action);
+            true
+        })
     }
 
     /// Lets time pass.

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
 use super::layers::{Layer, Layers};
 use super::mark::Mark;
@@ -14,6 +15,7 @@ use super::stage::{Stage, time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
 use crate::quiz::Rays;
+use crate::widgets::input::KeyTable;
 use crate::widgets::{Look, Role};
 
 /// Share of the whole that `,` and `.` step by.
@@ -34,6 +36,28 @@ pub struct Watch {
     said: Option<Rays>,
     mark: Option<Mark>,
     faces: [Face; 2],
+}
+
+/// What keys do to a hit that is watched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum WatchAction {
+    /// go on from the contact
+    GoOn,
+    /// step through the hit
+    Step(i8),
+    /// bigger steps through the hit
+    Scrub(i8),
+    /// to its start, to its end
+    Start,
+    /// to its end
+    End,
+    /// play it again
+    Again,
+    /// see it from the centre of mass, or from the coin's own frame
+    Frame,
+    /// layers: line of impact, split, velocities, angles, triangle, trails, what you said
+    ToggleLayer(Layer),
 }
 
 /// How a disc of a hit is drawn.
@@ -163,34 +187,61 @@ impl Watch {
         self.clock.tell();
     }
 
-    /// Takes a key: step, scrub, frame and layers. Says whether it was one of them.
-    pub fn update(&mut self, key: Key) -> bool {
-        match key {
-            Key::Char(' ') if !self.clock.is_over() => self.clock.go_on(),
-            Key::Char(',') | Key::Left => self.clock.scrub(-STEP),
-            Key::Char('.') | Key::Right => self.clock.scrub(STEP),
-            Key::Char('<') => self.clock.scrub(-SCRUB),
-            Key::Char('>') => self.clock.scrub(SCRUB),
-            Key::Home => self.clock.scrub(-1.0),
-            Key::End => {
+    /// The keys that work it.
+    pub fn keys(&self) -> KeyTable<WatchAction> {
+        use WatchAction::{Again, End, Frame, GoOn, Scrub, Start, Step, ToggleLayer};
+        let layer = |digit: char| {
+            let number = usize::from(digit as u8 - b'1');
+            (Key::Char(digit), ToggleLayer(Layer::ALL[number]))
+        };
+        KeyTable::new("hit")
+            .on(Key::Char(' '), GoOn, "go on")
+            .when(!self.clock.is_over())
+            .each(
+                [(Key::Char(','), Step(-1)), (Key::Char('.'), Step(1))],
+                "step",
+            )
+            .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
+            .on(Key::Char('a'), Again, "again")
+            .on(Key::Char('f'), Frame, "frame")
+            .each(('1'..='7').map(layer), "layers")
+            .each(
+                [(Key::Char('<'), Scrub(-1)), (Key::Char('>'), Scrub(1))],
+                "scrub",
+            )
+            .each([(Key::Home, Start), (Key::End, End)], "")
+    }
+
+    /// Does what a key stands for.
+    pub fn act(&mut self, action: WatchAction) {
+        match action {
+            WatchAction::GoOn => self.clock.go_on(),
+            WatchAction::Step(by) => self.clock.scrub(STEP * f64::from(by)),
+            WatchAction::Scrub(by) => self.clock.scrub(SCRUB * f64::from(by)),
+            WatchAction::Start => self.clock.scrub(-1.0),
+            WatchAction::End => {
                 self.clock.scrub(1.0);
                 self.clock.scrub(1.0);
             }
-            Key::Char('a' | 'A') => self.clock.rewind(),
-            Key::Char('f' | 'F') => {
+            WatchAction::Again => self.clock.rewind(),
+            WatchAction::Frame => {
                 self.frame = match self.frame {
                     Frame::Laboratory => Frame::CentreOfMass,
                     Frame::CentreOfMass if self.collision.u2 != glam::DVec2::ZERO => Frame::Target,
                     _ => Frame::Laboratory,
                 }
             }
-            Key::Char(digit @ '1'..='7') => {
-                let layer = Layer::ALL[usize::from(digit as u8 - b'1')];
-                self.layers.toggle(layer);
-            }
-            _ => return false,
+            WatchAction::ToggleLayer(layer) => self.layers.toggle(layer),
         }
-        true
+    }
+
+    /// Takes a key. Says whether it was one of its own.
+    pub fn update(&mut self, key: Key) -> bool {
+        let action = self.keys().find(key);
+        action.is_some_and(|action| {
+            self.act(action);
+            true
+        })
     }
 
     /// Lets time pass on the screen.

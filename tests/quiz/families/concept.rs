@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use carrom::quiz::{Answer, Confidence, Course, CourseKind, Difficulty, Family, Form, Round, Said};
+use carrom::quiz::{
+    Answer, Confidence, Course, CourseKind, Difficulty, Family, Form, Response, Round,
+};
 use carrom::quiz::{concepts, explain};
 
 use super::owed::{all, assert_family, questions, right_choice, word};
@@ -25,7 +27,7 @@ fn each_is_asked_as_it_is_written() {
         for wrong in &written.wrongs {
             let place = options.iter().position(|it| *it == wrong.choice).unwrap();
             assert_ne!(place, *right);
-            let answer = Answer::new(Said::Choice(place), Confidence::Sure);
+            let answer = Answer::new(Response::Choice(place), Confidence::Sure);
             let found = question.diagnose(&answer).map(|it| it.misconception);
             assert_eq!(found, wrong.misconception);
             let told = explain(&question, &answer).text;

@@ -1,6 +1,6 @@
 //! "Make it so".
 
-use carrom::quiz::{Answer, Confidence, Family, Form, Grade, Ray, Said};
+use carrom::quiz::{Answer, Confidence, Family, Form, Grade, Ray, Response};
 use glam::DVec2;
 
 use super::hit::Hit;
@@ -58,7 +58,7 @@ fn a_shot_is_graded_by_where_the_disc_goes() {
             panic!("{question:#?}");
         };
         let graded = |offset| {
-            let answer = Answer::new(Said::Shot(offset), Confidence::Sure);
+            let answer = Answer::new(Response::Shot(offset), Confidence::Sure);
             Grade::new(&question, &answer)
         };
         assert!(graded(aim.offset + 1e-4 * aim.collision.reach()).right);

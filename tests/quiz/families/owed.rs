@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use carrom::quiz::misconceptions;
 use carrom::quiz::{
-    Answer, CLEAR, Confidence, Dice, Difficulty, Family, Fit, Form, Grade, Question, Rays, Said,
-    explain,
+    Answer, Confidence, Dice, Difficulty, Family, Fit, Form, Grade, MIN_SEPARATION, Question, Rays,
+    Response, explain,
 };
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
@@ -60,7 +60,7 @@ pub fn word<'a>(question: &'a Question, name: &str) -> &'a str {
 /// The true number of a question that asks for one.
 pub fn number(question: &Question) -> f64 {
     match question.form.truth() {
-        Said::Number(truth) => truth,
+        Response::Number(truth) => truth,
         other => panic!("no number: {other:?}"),
     }
 }
@@ -68,7 +68,7 @@ pub fn number(question: &Question) -> f64 {
 /// The true rays of a question that asks for them.
 pub fn rays(question: &Question) -> Rays {
     match question.form.truth() {
-        Said::Rays(truth) => truth,
+        Response::Rays(truth) => truth,
         other => panic!("no rays: {other:?}"),
     }
 }
@@ -177,7 +177,10 @@ pub fn assert_question(question: &Question) {
 
     // Another machine's last bit must not make it another question.
     let clearance = question.clearance();
-    assert!(clearance > CLEAR + 1e-9, "{clearance}: {question:#?}");
+    assert!(
+        clearance > MIN_SEPARATION + 1e-9,
+        "{clearance}: {question:#?}"
+    );
     let told = question.beliefs.len() + question.replies.len();
     assert!(told > 0, "{question:#?}");
     for belief in &question.beliefs {
@@ -198,9 +201,9 @@ pub fn assert_question(question: &Question) {
 }
 
 /// An answer can be given by hand.
-fn assert_can_be_said(question: &Question, said: &Said) {
+fn assert_can_be_said(question: &Question, said: &Response) {
     match (&question.form, said) {
-        (Form::Number { quantity, .. }, Said::Number(x)) => {
+        (Form::Number { quantity, .. }, Response::Number(x)) => {
             let range = quantity.smallest()..=quantity.largest();
             assert!(range.contains(x), "{x}: {question:#?}");
             // As it is printed it means the same.
@@ -212,11 +215,11 @@ fn assert_can_be_said(question: &Question, said: &Said) {
             };
             assert!(off < 0.2, "{typed} for {x}: {question:#?}");
         }
-        (Form::Choice { options, .. }, Said::Choice(i)) => assert!(*i < options.len()),
-        (Form::Shot(aim), Said::Shot(offset)) => {
+        (Form::Choice { options, .. }, Response::Choice(i)) => assert!(*i < options.len()),
+        (Form::Shot(aim), Response::Shot(offset)) => {
             assert!(offset.abs() <= aim.collision.reach(), "{question:#?}");
         }
-        (Form::Rays { .. }, Said::Rays(rays)) => {
+        (Form::Rays { .. }, Response::Rays(rays)) => {
             let angles = [rays.striker, rays.target];
             assert!(angles.into_iter().flatten().all(f64::is_finite));
         }
@@ -237,7 +240,7 @@ fn assert_figures(question: &Question) {
 
 /// Every word can be read where it will stand, and none gives the answer away.
 fn assert_words(question: &Question) {
-    assert_readable(&question.topic, PANEL, 1);
+    assert_readable(&question.topic.name(), PANEL, 1);
     assert_readable(&question.text, PANEL, 10);
     assert!(
         question.text.ends_with(['?', '.', ':']),
@@ -278,18 +281,18 @@ fn assert_words(question: &Question) {
 }
 
 /// The true answer, what misconceptions say, and some answers off in their own way.
-fn answers(question: &Question) -> Vec<Said> {
-    let mut answers: Vec<Said> = question.beliefs.iter().map(|belief| belief.said).collect();
+fn answers(question: &Question) -> Vec<Response> {
+    let mut answers: Vec<Response> = question.beliefs.iter().map(|belief| belief.said).collect();
     answers.push(question.form.truth());
     match &question.form {
         Form::Number { quantity, truth } => {
             let far = [0.0, 0.7 * truth, 1.9 * truth, quantity.largest()];
-            answers.extend(far.map(|x| Said::Number(x.min(quantity.largest()))));
+            answers.extend(far.map(|x| Response::Number(x.min(quantity.largest()))));
         }
-        Form::Choice { options, .. } => answers.extend((0..options.len()).map(Said::Choice)),
+        Form::Choice { options, .. } => answers.extend((0..options.len()).map(Response::Choice)),
         Form::Shot(aim) => {
             let far = [-1.1, -0.5, 0.0, 0.5, 1.1];
-            answers.extend(far.map(|share| Said::Shot(share * aim.collision.reach())));
+            answers.extend(far.map(|share| Response::Shot(share * aim.collision.reach())));
         }
         Form::Rays { .. } => {
             let wild = [
@@ -298,7 +301,7 @@ fn answers(question: &Question) -> Vec<Said> {
                 (Some(0.0), Some(2.0)),
                 (Some(2.0), Some(0.0)),
             ];
-            answers.extend(wild.map(|(striker, target)| Said::Rays(Rays { striker, target })));
+            answers.extend(wild.map(|(striker, target)| Response::Rays(Rays { striker, target })));
         }
     }
     answers

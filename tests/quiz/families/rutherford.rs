@@ -1,6 +1,6 @@
 //! Rutherford's counts.
 
-use carrom::quiz::{Family, Picture};
+use carrom::quiz::{Family, Illustration};
 
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
@@ -61,7 +61,11 @@ fn what_is_true_follows_from_the_law() {
             "angle" => {
                 let fewer = count(here) / count(number(&question));
                 assert_close(fewer, figure(&question, "fewer_times"), &question);
-                assert_eq!(question.picture, Picture::Nothing, "it would give it away");
+                assert_eq!(
+                    question.picture,
+                    Illustration::Nothing,
+                    "it would give it away"
+                );
             }
             other => panic!("{other}"),
         }

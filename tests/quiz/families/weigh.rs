@@ -1,7 +1,7 @@
 //! Weighing by what is seen after the hit: the figures of the text, read as a player would,
 //! give the mass.
 
-use carrom::quiz::{Family, Picture, Quantity, Question};
+use carrom::quiz::{Family, Illustration, Measure, Question};
 
 use super::owed::{all, assert_family, figure, number, right_choice, word};
 
@@ -22,7 +22,7 @@ fn read(question: &Question, unit: &str, n: usize) -> f64 {
 #[test]
 fn what_is_read_in_the_text_gives_the_mass() {
     for question in all(Family::Weigh) {
-        assert!(matches!(question.picture, Picture::After { .. }));
+        assert!(matches!(question.picture, Illustration::After { .. }));
         let theta1 = read(&question, "°", 0).to_radians();
         let theta2 = read(&question, "°", 1).to_radians();
         let coin_g = figure(&question, "m2_g");
@@ -48,7 +48,7 @@ fn what_is_read_in_the_text_gives_the_mass() {
             other => panic!("{other}"),
         };
         assert!((number(&question) - coin_g).abs() < 1e-9);
-        let off = Quantity::Mass.distance(found, coin_g);
+        let off = Measure::Mass.distance(found, coin_g);
         assert!(off < 0.5, "{found}: {question:#?}");
     }
 }

@@ -1,6 +1,6 @@
 //! The families that ask where both go, by two rays.
 
-use carrom::quiz::{Difficulty, Family, Picture, Question};
+use carrom::quiz::{Difficulty, Family, Illustration, Question};
 
 use super::hit::Hit;
 use super::owed::{all, assert_family, figure, questions, rays};
@@ -57,7 +57,7 @@ fn each_asks_what_its_name_says() {
 fn the_picture_alone_is_all_there_is_to_go_by() {
     for difficulty in Difficulty::ALL {
         for question in questions(Family::FromPicture, difficulty) {
-            let Picture::Before { shown, .. } = question.picture else {
+            let Illustration::Before { shown, .. } = question.picture else {
                 panic!("no hit to see: {question:#?}");
             };
             assert!(!shown.figures && !shown.offset);

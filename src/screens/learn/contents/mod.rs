@@ -6,9 +6,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::lessons::{Book, Forget};
-use crate::messages::{Done, Input, Key};
+use crate::messages::{Input, Key, StoreReply};
 use crate::screens::list::{Chosen, chosen as chosen_by};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The contents. Which line is chosen belongs to the [`Book`].
 #[derive(Debug, Clone, Default)]
@@ -88,7 +88,7 @@ fn open(book: &Book) -> Next {
     }
 }
 
-impl Screen for Contents {
+impl OldScreen for Contents {
     fn title(&self) -> String {
         "learn".into()
     }
@@ -102,7 +102,7 @@ impl Screen for Contents {
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
         let (body, book) = (cx.body, &mut cx.book);
-        if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+        if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
             book.at = book.next().unwrap_or(0);
             return Next::Stay;
         }

@@ -20,7 +20,7 @@ use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{self, Hit, Rays};
 use crate::screens::foil as foil_screen;
 use crate::screens::lab::{Field, Setup};
-use crate::widgets::hit::{Face, Given, Layer, Layers, Watch, draw_setup_of, point_at};
+use crate::widgets::hit::{Face, Layer, Layers, Markings, Watch, draw_setup_of, point_at};
 use crate::widgets::{Look, RayInput};
 
 pub(super) use export::svg_of;
@@ -121,7 +121,7 @@ impl Shown {
         let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
         let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
         by_angle.then(|| Hit {
-            given: quiz::Given::Angle {
+            given: quiz::Placement::Angle {
                 alpha_deg: self.alpha_deg(),
             },
             ..self.setup().question()
@@ -411,7 +411,7 @@ impl Shown {
     /// Draws it, with the rays that are turned.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
         if self.hidden && self.covers_outcome() {
-            let given = Given {
+            let given = Markings {
                 offset: self.figure.shot.is_by_offset(),
                 angle: !self.figure.shot.is_by_offset(),
                 figures: true,

@@ -12,8 +12,8 @@ use super::figure::{Shown, svg_of};
 use super::question::{Question, Said};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
-use crate::messages::{Done, Input, Key, Mouse, MouseKind};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::widgets::{Beside, Scroll, overflow};
 
 /// A chapter being read.
@@ -413,7 +413,7 @@ impl Reading {
     }
 }
 
-impl Screen for Reading {
+impl OldScreen for Reading {
     fn title(&self) -> String {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }
@@ -427,7 +427,7 @@ impl Screen for Reading {
 
     fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
         if !self.is_open {
-            if matches!(input, Input::Kept(answer) if matches!(answer.done, Done::Marks(_))) {
+            if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
                 self.open_where_left(cx);
             }
             return Next::Ignored;

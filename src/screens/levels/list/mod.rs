@@ -6,9 +6,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::levels::Shelf;
-use crate::messages::{Done, Input, Key, Wish};
+use crate::messages::{Input, Key, StoreReply, StoreRequest};
 use crate::screens::list::{Chosen, chosen};
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]
@@ -23,7 +23,7 @@ impl Levels {
     pub fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
         let player = cx.settings.player.clone();
-        cx.ask(Wish::Stars(player));
+        cx.ask(StoreRequest::Stars(player));
         Self::default()
     }
 }
@@ -42,7 +42,7 @@ fn open(shelf: &Shelf) -> Next {
     }
 }
 
-impl Screen for Levels {
+impl OldScreen for Levels {
     fn title(&self) -> String {
         "levels".into()
     }
@@ -61,7 +61,9 @@ impl Screen for Levels {
             Chosen::Open => return open(shelf),
             Chosen::Nothing => match input {
                 Input::Key(Key::Char('n' | 'N')) => shelf.at = shelf.next().unwrap_or(shelf.at),
-                Input::Kept(answer) if matches!(answer.done, Done::Stars(_)) && !self.moved => {
+                Input::Kept(answer)
+                    if matches!(answer.done, StoreReply::Stars(_)) && !self.moved =>
+                {
                     shelf.at = shelf.next().unwrap_or(0);
                 }
                 _ => return Next::Ignored,

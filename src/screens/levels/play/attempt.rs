@@ -26,7 +26,7 @@ pub(super) struct Said {
 impl Said {
     pub(super) fn of(rays: &RayInput) -> Self {
         Self {
-            rays: rays.said(),
+            rays: rays.so_far(),
             asked: Ray::BOTH.map(|ray| rays.asks(ray)),
         }
     }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::levels::{Dial, Level, LevelAim, Range};
 use crate::messages::Key;
 use crate::physics::units::mm_from_m;
-use crate::widgets::{NumberEntry, Typed};
+use crate::widgets::{NumberEntry, Outcome};
 
 /// Parts of a step that the keys for fine steps turn by.
 const FINE: f64 = 0.1;
@@ -58,14 +58,14 @@ impl Dials {
         let fine = matches!(key, Key::Char('.')) && !self.entry.is_open();
         if !fine {
             match self.entry.update(key) {
-                Typed::Editing => return true,
-                Typed::Entered(number) => {
+                Outcome::Used => return true,
+                Outcome::Done(number) => {
                     if let Some((dial, _)) = self.chosen(level) {
                         self.set(level, dial, number);
                     }
                     return true;
                 }
-                Typed::Ignored => {}
+                Outcome::Ignored => {}
             }
         }
         let count = level.adjust.dials().count();

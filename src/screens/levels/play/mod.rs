@@ -18,10 +18,10 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::widgets::hit::{FRAME, point_at, side};
 use crate::widgets::replay::{Impact, impacts};
-use crate::widgets::{Lines, RayInput, Scroll, Turned};
+use crate::widgets::{Lines, Outcome, RayInput, Scroll};
 
 use attempt::{Attempt, Said};
 use dials::Dials;
@@ -248,14 +248,14 @@ impl Play {
             return Next::Ignored;
         };
         match saying.rays.update(key) {
-            Turned::Turning => {}
-            Turned::Done => {
+            Outcome::Used => {}
+            Outcome::Done(()) => {
                 let said = Said::of(&saying.rays);
                 let shot = std::mem::take(&mut saying.shot);
                 self.shoot(shot, true, Some(said), cx);
             }
-            Turned::Ignored if key == Key::Escape => self.enter(Phase::Aim),
-            Turned::Ignored => return Next::Ignored,
+            Outcome::Ignored if key == Key::Escape => self.enter(Phase::Aim),
+            Outcome::Ignored => return Next::Ignored,
         }
         Next::Stay
     }
@@ -345,7 +345,7 @@ impl Play {
     }
 }
 
-impl Screen for Play {
+impl OldScreen for Play {
     fn title(&self) -> String {
         self.level.title.clone()
     }

@@ -8,12 +8,12 @@ use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Given, draw_setup_of};
+use crate::widgets::hit::{Markings, draw_setup_of};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
 /// is asked for, for along the line of impact the other disc leaves.
-fn shown(saying: &Saying) -> Given {
-    Given {
+fn shown(saying: &Saying) -> Markings {
+    Markings {
         offset: true,
         angle: !saying.rays.asks(Ray::Target),
         figures: true,

@@ -12,7 +12,7 @@ use crate::progress::Due;
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
-use crate::screens::{Context, Help, Hint, Next, Place, Screen};
+use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The screen.
 #[derive(Debug, Clone)]
@@ -288,7 +288,7 @@ impl Typed {
     }
 }
 
-impl Screen for Choosing {
+impl OldScreen for Choosing {
     fn title(&self) -> String {
         "quiz".into()
     }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Choice, Choosing, Page, Typed};
-use crate::progress::{Mastery, Topic};
+use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::screens::recall::Recall;
@@ -255,10 +255,10 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
 }
 
 /// What was done with a family, if anything.
-fn known(choosing: &Choosing, family: Family) -> Option<Topic> {
+fn known(choosing: &Choosing, family: Family) -> Option<TopicStanding> {
     let attempts = &choosing.history.history()?.attempts;
     let of_family = attempts.iter().filter(|it| it.family == family.id());
-    let topic = Topic::of(family.name(), of_family);
+    let topic = TopicStanding::of(family.name(), of_family);
     (topic.all.attempts > 0).then_some(topic)
 }
 

@@ -14,7 +14,7 @@ use crate::screens::table::arrange::Arrange;
 use crate::screens::table::replay::Replay;
 use crate::screens::table::view;
 use crate::widgets::hit::side;
-use crate::widgets::{RayInput, Typed, board};
+use crate::widgets::{Outcome, RayInput, board};
 
 /// A large step of the striker, in metres.
 const FAR: f64 = 10.0 * PLACE_STEP;
@@ -32,9 +32,9 @@ impl Sitting {
                 self.aim.set_speed(self.aim.speed - SPEED_STEP);
             }
             _ => match self.entry.update(key) {
-                Typed::Editing => {}
-                Typed::Entered(degrees) => self.aim.set_direction(degrees),
-                Typed::Ignored => return self.command(key, cx),
+                Outcome::Used => {}
+                Outcome::Done(degrees) => self.aim.set_direction(degrees),
+                Outcome::Ignored => return self.command(key, cx),
             },
         }
         self.look_ahead();

@@ -6,7 +6,7 @@ use crate::messages::{Key, Mouse, MouseKind};
 use crate::screens::Context;
 use crate::screens::table::calls::call;
 use crate::screens::table::view;
-use crate::widgets::Turned;
+use crate::widgets::Outcome;
 use crate::widgets::hit::point_at;
 
 impl Sitting {
@@ -15,9 +15,9 @@ impl Sitting {
             return Taken::Ignored;
         };
         match calling.rays.update(key) {
-            Turned::Turning => {}
-            Turned::Done => {
-                let said = calling.rays.said();
+            Outcome::Used => {}
+            Outcome::Done(()) => {
+                let said = calling.rays.so_far();
                 self.phase = Phase::Aim;
                 let strike = Strike {
                     call: Some(call(&said)),
@@ -25,8 +25,8 @@ impl Sitting {
                 };
                 self.play(Move::Strike(strike), cx);
             }
-            Turned::Ignored if key == Key::Escape => self.phase = Phase::Aim,
-            Turned::Ignored => return Taken::Ignored,
+            Outcome::Ignored if key == Key::Escape => self.phase = Phase::Aim,
+            Outcome::Ignored => return Taken::Ignored,
         }
         Taken::Used
     }

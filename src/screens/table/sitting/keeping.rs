@@ -2,7 +2,7 @@
 
 use super::{Phase, Sitting, Taken};
 use crate::game::{Fingerprint, RecordError, SavedGame};
-use crate::messages::{Answer, Done, Key, Wish};
+use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 use crate::screens::table::options::Options;
 
@@ -71,7 +71,7 @@ impl Sitting {
             let ticket = self.keeping.ticket.unwrap_or_else(|| cx.ticket());
             self.keeping.ticket = Some(ticket);
             self.keeping.trouble = None;
-            cx.keep(ticket, Wish::Save(Box::new(self.saved(cx))));
+            cx.keep(ticket, StoreRequest::Save(Box::new(self.saved(cx))));
         }
     }
 
@@ -95,7 +95,7 @@ impl Sitting {
             }
             Key::Char('e' | 'E') => {
                 let game = Box::new(self.saved(cx));
-                cx.ask(Wish::Export(game));
+                cx.ask(StoreRequest::Export(game));
             }
             _ => return Taken::Ignored,
         }
@@ -103,15 +103,15 @@ impl Sitting {
     }
 
     /// Takes in what came of saving and exporting.
-    pub(super) fn take_answer(&mut self, answer: &Answer) {
+    pub(super) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
-            Done::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
+            StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
                 self.keeping.take(result);
             }
-            Done::Exported(Ok(place)) => {
+            StoreReply::Exported(Ok(place)) => {
                 self.notice = Some(format!("The game is written to {place}"));
             }
-            Done::Exported(Err(reason)) => {
+            StoreReply::Exported(Err(reason)) => {
                 self.notice = Some(format!("The game cannot be exported: {reason}."));
             }
             _ => {}

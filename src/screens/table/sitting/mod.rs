@@ -210,7 +210,7 @@ impl Sitting {
         let taken = match input {
             Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) if !self.leaving => self.mouse(mouse, cx),
-            Input::Thought(thought) => {
+            Input::Searched(thought) => {
                 self.thought(thought, cx);
                 Taken::Used
             }
@@ -403,7 +403,9 @@ fn thinking_key(key: Key) -> Taken {
 mod tests {
     use super::*;
     use crate::game::SavedGame;
-    use crate::messages::{Effect, Found, Task, Thought};
+    use crate::game::opponent;
+    use crate::messages::{Effect, Found, SearchResult, SearchTask, Wanted};
+    use crate::physics::Board;
     use crate::screens::Settings;
 
     fn context() -> Context {
@@ -426,11 +428,11 @@ mod tests {
         }
     }
 
-    fn asked(cx: &mut Context) -> Vec<Task> {
+    fn asked(cx: &mut Context) -> Vec<SearchTask> {
         let effects = cx.take_asked().into_iter();
         effects
             .filter_map(|effect| match effect {
-                Effect::Think(task) => Some(*task),
+                Effect::Search(task) => Some(*task),
                 _ => None,
             })
             .collect()
@@ -482,34 +484,47 @@ mod tests {
         assert_eq!(sitting.wake(), None);
         let tasks = asked(&mut cx);
         assert_eq!(tasks.len(), 1);
-        let thought = tasks[0].think();
-        let stale = Thought {
+        let SearchTask {
+            ticket,
+            game,
+            seed,
+            wanted: Wanted::Stroke(strength),
+        } = &tasks[0]
+        else {
+            panic!("a stroke was wanted");
+        };
+        let decision = opponent::think(game, &Board::default(), *strength, *seed);
+        let thought = SearchResult {
+            ticket: *ticket,
+            found: Found::Stroke(decision),
+        };
+        let stale = SearchResult {
             ticket: thought.ticket + 1,
             ..thought
         };
         for unwanted in [
             stale,
-            Thought {
+            SearchResult {
                 found: Found::Hint(None),
                 ..thought
             },
         ] {
-            sitting.update(&Input::Thought(Box::new(unwanted)), &mut cx);
+            sitting.update(&Input::Searched(Box::new(unwanted)), &mut cx);
             assert!(matches!(sitting.phase, Phase::Think { .. }));
         }
         let mut failing = sitting.clone();
-        sitting.update(&Input::Thought(Box::new(thought)), &mut cx);
+        sitting.update(&Input::Searched(Box::new(thought)), &mut cx);
         assert!(matches!(sitting.phase, Phase::Watch(_)));
         assert!(sitting.session.past(0).unwrap().told.is_some());
         // The same thought again comes too late.
-        sitting.update(&Input::Thought(Box::new(thought)), &mut cx);
+        sitting.update(&Input::Searched(Box::new(thought)), &mut cx);
         assert_eq!(sitting.session.len(), 1);
         assert_recorded(&sitting, &cx);
         assert_eq!(asked(&mut cx), vec![]);
         press(&mut sitting, "\n", &mut cx);
         assert_eq!(asked(&mut cx).len(), 1);
         // Where the computer fails a person plays on, and is told so.
-        failing.update(&Input::Thought(Box::new(tasks[0].failed())), &mut cx);
+        failing.update(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
         assert!(matches!(failing.phase, Phase::Aim));
         assert!(failing.notice.is_some() && !failing.is_computers_turn());
         assert_eq!(asked(&mut cx), vec![]);
@@ -525,7 +540,7 @@ mod tests {
             sitting.ask_for_hint(&mut cx);
             let tasks = asked(&mut cx);
             assert_eq!(tasks.len(), 1);
-            sitting.update(&Input::Thought(Box::new(tasks[0].failed())), &mut cx);
+            sitting.update(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
             assert!(sitting.hint.is_none() && sitting.notice.is_some());
         }
     }

@@ -3,7 +3,7 @@
 use super::{Hinted, Phase, Sitting};
 use crate::game::opponent::{Decision, Hint};
 use crate::game::{Move, Strike};
-use crate::messages::{Found, Thought, Wanted};
+use crate::messages::{Found, SearchResult, Wanted};
 use crate::physics::Motion;
 use crate::screens::Context;
 use crate::screens::table::aim::Aim;
@@ -50,7 +50,7 @@ impl Sitting {
     }
 
     /// Takes a thought in, if it is still waited for.
-    pub(super) fn thought(&mut self, thought: &Thought, cx: &Context) {
+    pub(super) fn thought(&mut self, thought: &SearchResult, cx: &Context) {
         match (&self.phase, &self.hint, thought.found) {
             (Phase::Think { ticket }, _, Found::Stroke(decision)) if *ticket == thought.ticket => {
                 match decision {

@@ -12,16 +12,16 @@ use crate::progress::Attempt;
 
 /// Something to be done with what is kept.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Request {
+pub struct StoreCall {
     /// A number of the app's own, by which the answer is known.
     pub ticket: u64,
     /// What is wanted.
-    pub wish: Wish,
+    pub wish: StoreRequest,
 }
 
-/// What is wanted of a [`Request`].
+/// What is wanted of a [`StoreCall`].
 #[derive(Debug, Clone, PartialEq)]
-pub enum Wish {
+pub enum StoreRequest {
     /// Keep a game as it now stands, in place of what was kept or loaded with the
     /// same ticket before.
     Save(Box<SavedGame>),
@@ -69,24 +69,24 @@ pub enum Wish {
     Marks(String),
 }
 
-/// What came of a [`Request`]; where it failed, the reason in words.
+/// What came of a [`StoreCall`]; where it failed, the reason in words.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
+pub struct StoreAnswer {
     /// The number of the request.
     pub ticket: u64,
     /// What was done.
-    pub done: Done,
+    pub done: StoreReply,
     /// Something else that the player should know of.
     pub notice: Option<String>,
 }
 
-/// What was done about a [`Wish`].
+/// What was done about a [`StoreRequest`].
 #[derive(Debug, Clone, PartialEq)]
-pub enum Done {
+pub enum StoreReply {
     /// The game or the round is safe.
     Saved(Result<(), String>),
     /// The games there are, the newest first.
-    Listed(Result<Vec<Kept>, String>),
+    Listed(Result<Vec<KeptGame>, String>),
     /// The game.
     Loaded(Result<Box<SavedGame>, String>),
     /// It is no longer there.
@@ -94,7 +94,7 @@ pub enum Done {
     /// Where it was written.
     Exported(Result<String, String>),
     /// The rounds of classes there are, the newest first.
-    Classes(Result<Vec<KeptRound>, String>),
+    Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
     /// The answer, the stars or the bookmark are safe.
@@ -116,48 +116,47 @@ pub struct History {
     pub now_s: Option<i64>,
 }
 
-/// One of the games that are kept.
+/// One of the games or rounds that are kept.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
+pub struct Kept<T> {
     /// Its name.
     pub name: String,
     /// How long ago it was saved; `None` where nobody knows the time.
     pub age: Option<Duration>,
-    /// The game with where it stands, or why it cannot be read.
-    pub game: Result<Box<(SavedGame, Game)>, String>,
+    /// What it holds, or why it cannot be read.
+    pub content: Result<Box<T>, String>,
 }
 
-/// One of the rounds of classes that are kept.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KeptRound {
-    /// Its name.
-    pub name: String,
-    /// How long ago it was saved; `None` where nobody knows the time.
-    pub age: Option<Duration>,
-    /// The round, or why it cannot be read.
-    pub round: Result<Box<ClassRound>, String>,
-}
+/// A saved game with where it stands.
+pub type KeptGame = Kept<(SavedGame, Game)>;
 
-impl Request {
+impl StoreCall {
     /// The answer that it cannot be done.
-    pub fn refused(&self, reason: &str) -> Answer {
+    pub fn refused(&self, reason: &str) -> StoreAnswer {
         let reason = reason.to_owned();
-        Answer {
+        StoreAnswer {
             ticket: self.ticket,
             done: match self.wish {
-                Wish::Save(_) | Wish::SaveClass(_) => Done::Saved(Err(reason)),
-                Wish::List => Done::Listed(Err(reason)),
-                Wish::Load(_) => Done::Loaded(Err(reason)),
-                Wish::Remove(_) | Wish::RemoveClass(_) => Done::Removed(Err(reason)),
-                Wish::Export(_) | Wish::ExportClass(_) => Done::Exported(Err(reason)),
-                Wish::ListClasses => Done::Classes(Err(reason)),
-                Wish::LoadClass(_) => Done::Class(Err(reason)),
-                Wish::Record(_) | Wish::Star(..) | Wish::Mark { .. } | Wish::Forget(..) => {
-                    Done::Noted(Err(reason))
+                StoreRequest::Save(_) | StoreRequest::SaveClass(_) => {
+                    StoreReply::Saved(Err(reason))
                 }
-                Wish::Recall(_) => Done::Recalled(Err(reason)),
-                Wish::Stars(_) => Done::Stars(Err(reason)),
-                Wish::Marks(_) => Done::Marks(Err(reason)),
+                StoreRequest::List => StoreReply::Listed(Err(reason)),
+                StoreRequest::Load(_) => StoreReply::Loaded(Err(reason)),
+                StoreRequest::Remove(_) | StoreRequest::RemoveClass(_) => {
+                    StoreReply::Removed(Err(reason))
+                }
+                StoreRequest::Export(_) | StoreRequest::ExportClass(_) => {
+                    StoreReply::Exported(Err(reason))
+                }
+                StoreRequest::ListClasses => StoreReply::Classes(Err(reason)),
+                StoreRequest::LoadClass(_) => StoreReply::Class(Err(reason)),
+                StoreRequest::Record(_)
+                | StoreRequest::Star(..)
+                | StoreRequest::Mark { .. }
+                | StoreRequest::Forget(..) => StoreReply::Noted(Err(reason)),
+                StoreRequest::Recall(_) => StoreReply::Recalled(Err(reason)),
+                StoreRequest::Stars(_) => StoreReply::Stars(Err(reason)),
+                StoreRequest::Marks(_) => StoreReply::Marks(Err(reason)),
             },
             notice: None,
         }

@@ -2,12 +2,14 @@
 
 use ratatui::layout::Rect;
 
-use super::hit::{drag_offset, point_at};
-use super::number_input::NumberInput;
-use super::{Lines, RayInput, Role, Turned};
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{KeyTable, NumberAction, NumberInput, Outcome, RayAction, RayInput};
 use crate::messages::Key;
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::quiz::{Aim, Form, Quantity, Question, Said, letter};
+use crate::quiz::{AimTask, Form, Measure, Question, Response, letter};
+use crate::widgets::hit::{drag_offset, point_at};
+use crate::widgets::{Lines, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,8 +20,8 @@ pub enum AnswerInput {
     Number(NumberInput),
     /// Choices to choose from: the one chosen, and how many there are.
     Choice {
-        /// The one the mark is at, counted from 0.
-        chosen: usize,
+        /// The one that was chosen, counted from 0; `None` while none was.
+        chosen: Option<usize>,
         /// How many there are.
         count: usize,
     },
@@ -27,28 +29,34 @@ pub enum AnswerInput {
     Shot(NumberInput),
 }
 
-impl AnswerInput {
-    /// The letters of a choice, as keys; of none for other answers.
-    pub fn letters(&self) -> &'static str {
-        const LETTERS: &str = "a b c d e f";
-        let Self::Choice { count, .. } = self else {
-            return "";
-        };
-        let taken = (2 * count).saturating_sub(1);
-        LETTERS.get(..taken).unwrap_or(LETTERS)
-    }
+/// What keys do to an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum AnswerAction {
+    /// turn a ray
+    Ray(RayAction),
+    /// give a number
+    Number(NumberAction),
+    /// choose the answer above or below
+    Move(isize),
+    /// choose an answer by its letter, or by its number
+    Choose(usize),
+    /// give the answer that was chosen
+    Enter,
+}
 
+impl AnswerInput {
     /// Nothing said yet.
     pub fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
             Form::Number { quantity, .. } => Self::Number(NumberInput::new(*quantity)),
             Form::Choice { options, .. } => Self::Choice {
-                chosen: 0,
+                chosen: None,
                 count: options.len(),
             },
             Form::Shot(aim) => Self::Shot(NumberInput::within(
-                Quantity::Length,
+                Measure::Length,
                 -most_mm(aim),
                 most_mm(aim),
             )),
@@ -56,13 +64,15 @@ impl AnswerInput {
     }
 
     /// What was said before, to be changed.
-    pub fn saying(form: &Form, said: &Said) -> Self {
+    pub fn saying(form: &Form, said: &Response) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
-            (Self::Rays(input), Said::Rays(rays)) => *input = input.clone().saying(rays),
-            (Self::Number(number), Said::Number(x)) => number.set(*x),
-            (Self::Choice { chosen, count }, Said::Choice(i)) if i < count => *chosen = *i,
-            (Self::Shot(offset), Said::Shot(x)) => {
+            (Self::Rays(input), Response::Rays(rays)) => *input = input.clone().saying(rays),
+            (Self::Number(number), Response::Number(x)) => number.set(*x),
+            (Self::Choice { chosen, count }, Response::Choice(i)) if i < count => {
+                *chosen = Some(*i)
+            }
+            (Self::Shot(offset), Response::Shot(x)) => {
                 offset.set((mm_from_m(*x) * 1e6).round() / 1e6);
             }
             _ => {}
@@ -70,17 +80,17 @@ impl AnswerInput {
         input
     }
 
-    /// What has been said so far; `None` while no number has been given.
-    pub fn said(&self) -> Option<Said> {
+    /// What has been said; `None` while nothing was, or not all that is asked for.
+    pub fn said(&self) -> Option<Response> {
         Some(match self {
-            Self::Rays(rays) => Said::Rays(rays.said()),
-            Self::Number(number) => Said::Number(number.value()?),
-            Self::Choice { chosen, .. } => Said::Choice(*chosen),
-            Self::Shot(offset) => Said::Shot(m_from_mm(offset.value().unwrap_or(0.0))),
+            Self::Rays(rays) => Response::Rays(rays.said()?),
+            Self::Number(number) => Response::Number(number.value()?),
+            Self::Choice { chosen, .. } => Response::Choice((*chosen)?),
+            Self::Shot(offset) => Response::Shot(m_from_mm(offset.value()?)),
         })
     }
 
-    /// The rays, if it is they.
+    /// The rays, for a ray answer.
     pub fn rays(&self) -> Option<&RayInput> {
         match self {
             Self::Rays(rays) => Some(rays),
@@ -88,35 +98,55 @@ impl AnswerInput {
         }
     }
 
-    /// Takes a key. What is done with Enter needs something said.
-    pub fn update(&mut self, key: Key) -> Turned {
+    /// The keys that give it.
+    pub fn keys(&self) -> KeyTable<AnswerAction> {
+        use AnswerAction::{Choose, Enter, Move, Number, Ray};
         match self {
-            Self::Rays(rays) => rays.update(key),
-            Self::Number(number) => number.update(key),
-            Self::Shot(offset) => match offset.update(key) {
-                Turned::Ignored if key == Key::Enter => Turned::Done,
-                turned => turned,
-            },
-            Self::Choice { chosen, count } => match key {
-                Key::Up | Key::BackTab => {
-                    *chosen = chosen.saturating_sub(1);
-                    Turned::Turning
-                }
-                Key::Down | Key::Tab => {
-                    *chosen = (*chosen + 1).min(count.saturating_sub(1));
-                    Turned::Turning
-                }
-                Key::Char(c) => match choice_of(c).filter(|i| i < count) {
-                    Some(i) => {
-                        *chosen = i;
-                        Turned::Turning
-                    }
-                    None => Turned::Ignored,
-                },
-                Key::Enter => Turned::Done,
-                _ => Turned::Ignored,
-            },
+            Self::Rays(rays) => rays.keys().map(Ray),
+            Self::Number(number) | Self::Shot(number) => number.keys().map(Number),
+            Self::Choice { count, .. } => {
+                let each = |first: char| (first..).zip(0..*count);
+                KeyTable::new("answer")
+                    .each([(Key::Up, Move(-1)), (Key::Down, Move(1))], "choose")
+                    .or([(Key::BackTab, Move(-1)), (Key::Tab, Move(1))])
+                    .each(
+                        each('a').map(|(c, i)| (Key::Char(c), Choose(i))),
+                        "likewise",
+                    )
+                    .or(each('1').map(|(c, i)| (Key::Char(c), Choose(i))))
+                    .on(Key::Enter, Enter, "next")
+            }
         }
+    }
+
+    /// Does what a key stands for; done once all that is asked for has been said.
+    pub fn act(&mut self, action: AnswerAction) -> Outcome {
+        match (self, action) {
+            (Self::Rays(rays), AnswerAction::Ray(action)) => return rays.act(action),
+            (Self::Number(number) | Self::Shot(number), AnswerAction::Number(action)) => {
+                return number.act(action);
+            }
+            (Self::Choice { chosen, count }, AnswerAction::Move(by)) => {
+                let last = count.saturating_sub(1);
+                let from = |at: usize| at.saturating_add_signed(by).min(last);
+                *chosen = Some(chosen.map_or(if by < 0 { last } else { 0 }, from));
+            }
+            (Self::Choice { chosen, count }, AnswerAction::Choose(i)) if i < *count => {
+                *chosen = Some(i);
+            }
+            (Self::Choice { chosen, .. }, AnswerAction::Enter) if chosen.is_some() => {
+                return Outcome::Done(());
+            }
+            (Self::Choice { .. }, AnswerAction::Enter) => {}
+            _ => return Outcome::Ignored,
+        }
+        Outcome::Used
+    }
+
+    /// Takes a key.
+    pub fn update(&mut self, key: Key) -> Outcome {
+        let action = self.keys().find(key);
+        action.map_or(Outcome::Ignored, |action| self.act(action))
     }
 
     /// Points at a cell of the question's picture with the button down, just now
@@ -155,7 +185,7 @@ impl AnswerInput {
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
                 let apart = Self::choice_gap(options, lines, lines.left());
                 for (i, option) in options.iter().enumerate() {
-                    let (mark, role) = if i == *chosen {
+                    let (mark, role) = if Some(i) == *chosen {
                         (">", Role::Selected)
                     } else {
                         (" ", Role::Text)
@@ -229,18 +259,7 @@ fn choice_rows(option: &str, lines: &Lines) -> u16 {
     lines.rows_of_hanging(MARK, option)
 }
 
-/// The choice of a letter or a digit from 1, counted from 0.
-fn choice_of(c: char) -> Option<usize> {
-    let c = c.to_ascii_lowercase();
-    let start = match c {
-        'a'..='e' => 'a',
-        '1'..='5' => '1',
-        _ => return None,
-    };
-    Some(c as usize - start as usize)
-}
-
 /// The largest offset that can be set, in millimetres: a little more than still hits.
-fn most_mm(aim: &Aim) -> f64 {
+fn most_mm(aim: &AimTask) -> f64 {
     (1.1 * mm_from_m(aim.collision.reach())).ceil()
 }

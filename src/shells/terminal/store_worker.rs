@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::message::Message;
 use crate::files::escape_control;
-use crate::messages::{Answer, Done, Input, Request, Wish};
+use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::store::Store;
 
 /// How long the screen waits for a stroke or a vote to be saved before it shows it. Nearly all
@@ -19,8 +19,8 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// database; then the player is told that it is being saved, and goes on.
 const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
 
-/// A thread that does what is asked, one thing after the other.
-pub(super) struct Keeper {
+/// A thread that does what is asked of the store, one thing after the other.
+pub(super) struct StoreWorker {
     /// Gone once nothing will be asked any more.
     jobs: Option<Sender<Job>>,
     thread: Option<JoinHandle<()>>,
@@ -30,11 +30,11 @@ pub(super) struct Keeper {
 
 /// Something to do, and whom to tell that it is done.
 struct Job {
-    request: Request,
+    request: StoreCall,
     done: Sender<()>,
 }
 
-impl Keeper {
+impl StoreWorker {
     /// Starts the thread, which sends what came of each request.
     pub(super) fn start(mut store: Store, sender: Sender<Message>) -> io::Result<Self> {
         let (jobs, asked) = mpsc::channel::<Job>();
@@ -45,7 +45,7 @@ impl Keeper {
                 let _ = job.done.send(());
             }
         };
-        let thread = thread::Builder::new().name("keeper".into()).spawn(keep)?;
+        let thread = thread::Builder::new().name("store".into()).spawn(keep)?;
         Ok(Self {
             jobs: Some(jobs),
             thread: Some(thread),
@@ -55,7 +55,7 @@ impl Keeper {
 
     /// Asks for something to be done. Says `true` if that takes so long that the player
     /// should be told; what comes of it comes as an input, in time or not.
-    pub(super) fn ask(&mut self, request: &Request, sender: &Sender<Message>) -> bool {
+    pub(super) fn ask(&mut self, request: &StoreCall, sender: &Sender<Message>) -> bool {
         let (done, wait) = mpsc::channel();
         let job = Job {
             request: request.clone(),
@@ -68,11 +68,11 @@ impl Keeper {
             return false;
         }
         let patience = match request.wish {
-            Wish::Save(_) | Wish::SaveClass(_) => PATIENCE,
-            Wish::Record(_) => ANSWER_PATIENCE,
+            StoreRequest::Save(_) | StoreRequest::SaveClass(_) => PATIENCE,
+            StoreRequest::Record(_) => ANSWER_PATIENCE,
             _ => return false,
         };
-        // Nobody waits behind what was waited for in vain already.
+        // A save is overdue; do not block again.
         if let Some(late) = &self.late
             && late.try_recv() == Err(TryRecvError::Empty)
         {
@@ -85,7 +85,7 @@ impl Keeper {
 }
 
 /// What was asked for last is still done before carrom is left.
-impl Drop for Keeper {
+impl Drop for StoreWorker {
     fn drop(&mut self) {
         self.jobs = None;
         let Some(thread) = self.thread.take() else {
@@ -103,11 +103,11 @@ impl Drop for Keeper {
     }
 }
 
-fn tell(answer: Answer, sender: &Sender<Message>) {
+fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
     let told = sender.send(Message::Input(Input::Kept(Box::new(answer))));
     // Nobody listens any more only when carrom is leaving anyway.
     if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = told
-        && let Done::Noted(Err(reason)) | Done::Saved(Err(reason)) = answer.done
+        && let StoreReply::Noted(Err(reason)) | StoreReply::Saved(Err(reason)) = answer.done
     {
         say(&format!("what you did last could not be kept: {reason}"));
     }
@@ -130,10 +130,11 @@ mod tests {
     /// Whoever holds the database holds up neither the keys nor the picture for long.
     #[test]
     fn nobody_waits_long_for_an_answer_to_be_kept() {
-        let folder = env::temp_dir().join(format!("carrom-keeper-{}", process::id()));
+        let folder = env::temp_dir().join(format!("carrom-store-worker-{}", process::id()));
         let _ = fs::remove_dir_all(&folder);
         let (sender, messages) = mpsc::channel();
-        let mut keeper = Keeper::start(Store::in_folder(&folder), sender.clone()).unwrap();
+        let mut store_worker =
+            StoreWorker::start(Store::in_folder(&folder), sender.clone()).unwrap();
         let starred = Starred {
             pack: "first".into(),
             level: "one".into(),
@@ -155,21 +156,24 @@ mod tests {
             confidence: None,
             misconception: None,
         };
-        let star = |ticket| Request {
+        let star = |ticket| StoreCall {
             ticket,
-            wish: Wish::Star("Ada".into(), starred.clone()),
+            wish: StoreRequest::Star("Ada".into(), starred.clone()),
         };
-        assert!(!keeper.ask(&star(1), &sender), "nobody waits for stars");
+        assert!(
+            !store_worker.ask(&star(1), &sender),
+            "nobody waits for stars"
+        );
         messages.recv().unwrap();
         let other = rusqlite::Connection::open(folder.join("progress.db")).unwrap();
         other.execute_batch("BEGIN IMMEDIATE").unwrap();
-        let record = |ticket| Request {
+        let record = |ticket| StoreCall {
             ticket,
-            wish: Wish::Record(Box::new(attempt.clone())),
+            wish: StoreRequest::Record(Box::new(attempt.clone())),
         };
-        assert!(keeper.ask(&record(2), &sender), "it is being saved");
+        assert!(store_worker.ask(&record(2), &sender), "it is being saved");
         let start = Instant::now();
-        assert!(keeper.ask(&record(3), &sender));
+        assert!(store_worker.ask(&record(3), &sender));
         assert!(start.elapsed() < ANSWER_PATIENCE, "nobody waits twice");
         other.execute_batch("COMMIT").unwrap();
         for expected in [2, 3] {
@@ -177,13 +181,13 @@ mod tests {
                 Message::Input(Input::Kept(answer)) => {
                     assert_eq!(
                         (answer.ticket, &answer.done),
-                        (expected, &Done::Noted(Ok(())))
+                        (expected, &StoreReply::Noted(Ok(())))
                     );
                 }
                 other => panic!("{other:?}"),
             }
         }
-        drop(keeper);
+        drop(store_worker);
         let _ = fs::remove_dir_all(&folder);
     }
 }

@@ -9,7 +9,7 @@ use super::schema::VERSION;
 
 /// What is wrong.
 #[derive(Debug, Error)]
-pub(super) enum Trouble {
+pub(super) enum DatabaseError {
     /// It is not what it should be.
     #[error("{0}")]
     Damaged(String),
@@ -33,7 +33,7 @@ pub(super) enum Trouble {
     Folder(#[from] io::Error),
 }
 
-impl Trouble {
+impl DatabaseError {
     /// Whether it may go well a little later.
     pub(super) fn is_busy(&self) -> bool {
         let busy = [ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked];

@@ -2,12 +2,12 @@
 
 use super::spoken::verbatim;
 use super::talk::{Leave, Talk};
-use crate::messages::{Done, Request, Wish};
+use crate::messages::{StoreCall, StoreReply, StoreRequest};
 use crate::progress::Attempt;
 use crate::store::Store;
 
 /// Who plays, and where what is answered is kept.
-pub struct Keeper<'a> {
+pub struct Recorder<'a> {
     /// The name of the player.
     pub player: &'a str,
     /// Where it is kept.
@@ -18,8 +18,8 @@ pub struct Keeper<'a> {
     lost: usize,
 }
 
-impl<'a> Keeper<'a> {
-    /// A keeper of what this player does.
+impl<'a> Recorder<'a> {
+    /// A recorder of what this player does.
     pub fn new(player: &'a str, store: &'a mut Store) -> Self {
         Self {
             player,
@@ -30,12 +30,16 @@ impl<'a> Keeper<'a> {
     }
 
     /// Asks the store, and says what is wrong with it, its reasons once.
-    pub(super) fn wish(&mut self, talk: &mut Talk, wish: Wish) -> Result<Done, Leave> {
-        let answer = self.store.answer(&Request { ticket: 0, wish });
+    pub(super) fn wish(
+        &mut self,
+        talk: &mut Talk,
+        wish: StoreRequest,
+    ) -> Result<StoreReply, Leave> {
+        let answer = self.store.answer(&StoreCall { ticket: 0, wish });
         if let Some(notice) = answer.notice {
             talk.say(&verbatim(&notice))?;
         }
-        if let Done::Noted(Err(reason)) = &answer.done
+        if let StoreReply::Noted(Err(reason)) = &answer.done
             && !std::mem::replace(&mut self.complained, true)
         {
             let reason = verbatim(reason);
@@ -46,7 +50,9 @@ impl<'a> Keeper<'a> {
 
     /// Keeps an answer, before anything is said about it. Each one that is lost is told.
     pub(super) fn record(&mut self, talk: &mut Talk, attempt: Attempt) -> Result<(), Leave> {
-        if let Done::Noted(Err(_)) = self.wish(talk, Wish::Record(Box::new(attempt)))? {
+        if let StoreReply::Noted(Err(_)) =
+            self.wish(talk, StoreRequest::Record(Box::new(attempt)))?
+        {
             self.lost += 1;
             talk.say(&match self.lost {
                 1 => "This answer is not kept.".to_owned(),
@@ -69,11 +75,11 @@ mod tests {
         let answer = Answer::new(question.form.truth(), Confidence::Sure);
         let (mut input, mut output) = (&b""[..], Vec::new());
         let mut store = Store::nowhere();
-        let mut keeper = Keeper::new("Ada", &mut store);
+        let mut recorder = Recorder::new("Ada", &mut store);
         let mut talk = Talk::new(&mut input, &mut output);
         for number in 1..=3 {
             let attempt = Attempt::of_quiz("Ada", round.code(), number, question, &answer);
-            keeper.record(&mut talk, attempt).unwrap();
+            recorder.record(&mut talk, attempt).unwrap();
         }
         assert_eq!(
             String::from_utf8(output).unwrap(),

@@ -1,51 +1,42 @@
-//! A shelf of things that are saved again and again.
+//! A text_store of things that are saved again and again.
 
 use std::collections::BTreeMap;
-use std::time::Duration;
 
-use super::shelf::Shelf;
+use super::text_store::TextStore;
 use crate::files::FileErrors;
+use crate::messages::Kept;
 
-/// A shelf of things of one kind that are saved again and again, each known by the
+/// A text_store of things of one kind that are saved again and again, each known by the
 /// ticket of whoever works on it.
-pub(super) struct Drawer<T> {
-    shelf: Box<dyn Shelf>,
+pub(super) struct OpenFiles<T> {
+    text_store: Box<dyn TextStore>,
     /// What names begin with.
     kind: &'static str,
     /// Makes a thing of the bytes of a file of this name.
-    read: Read<T>,
+    read: ReadBytes<T>,
     /// What was last put or found under which name, by ticket.
-    open: BTreeMap<u64, Open>,
+    open: BTreeMap<u64, OpenFile>,
     notice: Option<String>,
 }
 
 /// Makes a thing of the bytes of a file of a name.
-type Read<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
+type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
 
 /// A thing being worked on.
-struct Open {
+struct OpenFile {
     name: String,
     text: String,
 }
 
-/// Something in a drawer.
-pub(super) struct Found<T> {
-    pub(super) name: String,
-    /// How long ago it was put there; `None` where nobody knows the time.
-    pub(super) age: Option<Duration>,
-    /// The thing, or why it cannot be read. Where it is, is not said once more.
-    pub(super) thing: Result<T, String>,
-}
-
-impl<T> Drawer<T> {
-    /// A shelf of things of a kind, none of them being worked on.
+impl<T> OpenFiles<T> {
+    /// A text_store of things of a kind, none of them being worked on.
     pub(super) fn new(
-        shelf: impl Shelf + 'static,
+        text_store: impl TextStore + 'static,
         kind: &'static str,
         read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) -> Self {
         Self {
-            shelf: Box::new(shelf),
+            text_store: Box::new(text_store),
             kind,
             read: Box::new(read),
             open: BTreeMap::new(),
@@ -65,18 +56,18 @@ impl<T> Drawer<T> {
     /// a new one if there is none, or if something else stands there now.
     pub(super) fn save(&mut self, ticket: u64, text: String) -> Result<(), String> {
         if let Some(open) = self.open.get_mut(&ticket)
-            && self.shelf.replace(&open.name, &open.text, &text)?
+            && self.text_store.replace(&open.name, &open.text, &text)?
         {
             open.text = text;
             return Ok(());
         }
-        let name = self.shelf.add(self.kind, &text)?;
-        let place = self.shelf.place(&name);
-        if let Some(before) = self.open.insert(ticket, Open { name, text }) {
+        let name = self.text_store.add(self.kind, &text)?;
+        let place = self.text_store.place(&name);
+        if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
             self.notice = Some(format!(
                 "{} is no longer as it was saved here; another carrom may have it open. \
                  From now on this is saved in {place}.",
-                self.shelf.place(&before.name),
+                self.text_store.place(&before.name),
             ));
         }
         Ok(())
@@ -87,13 +78,13 @@ impl<T> Drawer<T> {
         self.notice.take()
     }
 
-    /// All there is, the latest first.
-    pub(super) fn list(&self) -> Result<Vec<Found<T>>, String> {
-        let names = self.shelf.names()?.into_iter();
-        let found = names.map(|name| Found {
-            age: self.shelf.age(&name),
-            thing: match self.read(&name) {
-                Ok((_, thing)) => Ok(thing),
+    /// All there is, the latest first, with their ages if those mean anything.
+    pub(super) fn list(&self, with_age: bool) -> Result<Vec<Kept<T>>, String> {
+        let names = self.text_store.names()?.into_iter();
+        let found = names.map(|name| Kept {
+            age: with_age.then(|| self.text_store.age(&name)).flatten(),
+            content: match self.read(&name) {
+                Ok((_, thing)) => Ok(Box::new(thing)),
                 Err(fault) => Err(fault.without_file()),
             },
             name,
@@ -105,19 +96,19 @@ impl<T> Drawer<T> {
     pub(super) fn load(&mut self, ticket: u64, name: &str) -> Result<T, String> {
         let (text, thing) = self.read(name).map_err(|fault| fault.to_string())?;
         let name = name.to_owned();
-        self.open.insert(ticket, Open { name, text });
+        self.open.insert(ticket, OpenFile { name, text });
         Ok(thing)
     }
 
     /// Removes the thing of a name.
     pub(super) fn remove(&mut self, name: &str) -> Result<(), String> {
-        self.shelf.remove(name)
+        self.text_store.remove(name)
     }
 
     /// The text under a name, and the thing that it makes.
     fn read(&self, name: &str) -> Result<(String, T), FileErrors> {
-        let bytes = self.shelf.read(name)?;
-        let thing = (self.read)(&self.shelf.place(name), &bytes)?;
+        let bytes = self.text_store.read(name)?;
+        let thing = (self.read)(&self.text_store.place(name), &bytes)?;
         Ok((String::from_utf8_lossy(&bytes).into_owned(), thing))
     }
 }

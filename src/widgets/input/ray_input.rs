@@ -1,9 +1,11 @@
 //! Saying where both discs will go: two rays to turn, or two angles to type.
 
-use super::entry::{NumberEntry, Typed};
-use super::{Lines, Role};
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::quiz::{Ray, Rays};
+use crate::widgets::{Lines, Role};
 
 /// Furthest that a ray can be turned, in degrees either way.
 const FURTHEST: f64 = 180.0;
@@ -12,10 +14,11 @@ const FURTHEST: f64 = 180.0;
 ///
 /// On the screen, angles are in degrees from the direction of the striker: the
 /// striker's positive to the side away from the coin, the coin's positive to the
-/// coin's own side. `None` is a disc that stays still.
+/// coin's own side. Nothing is said of a ray until it was turned.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RayInput {
-    angles_deg: [Option<f64>; 2],
+    /// What has been said of each; `Some(None)` of a disc that stays still.
+    angles_deg: [Option<Option<f64>>; 2],
     turning: Ray,
     /// The one ray that is asked for, if not both are.
     only: Option<Ray>,
@@ -23,23 +26,28 @@ pub struct RayInput {
     entry: NumberEntry,
 }
 
-/// What a key meant to a [`RayInput`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turned {
-    /// Nothing: it is somebody else's key.
-    Ignored,
-    /// A ray was turned, or another one chosen.
-    Turning,
-    /// Both have been said.
-    Done,
+/// What keys do to a prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum RayAction {
+    /// turn the ray: Left and Right by 1°, Up and Down by 5°
+    Turn(i8),
+    /// this disc will stay still
+    StaysStill,
+    /// the other ray
+    OtherRay,
+    /// go on: to the other ray, or with both said
+    Next,
+    /// a number typed for the ray
+    Number(EntryAction),
 }
 
 impl RayInput {
-    /// Both rays straight ahead. `side` is +1 where the coin lies to the right of
+    /// Nothing said yet. `side` is +1 where the coin lies to the right of
     /// the striker's way and −1 where it lies to the left.
     pub fn new(side: f64) -> Self {
         Self {
-            angles_deg: [Some(0.0); 2],
+            angles_deg: [None; 2],
             turning: Ray::Striker,
             only: None,
             side,
@@ -54,7 +62,7 @@ impl RayInput {
             let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
             // As it was typed, whatever rounding left.
             let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
-            self.angles_deg[index(ray)] = angle;
+            self.angles_deg[index(ray)] = Some(angle);
         }
         self
     }
@@ -62,9 +70,7 @@ impl RayInput {
     /// The same with one ray alone to be said. The other one reads as a disc that
     /// stays still.
     #[must_use]
-    pub fn only(mut self, ray: Ray) -> Self {
-        self.angles_deg = [None; 2];
-        self.angles_deg[index(ray)] = Some(0.0);
+    pub fn only(self, ray: Ray) -> Self {
         Self {
             turning: ray,
             only: Some(ray),
@@ -82,13 +88,25 @@ impl RayInput {
         self.only.is_some() || self.turning == Ray::Target
     }
 
-    /// What has been said so far.
-    pub fn said(&self) -> Rays {
-        let signed = |angle: Option<f64>| angle.map(|angle| (self.side * angle).to_radians());
+    /// What has been said; `None` while something asked for has not been.
+    pub fn said(&self) -> Option<Rays> {
+        let said = |ray| self.is_said(ray) || !self.asks(ray);
+        Ray::BOTH.into_iter().all(said).then(|| self.so_far())
+    }
+
+    /// The rays as far as they have been said; one that has not reads as a disc that
+    /// stays still.
+    pub fn so_far(&self) -> Rays {
+        let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {
-            striker: signed(self.angles_deg[0]),
-            target: signed(self.angles_deg[1]),
+            striker: signed(Ray::Striker),
+            target: signed(Ray::Target),
         }
+    }
+
+    /// Whether anything has been said of a ray.
+    pub fn is_said(&self, ray: Ray) -> bool {
+        self.angles_deg[index(ray)].is_some()
     }
 
     /// The ray that keys turn.
@@ -96,47 +114,70 @@ impl RayInput {
         self.turning
     }
 
-    /// Takes a key.
-    pub fn update(&mut self, key: Key) -> Turned {
-        match self.entry.update(key) {
-            Typed::Editing => {
-                if let Some(angle) = self.entry.value() {
-                    self.set(Some(angle));
-                }
-                return Turned::Turning;
-            }
-            Typed::Entered(angle) => {
-                self.set(Some(angle));
-                return self.next();
-            }
-            Typed::Ignored => {}
-        }
-        match key {
-            Key::Right => self.turn(1.0),
-            Key::Left => self.turn(-1.0),
-            Key::Up => self.turn(5.0),
-            Key::Down => self.turn(-5.0),
-            Key::Char('x' | 'X') => {
+    /// The keys that say it.
+    pub fn keys(&self) -> KeyTable<RayAction> {
+        use RayAction::{Next, OtherRay, StaysStill, Turn};
+        let number = self.entry.keys().map(RayAction::Number);
+        KeyTable::new("ray")
+            .each(
+                [
+                    (Key::Up, Turn(5)),
+                    (Key::Down, Turn(-5)),
+                    (Key::Left, Turn(-1)),
+                    (Key::Right, Turn(1)),
+                ],
+                "turn",
+            )
+            .with(number, |action| action)
+            .on(Key::Char('x'), StaysStill, "stays still")
+            .on(Key::Enter, Next, "next")
+            .on(Key::Tab, OtherRay, "other ray")
+            .or([(Key::BackTab, OtherRay)])
+            .when(self.only.is_none())
+    }
+
+    /// Does what a key stands for; done once all that is asked for has been said.
+    pub fn act(&mut self, action: RayAction) -> Outcome {
+        match action {
+            RayAction::Turn(degrees) => self.turn(degrees.into()),
+            RayAction::StaysStill => {
                 self.entry.take();
-                let still = self.angle_deg(self.turning).is_none();
-                self.set(still.then_some(0.0));
+                let still = self.angles_deg[index(self.turning)] == Some(None);
+                self.angles_deg[index(self.turning)] = (!still).then_some(None);
             }
-            Key::Tab | Key::BackTab => self.choose(other(self.turning)),
-            Key::Enter => return self.next(),
-            _ => return Turned::Ignored,
+            RayAction::OtherRay => self.choose(other(self.turning)),
+            RayAction::Next => return self.next(),
+            RayAction::Number(action) => match self.entry.act(action) {
+                Outcome::Done(angle) => {
+                    self.set(angle);
+                    return self.next();
+                }
+                _ => {
+                    if let Some(angle) = self.entry.value() {
+                        self.set(angle);
+                    }
+                }
+            },
         }
-        Turned::Turning
+        Outcome::Used
+    }
+
+    /// Takes a key.
+    pub fn update(&mut self, key: Key) -> Outcome {
+        let action = self.keys().find(key);
+        action.map_or(Outcome::Ignored, |action| self.act(action))
     }
 
     /// Points a ray by hand, to the whole degree.
     pub fn point(&mut self, ray: Ray, angle_deg: f64) {
         self.choose(ray);
-        self.set(Some(angle_deg.round()));
+        self.set(angle_deg.round());
     }
 
-    /// The angle of a ray as the screen counts it; `None` for a disc that stays still.
+    /// The angle of a ray as the screen counts it; `None` for a disc that stays still,
+    /// and while nothing has been said.
     pub fn angle_deg(&self, ray: Ray) -> Option<f64> {
-        self.angles_deg[index(ray)]
+        self.angles_deg[index(ray)].flatten()
     }
 
     /// How the answer for a ray reads: as typed so far, or as it stands.
@@ -144,7 +185,7 @@ impl RayInput {
         if ray == self.turning && self.entry.is_open() {
             return format!("{}_", self.entry.text());
         }
-        shown(self.angle_deg(ray))
+        self.angles_deg[index(ray)].map_or("_".into(), shown)
     }
 
     /// Writes both rays, a row each; `target` is what the struck disc is called.
@@ -172,13 +213,17 @@ impl RayInput {
         }
     }
 
-    fn next(&mut self) -> Turned {
-        if self.is_last() {
-            self.entry.take();
-            return Turned::Done;
+    /// On to the other ray, once something has been said of this one.
+    fn next(&mut self) -> Outcome {
+        if !self.is_said(self.turning) {
+            return Outcome::Used;
         }
-        self.choose(Ray::Target);
-        Turned::Turning
+        if self.said().is_some() && self.is_last() {
+            self.entry.take();
+            return Outcome::Done(());
+        }
+        self.choose(other(self.turning));
+        Outcome::Used
     }
 
     fn choose(&mut self, ray: Ray) {
@@ -186,16 +231,16 @@ impl RayInput {
         self.turning = self.only.unwrap_or(ray);
     }
 
-    fn set(&mut self, angle: Option<f64>) {
+    fn set(&mut self, angle_deg: f64) {
         // Adding 0 turns −0 into 0.
-        let held = angle.map(|angle| angle.clamp(-FURTHEST, FURTHEST) + 0.0);
-        self.angles_deg[index(self.turning)] = held;
+        let held = angle_deg.clamp(-FURTHEST, FURTHEST) + 0.0;
+        self.angles_deg[index(self.turning)] = Some(Some(held));
     }
 
     fn turn(&mut self, degrees: f64) {
         self.entry.take();
         let angle = self.angle_deg(self.turning).unwrap_or(0.0);
-        self.set(Some(angle + degrees));
+        self.set(angle + degrees);
     }
 }
 
@@ -231,7 +276,7 @@ fn other(ray: Ray) -> Ray {
 mod tests {
     use super::*;
 
-    fn press(rays: &mut RayInput, keys: &str) -> Turned {
+    fn press(rays: &mut RayInput, keys: &str) -> Outcome {
         let key = |c| match c {
             '\n' => Key::Enter,
             '\t' => Key::Tab,
@@ -240,7 +285,7 @@ mod tests {
             c => Key::Char(c),
         };
         keys.chars()
-            .fold(Turned::Ignored, |_, c| rays.update(key(c)))
+            .fold(Outcome::Ignored, |_, c| rays.update(key(c)))
     }
 
     fn degrees(rays: &RayInput) -> [Option<f64>; 2] {
@@ -250,16 +295,26 @@ mod tests {
     #[test]
     fn two_numbers_typed_are_a_prediction() {
         let mut rays = RayInput::new(1.0);
-        assert_eq!(press(&mut rays, "60\n30\n"), Turned::Done);
+        assert_eq!(press(&mut rays, "60\n30\n"), Outcome::Done(()));
         assert_eq!(degrees(&rays), [Some(60.0), Some(30.0)]);
+    }
+
+    #[test]
+    fn nothing_is_said_by_enter_alone() {
+        let mut rays = RayInput::new(1.0);
+        assert_eq!(press(&mut rays, "\n\n\n"), Outcome::Used);
+        assert_eq!(rays.said(), None);
+        assert_eq!(press(&mut rays, "\t30\n"), Outcome::Used);
+        assert_eq!(rays.turning(), Ray::Striker);
+        assert_eq!(press(&mut rays, "60\n\n"), Outcome::Done(()));
     }
 
     #[test]
     fn angles_count_from_the_coins_side() {
         let mut rays = RayInput::new(-1.0);
         press(&mut rays, "60\n30\n");
-        assert!((rays.said().striker.unwrap() + 60.0_f64.to_radians()).abs() < 1e-12);
-        assert!((rays.said().target.unwrap() + 30.0_f64.to_radians()).abs() < 1e-12);
+        assert!((rays.said().unwrap().striker.unwrap() + 60.0_f64.to_radians()).abs() < 1e-12);
+        assert!((rays.said().unwrap().target.unwrap() + 30.0_f64.to_radians()).abs() < 1e-12);
     }
 
     #[test]
@@ -272,17 +327,17 @@ mod tests {
     #[test]
     fn a_disc_can_be_said_to_stay_still() {
         let mut rays = RayInput::new(1.0);
-        assert_eq!(press(&mut rays, "x\n0\n"), Turned::Done);
+        assert_eq!(press(&mut rays, "x\n0\n"), Outcome::Done(()));
         assert_eq!(degrees(&rays), [None, Some(0.0)]);
-        assert_eq!(rays.said().striker, None);
+        assert_eq!(rays.said().unwrap().striker, None);
     }
 
     #[test]
     fn half_typed_numbers_count_only_as_far_as_they_are_numbers() {
         let mut rays = RayInput::new(1.0);
         press(&mut rays, "-\t");
-        assert_eq!(rays.angle_deg(Ray::Striker), Some(0.0));
-        assert_eq!(press(&mut rays, "999"), Turned::Turning);
+        assert_eq!(rays.said(), None);
+        assert_eq!(press(&mut rays, "999"), Outcome::Used);
         assert_eq!(rays.angle_deg(Ray::Target), Some(FURTHEST));
     }
 }

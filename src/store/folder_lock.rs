@@ -11,20 +11,20 @@ const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The right to something that a lock stands for, until this is dropped or the process
 /// ends.
-pub(super) struct Turn {
+pub(super) struct FolderLock {
     _lock: File,
     /// Whether the lock was really to be had.
     locked: bool,
 }
 
-impl Turn {
+impl FolderLock {
     /// Waits until nobody else has a turn at `lock`, a file in `folder`, which is made
     /// if need be.
     pub(super) fn alone(folder: &Path, lock: &str) -> io::Result<Self> {
         Self::take(folder, lock, File::try_lock)
     }
 
-    /// Waits until nobody is [`Turn::alone`] there; others may share it.
+    /// Waits until nobody is [`FolderLock::alone`] there; others may share it.
     pub(super) fn shared(folder: &Path, lock: &str) -> io::Result<Self> {
         Self::take(folder, lock, File::try_lock_shared)
     }

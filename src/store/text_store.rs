@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::files::FileError;
 
 /// A place for texts with names. What fails is said in words.
-pub(super) trait Shelf: Send {
+pub(super) trait TextStore: Send {
     /// The names there are, the latest first.
     fn names(&self) -> Result<Vec<String>, String>;
 
@@ -29,7 +29,7 @@ pub(super) trait Shelf: Send {
     fn remove(&mut self, name: &str) -> Result<(), String>;
 }
 
-/// The number in a name that [`Shelf::add`] made: 7 in `game-7`.
+/// The number in a name that [`TextStore::add`] made: 7 in `game-7`.
 pub(super) fn number(name: &str) -> Option<u64> {
     name.rsplit_once('-')?.1.parse().ok()
 }

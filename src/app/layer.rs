@@ -1,0 +1,68 @@
+//! What lies over the screen: its help, something to be told, a question.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use crate::messages::Key;
+use crate::screens::Question;
+use crate::widgets::Outcome;
+use crate::widgets::input::KeyTable;
+
+/// One thing over the screen.
+#[derive(Debug, Clone)]
+pub(super) enum Layer {
+    /// The page that explains the screen.
+    Help {
+        /// Lines it is scrolled by.
+        scrolled: usize,
+    },
+    /// Something the player is told, until a key is pressed.
+    Notice(String),
+    /// Something the player is asked.
+    Confirm(Question),
+}
+
+/// What keys do to a layer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(super) enum LayerAction {
+    /// scroll
+    Scroll(isize),
+    /// agree
+    Agree,
+    /// do not agree
+    Decline,
+}
+
+impl Layer {
+    /// Its keys. Where nothing is asked, any other key closes it.
+    pub(super) fn keys(&self) -> KeyTable<LayerAction> {
+        use LayerAction::{Agree, Decline, Scroll};
+        let table = KeyTable::new("layer");
+        match self {
+            Self::Notice(_) => table,
+            Self::Help { .. } => table
+                .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
+                .or([(Key::PageUp, Scroll(-10)), (Key::PageDown, Scroll(10))]),
+            Self::Confirm(question) => table
+                .on(Key::Char('y'), Agree, question.yes)
+                .or([(Key::Enter, Agree)])
+                .on(Key::Char('n'), Decline, question.no)
+                .or([(Key::Escape, Decline)]),
+        }
+    }
+
+    /// Takes a key; done when the layer goes, with whether the player agreed. `most` is how
+    /// far a help page can be scrolled.
+    pub(super) fn press(&mut self, key: Key, most: usize) -> Outcome<bool> {
+        let action = self.keys().find(key);
+        match (self, action) {
+            (Self::Help { scrolled }, Some(LayerAction::Scroll(by))) => {
+                *scrolled = scrolled.saturating_add_signed(by).min(most);
+                Outcome::Used
+            }
+            (Self::Confirm(_), Some(LayerAction::Agree)) => Outcome::Done(true),
+            (Self::Confirm(_), None) => Outcome::Ignored,
+            _ => Outcome::Done(false),
+        }
+    }
+}

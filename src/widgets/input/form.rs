@@ -1,0 +1,369 @@
+//! Things that can be set, a row each: a number with its range and step, or a choice.
+
+use std::borrow::Cow;
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{EntryAction, KeyTable, NumberEntry, Outcome};
+use crate::messages::Key;
+use crate::widgets::{Lines, Role};
+
+/// Share of a step that the keys for fine steps go.
+const FINE: f64 = 0.1;
+/// Steps that the keys for big steps go.
+const BIG: f64 = 10.0;
+
+/// One thing that can be set, as it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Its name on the panel.
+    pub name: Cow<'static, str>,
+    /// Its value as it reads, with its unit.
+    pub shown: String,
+    /// Its value, and what it may be.
+    pub value: FieldValue,
+    /// What it is, in one line; shown while it is selected.
+    pub about: Cow<'static, str>,
+    /// Why it cannot be changed just now.
+    pub locked: Option<&'static str>,
+}
+
+/// The value of a field, and what it may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FieldValue {
+    /// A number that can be typed and stepped.
+    Number {
+        /// In the unit of the screen.
+        value: f64,
+        /// The least and the greatest value.
+        range: (f64, f64),
+        /// What the key to the right adds; values stepped to are whole multiples of it.
+        /// Negative where "to the right" means less.
+        step: f64,
+        /// The unit of the range, as text stands after a number: " mm", "°", or nothing.
+        unit: &'static str,
+    },
+    /// One of so many, counted from 0; the last is followed by the first.
+    Choice {
+        /// The present one.
+        at: usize,
+        /// How many there are.
+        count: usize,
+    },
+}
+
+/// What a form sets.
+pub trait FormFields {
+    /// All fields as they stand, from the top.
+    fn fields(&self) -> Vec<Field>;
+
+    /// Sets one: a number, held to the field's range, or the place of a choice.
+    fn set(&mut self, at: usize, value: f64);
+}
+
+/// What keys do to a form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum FormAction {
+    /// choose what to set
+    Choose(isize),
+    /// the first, the last
+    End(isize),
+    /// change it by a step
+    Step(i8),
+    /// change it by a tenth of a step
+    Fine(i8),
+    /// change it by ten steps
+    Big(i8),
+    /// a number typed
+    Number(EntryAction),
+}
+
+/// Which field of a form is selected, and the number that is being typed for it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Form {
+    at: usize,
+    entry: NumberEntry,
+    /// Whether the last number typed was out of range, and held to it.
+    held: bool,
+}
+
+impl Form {
+    /// A form with this field selected.
+    pub fn at(at: usize) -> Self {
+        Self {
+            at,
+            ..Self::default()
+        }
+    }
+
+    /// The selected one of so many fields, from 0.
+    pub fn selected(&self, fields: usize) -> usize {
+        self.at.min(fields.saturating_sub(1))
+    }
+
+    /// Selects a field, after taking over what was typed for the one before.
+    pub fn select(&mut self, at: usize, form: &mut impl FormFields) {
+        self.commit(form);
+        self.held = false;
+        self.at = at;
+    }
+
+    /// Whether a number is being typed.
+    pub fn is_typing(&self) -> bool {
+        self.entry.is_open()
+    }
+
+    /// Gives up the number that is being typed.
+    pub fn give_up(&mut self) {
+        self.entry.take();
+    }
+
+    /// The keys that work it.
+    pub fn keys(&self, form: &impl FormFields) -> KeyTable<FormAction> {
+        use FormAction::{Big, Choose, End, Fine, Step};
+        let fields = form.fields();
+        let number = matches!(
+            fields.get(self.selected(fields.len())),
+            Some(Field {
+                value: FieldValue::Number { .. },
+                locked: None,
+                ..
+            })
+        );
+        let entry = self.entry.keys().map(FormAction::Number);
+        KeyTable::new("form")
+            .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
+            .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
+            .when(fields.len() > 1)
+            .each([(Key::Left, Step(-1)), (Key::Right, Step(1))], "change")
+            .each([(Key::Char(','), Fine(-1)), (Key::Char('.'), Fine(1))], "")
+            .when(number && !self.is_typing())
+            .with(
+                if number { entry } else { KeyTable::new("form") },
+                |action| action,
+            )
+            .each([(Key::Char('<'), Big(-1)), (Key::Char('>'), Big(1))], "")
+            .or([(Key::PageDown, Big(-1)), (Key::PageUp, Big(1))])
+            .when(number)
+            .each([(Key::Home, End(-1)), (Key::End, End(1))], "")
+            .when(fields.len() > 1)
+    }
+
+    /// Does what a key stands for.
+    pub fn act(&mut self, action: FormAction, form: &mut impl FormFields) {
+        self.held = false;
+        match action {
+            FormAction::Choose(by) => self.go(by, form),
+            FormAction::End(by) => self.go(by.saturating_mul(isize::MAX), form),
+            FormAction::Step(by) => self.step(f64::from(by), form),
+            FormAction::Fine(by) => self.step(FINE * f64::from(by), form),
+            FormAction::Big(by) => self.step(BIG * f64::from(by), form),
+            FormAction::Number(action) => {
+                if let Outcome::Done(number) = self.entry.act(action) {
+                    self.set(number, form);
+                }
+            }
+        }
+    }
+
+    /// Takes over a number that was typed and not entered.
+    pub fn commit(&mut self, form: &mut impl FormFields) {
+        if let Some(number) = self.entry.take() {
+            self.set(number, form);
+        }
+    }
+
+    /// Changes the selected field by so many steps.
+    pub fn step(&mut self, steps: f64, form: &mut impl FormFields) {
+        self.commit(form);
+        let fields = form.fields();
+        let at = self.selected(fields.len());
+        match fields.get(at) {
+            Some(field) if field.locked.is_none() => form.set(at, stepped(field.value, steps)),
+            _ => {}
+        }
+    }
+
+    fn go(&mut self, by: isize, form: &mut impl FormFields) {
+        let count = form.fields().len();
+        let to = self.selected(count).saturating_add_signed(by);
+        self.select(to.min(count.saturating_sub(1)), form);
+    }
+
+    fn set(&mut self, number: f64, form: &mut impl FormFields) {
+        let fields = form.fields();
+        let at = self.selected(fields.len());
+        if let Some(field) = fields.get(at)
+            && field.locked.is_none()
+            && let FieldValue::Number {
+                range: (least, most),
+                ..
+            } = field.value
+        {
+            self.held = !(least..=most).contains(&number);
+            form.set(at, number);
+        }
+    }
+
+    /// Writes all fields, a row each.
+    pub fn write(&self, form: &impl FormFields, lines: &mut Lines) {
+        let fields = form.fields();
+        let selected = self.selected(fields.len());
+        for (i, field) in fields.into_iter().enumerate() {
+            let (mark, name_role, role) = match i == selected {
+                true => (">", Role::Selected, Role::Selected),
+                false => (" ", Role::Dim, Role::Text),
+            };
+            let role = if field.locked.is_some() {
+                name_role
+            } else {
+                role
+            };
+            let shown = match i == selected && self.entry.is_open() {
+                true => format!("{}_", self.entry.text()),
+                false => field.shown,
+            };
+            lines.pair(&format!("{mark} {}", field.name), &shown, name_role, role);
+        }
+    }
+
+    /// Writes what the selected field is: why it is locked, its range where a number was
+    /// held to it, or its one line.
+    pub fn write_about(&self, form: &impl FormFields, lines: &mut Lines) {
+        let fields = form.fields();
+        let Some(field) = fields.get(self.selected(fields.len())) else {
+            return;
+        };
+        match (field.locked, field.value) {
+            (Some(why), _) => lines.paragraph(why, Role::Warn),
+            (
+                None,
+                FieldValue::Number {
+                    range: (least, most),
+                    unit,
+                    ..
+                },
+            ) if self.held => {
+                lines.paragraph(&format!("from {least} to {most}{unit}"), Role::Warn);
+            }
+            _ => lines.paragraph(&field.about, Role::Dim),
+        }
+    }
+}
+
+/// A value that was changed by so many steps, onto the grid of steps.
+fn stepped(value: FieldValue, steps: f64) -> f64 {
+    match value {
+        FieldValue::Choice { at, count } => {
+            let by = steps.signum() as i64;
+            (at as i64 + by).rem_euclid(count.max(1) as i64) as f64
+        }
+        FieldValue::Number { value, step, .. } => {
+            let size = step.abs() * steps.abs().min(1.0);
+            let by = steps * step / size;
+            // Within a thousandth of the grid counts as on it.
+            let onto = match by > 0.0 {
+                true => (value / size + by + 1e-3).floor(),
+                false => (value / size + by - 1e-3).ceil(),
+            };
+            // Without the dust that rounding leaves on a sum of tenths, and without a −0.
+            (onto * size * 1e6).round() / 1e6 + 0.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Hit {
+        offset_mm: f64,
+        stick: bool,
+    }
+
+    impl FormFields for Hit {
+        fn fields(&self) -> Vec<Field> {
+            vec![
+                Field {
+                    name: "offset".into(),
+                    shown: format!("{:.1} mm", self.offset_mm),
+                    value: FieldValue::Number {
+                        value: self.offset_mm,
+                        range: (-40.0, 40.0),
+                        step: 0.5,
+                        unit: " mm",
+                    },
+                    about: "how far off-centre".into(),
+                    locked: None,
+                },
+                Field {
+                    name: "contact".into(),
+                    shown: if self.stick { "stick" } else { "slip" }.into(),
+                    value: FieldValue::Choice {
+                        at: self.stick.into(),
+                        count: 2,
+                    },
+                    about: "do they stick?".into(),
+                    locked: None,
+                },
+            ]
+        }
+
+        fn set(&mut self, at: usize, value: f64) {
+            match at {
+                0 => self.offset_mm = value.clamp(-40.0, 40.0),
+                _ => self.stick = value > 0.5,
+            }
+        }
+    }
+
+    fn press(form: &mut Form, hit: &mut Hit, keys: &[Key]) {
+        for key in keys {
+            if let Some(action) = form.keys(hit).find(*key) {
+                form.act(action, hit);
+            }
+        }
+    }
+
+    #[test]
+    fn steps_land_on_the_grid() {
+        let mut hit = Hit {
+            offset_mm: 7.3,
+            stick: false,
+        };
+        let mut form = Form::default();
+        for (key, value) in [
+            (Key::Right, 7.5),
+            (Key::Left, 7.0),
+            (Key::Char('.'), 7.05),
+            (Key::Char(','), 7.0),
+            (Key::Char('>'), 12.0),
+            (Key::PageDown, 7.0),
+        ] {
+            press(&mut form, &mut hit, &[key]);
+            assert_eq!(hit.offset_mm, value, "{key}");
+        }
+    }
+
+    #[test]
+    fn a_number_is_typed_for_the_selected_field_and_held_to_its_range() {
+        let mut hit = Hit {
+            offset_mm: 0.0,
+            stick: false,
+        };
+        let mut form = Form::default();
+        press(&mut form, &mut hit, &[Key::Char('9'), Key::Char('9')]);
+        assert_eq!(hit.offset_mm, 0.0);
+        press(&mut form, &mut hit, &[Key::Enter]);
+        assert!(form.held && hit.offset_mm == 40.0);
+        press(
+            &mut form,
+            &mut hit,
+            &[Key::Char('5'), Key::Down, Key::Right],
+        );
+        assert!(!form.held && hit.offset_mm == 5.0 && hit.stick);
+        press(&mut form, &mut hit, &[Key::Left, Key::Left, Key::Char('4')]);
+        assert!(hit.stick && !form.is_typing());
+    }
+}

@@ -1,0 +1,322 @@
+//! The keys of a screen, as data: what may be pressed just now, what it is called, and
+//! what it does. What handles a key, the line at the bottom, the help page and the
+//! buttons of a touch screen all read the same table.
+
+use std::collections::BTreeMap;
+
+use crate::messages::Key;
+
+/// What a key does, as a screen or a part of one names it: a variant each, whose doc
+/// comment is the line that the help page shows and whose name in kebab-case stands in
+/// `keys.toml`.
+pub trait KeyAction: Copy {
+    /// Its name in `keys.toml`: "next-set".
+    fn id(self) -> &'static str;
+    /// What it does, in a sentence without its full stop.
+    fn help(self) -> &'static str;
+}
+
+impl<A: Copy + Into<&'static str> + strum::EnumMessage> KeyAction for A {
+    fn id(self) -> &'static str {
+        self.into()
+    }
+
+    fn help(self) -> &'static str {
+        self.get_documentation().unwrap_or_default()
+    }
+}
+
+/// Keys that the player has chosen, by the row's name: "lab.next-set".
+pub type Rebound = BTreeMap<String, Vec<Key>>;
+
+/// Keys that do one thing, or one thing in several directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeyRow<A> {
+    /// Its name in `keys.toml`: "lab.next-set".
+    pub id: String,
+    /// What the bottom line calls it, in a word or two; empty where it is not shown there.
+    pub name: &'static str,
+    /// What the help page says of it.
+    pub help: &'static str,
+    keys: Vec<(Key, A)>,
+    aliases: Vec<(Key, A)>,
+}
+
+impl<A: Copy> KeyRow<A> {
+    /// The keys that are shown for it.
+    pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
+        self.keys.iter().map(|(key, _)| *key)
+    }
+
+    /// The keys as the screen names them: "arrows", "0-9", ", .".
+    pub fn shown(&self) -> String {
+        shown(&self.keys().collect::<Vec<_>>())
+    }
+
+    /// The same with other keys for the same things, in the same order. Where fewer are
+    /// given, the rest have none.
+    fn rebind(&mut self, keys: &[Key]) {
+        self.aliases.clear();
+        let actions = self.keys.iter().map(|(_, action)| *action);
+        self.keys = keys.iter().copied().zip(actions).collect();
+    }
+
+    fn lose(&mut self, taken: &[Key]) {
+        self.keys.retain(|(key, _)| !taken.contains(key));
+        self.aliases.retain(|(key, _)| !taken.contains(key));
+    }
+
+    fn find(&self, key: Key) -> Option<A> {
+        let all = self.keys.iter().chain(&self.aliases);
+        all.into_iter()
+            .find(|(own, _)| *own == key)
+            .map(|(_, action)| *action)
+    }
+}
+
+/// The keys that mean something at one moment, the most useful first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeyTable<A> {
+    group: &'static str,
+    rows: Vec<KeyRow<A>>,
+}
+
+impl<A: Copy> KeyTable<A> {
+    /// An empty table, whose rows are called "group.action" in `keys.toml`.
+    pub fn new(group: &'static str) -> Self {
+        Self {
+            group,
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a key.
+    #[must_use]
+    pub fn on(self, key: Key, action: A, name: &'static str) -> Self
+    where
+        A: KeyAction,
+    {
+        self.each([(key, action)], name)
+    }
+
+    /// Adds keys that do one thing in several directions; what it is called in
+    /// `keys.toml` and on the help page is the first one's.
+    #[must_use]
+    pub fn each(mut self, keys: impl IntoIterator<Item = (Key, A)>, name: &'static str) -> Self
+    where
+        A: KeyAction,
+    {
+        let keys: Vec<_> = keys.into_iter().collect();
+        if let Some((_, first)) = keys.first() {
+            self.rows.push(KeyRow {
+                id: format!("{}.{}", self.group, first.id()),
+                name,
+                help: first.help(),
+                keys,
+                aliases: Vec::new(),
+            });
+        }
+        self
+    }
+
+    /// Other keys for what the last row does, which are not shown.
+    #[must_use]
+    pub fn or(mut self, aliases: impl IntoIterator<Item = (Key, A)>) -> Self {
+        if let Some(row) = self.rows.last_mut() {
+            row.aliases.extend(aliases);
+        }
+        self
+    }
+
+    /// The last row only if `holds`.
+    #[must_use]
+    pub fn when(mut self, holds: bool) -> Self {
+        if !holds {
+            self.rows.pop();
+        }
+        self
+    }
+
+    /// Another name in the bottom line for the rows that do this.
+    #[must_use]
+    pub fn renamed(mut self, name: &'static str, is: impl Fn(A) -> bool) -> Self {
+        for row in &mut self.rows {
+            if row.keys.first().is_some_and(|(_, action)| is(*action)) {
+                row.name = name;
+            }
+        }
+        self
+    }
+
+    /// Adds the keys of a part of the screen.
+    #[must_use]
+    pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {
+        self.rows.extend(part.map(action).rows);
+        self
+    }
+
+    /// The same keys for other actions.
+    pub fn map<B>(self, action: impl Fn(A) -> B) -> KeyTable<B> {
+        let map = |keys: Vec<(Key, A)>| keys.into_iter().map(|(key, a)| (key, action(a))).collect();
+        let rows = self.rows.into_iter().map(|row| KeyRow {
+            id: row.id,
+            name: row.name,
+            help: row.help,
+            keys: map(row.keys),
+            aliases: map(row.aliases),
+        });
+        KeyTable {
+            group: self.group,
+            rows: rows.collect(),
+        }
+    }
+
+    /// The table as the player has it: rebound rows have their own keys, which no other
+    /// row has any more.
+    #[must_use]
+    pub fn rebound(mut self, rebound: &Rebound) -> Self {
+        if rebound.is_empty() {
+            return self;
+        }
+        let own = self.rows.iter().filter_map(|row| rebound.get(&row.id));
+        let taken: Vec<Key> = own.flatten().copied().collect();
+        for row in &mut self.rows {
+            match rebound.get(&row.id) {
+                Some(keys) => row.rebind(keys),
+                None => row.lose(&taken),
+            }
+        }
+        self
+    }
+
+    /// The rows, the most useful first.
+    pub fn rows(&self) -> &[KeyRow<A>] {
+        &self.rows
+    }
+
+    /// What a key does, a capital letter what the small one does where it has no
+    /// meaning of its own.
+    pub fn find(&self, key: Key) -> Option<A> {
+        self.exact(key).or_else(|| self.folded(key))
+    }
+
+    /// What a key does; a capital letter only what is said of the capital.
+    pub fn exact(&self, key: Key) -> Option<A> {
+        self.rows.iter().find_map(|row| row.find(key))
+    }
+
+    /// What a capital letter does that has no meaning of its own: what the small one does.
+    pub fn folded(&self, key: Key) -> Option<A> {
+        match key {
+            Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),
+            _ => None,
+        }
+    }
+}
+
+/// Keys as the screen names them.
+fn shown(keys: &[Key]) -> String {
+    const ARROWS: [Key; 4] = [Key::Up, Key::Down, Key::Left, Key::Right];
+    let mut words: Vec<String> = Vec::new();
+    let mut rest = keys;
+    if keys.len() >= 4 && ARROWS.iter().all(|arrow| keys[..4].contains(arrow)) {
+        words.push("arrows".into());
+        rest = &keys[4..];
+    }
+    while let Some((first, others)) = rest.split_first() {
+        let digit = |key: &Key| match key {
+            Key::Char(c) => c.to_digit(10),
+            _ => None,
+        };
+        let run = rest.windows(2).take_while(
+            |pair| matches!((digit(&pair[0]), digit(&pair[1])), (Some(a), Some(b)) if b == a + 1),
+        );
+        let run = run.count();
+        if run >= 3 {
+            words.push(format!("{first}-{}", rest[run]));
+            rest = &rest[run + 1..];
+        } else {
+            words.push(first.to_string());
+            rest = others;
+        }
+    }
+    words.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
+    #[strum(serialize_all = "kebab-case")]
+    enum Action {
+        /// next set of pieces
+        NextSet,
+        /// choose a setting
+        Choose(i8),
+        /// type a number
+        Digit(char),
+    }
+
+    fn table() -> KeyTable<Action> {
+        KeyTable::new("lab")
+            .on(Key::Char('s'), Action::NextSet, "pieces")
+            .each(
+                [
+                    (Key::Up, Action::Choose(-1)),
+                    (Key::Down, Action::Choose(1)),
+                ],
+                "choose",
+            )
+            .or([(Key::Tab, Action::Choose(1))])
+            .each(
+                ('0'..='9').map(|c| (Key::Char(c), Action::Digit(c))),
+                "type",
+            )
+    }
+
+    #[test]
+    fn a_row_tells_its_keys_name_and_help() {
+        let table = table();
+        let told: Vec<_> = table
+            .rows()
+            .iter()
+            .map(|row| (row.id.as_str(), row.shown(), row.name, row.help))
+            .collect();
+        assert_eq!(
+            told,
+            [
+                ("lab.next-set", "s".into(), "pieces", "next set of pieces"),
+                ("lab.choose", "Up Down".into(), "choose", "choose a setting"),
+                ("lab.digit", "0-9".into(), "type", "type a number"),
+            ]
+        );
+    }
+
+    #[test]
+    fn a_key_does_what_its_row_says() {
+        let table = table();
+        assert_eq!(table.exact(Key::Tab), Some(Action::Choose(1)));
+        assert_eq!(table.exact(Key::Up), Some(Action::Choose(-1)));
+        assert_eq!(table.exact(Key::Char('S')), None);
+        assert_eq!(table.folded(Key::Char('S')), Some(Action::NextSet));
+        assert_eq!(table.folded(Key::Left), None);
+    }
+
+    #[test]
+    fn rebound_keys_are_taken_from_all_other_rows() {
+        let keys = |keys: &[char]| keys.iter().map(|c| Key::Char(*c)).collect::<Vec<_>>();
+        let rebound = Rebound::from([
+            ("lab.choose".to_owned(), keys(&['k', 's'])),
+            ("quiz.other".to_owned(), keys(&['0'])),
+        ]);
+        let table = table().rebound(&rebound);
+        assert_eq!(table.exact(Key::Char('k')), Some(Action::Choose(-1)));
+        assert_eq!(table.exact(Key::Char('s')), Some(Action::Choose(1)));
+        assert_eq!(table.exact(Key::Down), None);
+        assert_eq!(table.exact(Key::Tab), None);
+        assert_eq!(table.exact(Key::Char('0')), Some(Action::Digit('0')));
+        assert_eq!(table.rows()[0].shown(), "");
+        assert_eq!(table.rows()[1].shown(), "k s");
+    }
+}

@@ -1,0 +1,158 @@
+//! Lines one of which is chosen: the same manners wherever there is a list.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{KeyTable, Outcome};
+use crate::messages::{Key, Mouse, MouseKind};
+
+/// Lines that a page key goes by.
+const PAGE: isize = 10;
+
+/// What keys do to a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ListAction {
+    /// choose a line
+    Choose(isize),
+    /// ten lines up or down
+    Page(isize),
+    /// the first line, the last line
+    End(isize),
+    /// open the chosen line
+    Open,
+}
+
+/// Where the mark of a list is. A list ends at its ends: it does not go round.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct ListView {
+    at: usize,
+}
+
+impl ListView {
+    /// A list with the mark at a line, from 0.
+    pub const fn at(at: usize) -> Self {
+        Self { at }
+    }
+
+    /// The chosen one of so many lines, from 0; 0 where there is none.
+    pub fn chosen(&self, lines: usize) -> usize {
+        self.at.min(lines.saturating_sub(1))
+    }
+
+    /// Puts the mark at a line.
+    pub fn choose(&mut self, at: usize) {
+        self.at = at;
+    }
+
+    /// The keys that move the mark and open its line; `open` is what opening is called.
+    pub fn keys(open: &'static str) -> KeyTable<ListAction> {
+        use ListAction::{Choose, End, Open, Page};
+        KeyTable::new("list")
+            .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
+            .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
+            .on(Key::Enter, Open, open)
+            .or([(Key::Char(' '), Open)])
+            .each([(Key::PageUp, Page(-1)), (Key::PageDown, Page(1))], "")
+            .each([(Key::Home, End(-1)), (Key::End, End(1))], "")
+    }
+
+    /// Does what a key stands for in a list of so many lines; done with the line that is
+    /// to be opened.
+    pub fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
+        match action {
+            ListAction::Choose(by) => self.go(by, lines),
+            ListAction::Page(by) => self.go(by * PAGE, lines),
+            ListAction::End(by) => self.go(by.saturating_mul(isize::MAX), lines),
+            ListAction::Open if lines > 0 => return Outcome::Done(self.chosen(lines)),
+            ListAction::Open => {}
+        }
+        Outcome::Used
+    }
+
+    /// The mouse over a list of so many lines, `line` being the one it points at: the
+    /// wheel moves the mark, a click puts it at a line and opens the line it is at.
+    pub fn mouse(&mut self, mouse: &Mouse, lines: usize, line: Option<usize>) -> Outcome<usize> {
+        match (mouse.kind, line) {
+            (MouseKind::ScrollUp, _) => self.go(-1, lines),
+            (MouseKind::ScrollDown, _) => self.go(1, lines),
+            (MouseKind::Down, Some(line)) if line == self.chosen(lines) => {
+                return Outcome::Done(line);
+            }
+            (MouseKind::Down, Some(line)) => self.at = line,
+            _ => return Outcome::Ignored,
+        }
+        Outcome::Used
+    }
+
+    fn go(&mut self, by: isize, lines: usize) {
+        self.at = self.chosen(lines).saturating_add_signed(by);
+        self.at = self.chosen(lines);
+    }
+
+    /// The first of so many rows that is shown in a place of this height: `row`, where
+    /// the mark is, stands in the middle where there are more rows than that.
+    pub fn first_shown(row: usize, rows: usize, height: u16) -> usize {
+        let height = usize::from(height);
+        row.saturating_sub(height / 2)
+            .min(rows.saturating_sub(height))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(list: &mut ListView, key: Key, lines: usize) -> Outcome<usize> {
+        let action = ListView::keys("open").find(key);
+        action.map_or(Outcome::Ignored, |action| list.act(action, lines))
+    }
+
+    #[test]
+    fn the_mark_stops_at_the_ends() {
+        let mut list = ListView::default();
+        for (key, at) in [
+            (Key::Up, 0),
+            (Key::Down, 1),
+            (Key::PageDown, 11),
+            (Key::End, 24),
+            (Key::Down, 24),
+            (Key::PageUp, 14),
+            (Key::Home, 0),
+        ] {
+            assert_eq!(press(&mut list, key, 25), Outcome::Used);
+            assert_eq!(list.chosen(25), at, "{key}");
+        }
+    }
+
+    #[test]
+    fn enter_and_space_open_the_chosen_line_if_there_is_one() {
+        let mut list = ListView::at(7);
+        assert_eq!(press(&mut list, Key::Enter, 9), Outcome::Done(7));
+        assert_eq!(press(&mut list, Key::Char(' '), 3), Outcome::Done(2));
+        assert_eq!(press(&mut list, Key::Enter, 0), Outcome::Used);
+    }
+
+    #[test]
+    fn a_click_chooses_and_then_opens() {
+        let mut list = ListView::default();
+        let mouse = |kind| Mouse {
+            kind,
+            column: 0,
+            row: 0,
+        };
+        assert_eq!(
+            list.mouse(&mouse(MouseKind::Down), 5, Some(3)),
+            Outcome::Used
+        );
+        assert_eq!(
+            list.mouse(&mouse(MouseKind::Down), 5, Some(3)),
+            Outcome::Done(3)
+        );
+        list.mouse(&mouse(MouseKind::ScrollDown), 5, None);
+        assert_eq!(list.chosen(5), 4);
+        assert_eq!(
+            list.mouse(&mouse(MouseKind::Up), 5, Some(1)),
+            Outcome::Ignored
+        );
+    }
+}

@@ -1,0 +1,22 @@
+//! What the player gives: keys as data, and the parts that take them: numbers, rays and
+//! answers, lists, forms, names.
+
+mod answer_input;
+mod form;
+mod key_table;
+mod list_view;
+mod number_entry;
+mod number_input;
+mod outcome;
+mod ray_input;
+mod text_field;
+
+pub use answer_input::{AnswerAction, AnswerInput};
+pub use form::{Field, FieldValue, Form, FormAction, FormFields};
+pub use key_table::{KeyAction, KeyRow, KeyTable, Rebound};
+pub use list_view::{ListAction, ListView};
+pub use number_entry::{EntryAction, NumberEntry};
+pub use number_input::{NumberAction, NumberInput};
+pub use outcome::Outcome;
+pub use ray_input::{RayAction, RayInput, brief, shown};
+pub use text_field::TextField;

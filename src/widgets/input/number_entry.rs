@@ -1,0 +1,153 @@
+//! A number being typed.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{KeyTable, Outcome};
+use crate::messages::Key;
+
+/// Longest text that can be typed.
+const LONGEST: usize = 9;
+
+/// A number on its way in, digit by digit.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct NumberEntry {
+    text: String,
+}
+
+/// What keys do to a number being typed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum EntryAction {
+    /// type a number; Enter sets it, Esc gives it up
+    Type(char),
+    /// take back the last digit
+    Erase,
+    /// set the number that was typed
+    Enter,
+    /// give up the number that is being typed
+    GiveUp,
+}
+
+impl NumberEntry {
+    /// Whether something has been typed and neither entered nor given up.
+    pub fn is_open(&self) -> bool {
+        !self.text.is_empty()
+    }
+
+    /// What has been typed.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The number as far as typed; `None` while it is not one yet.
+    pub fn value(&self) -> Option<f64> {
+        self.text.parse().ok().filter(|v: &f64| v.is_finite())
+    }
+
+    /// Empties the entry and gives the number it held.
+    pub fn take(&mut self) -> Option<f64> {
+        let value = self.value();
+        self.text.clear();
+        value
+    }
+
+    /// The keys that type; while something has been typed, Enter enters and Escape
+    /// gives up.
+    pub fn keys(&self) -> KeyTable<EntryAction> {
+        let typed = |c| (Key::Char(c), EntryAction::Type(c));
+        let open = self.is_open();
+        KeyTable::new("number")
+            .each(('0'..='9').map(typed), "type")
+            .or(['.', ',', '-', '−'].map(typed))
+            .on(Key::Backspace, EntryAction::Erase, "")
+            .when(open)
+            .on(Key::Enter, EntryAction::Enter, "set")
+            .when(open)
+            .on(Key::Escape, EntryAction::GiveUp, "give up")
+            .when(open)
+    }
+
+    /// Does what a key stands for; done with a number once one was entered.
+    pub fn act(&mut self, action: EntryAction) -> Outcome<f64> {
+        match action {
+            EntryAction::Type(c) => self.push(c),
+            EntryAction::Erase => drop(self.text.pop()),
+            EntryAction::GiveUp => self.text.clear(),
+            EntryAction::Enter => return self.take().map_or(Outcome::Used, Outcome::Done),
+        }
+        Outcome::Used
+    }
+
+    /// Takes a key.
+    pub fn update(&mut self, key: Key) -> Outcome<f64> {
+        let action = self.keys().find(key);
+        action.map_or(Outcome::Ignored, |action| self.act(action))
+    }
+
+    fn push(&mut self, c: char) {
+        let c = match c {
+            ',' => '.',
+            '−' => '-',
+            c => c,
+        };
+        let misplaced = match c {
+            '-' => !self.text.is_empty(),
+            '.' => self.text.contains('.'),
+            _ => false,
+        };
+        if !misplaced && self.text.len() < LONGEST {
+            self.text.push(c);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(entry: &mut NumberEntry, key: Key) -> Outcome<f64> {
+        let action = entry.keys().exact(key);
+        action.map_or(Outcome::Ignored, |action| entry.act(action))
+    }
+
+    fn typed(keys: &str) -> (NumberEntry, Outcome<f64>) {
+        let mut entry = NumberEntry::default();
+        let mut last = Outcome::Ignored;
+        for c in keys.chars() {
+            last = press(
+                &mut entry,
+                match c {
+                    '\n' => Key::Enter,
+                    '<' => Key::Backspace,
+                    '!' => Key::Escape,
+                    c => Key::Char(c),
+                },
+            );
+        }
+        (entry, last)
+    }
+
+    #[test]
+    fn a_number_is_typed_and_entered() {
+        assert_eq!(typed("-12.5\n").1, Outcome::Done(-12.5));
+        assert_eq!(typed("7<3\n").1, Outcome::Done(3.0));
+    }
+
+    #[test]
+    fn what_is_no_number_is_never_entered() {
+        assert_eq!(typed("-\n").1, Outcome::Used);
+        assert_eq!(typed(".\n").1, Outcome::Used);
+        assert_eq!(typed("1.2.3").0.text(), "1.23");
+        assert_eq!(typed("1-").0.text(), "1");
+        assert_eq!(typed("123456789012").0.text().len(), LONGEST);
+    }
+
+    #[test]
+    fn escape_gives_up_the_number_first_and_is_free_again_then() {
+        let (mut entry, last) = typed("12!");
+        assert_eq!(last, Outcome::Used);
+        assert!(!entry.is_open());
+        assert_eq!(press(&mut entry, Key::Escape), Outcome::Ignored);
+        assert_eq!(press(&mut entry, Key::Enter), Outcome::Ignored);
+    }
+}

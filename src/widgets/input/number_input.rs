@@ -1,0 +1,218 @@
+//! Giving a number: typed, or dialled with the arrows.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{EntryAction, KeyTable, NumberEntry, Outcome};
+use crate::messages::Key;
+use crate::quiz::Measure;
+use crate::widgets::{Lines, Role};
+
+/// A number in the making.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NumberInput {
+    quantity: Measure,
+    /// The smallest and the largest that it can be.
+    range: (f64, f64),
+    value: Option<f64>,
+    entry: NumberEntry,
+}
+
+/// What keys do to a number that is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum NumberAction {
+    /// dial the number: Left and Right in small steps, Up and Down in big ones
+    Dial {
+        /// Further up, or down.
+        up: bool,
+        /// In big steps.
+        coarse: bool,
+    },
+    /// give the number
+    Enter,
+    /// a number typed
+    Number(EntryAction),
+}
+
+impl NumberInput {
+    /// Nothing given yet.
+    pub fn new(quantity: Measure) -> Self {
+        Self::within(quantity, quantity.smallest(), quantity.largest())
+    }
+
+    /// The same, held within these bounds.
+    pub fn within(quantity: Measure, least: f64, most: f64) -> Self {
+        Self {
+            quantity,
+            range: (least, most),
+            value: None,
+            entry: NumberEntry::default(),
+        }
+    }
+
+    /// The number, if one has been given.
+    pub fn value(&self) -> Option<f64> {
+        self.value
+    }
+
+    /// Sets it, held within its bounds.
+    pub fn set(&mut self, value: f64) {
+        // Adding 0 turns −0 into 0.
+        self.value = Some(value.clamp(self.range.0, self.range.1) + 0.0);
+    }
+
+    /// The keys that give it.
+    pub fn keys(&self) -> KeyTable<NumberAction> {
+        use NumberAction::{Dial, Enter};
+        let number = self.entry.keys().map(NumberAction::Number);
+        KeyTable::new("dial")
+            .with(number, |action| action)
+            .each(
+                [
+                    (
+                        Key::Up,
+                        Dial {
+                            up: true,
+                            coarse: true,
+                        },
+                    ),
+                    (
+                        Key::Down,
+                        Dial {
+                            up: false,
+                            coarse: true,
+                        },
+                    ),
+                    (
+                        Key::Left,
+                        Dial {
+                            up: false,
+                            coarse: false,
+                        },
+                    ),
+                    (
+                        Key::Right,
+                        Dial {
+                            up: true,
+                            coarse: false,
+                        },
+                    ),
+                ],
+                "dial",
+            )
+            .on(Key::Enter, Enter, "next")
+    }
+
+    /// Does what a key stands for; done by Enter once there is a number.
+    pub fn act(&mut self, action: NumberAction) -> Outcome {
+        match action {
+            NumberAction::Dial { up, coarse } => {
+                let (small, large) = steps(self.quantity);
+                let by = if coarse { large } else { small };
+                self.step(if up { by } else { -by });
+            }
+            NumberAction::Enter if self.value.is_some() => return Outcome::Done(()),
+            NumberAction::Enter => {}
+            NumberAction::Number(action) => match self.entry.act(action) {
+                Outcome::Done(value) => {
+                    self.set(value);
+                    return Outcome::Done(());
+                }
+                _ => {
+                    if let Some(value) = self.entry.value() {
+                        self.set(value);
+                    }
+                }
+            },
+        }
+        Outcome::Used
+    }
+
+    /// Takes a key.
+    pub fn update(&mut self, key: Key) -> Outcome {
+        let action = self.keys().find(key);
+        action.map_or(Outcome::Ignored, |action| self.act(action))
+    }
+
+    /// As it reads: as typed so far, or as it stands.
+    pub fn shown(&self) -> String {
+        let unit = self.quantity.unit();
+        let gap = if matches!(unit, "" | "°") { "" } else { " " };
+        match self.value {
+            _ if self.entry.is_open() => format!("{}_{gap}{unit}", self.entry.text()),
+            None => format!("_{gap}{unit}"),
+            Some(value) => format!("{}{gap}{unit}", dialled(value)),
+        }
+    }
+
+    /// Writes it, a row.
+    pub fn write(&self, name: &str, lines: &mut Lines) {
+        let role = Role::Selected;
+        lines.pair(&format!("> {name}"), &self.shown(), role, role);
+    }
+
+    /// How it is given.
+    pub fn about(&self) -> String {
+        match self.quantity.unit() {
+            "" => "Type a number, or dial it with the arrows.".into(),
+            "times" => "Type how many times, or dial it with the arrows.".into(),
+            unit => format!("Type a number in {unit}, or dial it with the arrows."),
+        }
+    }
+
+    fn step(&mut self, by: f64) {
+        self.entry.take();
+        // Steps of hundredths add up to hundredths.
+        let stepped = self.value.unwrap_or(0.0) + by;
+        self.set((stepped * 100.0).round() / 100.0);
+    }
+}
+
+/// A small and a large step.
+const fn steps(quantity: Measure) -> (f64, f64) {
+    match quantity {
+        Measure::Angle | Measure::Share => (1.0, 5.0),
+        Measure::Speed | Measure::Restitution => (0.05, 0.5),
+        Measure::Mass | Measure::Length => (0.5, 5.0),
+        Measure::Times => (0.5, 5.0),
+    }
+}
+
+/// A number as given, without zeros that nobody typed.
+fn dialled(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(number: &mut NumberInput, keys: &[Key]) -> Outcome {
+        let each = keys.iter().map(|key| number.update(*key));
+        each.last().unwrap_or(Outcome::Ignored)
+    }
+
+    #[test]
+    fn nothing_is_done_before_there_is_a_number() {
+        let mut number = NumberInput::new(Measure::Speed);
+        assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Used);
+        assert_eq!(number.value(), None);
+        let typed = [Key::Char('2'), Key::Char('.'), Key::Char('1')];
+        press(&mut number, &typed);
+        assert_eq!(number.shown(), "2.1_ m/s");
+        assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Done(()));
+        assert_eq!(number.value(), Some(2.1));
+    }
+
+    #[test]
+    fn it_is_dialled_within_its_bounds() {
+        let mut number = NumberInput::new(Measure::Share);
+        press(&mut number, &[Key::Up, Key::Up, Key::Right, Key::Left]);
+        assert_eq!(number.shown(), "10 %");
+        press(&mut number, &[Key::Down; 9]);
+        assert_eq!(number.value(), Some(0.0));
+        press(&mut number, &[Key::Char('9'); 4]);
+        assert_eq!(number.value(), Some(100.0));
+    }
+}

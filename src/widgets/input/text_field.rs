@@ -1,0 +1,115 @@
+//! A line of text being typed: a name, a code.
+
+use tui_input::{Input as Line, InputRequest as Request};
+use unicode_segmentation::UnicodeSegmentation;
+
+use crate::messages::Key;
+
+/// Text on its way in, with a cursor.
+#[derive(Debug, Clone, Default)]
+pub struct TextField {
+    line: Line,
+    /// Most letters it takes, as a reader counts them.
+    most: usize,
+}
+
+impl TextField {
+    /// A field of at most so many letters, with this text in it.
+    pub fn new(text: &str, most: usize) -> Self {
+        let text: String = text.graphemes(true).take(most).collect();
+        Self {
+            line: Line::new(text),
+            most,
+        }
+    }
+
+    /// What has been typed.
+    pub fn text(&self) -> &str {
+        self.line.value()
+    }
+
+    /// The text before the cursor, and the text from there on.
+    pub fn around_cursor(&self) -> (&str, &str) {
+        let text = self.line.value();
+        let at = text.char_indices().nth(self.line.cursor());
+        text.split_at(at.map_or(text.len(), |(at, _)| at))
+    }
+
+    /// Takes a key: letters, the keys that move the cursor by a letter, a word or to the
+    /// ends, and those that delete. Says whether it was one of its own.
+    pub fn update(&mut self, key: Key) -> bool {
+        let request = match key {
+            Key::Char(c) if !c.is_control() => Request::InsertChar(c),
+            Key::Backspace | Key::Ctrl('h') => Request::DeletePrevChar,
+            Key::Delete | Key::Ctrl('d') => Request::DeleteNextChar,
+            Key::Left | Key::Ctrl('b') => Request::GoToPrevChar,
+            Key::Right | Key::Ctrl('f') => Request::GoToNextChar,
+            Key::Home | Key::Ctrl('a') => Request::GoToStart,
+            Key::End | Key::Ctrl('e') => Request::GoToEnd,
+            Key::Ctrl('w') => Request::DeletePrevWord,
+            Key::Ctrl('u') => Request::DeleteLine,
+            Key::Ctrl('k') => Request::DeleteTillEnd,
+            _ => return false,
+        };
+        if let Request::InsertChar(_) = request {
+            let before = self.line.clone();
+            self.line.handle(request);
+            if self.text().graphemes(true).count() > self.most {
+                self.line = before;
+            }
+        } else {
+            self.line.handle(request);
+        }
+        true
+    }
+
+    /// Takes pasted text, as far as there is room for it.
+    pub fn paste(&mut self, text: &str) {
+        for c in text.chars().filter(|c| !c.is_control()) {
+            self.update(Key::Char(c));
+        }
+    }
+}
+
+impl PartialEq for TextField {
+    fn eq(&self, other: &Self) -> bool {
+        (self.text(), self.line.cursor()) == (other.text(), other.line.cursor())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn typed(keys: &[Key]) -> TextField {
+        let mut field = TextField::new("", 6);
+        for key in keys {
+            field.update(*key);
+        }
+        field
+    }
+
+    #[test]
+    fn letters_go_where_the_cursor_is() {
+        let field = typed(&[Key::Char('a'), Key::Char('c'), Key::Left, Key::Char('b')]);
+        assert_eq!(field.text(), "abc");
+        assert_eq!(field.around_cursor(), ("ab", "c"));
+    }
+
+    #[test]
+    fn words_and_lines_are_deleted() {
+        let mut field = TextField::new("one two", 20);
+        field.update(Key::Ctrl('w'));
+        assert_eq!(field.text().trim_end(), "one");
+        field.update(Key::Ctrl('u'));
+        assert_eq!(field.text(), "");
+    }
+
+    #[test]
+    fn it_takes_no_more_than_its_letters() {
+        let mut field = TextField::new("e\u{301}e\u{301}e\u{301}e\u{301}", 6);
+        field.paste("xyz\u{301}");
+        assert_eq!(field.text(), "e\u{301}e\u{301}e\u{301}e\u{301}xy");
+        assert!(!field.update(Key::Enter));
+    }
+}
