@@ -58,8 +58,14 @@ impl Source<'_> {
         read: impl FnOnce(&Fields) -> Option<T>,
     ) -> Option<T> {
         let (document, errors) = DeTable::parse_recoverable(self.text());
+        let mut broken = None;
         for error in errors {
             let at = error.span().map_or(0, |span| span.start);
+            // What else is wrong on the same line mostly follows from the first.
+            let line = self.line_near(at).as_ptr();
+            if broken.replace(line) == Some(line) {
+                continue;
+            }
             let message = self.syntax_error(at, error.message());
             self.note(Rank::Syntax, at, self.key_near(at), message);
         }

@@ -78,7 +78,7 @@ fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage
     if let Some((line, _)) = before.iter().find(|(_, text)| !text.trim().is_empty()) {
         source.refuse::<()>(*line, "expected a page: # and its title");
     } else if left.is_empty() {
-        source.refuse::<()>(first - 1, "expected a page: # and its title, found none");
+        source.refuse::<()>(first, "expected a page: # and its title, found none");
     }
     let mut pages: Vec<Option<ChapterPage>> = Vec::new();
     while let [(line, text), rest @ ..] = left {

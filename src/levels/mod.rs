@@ -18,15 +18,17 @@ mod quantity;
 mod scene;
 mod shelf;
 mod stars;
+mod told;
 
 pub use crate::files::{FileError, Range};
 pub use aim::{Adjust, Dial, LevelAim};
 pub use check::{Trial, winning_share};
 pub use goal::{Goal, GoalCircle};
-pub use judge::{Finding, Judgement, judge};
+pub use judge::{Judgement, judge};
 pub use kind::DiscKind;
 pub use level::{FORMAT, Level};
 pub use library::{LevelLibrary, Pack};
 pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene, pockets};
 pub use shelf::Shelf;
 pub use stars::{Best, FEW_SHOTS, MOST_STARS, Starred, Win};
+pub use told::Finding;

@@ -234,18 +234,19 @@ fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     })
 }
 
-/// Reads the number of one of `count` discs.
+/// Reads the number of one of `count` discs; where there are none, that has been told.
 pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usize> {
-    fields.whole(name, &disc_number(count), 0..=count.saturating_sub(1))
+    fields.whole(name, &disc_number(count), 0..=count.checked_sub(1)?)
 }
 
-/// Reads a list of 1 to `most` different discs.
+/// Reads a list of 1 to `most` different discs, likewise.
 pub(super) fn read_discs(
     fields: &Fields,
     name: &str,
     count: usize,
     most: usize,
 ) -> Option<Vec<usize>> {
+    count.checked_sub(1)?;
     let disc = disc_number(count);
     let expected = format!("a list of 1 to {most} different discs, {disc}");
     fields.different(name, &expected, 1..=most, count)
@@ -253,7 +254,7 @@ pub(super) fn read_discs(
 
 fn disc_number(count: usize) -> String {
     match count {
-        0 | 1 => "disc 0, the only one".into(),
+        1 => "disc 0, the only one".into(),
         _ => format!("a disc from 0 to {}", count - 1),
     }
 }
