@@ -4,7 +4,7 @@ use super::block::{self, Inline, TextBlock};
 use super::figure::Figure;
 use super::inline::{self, Meaning};
 use super::words::Words;
-use super::{Quantity, Shot, SourceLine};
+use super::{CollisionSpec, Quantity, SourceLine};
 use crate::files::{Source, all};
 use crate::physics::Collision;
 
@@ -48,7 +48,7 @@ pub enum CheckpointKind {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A quantity of a shot.
-    Of(Quantity, Shot),
+    Of(Quantity, CollisionSpec),
     /// A quantity of the figure as the student has set it.
     Figure(Quantity),
     /// This one, in a unit.

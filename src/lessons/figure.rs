@@ -1,6 +1,6 @@
 //! The figure of a page.
 
-use super::Shot;
+use super::CollisionSpec;
 use super::header::Shots;
 use super::words::Words;
 
@@ -57,9 +57,9 @@ pub struct Figure {
     /// What it shows.
     pub kind: FigureKind,
     /// The shot it shows.
-    pub shot: Shot,
+    pub shot: CollisionSpec,
     /// The shot it shows once the page's question is answered: mostly the same.
-    pub after: Shot,
+    pub after: CollisionSpec,
     /// Whether it takes the impact angle that the student set last in the chapter.
     pub own: bool,
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Shot;
+use super::CollisionSpec;
 use super::words::Words;
 use crate::files::{Fields, Source, all, is_id};
 use crate::quiz::concepts::read_hit;
@@ -27,7 +27,7 @@ pub(super) struct Header {
 
 /// The named shots of a chapter.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Shots(BTreeMap<String, Shot>);
+pub(super) struct Shots(BTreeMap<String, CollisionSpec>);
 
 impl Shots {
     /// Takes a shot out of the words of a directive: its name, or else `usual`, and
@@ -35,14 +35,14 @@ impl Shots {
     pub(super) fn take(
         &self,
         words: &mut Words,
-        usual: Option<Shot>,
-    ) -> Result<Option<Shot>, String> {
+        usual: Option<CollisionSpec>,
+    ) -> Result<Option<CollisionSpec>, String> {
         let named = match words.first() {
             None => None,
             Some(name) => Some(*self.0.get(&name).ok_or_else(|| self.unknown(&name))?),
         };
-        let fields = words.fields(Shot::has);
-        Shot::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
+        let fields = words.fields(CollisionSpec::has);
+        CollisionSpec::check_fields(fields.iter().map(|(name, _)| name.as_str()))?;
         let mut shot = match named.or(usual) {
             None if fields.is_empty() => return Ok(None),
             shot => shot.unwrap_or_default(),
@@ -107,7 +107,9 @@ fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
 
 fn shots(fields: &Fields) -> Option<Shots> {
     let shots = fields.table("shot", &[])?;
-    let tables = shots.named_tables(&Shot::field_names())?.into_iter();
+    let tables = shots
+        .named_tables(&CollisionSpec::field_names())?
+        .into_iter();
     let read = tables.map(|(id, table)| {
         let shot = read_hit(&table);
         if !is_id(id) || id == "own" {

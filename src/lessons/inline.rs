@@ -7,7 +7,7 @@ use super::formula::Formula;
 use super::header::Shots;
 use super::words::Words;
 use super::written::WrittenFigure;
-use super::{Quantity, Shot};
+use super::{CollisionSpec, Quantity};
 use crate::files::{Source, all};
 
 /// What names in a text stand for.
@@ -15,7 +15,7 @@ pub(super) struct Meaning<'a> {
     /// The shots of the chapter.
     pub(super) shots: &'a Shots,
     /// The shot of the page's figure.
-    pub(super) figure: Option<Shot>,
+    pub(super) figure: Option<CollisionSpec>,
 }
 
 /// A letter that no text holds stands for each formula and number while the Markdown

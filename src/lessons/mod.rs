@@ -38,7 +38,8 @@ pub use library::ChapterLibrary;
 pub use page::ChapterPage;
 
 pub use crate::files::FileError;
-pub use crate::physics::named::{Constant, Quantity, Shot};
+pub use crate::physics::CollisionSpec;
+pub use crate::physics::named::{Constant, Quantity};
 
 /// A line of a file and its number, from 1.
 type SourceLine<'a> = (usize, &'a str);

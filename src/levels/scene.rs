@@ -236,7 +236,8 @@ fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
 
 /// Reads the number of one of `count` discs; where there are none, that has been told.
 pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usize> {
-    fields.whole(name, &disc_number(count), 0..=count.checked_sub(1)?)
+    let last = count.checked_sub(1)?;
+    fields.whole(name, &disc_number(last), 0..=last)
 }
 
 /// Reads a list of 1 to `most` different discs, likewise.
@@ -246,16 +247,15 @@ pub(super) fn read_discs(
     count: usize,
     most: usize,
 ) -> Option<Vec<usize>> {
-    count.checked_sub(1)?;
-    let disc = disc_number(count);
+    let disc = disc_number(count.checked_sub(1)?);
     let expected = format!("a list of 1 to {most} different discs, {disc}");
     fields.different(name, &expected, 1..=most, count)
 }
 
-fn disc_number(count: usize) -> String {
-    match count {
-        1 => "disc 0, the only one".into(),
-        _ => format!("a disc from 0 to {}", count - 1),
+fn disc_number(last: usize) -> String {
+    match last {
+        0 => "disc 0, the only one".into(),
+        _ => format!("a disc from 0 to {last}"),
     }
 }
 

@@ -21,6 +21,7 @@ pub mod resting_target;
 pub mod rutherford;
 mod shot;
 mod slide;
+mod spec;
 pub mod units;
 pub mod worked;
 
@@ -32,3 +33,4 @@ pub use frames::Frame;
 pub use resting_target::RestingTarget;
 pub use shot::{CaptureError, Event, EventKind, Leg, Sample, Shot, State};
 pub use slide::{Slide, speed_after, stopping_distance, stopping_time, time_to_cover};
+pub use spec::{CollisionSpec, FieldRange, ImpactPoint, plain};

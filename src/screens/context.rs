@@ -13,6 +13,7 @@ use crate::messages::{Effect, SearchTask, StoreCall, StoreRequest, Wanted};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
 use crate::widgets::input::Rebound;
+use crate::widgets::replay::WatchRate;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
 /// How the app looks and behaves for this player.
@@ -26,6 +27,8 @@ pub struct Settings {
     pub depth: Depth,
     /// Jump from before the contact to the contact to after it.
     pub reduced_motion: bool,
+    /// How fast shots are watched, once that was chosen.
+    pub watch_rate: Option<WatchRate>,
     /// Ask for a prediction before each shot in the lab and in levels.
     pub predict: bool,
     /// Name of the player, as shown.
@@ -41,6 +44,7 @@ impl Default for Settings {
             palette: Palette::Dark,
             depth: Depth::None,
             reduced_motion: false,
+            watch_rate: None,
             predict: true,
             player: "player".into(),
             keys: Rebound::default(),

@@ -9,7 +9,7 @@ use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
-use carrom::screens::{Old, Settings};
+use carrom::screens::{Hosted, Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ const SEED: u64 = 11;
 
 fn at_the_table(options: Options, settings: Settings) -> Headless {
     let table = Table::playing(options, SEED);
-    Headless::new(App::on(Box::new(Old(table)), settings, 1), 120, 40)
+    Headless::new(App::on(Box::new(Hosted::new(table)), settings, 1), 120, 40)
 }
 
 fn still() -> Settings {
@@ -311,6 +311,28 @@ fn a_call_is_graded_beside_the_score_never_in_it() {
 }
 
 #[test]
+fn a_call_to_the_wrong_sides_is_shown_with_its_signs() {
+    let called = |keys: &str| {
+        let mut game = Headless::new(App::new(Place::Table, still(), 4), 120, 40);
+        game.press("<Enter>c]]]]]] ");
+        game.press(keys);
+        panel(&mut game)
+    };
+    let wrong = called("-17.7<Enter>-19.2<Enter>");
+    assert!(wrong.contains("your call 0 of 10"), "{wrong}");
+    assert!(
+        wrong.contains("striker -17.7 17.7 coin -19.2 19.2"),
+        "{wrong}"
+    );
+    let right = called("17.7<Enter>19.2<Enter>");
+    assert!(right.contains("your call 10 of 10"), "{right}");
+    assert!(
+        right.contains("striker 17.7 17.7 coin 19.2 19.2"),
+        "{right}"
+    );
+}
+
+#[test]
 fn the_rays_that_would_tell_stay_hidden_while_one_calls() {
     let all = Options::two_people();
     let without = Options {
@@ -368,8 +390,13 @@ fn leaving_a_running_game_is_asked_about_once() {
     game.press(" <Enter><Escape>");
     assert!(game.screen().contains("Leave this game?"));
     game.press("x");
+    assert!(
+        game.screen().contains("Leave this game?"),
+        "only an answer counts"
+    );
+    game.press("<Escape>");
     assert!(!game.screen().contains("Leave this game?"));
-    game.press("<Escape><Escape>");
+    game.press("<Escape>y");
     assert!(game.screen().contains("a new game"));
 }
 

@@ -1,8 +1,7 @@
 //! The options of `carrom solve`, and the problem they describe.
 
-use super::problem::{Fault, Problem, speed};
+use super::problem::{Problem, ProblemError, number};
 use crate::physics::Collision;
-use crate::physics::worked::Given;
 
 /// Work out one collision, or many with --batch.
 #[derive(Debug, Clone, clap::Args)]
@@ -115,17 +114,17 @@ impl Args {
         self.alpha_deg.is_some() || self.offset_mm.is_some()
     }
 
-    /// The collision that is asked for, and which way it was given.
-    pub(super) fn collision(&self) -> Result<(Collision, Given), Fault> {
+    /// The collision that is asked for, and whether it was given by the offset.
+    pub(super) fn collision(&self) -> Result<(Collision, bool), ProblemError> {
         if !self.is_complete() {
-            return Err(Fault {
+            return Err(ProblemError {
                 field: "--alpha-deg".into(),
                 message: "missing: expected this, or --offset-mm with --r1-mm and --r2-mm; \
                           --plain asks for it"
                     .into(),
             });
         }
-        let speed = speed(self.speed).map_err(as_option)?;
+        let speed = number("speed", self.speed).map_err(as_option)?;
         let problem = Problem {
             m1_g: Some(self.m1_g),
             m2_g: Some(self.m2_g),
@@ -143,8 +142,8 @@ impl Args {
 }
 
 /// A fault of a field as a fault of the option that set it.
-fn as_option(fault: Fault) -> Fault {
-    Fault {
+fn as_option(fault: ProblemError) -> ProblemError {
+    ProblemError {
         field: format!("--{}", fault.field.replace('_', "-")),
         ..fault
     }

@@ -52,15 +52,15 @@ fn plainly(args: &Args) -> Result<ExitCode, Failure> {
     if !args.is_complete() {
         return plain::solve(None);
     }
-    let (collision, given) = args
+    let (collision, by_offset) = args
         .collision()
         .map_err(|fault| Failure::Input(fault.into()))?;
-    plain::solve(Some(&worked::steps(&collision, given)))
+    plain::solve(Some(&worked::steps(&collision, by_offset)))
 }
 
 /// The one problem of the arguments, answered.
 fn one(args: &Args, options: &Options) -> Result<Vec<u8>, Failure> {
-    let (collision, given) = args
+    let (collision, by_offset) = args
         .collision()
         .map_err(|fault| Failure::Input(fault.into()))?;
     if args.json {
@@ -69,5 +69,5 @@ fn one(args: &Args, options: &Options) -> Result<Vec<u8>, Failure> {
         return Ok(line);
     }
     let unicode = options.printed() == Charset::Unicode;
-    Ok(text::render(&worked::steps(&collision, given), unicode).into_bytes())
+    Ok(text::render(&worked::steps(&collision, by_offset), unicode).into_bytes())
 }

@@ -1,25 +1,24 @@
 //! A problem as it is asked, in the units of files, and the check that makes a
 //! collision of it.
 
-use std::ops::RangeInclusive;
-
 use glam::DVec2;
 
-use crate::physics::units::{kg_from_g, m_from_mm, rad_from_deg};
-use crate::physics::worked::Given;
-use crate::physics::{Bond, Collision, Disc};
+use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint, plain};
 
-/// Masses in g and lengths in mm: wide enough for dust and for planets' rings,
-/// narrow enough that nothing in the working over- or underflows.
-const SIZE: RangeInclusive<f64> = 1e-12..=1e12;
-/// Offsets in mm, either side.
-const OFFSET: RangeInclusive<f64> = -1e12..=1e12;
-/// Components of a velocity in m/s.
-const SPEED: RangeInclusive<f64> = -1e9..=1e9;
-/// Impact angles in degrees.
-const ALPHA: RangeInclusive<f64> = -90.0..=90.0;
-/// Coefficients of restitution.
-const RESTITUTION: RangeInclusive<f64> = 0.0..=1.0;
+/// Wide enough for dust and for planets' rings, narrow enough that nothing in the
+/// working over- or underflows.
+const RANGES: [FieldRange; 10] = [
+    FieldRange::new("m1_g", "grams", 1e-12, 1e12),
+    FieldRange::new("m2_g", "grams", 1e-12, 1e12),
+    FieldRange::new("r1_mm", "millimetres", 1e-12, 1e12),
+    FieldRange::new("r2_mm", "millimetres", 1e-12, 1e12),
+    FieldRange::new("u1", "components in m/s", -1e9, 1e9),
+    FieldRange::new("u2", "components in m/s", -1e9, 1e9),
+    FieldRange::new("speed", "a speed in m/s", -1e9, 1e9),
+    FieldRange::new("alpha_deg", "degrees", -90.0, 90.0),
+    FieldRange::new("offset_mm", "millimetres", -1e12, 1e12),
+    FieldRange::new("restitution", "a number", 0.0, 1.0),
+];
 /// Radius in mm where none is given: a carrom piece. With an impact angle it matters
 /// only for how a pair that sticks turns.
 const RADIUS_MM: f64 = 15.9;
@@ -27,7 +26,7 @@ const RADIUS_MM: f64 = 15.9;
 /// A field that is missing, out of range or out of place.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{field}: {message}")]
-pub(super) struct Fault {
+pub(super) struct ProblemError {
     /// The field or option at fault.
     pub(super) field: String,
     /// What was expected, and what was found.
@@ -50,103 +49,71 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    /// The collision that is asked for, and which way it was given.
-    pub(super) fn collision(&self) -> Result<(Collision, Given), Fault> {
+    /// The collision that is asked for, and whether it was given by the offset.
+    pub(super) fn collision(&self) -> Result<(Collision, bool), ProblemError> {
         if self.alpha_deg.is_some() && self.offset_mm.is_some() {
             return Err(fault(
                 "alpha_deg",
                 "expected either this or offset_mm, found both",
             ));
         }
-        let mass = |field, value| number(field, required(field, value)?, SIZE, "grams");
-        let radius = |field, value| number(field, value, SIZE, "millimetres");
-        let (m1, m2) = (mass("m1_g", self.m1_g)?, mass("m2_g", self.m2_g)?);
-        let u1 = velocity("u1", required("u1", self.u1)?)?;
-        let u2 = velocity("u2", self.u2.unwrap_or_default())?;
-        let restitution = self.restitution.unwrap_or(1.0);
-        let restitution = number("restitution", restitution, RESTITUTION, "a number")?;
-        if self.offset_mm.is_some() {
-            required("r1_mm", self.r1_mm)?;
-            required("r2_mm", self.r2_mm)?;
-        }
-        let r1 = radius("r1_mm", self.r1_mm.unwrap_or(RADIUS_MM))?;
-        let r2 = radius("r2_mm", self.r2_mm.unwrap_or(RADIUS_MM))?;
-        let head_on = Collision {
-            striker: disc(m1, r1),
-            target: disc(m2, r2),
-            u1,
-            u2,
-            offset: 0.0,
-            restitution,
-            bond: if self.stick.unwrap_or(false) {
-                Bond::Stick
-            } else {
-                Bond::Slip
-            },
+        let radius = |field, value: Option<f64>| match self.offset_mm {
+            Some(_) => number(field, required(field, value)?),
+            None => number(field, value.unwrap_or(RADIUS_MM)),
         };
-        match (self.alpha_deg, self.offset_mm) {
-            (Some(alpha), None) => {
-                let alpha = number("alpha_deg", alpha, ALPHA, "degrees")?;
-                Ok((head_on.with_alpha(rad_from_deg(alpha)), Given::Angle))
-            }
-            (None, Some(offset)) => {
-                let offset = m_from_mm(number("offset_mm", offset, OFFSET, "millimetres")?);
-                Ok((Collision { offset, ..head_on }, Given::Offset))
-            }
-            _ => Err(fault(
-                "alpha_deg",
-                "missing: expected this, or offset_mm with r1_mm and r2_mm",
-            )),
-        }
+        let sticks = self.stick.unwrap_or(false);
+        let (m1_g, m2_g) = (required("m1_g", self.m1_g)?, required("m2_g", self.m2_g)?);
+        let spec = CollisionSpec {
+            m1_g: number("m1_g", m1_g)?,
+            m2_g: number("m2_g", m2_g)?,
+            restitution: number("restitution", self.restitution.unwrap_or(1.0))?,
+            r1_mm: radius("r1_mm", self.r1_mm)?,
+            r2_mm: radius("r2_mm", self.r2_mm)?,
+            bond: if sticks { Bond::Stick } else { Bond::Slip },
+            point: match (self.alpha_deg, self.offset_mm) {
+                (Some(alpha), _) => ImpactPoint::Angle {
+                    alpha_deg: number("alpha_deg", alpha)?,
+                },
+                (None, Some(offset)) => ImpactPoint::Offset {
+                    offset_mm: number("offset_mm", offset)?,
+                },
+                (None, None) => {
+                    let wanted = "missing: expected this, or offset_mm with r1_mm and r2_mm";
+                    return Err(fault("alpha_deg", wanted));
+                }
+            },
+            ..CollisionSpec::default()
+        };
+        let collision = Collision {
+            u1: velocity("u1", required("u1", self.u1)?)?,
+            u2: velocity("u2", self.u2.unwrap_or_default())?,
+            ..spec.collision()
+        };
+        Ok((collision, spec.is_by_offset()))
     }
 }
 
-fn disc(mass_g: f64, radius_mm: f64) -> Disc {
-    Disc {
-        mass: kg_from_g(mass_g),
-        radius: m_from_mm(radius_mm),
-    }
-}
-
-fn required<T>(field: &str, value: Option<T>) -> Result<T, Fault> {
+fn required<T>(field: &str, value: Option<T>) -> Result<T, ProblemError> {
     value.ok_or_else(|| fault(field, "missing"))
 }
 
-/// A speed along a line, in m/s.
-pub(super) fn speed(value: f64) -> Result<f64, Fault> {
-    number("speed", value, SPEED, "a speed in m/s")
+fn velocity(field: &str, components: [f64; 2]) -> Result<DVec2, ProblemError> {
+    let [x, y] = components.map(|component| number(field, component));
+    Ok(DVec2::new(x?, y?))
 }
 
-fn velocity(field: &str, components: [f64; 2]) -> Result<DVec2, Fault> {
-    for component in components {
-        number(field, component, SPEED, "components in m/s")?;
-    }
-    Ok(DVec2::from_array(components))
+/// A number that is in the range of its field.
+pub(super) fn number(field: &str, value: f64) -> Result<f64, ProblemError> {
+    let range = RANGES.iter().find(|range| range.name == field);
+    range.map_or(Ok(value), |range| {
+        range
+            .check(value, plain(value))
+            .map_err(|message| fault(field, &message))
+    })
 }
 
-fn number(field: &str, value: f64, range: RangeInclusive<f64>, what: &str) -> Result<f64, Fault> {
-    if range.contains(&value) {
-        return Ok(value);
-    }
-    let (low, high) = (plain(*range.start()), plain(*range.end()));
-    let message = format!(
-        "expected {what} from {low} to {high}, found {}",
-        plain(value)
-    );
-    Err(fault(field, &message))
-}
-
-/// A number as one would type it: 90, 0.5, 1e12.
-fn plain(x: f64) -> String {
-    if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
-    }
-}
-
-fn fault(field: &str, message: &str) -> Fault {
-    Fault {
+fn fault(field: &str, message: &str) -> ProblemError {
+    ProblemError {
         field: field.to_owned(),
         message: message.to_owned(),
     }

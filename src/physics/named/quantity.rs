@@ -260,11 +260,11 @@ fn half_energy(c: &Collision) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Shot;
     use super::*;
+    use crate::physics::CollisionSpec;
 
     fn of(name: &str, fields: &str) -> Option<f64> {
-        let mut shot = Shot::default();
+        let mut shot = CollisionSpec::default();
         for field in fields.split_whitespace() {
             let (name, value) = field.split_once('=').unwrap();
             shot.set(name, value).unwrap();
@@ -336,7 +336,7 @@ mod tests {
                 one.name
             );
         }
-        let collision = Shot::default().collision();
+        let collision = CollisionSpec::default().collision();
         let shown = |name| Quantity::named(name).unwrap().shown(&collision);
         assert_eq!(shown("v1n"), "0.00");
         assert_eq!(shown("v2y"), "−1.73");

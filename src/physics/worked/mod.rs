@@ -32,20 +32,12 @@ pub struct Step {
     pub lines: Vec<String>,
 }
 
-/// What the problem says about where the two discs meet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Given {
-    /// The impact angle α.
-    Angle,
-    /// The offset b and both radii.
-    Offset,
-}
-
-/// The whole solution: what is known, the working, a check and the result in words.
-pub fn steps(collision: &Collision, given: Given) -> Vec<Step> {
+/// The whole solution: what is known, the working, a check and the result in words. The
+/// problem gives the impact angle or, `by_offset`, the offset and both radii.
+pub fn steps(collision: &Collision, by_offset: bool) -> Vec<Step> {
     let outcome = collision.outcome();
-    let mut steps = vec![knowns(collision, given)];
-    if given == Given::Offset {
+    let mut steps = vec![knowns(collision, by_offset)];
+    if by_offset {
         steps.push(where_they_meet(collision));
     }
     if outcome.meeting == Meeting::Hit {
@@ -67,7 +59,7 @@ pub fn steps(collision: &Collision, given: Given) -> Vec<Step> {
     steps
 }
 
-fn knowns(c: &Collision, given: Given) -> Step {
+fn knowns(c: &Collision, by_offset: bool) -> Step {
     let body = |name: &str, sub: char, mass: f64, u: DVec2| {
         let velocity = if u.length() > 0.0 {
             format!(
@@ -84,18 +76,14 @@ fn knowns(c: &Collision, given: Given) -> Step {
         body("striker", '₁', c.striker.mass, c.u1),
         body("target ", '₂', c.target.mass, c.u2),
     ];
-    if given == Given::Offset || c.bond == Bond::Stick {
+    if by_offset || c.bond == Bond::Stick {
         let (r1, r2) = (c.striker.radius, c.target.radius);
         lines.push(format!("radii    r₁ = {} mm   r₂ = {} mm", mm(r1), mm(r2)));
     }
-    lines.push(match given {
-        Given::Angle => {
-            let none = || "impact angle  none: the target sees no motion of the striker".to_owned();
-            c.alpha().map_or_else(none, |alpha| {
-                format!("impact angle  α = {}", degrees(alpha))
-            })
-        }
-        Given::Offset => format!("offset   b = {} mm", mm(c.offset)),
+    lines.push(match c.alpha() {
+        _ if by_offset => format!("offset   b = {} mm", mm(c.offset)),
+        Some(alpha) => format!("impact angle  α = {}", degrees(alpha)),
+        None => "impact angle  none: the target sees no motion of the striker".to_owned(),
     });
     lines.push(match c.bond {
         Bond::Slip => format!("restitution  e = {}, smooth discs", number(c.restitution)),
@@ -307,7 +295,7 @@ mod tests {
             share in prop_oneof![Just(0.0), Just(1.0), -1.5..1.5_f64],
             restitution in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
             stick in any::<bool>(),
-            given in prop_oneof![Just(Given::Angle), Just(Given::Offset)],
+            by_offset in any::<bool>(),
         ) {
             let disc = |mass: f64, radius: f64| Disc {
                 mass: 10.0_f64.powf(mass),
@@ -321,7 +309,7 @@ mod tests {
                 ..Collision::at_offset(disc(masses.0, radii.0), disc(masses.1, radii.1), DVec2::new(a, b), 0.0)
             };
             let offset = share * hit.reach();
-            let text = whole_text(&steps(&Collision { offset, ..hit }, given));
+            let text = whole_text(&steps(&Collision { offset, ..hit }, by_offset));
             for never in ["NaN", "inf"] {
                 prop_assert!(!text.contains(never), "{}", text);
             }

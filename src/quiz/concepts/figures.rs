@@ -1,6 +1,7 @@
 //! The figures of a text, filled in from the question's own hit.
 
-use crate::physics::named::{Constant, Quantity, Shot};
+use crate::physics::CollisionSpec;
+use crate::physics::named::{Constant, Quantity};
 
 /// Decimals of a number that follows from no hit, and of a percentage.
 const DECIMALS: usize = 2;
@@ -11,7 +12,7 @@ const PERCENT_DECIMALS: usize = 1;
 ///
 /// # Errors
 /// What was expected, if a name or a field is unknown, or a figure undefined.
-pub(super) fn fill(text: &str, hit: Option<Shot>) -> Result<String, String> {
+pub(super) fn fill(text: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     let mut filled = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((before, after)) = rest.split_once('{') {
@@ -31,7 +32,7 @@ fn plain(text: &str) -> Result<&str, String> {
     Ok(text)
 }
 
-fn figure(asked: &str, hit: Option<Shot>) -> Result<String, String> {
+fn figure(asked: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     let (asked, percent) = match asked.trim().strip_suffix('%') {
         Some(share) => (share, true),
         None => (asked, false),
@@ -67,7 +68,7 @@ fn of_no_hit(mut constant: Constant, fields: &[(&str, &str)]) -> Result<Option<f
 fn of_hit(
     name: &str,
     fields: &[(&str, &str)],
-    hit: Option<Shot>,
+    hit: Option<CollisionSpec>,
 ) -> Result<(Option<f64>, usize), String> {
     let quantity = Quantity::named(name)
         .ok_or_else(|| format!("expected the name of a number, found {{{name}}}"))?;
@@ -110,7 +111,10 @@ mod tests {
             ("{rutherford_ratio angle_deg=60 to_deg=90}", "4"),
             ("{space_share angle_deg=60 %}", "25 %"),
         ] {
-            assert_eq!(fill(text, Some(Shot::default())).as_deref(), Ok(filled));
+            assert_eq!(
+                fill(text, Some(CollisionSpec::default())).as_deref(),
+                Ok(filled)
+            );
         }
     }
 
@@ -137,7 +141,7 @@ mod tests {
             ("{v1", true, "expected } after {"),
             ("v1}", true, "expected { before }"),
         ] {
-            let found = fill(text, hit.then(Shot::default));
+            let found = fill(text, hit.then(CollisionSpec::default));
             assert_eq!(found, Err(message.to_owned()));
         }
     }

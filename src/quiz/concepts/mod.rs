@@ -73,14 +73,14 @@ pub struct Wrong {
 
 /// One of the choices of a question.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Choice<'a> {
+pub enum ConceptChoice<'a> {
     /// The right one.
     Right(&'a str),
     /// A wrong one.
     Wrong(&'a Wrong),
 }
 
-impl<'a> Choice<'a> {
+impl<'a> ConceptChoice<'a> {
     /// What it says.
     pub fn text(self) -> &'a str {
         match self {
@@ -118,10 +118,10 @@ impl Concept {
 
     /// All choices. Those of an [ordered](Self::ordered) question stand as they are to
     /// be shown; of any other the right one is first, and they have to be shuffled.
-    pub fn choices(&self) -> Vec<Choice<'_>> {
-        let mut choices: Vec<_> = self.wrongs.iter().map(Choice::Wrong).collect();
+    pub fn choices(&self) -> Vec<ConceptChoice<'_>> {
+        let mut choices: Vec<_> = self.wrongs.iter().map(ConceptChoice::Wrong).collect();
         let place = self.before_right.min(choices.len());
-        choices.insert(place, Choice::Right(&self.right));
+        choices.insert(place, ConceptChoice::Right(&self.right));
         choices
     }
 }

@@ -3,7 +3,7 @@
 use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{self, Fields, FileErrors, Source, all, escape_control};
-use crate::physics::named::Shot;
+use crate::physics::CollisionSpec;
 use crate::quiz::{Difficulty, Misconception};
 
 /// The format that this program reads.
@@ -74,10 +74,10 @@ pub(super) fn file(
 
 fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     let hit = item.or("hit", None, |name| {
-        read_hit(&item.table(name, &Shot::field_names())?).map(Some)
+        read_hit(&item.table(name, &CollisionSpec::field_names())?).map(Some)
     });
     // Where the hit is none, the texts are looked at with any other.
-    let filled = hit.unwrap_or_else(|| Some(Shot::default()));
+    let filled = hit.unwrap_or_else(|| Some(CollisionSpec::default()));
     let id = item.id("id");
     let difficulty = item.word("difficulty", &DIFFICULTIES);
     let ask = text(item, "ask", ASK, filled);
@@ -117,8 +117,8 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
 }
 
 /// Reads a hit from its fields.
-pub(crate) fn read_hit(fields: &Fields) -> Option<Shot> {
-    let mut shot = Shot::default();
+pub(crate) fn read_hit(fields: &Fields) -> Option<CollisionSpec> {
+    let mut shot = CollisionSpec::default();
     fields.each(|name, written| shot.set(name, written))?;
     if fields.has("alpha_deg") && fields.has("offset_mm") {
         return fields.refuse_table("expected alpha_deg or offset_mm, found both");
@@ -129,7 +129,7 @@ pub(crate) fn read_hit(fields: &Fields) -> Option<Shot> {
     }
 }
 
-fn wrong(fields: &Fields, hit: Option<Shot>) -> Option<Wrong> {
+fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
     let choice = text(fields, "choice", CHOICE, hit);
     let says = text(fields, "says", SAYS, hit);
     let misconception = fields.or("misconception", None, |name| {
@@ -149,7 +149,12 @@ fn wrong(fields: &Fields, hit: Option<Shot>) -> Option<Wrong> {
 }
 
 /// A text with its figures, of 1 to `most` letters.
-fn text(fields: &Fields, name: &'static str, most: usize, hit: Option<Shot>) -> Option<String> {
+fn text(
+    fields: &Fields,
+    name: &'static str,
+    most: usize,
+    hit: Option<CollisionSpec>,
+) -> Option<String> {
     fields.text_as(name, |text| {
         let words: Vec<_> = text.split_whitespace().collect();
         let filled = fill(&words.join(" "), hit)?;

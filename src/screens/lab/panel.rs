@@ -10,7 +10,8 @@ use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::{Ray, Rays};
 use crate::screens::Context;
 use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::{Lines, RayInput, Role, brief, shown};
+use crate::widgets::panels::{said_and_true, separation};
+use crate::widgets::{Lines, RayInput, Role, shown};
 
 /// The setting whose row is at this cell.
 pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> {
@@ -171,18 +172,8 @@ fn answers(watch: &Watch, lines: &mut Lines) {
     let truth = degrees(watch.collision(), &Rays::from(outcome));
     match watch.said() {
         Some(said) => {
-            let said = degrees(watch.collision(), said);
-            let head = |text| (text, Role::Dim);
-            // The way of a pair that sticks is that of its centre of mass.
-            let truth_is = if sticks { "V" } else { "truth" };
-            lines.columns(head("degrees"), ["you said", truth_is].map(head));
-            for (i, name) in ["striker", "coin"].into_iter().enumerate() {
-                let role = [Role::StrikerOut, Role::CoinOut][i];
-                lines.columns(
-                    head(name),
-                    [(&brief(said[i]), Role::Predicted), (&brief(truth[i]), role)],
-                );
-            }
+            let names = ["striker", "coin"].map(Some);
+            said_and_true(watch.collision(), said, names, false, lines);
         }
         None if sticks => lines.pair("way of V", &shown(truth[0]), Role::Dim, Role::StrikerOut),
         None => {
@@ -192,12 +183,7 @@ fn answers(watch: &Watch, lines: &mut Lines) {
             }
         }
     }
-    let separation = match outcome.separation {
-        _ if sticks => "none".into(),
-        Some(separation) => format!("{:.1}°", separation.to_degrees()),
-        None => "none".into(),
-    };
-    lines.pair("separation", &separation, Role::Dim, Role::Text);
+    separation(watch.collision(), lines);
     if outcome.energy_before > 0.0 {
         let kept = 100.0 * outcome.energy_after / outcome.energy_before;
         lines.pair(

@@ -3,18 +3,18 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::active_game::ActiveGame;
+use super::keys::TableAction;
 use super::options::Options;
-use super::sitting::Sitting;
 use super::{picture, view, words};
 use crate::game::{Game, Rules, SavedGame, Stage, Team};
-use crate::messages::{
-    Input, KeptGame, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest,
-};
-use crate::screens::{Context, Hint};
-use crate::widgets::{Lines, Role, text};
+use crate::messages::{Input, KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::screens::{Context, Next, Question};
+use crate::widgets::input::{KeyTable, ListView};
+use crate::widgets::{Lines, Outcome, Role, text};
 
 /// Rows below the list for what is to be said of the chosen game.
-const ABOUT: usize = 11;
+const ABOUT: u16 = 11;
 
 /// The page.
 #[derive(Debug, Clone)]
@@ -22,11 +22,9 @@ pub(super) struct SavedGames {
     /// For the page to go back to.
     pub(super) options: Options,
     games: Games,
-    chosen: usize,
+    list: ListView,
     /// A game on its way, and whether to watch it from its beginning.
     loading: Option<(u64, bool)>,
-    /// Whether the player has been asked about removing the chosen game.
-    removing: bool,
     notice: Option<String>,
 }
 
@@ -41,18 +39,6 @@ enum Games {
     Known(Vec<KeptGame>),
 }
 
-/// What follows from an input.
-pub(super) enum Step {
-    /// Stay on the page.
-    Stay,
-    /// It meant nothing here.
-    Ignored,
-    /// Back to the page of a new game.
-    Back,
-    /// Sit down to this game.
-    Sit(Box<Sitting>),
-}
-
 impl SavedGames {
     /// The page, with the games asked for; `options` are those of the page before.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
@@ -60,9 +46,8 @@ impl SavedGames {
         Self {
             options,
             games: Games::Asked,
-            chosen: 0,
+            list: ListView::default(),
             loading: None,
-            removing: false,
             notice: None,
         }
     }
@@ -75,7 +60,7 @@ impl SavedGames {
     }
 
     fn chosen(&self) -> Option<&KeptGame> {
-        self.known().get(self.chosen)
+        self.known().get(self.list.chosen(self.known().len()))
     }
 
     /// The chosen game, if it can be read.
@@ -83,41 +68,84 @@ impl SavedGames {
         self.chosen()?.content.as_deref().ok()
     }
 
-    pub(super) fn update(&mut self, input: &Input, cx: &mut Context) -> Step {
-        match input {
-            Input::Key(key) => self.key(*key, cx),
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
-            Input::Kept(answer) => self.take_answer(answer, cx),
-            _ => Step::Ignored,
+    /// The keys of the page.
+    pub(super) fn keys(&self) -> KeyTable<TableAction> {
+        use TableAction::{Back, Export, Remove, Saved, WatchAll};
+        let open = self.game().is_some();
+        let list = ListView::keys(if open { "resume" } else { "" });
+        KeyTable::new("table")
+            .with(list, Saved)
+            .on(Key::Char('v'), WatchAll, "replay")
+            .when(open)
+            .on(Key::Char('e'), Export, "export")
+            .when(open)
+            .on(Key::Char('d'), Remove, "remove")
+            .or([(Key::Delete, Remove)])
+            .when(self.chosen().is_some())
+            .on(Key::Escape, Back, "back")
+    }
+
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) {
+        self.notice = None;
+        match action {
+            TableAction::Saved(action) => {
+                let outcome = self.list.act(action, self.known().len());
+                self.open(outcome, cx);
+            }
+            TableAction::WatchAll => self.load(true, cx),
+            TableAction::Export => self.export(cx),
+            _ => {}
         }
     }
 
-    fn key(&mut self, key: Key, cx: &mut Context) -> Step {
-        self.notice = None;
-        if self.removing {
-            self.removing = false;
-            if let Key::Char('y' | 'Y') = key
-                && let Some(game) = self.chosen()
-            {
-                let wish = StoreRequest::Remove(game.name.clone());
-                cx.ask(wish);
+    /// Asks whether to remove the chosen game.
+    pub(super) fn ask_to_remove(&self) -> Next {
+        Next::Confirm(Question::new(
+            "Remove this game for good?",
+            "remove it",
+            "keep it",
+        ))
+    }
+
+    /// Removes the chosen game.
+    pub(super) fn remove(&mut self, cx: &mut Context) {
+        if let Some(game) = self.chosen() {
+            let request = StoreRequest::Remove(game.name.clone());
+            cx.ask(request);
+        }
+    }
+
+    fn open(&mut self, outcome: Outcome<usize>, cx: &mut Context) {
+        if let Outcome::Done(_) = outcome {
+            self.load(false, cx);
+        }
+    }
+
+    /// Takes an input that is no key; done with the game that was chosen, once it is there.
+    pub(super) fn input(&mut self, input: &Input, cx: &mut Context) -> Outcome<Box<ActiveGame>> {
+        match input {
+            Input::Mouse(mouse) => {
+                let panel = view::layout(cx.body, false).panel;
+                let row = panel.contains((mouse.column, mouse.row).into());
+                let row = row.then(|| usize::from(mouse.row - panel.y));
+                let line = row.filter(|row| *row < rows(panel.height).into());
+                let line = line.map(|row| self.first_row(panel.height) + row);
+                let line = line.filter(|line| *line < self.known().len());
+                self.notice = None;
+                let outcome = self.list.mouse(mouse, self.known().len(), line);
+                self.open(outcome, cx);
+                match outcome {
+                    Outcome::Ignored => Outcome::Ignored,
+                    _ => Outcome::Used,
+                }
             }
-            return Step::Stay;
+            Input::Kept(answer) => {
+                let game = self.take_answer(answer, cx);
+                game.map_or(Outcome::Used, Outcome::Done)
+            }
+            _ => Outcome::Ignored,
         }
-        let last = self.known().len().saturating_sub(1);
-        match key {
-            Key::Up | Key::BackTab => self.chosen = self.chosen.saturating_sub(1),
-            Key::Down | Key::Tab => self.chosen = (self.chosen + 1).min(last),
-            Key::Home => self.chosen = 0,
-            Key::End => self.chosen = last,
-            Key::Enter => self.load(false, cx),
-            Key::Char('v' | 'V') => self.load(true, cx),
-            Key::Char('e' | 'E') => self.export(cx),
-            Key::Char('d' | 'D') | Key::Delete => self.removing = self.chosen().is_some(),
-            Key::Escape => return Step::Back,
-            _ => return Step::Ignored,
-        }
-        Step::Stay
     }
 
     fn load(&mut self, watch: bool, cx: &mut Context) {
@@ -135,28 +163,27 @@ impl SavedGames {
         }
     }
 
-    fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Step {
+    fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Option<Box<ActiveGame>> {
         match &answer.done {
             StoreReply::Listed(Ok(games)) => {
-                self.chosen = self.chosen.min(games.len().saturating_sub(1));
                 self.games = Games::Known(games.clone());
             }
             StoreReply::Listed(Err(reason)) => self.games = Games::Unknown(reason.clone()),
             StoreReply::Loaded(loaded) => {
                 let Some((ticket, watch)) = self.loading.filter(|(it, _)| *it == answer.ticket)
                 else {
-                    return Step::Stay;
+                    return None;
                 };
                 self.loading = None;
-                let sitting = loaded.as_ref().map_err(Clone::clone).and_then(|saved| {
-                    Sitting::resume_saved(saved, ticket).map_err(|error| error.to_string())
+                let active = loaded.as_ref().map_err(Clone::clone).and_then(|saved| {
+                    ActiveGame::resume_saved(saved, ticket).map_err(|error| error.to_string())
                 });
-                match sitting {
-                    Ok(mut sitting) => {
+                match active {
+                    Ok(mut active) => {
                         if watch {
-                            sitting.watch_all(cx);
+                            active.watch_all(cx);
                         }
-                        return Step::Sit(Box::new(sitting));
+                        return Some(Box::new(active));
                     }
                     Err(reason) => self.notice = Some(format!("It cannot be resumed: {reason}.")),
                 }
@@ -175,35 +202,13 @@ impl SavedGames {
             }
             _ => {}
         }
-        Step::Stay
+        None
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Step {
-        let panel = view::layout(cx.body, false).panel;
-        let at = match mouse.kind {
-            MouseKind::ScrollUp => self.chosen.checked_sub(1),
-            MouseKind::ScrollDown => Some(self.chosen + 1),
-            MouseKind::Down if panel.contains((mouse.column, mouse.row).into()) => {
-                let row = usize::from(mouse.row - panel.y);
-                let rows = rows(panel.height);
-                (row < rows).then(|| self.first_row(rows) + row)
-            }
-            _ => None,
-        };
-        match at.filter(|at| *at < self.known().len() && !self.removing) {
-            Some(at) => {
-                self.chosen = at;
-                self.notice = None;
-                Step::Stay
-            }
-            None => Step::Ignored,
-        }
-    }
-
-    /// The first game of the list that is shown in so many rows.
-    fn first_row(&self, rows: usize) -> usize {
-        let last_start = self.known().len().saturating_sub(rows);
-        self.chosen.saturating_sub(rows / 2).min(last_start)
+    /// The first game of the list that is shown in a panel of this height.
+    fn first_row(&self, height: u16) -> usize {
+        let count = self.known().len();
+        ListView::first_shown(self.list.chosen(count), count, rows(height))
     }
 
     /// Draws the page: the board of the chosen game, and beside it the list.
@@ -216,7 +221,7 @@ impl SavedGames {
             Some((_, game)) => (game.coins(), game.setup().set),
             None => (&[][..], self.options.set),
         };
-        picture::draw_pack(coins, set, layout.picture, buf, &look);
+        picture::of_pack(coins, set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
         match &self.games {
             Games::Asked => lines.paragraph("Looking …", Role::Text),
@@ -230,9 +235,10 @@ impl SavedGames {
             ),
             Games::Known(games) => {
                 let rows = rows(layout.panel.height);
-                let first = self.first_row(rows);
-                for (i, kept) in games.iter().enumerate().skip(first).take(rows) {
-                    let (mark, role) = if i == self.chosen {
+                let first = self.first_row(layout.panel.height);
+                let chosen = self.list.chosen(games.len());
+                for (i, kept) in games.iter().enumerate().skip(first).take(rows.into()) {
+                    let (mark, role) = if i == chosen {
                         (">", Role::Selected)
                     } else {
                         (" ", Role::Text)
@@ -251,11 +257,6 @@ impl SavedGames {
         let Some(kept) = self.chosen() else {
             return;
         };
-        if self.removing {
-            lines.paragraph("Remove this game for good?", Role::Warn);
-            lines.paragraph("y: remove it. Any other key: keep it.", Role::Key);
-            return;
-        }
         if let Some(notice) = &self.notice {
             lines.paragraph(notice, Role::Warn);
             lines.gap();
@@ -273,28 +274,11 @@ impl SavedGames {
             }
         }
     }
-
-    /// The keys of the page.
-    pub(super) fn keys(&self) -> Vec<Hint> {
-        let mut keys = Vec::new();
-        if self.game().is_some() {
-            keys.extend([
-                Hint::new("Enter", "resume"),
-                Hint::new("v", "replay"),
-                Hint::new("e", "export"),
-            ]);
-        }
-        if self.chosen().is_some() {
-            keys.extend([Hint::new("Up Down", "choose"), Hint::new("d", "remove")]);
-        }
-        keys.push(Hint::new("Esc", "back"));
-        keys
-    }
 }
 
 /// Rows of the list in a panel of this height.
-fn rows(height: u16) -> usize {
-    usize::from(height).saturating_sub(ABOUT).max(3)
+fn rows(height: u16) -> u16 {
+    height.saturating_sub(ABOUT).max(3)
 }
 
 /// A game in a few words: who plays, and the score.

@@ -1,11 +1,11 @@
 //! What the figure of a page shows, in words, computed by the engine.
 
 use super::spoken::sentence;
-use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind, Shot};
+use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::worked::{self, Given};
 use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
+use crate::physics::{CollisionSpec, worked};
 use crate::quiz::words::{degrees, millimetres, significant};
 
 /// What the figure of a page shows, a line each; before the page's question is
@@ -56,7 +56,7 @@ pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<Stri
 }
 
 /// Whether one of these pages asks what becomes of a shot.
-fn is_asked(later: &[ChapterPage], shot: &Shot) -> bool {
+fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     later.iter().any(|page| {
         let figure = page.figure.as_ref();
         let in_figure = figure.is_some_and(|figure| figure.shot == *shot);
@@ -73,7 +73,7 @@ fn is_asked(later: &[ChapterPage], shot: &Shot) -> bool {
 }
 
 /// The first step of a shot's worked solution that one of these pages leaves blank.
-fn next_blank(later: &[ChapterPage], shot: &Shot) -> Option<usize> {
+fn next_blank(later: &[ChapterPage], shot: &CollisionSpec) -> Option<usize> {
     later.iter().find_map(|page| {
         let figure = page.figure.as_ref().filter(|figure| figure.shot == *shot)?;
         match figure.kind {
@@ -189,7 +189,7 @@ fn weighed(collision: &Collision) -> String {
 
 /// What becomes of it, as the worked solution sums it up.
 fn result(collision: &Collision) -> Vec<String> {
-    let steps = worked::steps(collision, Given::Angle);
+    let steps = worked::steps(collision, false);
     steps
         .into_iter()
         .next_back()
@@ -200,11 +200,8 @@ fn result(collision: &Collision) -> Vec<String> {
 
 /// The steps of the worked solution, each in lines.
 fn working(collision: &Collision, figure: &Figure) -> Vec<Vec<String>> {
-    let given = match figure.shot.is_by_offset() {
-        true => Given::Offset,
-        false => Given::Angle,
-    };
-    let each = (1..).zip(worked::steps(collision, given));
+    let by_offset = figure.shot.is_by_offset();
+    let each = (1..).zip(worked::steps(collision, by_offset));
     each.map(|(number, step)| {
         let head = format!("Step {number}: {} {}", sentence(step.title), step.why);
         std::iter::once(head).chain(step.lines).collect()

@@ -3,9 +3,8 @@
 use super::number::number;
 use super::spoken::sentence;
 use super::talk::{Leave, Prompt, Talk};
-use crate::physics::units::rad_from_deg;
-use crate::physics::worked::{self, Given, Step};
-use crate::physics::{Bond, Collision, Disc};
+use crate::physics::worked::{self, Step};
+use crate::physics::{CollisionSpec, ImpactPoint};
 
 /// Says a worked solution, or asks for the hit first.
 ///
@@ -61,12 +60,13 @@ fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
         89.9,
     )?;
     let restitution = one("Coefficient of restitution, from 0 to 1", "", 1.0, 0.0, 1.0)?;
-    let disc = |mass_g| Disc::from_g_mm(mass_g, 15.0);
-    let u1 = glam::DVec2::new(speed, 0.0);
-    let collision = Collision {
+    let spec = CollisionSpec {
+        m1_g,
+        m2_g,
+        speed,
+        point: ImpactPoint::Angle { alpha_deg },
         restitution,
-        bond: Bond::Slip,
-        ..Collision::at_angle(disc(m1_g), disc(m2_g), u1, rad_from_deg(alpha_deg))
+        ..CollisionSpec::default()
     };
-    Ok(worked::steps(&collision, Given::Angle))
+    Ok(worked::steps(&spec.collision(), false))
 }

@@ -70,7 +70,7 @@ impl AnswerInput {
             (Self::Rays(input), Response::Rays(rays)) => *input = input.clone().saying(rays),
             (Self::Number(number), Response::Number(x)) => number.set(*x),
             (Self::Choice { chosen, count }, Response::Choice(i)) if i < count => {
-                *chosen = Some(*i)
+                *chosen = Some(*i);
             }
             (Self::Shot(offset), Response::Shot(x)) => {
                 offset.set((mm_from_m(*x) * 1e6).round() / 1e6);

@@ -3,28 +3,54 @@
 
 use std::time::Duration;
 
-/// Speeds to watch at; 1 is real.
-const RATES: [f64; 7] = [1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0];
-/// Where real speed is among them.
-const REAL: usize = 4;
+/// A speed to watch at: a power of two, from a 16th of real speed to four times of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WatchRate(i32);
+
+impl WatchRate {
+    /// As it was.
+    pub const REAL: Self = Self(0);
+    /// Four times slower.
+    pub const QUARTER: Self = Self(-2);
+
+    /// Seconds of the stroke that pass in a second.
+    pub fn seconds(self) -> f64 {
+        2.0_f64.powi(self.0)
+    }
+
+    /// The speed so many steps faster.
+    #[must_use]
+    pub fn faster(self, steps: i8) -> Self {
+        Self((self.0 + i32::from(steps)).clamp(-4, 2))
+    }
+
+    /// In words: "real speed", "1/4 speed", "2× speed".
+    pub fn words(self) -> String {
+        match self.seconds() {
+            rate if rate < 1.0 => format!("1/{:.0} speed", 1.0 / rate),
+            rate if rate > 1.0 => format!("{rate:.0}× speed"),
+            _ => "real speed".into(),
+        }
+    }
+}
 
 /// The clock of a stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clock {
+pub struct ShotClock {
     time: f64,
     end: f64,
-    rate: usize,
+    rate: WatchRate,
     running: bool,
 }
 
-impl Clock {
-    /// A clock that runs at real speed, from the start of a stroke of `end` seconds;
+impl ShotClock {
+    /// A clock that runs at this speed, from the start of a stroke of `end` seconds;
     /// with `reduced` motion one that stands at its end.
-    pub fn new(end: f64, reduced: bool) -> Self {
+    pub fn new(end: f64, rate: WatchRate, reduced: bool) -> Self {
         Self {
             time: if reduced { end } else { 0.0 },
             end,
-            rate: REAL,
+            rate,
             running: !reduced && end > 0.0,
         }
     }
@@ -44,15 +70,25 @@ impl Clock {
         self.time >= self.end
     }
 
-    /// Seconds of the stroke that pass in a second.
-    pub fn rate(&self) -> f64 {
-        RATES[self.rate.min(RATES.len() - 1)]
+    /// When all has come to rest, in seconds since the start of the stroke.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// How fast time runs.
+    pub fn rate(&self) -> WatchRate {
+        self.rate
+    }
+
+    /// Lets time run at another speed.
+    pub fn set_rate(&mut self, rate: WatchRate) {
+        self.rate = rate;
     }
 
     /// Lets `passed` go by on the screen.
     pub fn advance(&mut self, passed: Duration) {
         if self.running {
-            self.time = (self.time + passed.as_secs_f64() * self.rate()).min(self.end);
+            self.time = (self.time + passed.as_secs_f64() * self.rate.seconds()).min(self.end);
             self.running = self.time < self.end;
         }
     }
@@ -82,24 +118,6 @@ impl Clock {
     pub fn step(&mut self, seconds: f64) {
         self.seek(self.time + seconds);
     }
-
-    /// One speed faster or slower.
-    pub fn change_rate(&mut self, faster: bool) {
-        self.rate = if faster {
-            (self.rate + 1).min(RATES.len() - 1)
-        } else {
-            self.rate.saturating_sub(1)
-        };
-    }
-
-    /// The speed in words: "real speed", "1/4 speed", "2x speed".
-    pub fn rate_words(&self) -> String {
-        match self.rate() {
-            rate if rate < 1.0 => format!("1/{:.0} speed", 1.0 / rate),
-            rate if rate > 1.0 => format!("{rate:.0}× speed"),
-            _ => "real speed".into(),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -108,10 +126,10 @@ mod tests {
 
     #[test]
     fn a_stroke_takes_its_own_time_and_then_time_stands_still() {
-        let mut clock = Clock::new(1.0, false);
+        let mut clock = ShotClock::new(1.0, WatchRate::REAL, false);
         clock.advance(Duration::from_millis(400));
         assert!((clock.time() - 0.4).abs() < 1e-12);
-        clock.change_rate(false);
+        clock.set_rate(clock.rate().faster(-1));
         clock.advance(Duration::from_millis(400));
         assert!((clock.time() - 0.6).abs() < 1e-12);
         clock.advance(Duration::from_secs(9));
@@ -121,8 +139,15 @@ mod tests {
     }
 
     #[test]
+    fn speeds_are_powers_of_two_within_bounds() {
+        assert_eq!(WatchRate::REAL.faster(-9).words(), "1/16 speed");
+        assert_eq!(WatchRate::REAL.faster(9).words(), "4× speed");
+        assert_eq!(WatchRate::QUARTER.faster(2).words(), "real speed");
+    }
+
+    #[test]
     fn steps_halt_and_stay_within_the_stroke() {
-        let mut clock = Clock::new(1.0, false);
+        let mut clock = ShotClock::new(1.0, WatchRate::REAL, false);
         clock.step(-1.0);
         assert_eq!(clock.time(), 0.0);
         clock.step(0.25);
@@ -131,6 +156,6 @@ mod tests {
         assert!(clock.is_running());
         clock.go_on();
         assert!(clock.is_over());
-        assert!(Clock::new(1.0, true).is_over());
+        assert!(ShotClock::new(1.0, WatchRate::REAL, true).is_over());
     }
 }

@@ -3,6 +3,8 @@
 
 mod clock;
 mod impact;
+mod player;
 
-pub use clock::Clock;
+pub use clock::{ShotClock, WatchRate};
 pub use impact::{Impact, impacts};
+pub use player::{ShotAction, ShotPlayer};

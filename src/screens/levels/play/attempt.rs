@@ -7,7 +7,7 @@ use crate::quiz::{Ray, RayGrade, Rays};
 use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
 use crate::widgets::hit::Watch;
-use crate::widgets::replay::{Clock, Impact, impacts};
+use crate::widgets::replay::{Impact, ShotClock, WatchRate, impacts};
 
 /// Seconds that the keys for steps go.
 const STEP: f64 = 0.02;
@@ -85,7 +85,7 @@ pub(super) struct Attempt {
     pub(super) said: Option<Said>,
     /// How it was won, if it was.
     pub(super) win: Option<Win>,
-    pub(super) clock: Clock,
+    pub(super) clock: ShotClock,
     /// Whether it was seen to its end, so that its outcome may be told.
     pub(super) told: bool,
     pub(super) zoom: Option<Zoom>,
@@ -111,12 +111,12 @@ impl Attempt {
             shots: number,
             said_right: to_say.then(|| right().unwrap_or(false)),
         };
-        let mut clock = Clock::new(end, reduced);
-        if level.is_of_the_first_hit() {
-            // What is seen is small and near.
-            clock.change_rate(false);
-            clock.change_rate(false);
-        }
+        // What is seen of the first hit alone is small and near.
+        let rate = match level.is_of_the_first_hit() {
+            true => WatchRate::QUARTER,
+            false => WatchRate::REAL,
+        };
+        let clock = ShotClock::new(end, rate, reduced);
         Self {
             win: verdict.won().then_some(win),
             verdict,
@@ -169,8 +169,8 @@ impl Attempt {
             Key::Home => self.clock.seek(0.0),
             Key::End => self.clock.seek(f64::INFINITY),
             Key::Char('a' | 'A') => self.clock.rewind(),
-            Key::Char('+' | '=') => self.clock.change_rate(true),
-            Key::Char('-') => self.clock.change_rate(false),
+            Key::Char('+' | '=') => self.clock.set_rate(self.clock.rate().faster(1)),
+            Key::Char('-') => self.clock.set_rate(self.clock.rate().faster(-1)),
             Key::Char('i' | 'I') if !self.impacts.is_empty() => {
                 // The one last seen; at the end the first, which was aimed at.
                 let now = self.clock.time();

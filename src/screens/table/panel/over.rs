@@ -2,25 +2,25 @@
 
 use super::{notice, score};
 use crate::game::{Game, Rules, Seat, Stage, Team};
-use crate::screens::table::sitting::Sitting;
+use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::words;
 use crate::widgets::{Lines, Role};
 
 /// Who won what, and what follows.
-pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
-    let game = sitting.game();
-    let name = |team: Team| sitting.options.team_name(team);
+pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
+    let game = active.game();
+    let name = |team: Team| active.options.team_name(team);
     let headline = match game.stage() {
         Stage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
         Stage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
-        Stage::BoardOver(_) if sitting.is_practice() => "The board is empty.".into(),
+        Stage::BoardOver(_) if active.is_practice() => "The board is empty.".into(),
         Stage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
         Stage::Playing => String::new(),
     };
     lines.line(&words::sentence(&headline), Role::Title);
     lines.gap();
-    if let Some(last) = sitting.session.len().checked_sub(1)
-        && let Some(past) = sitting.session.past(last)
+    if let Some(last) = active.history.len().checked_sub(1)
+        && let Some(past) = active.history.past(last)
     {
         for ruling in &past.rulings {
             lines.paragraph(&words::ruling(ruling), Role::Text);
@@ -48,11 +48,11 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
         );
         lines.pair("games before this", &games, Role::Dim, Role::Text);
     }
-    score::calls(sitting, lines);
-    notice(sitting, lines);
+    score::calls(active, lines);
+    notice(active, lines);
     lines.gap();
     if let Some(breaker) = next_breaker(game) {
-        let breaks = words::does(sitting.options.seat_name(breaker), "breaks");
+        let breaks = words::does(active.options.seat_name(breaker), "breaks");
         lines.line(&format!("{} next.", words::sentence(&breaks)), Role::Text);
     }
     let next = match game.stage() {

@@ -1,0 +1,295 @@
+//! A collision by the fields that files, commands and screens write it with.
+
+use std::fmt::Display;
+
+use super::angle::unit_vector;
+use super::units::{m_from_mm, rad_from_deg};
+use super::{Bond, Collision, Disc};
+
+/// Two discs about to meet, in the units of files and of the screen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CollisionSpec {
+    /// Mass of the striker in g.
+    pub m1_g: f64,
+    /// Mass of the target in g.
+    pub m2_g: f64,
+    /// Radius of the striker in mm.
+    pub r1_mm: f64,
+    /// Radius of the target in mm.
+    pub r2_mm: f64,
+    /// Speed of the striker in m/s.
+    pub speed: f64,
+    /// Direction of the striker in degrees from +x, anticlockwise.
+    pub aim_deg: f64,
+    /// Speed of the target in m/s.
+    pub target_speed: f64,
+    /// Direction of the target in degrees from +x, anticlockwise.
+    pub target_deg: f64,
+    /// Where the two meet.
+    pub point: ImpactPoint,
+    /// Coefficient of restitution, 0 to 1.
+    pub restitution: f64,
+    /// Whether the discs slip past each other or stick.
+    pub bond: Bond,
+}
+
+/// Where on the target the striker meets it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ImpactPoint {
+    /// By the impact angle.
+    Angle {
+        /// α in degrees, −90 to 90, positive when the target lies to the right.
+        alpha_deg: f64,
+    },
+    /// By the impact parameter.
+    Offset {
+        /// b in mm, positive when the target lies to the right.
+        offset_mm: f64,
+    },
+}
+
+/// What one number of a [`CollisionSpec`] may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldRange {
+    /// Its name in files.
+    pub name: &'static str,
+    /// What it is, and its unit: "a mass in g".
+    pub what: &'static str,
+    /// The least it may be.
+    pub least: f64,
+    /// The most it may be.
+    pub most: f64,
+}
+
+impl FieldRange {
+    /// The range of one field.
+    pub const fn new(name: &'static str, what: &'static str, least: f64, most: f64) -> Self {
+        Self {
+            name,
+            what,
+            least,
+            most,
+        }
+    }
+
+    /// The value, if it is in range.
+    ///
+    /// # Errors
+    /// What was expected, beside what was `found`.
+    pub fn check(&self, value: f64, found: impl Display) -> Result<f64, String> {
+        if (self.least..=self.most).contains(&value) {
+            return Ok(value);
+        }
+        let (least, most) = (plain(self.least), plain(self.most));
+        let what = self.what;
+        Err(format!(
+            "expected {what} from {least} to {most}, found {found}"
+        ))
+    }
+}
+
+impl Default for CollisionSpec {
+    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without loss.
+    fn default() -> Self {
+        Self {
+            m1_g: 15.0,
+            m2_g: 15.0,
+            r1_mm: 15.0,
+            r2_mm: 15.0,
+            speed: 4.0,
+            aim_deg: 0.0,
+            target_speed: 0.0,
+            target_deg: 90.0,
+            point: ImpactPoint::Angle { alpha_deg: 30.0 },
+            restitution: 1.0,
+            bond: Bond::Slip,
+        }
+    }
+}
+
+impl CollisionSpec {
+    /// What lessons, concept questions and the lab take.
+    pub const RANGES: [FieldRange; 10] = [
+        FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
+        FieldRange::new("m2_g", "a mass in g", 0.1, 1000.0),
+        FieldRange::new("r1_mm", "a radius in mm", 5.0, 60.0),
+        FieldRange::new("r2_mm", "a radius in mm", 5.0, 60.0),
+        FieldRange::new("speed", "a speed in m/s", 0.1, 20.0),
+        FieldRange::new("alpha_deg", "an impact angle in degrees", -90.0, 90.0),
+        FieldRange::new("offset_mm", "an offset in mm", -150.0, 150.0),
+        FieldRange::new("restitution", "a restitution", 0.0, 1.0),
+        FieldRange::new("target_speed", "a speed in m/s", 0.0, 20.0),
+        FieldRange::new("target_deg", "a direction in degrees", -180.0, 180.0),
+    ];
+
+    /// The names of the fields in files.
+    pub fn field_names() -> Vec<&'static str> {
+        let names = Self::RANGES.iter().map(|range| range.name);
+        names.chain(["stick"]).collect()
+    }
+
+    /// Whether files have a field of this name.
+    pub fn has(field: &str) -> bool {
+        field == "stick" || Self::RANGES.iter().any(|range| range.name == field)
+    }
+
+    /// Sets a field of [`RANGES`](Self::RANGES), or `stick`, from what is written for it.
+    ///
+    /// # Errors
+    /// What was expected, if there is no such field or the value is none for it.
+    pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+        if field == "stick" {
+            self.bond = match written {
+                "true" => Bond::Stick,
+                "false" => Bond::Slip,
+                _ => return Err(format!("stick: expected true or false, found {written}")),
+            };
+            return Ok(());
+        }
+        let Some(range) = Self::RANGES.iter().find(|range| range.name == field) else {
+            let names = Self::RANGES.map(|range| range.name).join(", ");
+            return Err(format!(
+                "expected a field of a shot ({names}, stick), found {field}"
+            ));
+        };
+        let value = range
+            .check(written.parse().unwrap_or(f64::NAN), written)
+            .map_err(|expected| format!("{field}: {expected}"))?;
+        match field {
+            "m1_g" => self.m1_g = value,
+            "m2_g" => self.m2_g = value,
+            "r1_mm" => self.r1_mm = value,
+            "r2_mm" => self.r2_mm = value,
+            "speed" => self.speed = value,
+            "restitution" => self.restitution = value,
+            "target_speed" => self.target_speed = value,
+            "target_deg" => self.target_deg = value,
+            "offset_mm" => self.point = ImpactPoint::Offset { offset_mm: value },
+            _ => self.point = ImpactPoint::Angle { alpha_deg: value },
+        }
+        Ok(())
+    }
+
+    /// Checks the names of fields that are written together.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub fn check_fields<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), String> {
+        let points = |name: &&str| ["alpha_deg", "offset_mm"].contains(name);
+        match names.into_iter().filter(points).count() {
+            0 | 1 => Ok(()),
+            _ => Err("expected alpha_deg or offset_mm, found both: \
+                      each says where the two meet"
+                .into()),
+        }
+    }
+
+    /// Checks what no field can tell alone.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub fn check(&self) -> Result<(), String> {
+        let most = 1.25 * self.contact_distance_mm();
+        match self.point {
+            ImpactPoint::Offset { offset_mm } if offset_mm.abs() > most => Err(format!(
+                "offset_mm: expected at most {most} mm, 1.25 times both radii, found {offset_mm}"
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether it says where the two meet by the offset rather than by the angle.
+    pub fn is_by_offset(&self) -> bool {
+        matches!(self.point, ImpactPoint::Offset { .. })
+    }
+
+    /// Distance of the centres at contact, r₁ + r₂, in mm.
+    pub fn contact_distance_mm(&self) -> f64 {
+        self.r1_mm + self.r2_mm
+    }
+
+    /// The collision.
+    pub fn collision(&self) -> Collision {
+        Collision {
+            striker: Disc::from_g_mm(self.m1_g, self.r1_mm),
+            target: Disc::from_g_mm(self.m2_g, self.r2_mm),
+            u1: self.speed * unit_vector(self.aim_deg),
+            u2: self.target_speed * unit_vector(self.target_deg),
+            offset: 0.0,
+            restitution: self.restitution,
+            bond: self.bond,
+        }
+        .meeting_at(self.point)
+    }
+}
+
+impl Collision {
+    /// The same collision at another point of impact.
+    #[must_use]
+    pub fn meeting_at(self, point: ImpactPoint) -> Self {
+        match point {
+            ImpactPoint::Angle { alpha_deg } => self.with_alpha(rad_from_deg(alpha_deg)),
+            ImpactPoint::Offset { offset_mm } => Self {
+                offset: m_from_mm(offset_mm),
+                ..self
+            },
+        }
+    }
+}
+
+/// A number as one would type it: 90, 0.5, 1e12.
+pub fn plain(x: f64) -> String {
+    if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_said_is_the_worked_shot() {
+        let after = CollisionSpec::default().collision().outcome();
+        assert!((after.v1.length() - 2.0).abs() < 1e-12);
+        assert!((after.v2.length() - 12.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn fields_are_held_to_their_ranges() {
+        let mut spec = CollisionSpec::default();
+        assert_eq!(spec.set("m2_g", "40"), Ok(()));
+        assert!((spec.collision().target.mass - 0.040).abs() < 1e-15);
+        for (field, value, message) in [
+            (
+                "m1_g",
+                "-3",
+                "m1_g: expected a mass in g from 0.1 to 1000, found -3",
+            ),
+            (
+                "speed",
+                "NaN",
+                "speed: expected a speed in m/s from 0.1 to 20, found NaN",
+            ),
+            ("stick", "yes", "stick: expected true or false, found yes"),
+        ] {
+            assert_eq!(spec.set(field, value), Err(message.to_owned()));
+        }
+        assert!(spec.set("mass", "3").is_err());
+        assert_eq!(spec.set("offset_mm", "40"), Ok(()));
+        assert!(spec.check().is_err());
+    }
+
+    /// The fields as they are written and the numbers that come of them.
+    #[test]
+    fn every_field_is_set_by_its_name() {
+        for range in CollisionSpec::RANGES {
+            let mut spec = CollisionSpec::default();
+            let written = (0.5 * (range.least + range.most)).to_string();
+            assert_eq!(spec.set(range.name, &written), Ok(()));
+            assert_ne!(spec, CollisionSpec::default(), "{}", range.name);
+        }
+    }
+}

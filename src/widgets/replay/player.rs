@@ -1,0 +1,421 @@
+//! Watching a shot: time, and its impacts enlarged one by one.
+
+use std::time::Duration;
+
+use glam::DVec2;
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{Impact, ShotClock, WatchRate, impacts};
+use crate::messages::{Key, Mouse, MouseKind};
+use crate::physics::{Shot, State};
+use crate::quiz::Rays;
+use crate::widgets::hit::{FRAME, Face, Watch, WatchAction};
+use crate::widgets::input::{KeyTable, ListAction, ListView, Outcome};
+
+/// Seconds that the keys for steps go.
+const STEP: f64 = 0.02;
+/// Seconds that the keys for big steps go.
+const SCRUB: f64 = 0.25;
+
+/// A shot being watched.
+#[derive(Debug, Clone)]
+pub struct ShotPlayer {
+    shot: Shot,
+    clock: ShotClock,
+    impacts: Vec<Impact>,
+    faces: Vec<Face>,
+    said: Option<Rays>,
+    lists: bool,
+    list: ListView,
+    showing: Showing,
+    /// The time to go back to when the impacts are put away.
+    left_at: f64,
+}
+
+/// What is shown of the shot.
+#[derive(Debug, Clone)]
+enum Showing {
+    Board,
+    /// The board, at the impact that is chosen in the list.
+    Impacts,
+    /// The chosen impact alone, enlarged.
+    Impact(Box<Watch>),
+}
+
+/// What keys do to a shot that is watched.
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ShotAction {
+    /// go on; while time runs, to the end at once
+    GoOn,
+    /// look into its impacts
+    Impacts,
+    /// step through it
+    Step(i8),
+    /// bigger steps through it
+    Scrub(i8),
+    /// faster or slower, here and wherever a shot is watched
+    Speed(i8),
+    /// play it again
+    Again,
+    /// to its start, to its end
+    Seek(f64),
+    /// move in the list of impacts, and enlarge one
+    List(ListAction),
+    /// choose an impact of the list
+    Point(usize),
+    /// the next impact
+    NextImpact(isize),
+    /// work the enlarged impact
+    Watch(WatchAction),
+    /// away from the impacts
+    Leave,
+}
+
+impl ShotPlayer {
+    /// A shot in which the disc `set_off` was set off, and the clock by which it is
+    /// watched; impacts after the clock's end are not looked into.
+    pub fn new(shot: Shot, set_off: usize, clock: ShotClock) -> Self {
+        let seen = impacts(&shot, set_off).take_while(|impact| impact.time <= clock.end());
+        Self {
+            impacts: seen.collect(),
+            shot,
+            clock,
+            faces: Vec::new(),
+            said: None,
+            lists: false,
+            list: ListView::default(),
+            showing: Showing::Board,
+            left_at: 0.0,
+        }
+    }
+
+    /// The same with these faces for its discs.
+    #[must_use]
+    pub fn with_faces(self, faces: Vec<Face>) -> Self {
+        Self { faces, ..self }
+    }
+
+    /// The same with what was said of its first impact.
+    #[must_use]
+    pub fn with_said(self, said: Option<Rays>) -> Self {
+        Self { said, ..self }
+    }
+
+    /// The same with a list of its impacts, of which one is chosen before it is enlarged.
+    #[must_use]
+    pub fn with_list(self) -> Self {
+        Self {
+            lists: true,
+            ..self
+        }
+    }
+
+    /// The shot.
+    pub fn shot(&self) -> &Shot {
+        &self.shot
+    }
+
+    /// Its clock.
+    pub fn clock(&self) -> &ShotClock {
+        &self.clock
+    }
+
+    /// All its impacts.
+    pub fn impacts(&self) -> &[Impact] {
+        &self.impacts
+    }
+
+    /// The impact that is chosen, with its place among all, while one is.
+    pub fn chosen(&self) -> Option<(usize, &Impact)> {
+        if let Showing::Board = self.showing {
+            return None;
+        }
+        let number = self.list.chosen(self.impacts.len());
+        Some((number, self.impacts.get(number)?))
+    }
+
+    /// The list of impacts, while it is shown.
+    pub fn list(&self) -> Option<&ListView> {
+        matches!(self.showing, Showing::Impacts).then_some(&self.list)
+    }
+
+    /// The chosen impact by itself, while it is enlarged.
+    pub fn zoom(&self) -> Option<&Watch> {
+        match &self.showing {
+            Showing::Impact(watch) => Some(watch),
+            _ => None,
+        }
+    }
+
+    /// The discs on the board now, with where they are.
+    pub fn discs(&self) -> impl Iterator<Item = (usize, DVec2)> + '_ {
+        let now = |disc| self.shot.at(disc, self.clock.time());
+        let all = (0..self.shot.discs().len()).map(move |disc| (disc, now(disc)));
+        all.filter_map(|(disc, now)| (now.state != State::Pocketed).then_some((disc, now.position)))
+    }
+
+    /// The keys that work it.
+    pub fn keys(&self) -> KeyTable<ShotAction> {
+        use ShotAction::{Again, GoOn, Impacts, Leave, NextImpact, Scrub, Seek, Speed, Step};
+        let table = KeyTable::new("shot");
+        let many = self.impacts.len() > 1;
+        let key = Key::Char;
+        match &self.showing {
+            Showing::Board => table
+                .on(
+                    key(' '),
+                    GoOn,
+                    if self.clock.is_running() {
+                        "skip"
+                    } else {
+                        "go on"
+                    },
+                )
+                .when(!self.clock.is_over())
+                .on(
+                    key('i'),
+                    Impacts,
+                    if self.lists { "impacts" } else { "the impact" },
+                )
+                .when(!self.impacts.is_empty())
+                .each([(key(','), Step(-1)), (key('.'), Step(1))], "step")
+                .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
+                .each([(key('<'), Scrub(-1)), (key('>'), Scrub(1))], "scrub")
+                .each([(key('+'), Speed(1)), (key('-'), Speed(-1))], "speed")
+                .or([(key('='), Speed(1))])
+                .on(key('a'), Again, "again")
+                .each(
+                    [(Key::Home, Seek(0.0)), (Key::End, Seek(f64::INFINITY))],
+                    "",
+                ),
+            Showing::Impacts => table
+                .with(ListView::keys("look closer"), ShotAction::List)
+                .on(Key::Escape, Leave, "back")
+                .or([(key('i'), Leave)]),
+            Showing::Impact(watch) => table
+                .with(watch.keys(), ShotAction::Watch)
+                .each(
+                    [(Key::Down, NextImpact(1)), (Key::Up, NextImpact(-1))],
+                    "other impact",
+                )
+                .or([(Key::Tab, NextImpact(1)), (Key::BackTab, NextImpact(-1))])
+                .when(many)
+                .on(Key::Escape, Leave, "back")
+                .or([(key('i'), Leave), (Key::Enter, Leave)])
+                .or([(key(' '), Leave)]
+                    .into_iter()
+                    .filter(|_| watch.clock().is_over())),
+        }
+    }
+
+    /// What the mouse stands for: the wheel steps, a click on the picture does what Space
+    /// does. In the list of impacts the wheel and a click on its lines choose, `line`
+    /// being the one that is pointed at.
+    pub fn pointed(
+        &self,
+        mouse: &Mouse,
+        on_picture: bool,
+        line: Option<usize>,
+    ) -> Option<ShotAction> {
+        if let Showing::Impacts = self.showing {
+            let mut list = self.list;
+            return match list.mouse(mouse, self.impacts.len(), line) {
+                Outcome::Ignored => None,
+                Outcome::Used => Some(ShotAction::Point(list.chosen(self.impacts.len()))),
+                Outcome::Done(_) => Some(ShotAction::List(ListAction::Open)),
+            };
+        }
+        self.keys().exact(match mouse.kind {
+            MouseKind::ScrollUp => Key::Char('.'),
+            MouseKind::ScrollDown => Key::Char(','),
+            MouseKind::Down if on_picture => Key::Char(' '),
+            _ => return None,
+        })
+    }
+
+    /// Does what a key stands for. A speed that is chosen goes into `rate`, to be
+    /// remembered; with `reduced` motion an enlarged impact begins at the contact.
+    pub fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, reduced: bool) {
+        match action {
+            ShotAction::GoOn => self.clock.go_on(),
+            ShotAction::Step(by) => self.clock.step(STEP * f64::from(by)),
+            ShotAction::Scrub(by) => self.clock.step(SCRUB * f64::from(by)),
+            ShotAction::Seek(time) => self.clock.seek(time),
+            ShotAction::Again => self.clock.rewind(),
+            ShotAction::Speed(by) => {
+                self.clock.set_rate(self.clock.rate().faster(by));
+                *rate = Some(self.clock.rate());
+            }
+            ShotAction::Impacts => {
+                self.left_at = self.clock.time();
+                // The one last seen; at the end the first, which was aimed at.
+                let now = if self.clock.is_over() {
+                    0.0
+                } else {
+                    self.left_at
+                };
+                let seen = self.impacts.partition_point(|impact| impact.time <= now);
+                self.list.choose(seen.saturating_sub(1));
+                self.showing = Showing::Impacts;
+                if self.lists {
+                    self.show_chosen();
+                } else {
+                    self.enlarge(reduced);
+                }
+            }
+            ShotAction::List(action) => match self.list.act(action, self.impacts.len()) {
+                Outcome::Done(_) => self.enlarge(reduced),
+                _ => self.show_chosen(),
+            },
+            ShotAction::Point(number) => {
+                self.list.choose(number);
+                self.show_chosen();
+            }
+            ShotAction::NextImpact(by) => {
+                self.list.act(ListAction::Choose(by), self.impacts.len());
+                self.enlarge(reduced);
+            }
+            ShotAction::Watch(action) => {
+                if let Showing::Impact(watch) = &mut self.showing {
+                    watch.act(action);
+                }
+            }
+            ShotAction::Leave if self.lists && self.zoom().is_some() => {
+                self.showing = Showing::Impacts;
+            }
+            ShotAction::Leave => {
+                self.showing = Showing::Board;
+                self.clock.seek(self.left_at);
+            }
+        }
+    }
+
+    /// Puts the clock to the impact that is chosen.
+    fn show_chosen(&mut self) {
+        if let Some((_, impact)) = self.chosen() {
+            self.clock.seek(impact.time);
+        }
+    }
+
+    fn enlarge(&mut self, reduced: bool) {
+        self.show_chosen();
+        if let Some((number, impact)) = self.chosen() {
+            let said = self.said.filter(|_| number == 0);
+            let face = |disc: usize| self.faces.get(disc).copied();
+            let faces = impact
+                .discs
+                .map(|disc| face(disc).unwrap_or(Face::STRIKER_AND_COIN[1]));
+            let watch = Watch::new(impact.collision, said, reduced).with_faces(faces);
+            self.showing = Showing::Impact(Box::new(watch));
+        }
+    }
+
+    /// Lets time pass on the screen.
+    pub fn advance(&mut self, passed: Duration) {
+        match &mut self.showing {
+            Showing::Impact(watch) => watch.advance(passed),
+            _ => self.clock.advance(passed),
+        }
+    }
+
+    /// When it next needs time.
+    pub fn wake(&self) -> Option<Duration> {
+        match &self.showing {
+            Showing::Impact(watch) => watch.wake(),
+            _ => self.clock.is_running().then_some(FRAME),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::{Board, Disc, Limits, Motion, play};
+
+    /// A disc that drives one on into another: two impacts.
+    fn player(lists: bool) -> ShotPlayer {
+        let disc = Disc::from_g_mm(15.0, 20.0);
+        let mut start = [0.0, 0.1, 0.2].map(|x| Motion::at_rest(DVec2::new(x, 0.1 * x)));
+        start[0].velocity = DVec2::new(3.0, 0.0);
+        let shot = play(&Board::default(), &[disc; 3], &start, Limits::default()).unwrap();
+        let clock = ShotClock::new(shot.duration(), WatchRate::REAL, false);
+        let player = ShotPlayer::new(shot, 0, clock);
+        assert!(player.impacts().len() >= 2);
+        if lists { player.with_list() } else { player }
+    }
+
+    fn press(player: &mut ShotPlayer, key: Key) -> Option<WatchRate> {
+        let mut rate = None;
+        let action = player.keys().find(key).unwrap();
+        player.act(action, &mut rate, true);
+        rate
+    }
+
+    #[test]
+    fn a_speed_that_is_chosen_is_told_to_be_remembered() {
+        let mut player = player(false);
+        assert_eq!(press(&mut player, Key::Char(' ')), None);
+        let slower = Some(WatchRate::REAL.faster(-1));
+        assert_eq!(press(&mut player, Key::Char('-')), slower);
+        assert_eq!(Some(player.clock().rate()), slower);
+    }
+
+    #[test]
+    fn an_impact_is_enlarged_and_time_is_where_it_was_afterwards() {
+        let mut player = player(false);
+        press(&mut player, Key::End);
+        let end = player.clock().time();
+        press(&mut player, Key::Char('i'));
+        assert!(player.zoom().is_some());
+        assert_eq!(player.chosen().unwrap().0, 0);
+        assert_eq!(player.clock().time(), player.impacts()[0].time);
+        press(&mut player, Key::Tab);
+        assert_eq!(player.chosen().unwrap().0, 1);
+        press(&mut player, Key::Escape);
+        assert!(player.zoom().is_none() && player.chosen().is_none());
+        assert_eq!(player.clock().time(), end);
+    }
+
+    #[test]
+    fn impacts_are_listed_where_that_is_wanted() {
+        let mut player = player(true);
+        press(&mut player, Key::Char('i'));
+        assert!(player.list().is_some() && player.zoom().is_none());
+        press(&mut player, Key::Down);
+        assert_eq!(player.clock().time(), player.impacts()[1].time);
+        press(&mut player, Key::Char(' '));
+        assert!(player.zoom().is_some());
+        press(&mut player, Key::Escape);
+        assert_eq!(player.list().unwrap().chosen(9), 1);
+        press(&mut player, Key::Escape);
+        assert!(player.list().is_none());
+        assert_eq!(player.clock().time(), 0.0);
+    }
+
+    #[test]
+    fn the_wheel_steps_and_a_click_goes_on_while_there_is_something_to_go_on_to() {
+        let mut player = player(false);
+        let mouse = |kind| Mouse {
+            kind,
+            column: 0,
+            row: 0,
+        };
+        let step = player.pointed(&mouse(MouseKind::ScrollUp), false, None);
+        assert_eq!(step, Some(ShotAction::Step(1)));
+        let click = mouse(MouseKind::Down);
+        assert_eq!(player.pointed(&click, false, None), None);
+        assert_eq!(player.pointed(&click, true, None), Some(ShotAction::GoOn));
+        press(&mut player, Key::End);
+        assert_eq!(player.pointed(&click, true, None), None);
+    }
+
+    #[test]
+    fn impacts_after_the_clocks_end_are_not_looked_into() {
+        let whole = player(false);
+        let until = whole.impacts()[0].time;
+        let clock = ShotClock::new(until, WatchRate::REAL, false);
+        let part = ShotPlayer::new(whole.shot().clone(), 0, clock);
+        assert_eq!(part.impacts().len(), 1);
+    }
+}
