@@ -8,7 +8,7 @@ use super::level::Level;
 use super::scene::pockets;
 use crate::files::Range;
 use crate::physics::angle::angle_between;
-use crate::physics::{Event, EventKind, Shot, State};
+use crate::physics::{DiscState, Event, EventKind, Shot};
 
 /// What became of a level's goals, in their order.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,9 +89,9 @@ impl Goal {
             Self::Rest { disc, circle } => {
                 let end = shot.at(*disc, shot.duration());
                 match end.state {
-                    State::Pocketed => (false, Seen::Fell),
-                    State::Moving => (false, Seen::NeverResting),
-                    State::Resting => inside(circle, end.position),
+                    DiscState::Pocketed => (false, Seen::Fell),
+                    DiscState::Moving => (false, Seen::NeverResting),
+                    DiscState::Resting => inside(circle, end.position),
                 }
             }
             Self::Pass { disc, circle } => {

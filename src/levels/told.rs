@@ -4,7 +4,8 @@ use super::goal::{Goal, between, between_deg};
 use super::judge::{Judged, Judgement, Seen};
 use super::level::Level;
 use super::scene::{figures, tidy};
-use crate::physics::units::{deg_from_rad, mm_from_m};
+use crate::numbers::degrees;
+use crate::physics::units::mm_from_m;
 
 /// What became of one goal.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -127,10 +128,6 @@ fn wanted(met: bool, told: String, wanted: impl Fn() -> String) -> String {
     } else {
         format!("{told}, wanted {}", wanted())
     }
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{:.1}°", deg_from_rad(angle))
 }
 
 /// A number of cushions in words.

@@ -4,7 +4,7 @@ use std::mem;
 
 use super::calls::Called;
 use crate::game::{
-    ByTeam, Game, Move, MoveError, Record, RecordError, Ruling, Setup, Strike, Team,
+    ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike, Team,
 };
 use crate::physics::Shot;
 
@@ -56,7 +56,7 @@ pub(super) struct Tally {
 
 impl GameHistory {
     /// A new game.
-    pub(super) fn new(setup: Setup) -> Self {
+    pub(super) fn new(setup: GameSetup) -> Self {
         Self {
             record: Record::new(setup),
             game: Game::new(setup),

@@ -6,7 +6,8 @@ use super::active_game::{ActiveGame, TablePhase};
 use super::new_game::NewGame;
 use crate::game::Piece;
 use crate::messages::Key;
-use crate::widgets::input::{EntryAction, FormAction, KeyTable, ListAction, RayAction};
+use crate::screens::kept_files::KeptAction;
+use crate::widgets::input::{EntryAction, FormAction, KeyTable, RayAction};
 use crate::widgets::replay::ShotAction;
 
 /// What keys do at the table.
@@ -19,10 +20,8 @@ pub enum TableAction {
     Play,
     /// the games that are saved: resume one, or watch it again
     SavedGames,
-    /// choose a saved game, and resume it
-    Saved(ListAction),
-    /// remove the game for good
-    Remove,
+    /// choose a saved game, resume or remove it
+    Saved(KeptAction),
     /// watch the whole game again, stroke by stroke
     WatchAll,
     /// export: write the game to a file of its own

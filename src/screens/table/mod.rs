@@ -136,8 +136,7 @@ impl Screen for Table {
             },
             TablePage::SavedGames(page) => match action {
                 TableAction::Back => self.page = agreeing(page.options),
-                TableAction::Remove => return page.ask_to_remove(),
-                action => page.act(action, cx),
+                action => return page.act(action, cx),
             },
             TablePage::Playing(game) => match game.act(action, cx) {
                 GameStep::Stay => {}

@@ -7,36 +7,24 @@ use super::active_game::ActiveGame;
 use super::keys::TableAction;
 use super::options::Options;
 use super::{picture, view, words};
-use crate::game::{Game, Rules, SavedGame, Stage, Team};
+use crate::game::{Game, GameStage, Rules, SavedGame, Team};
 use crate::messages::{Input, KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
-use crate::screens::{Context, Next, Question};
-use crate::widgets::input::{KeyTable, ListView};
-use crate::widgets::{Lines, Outcome, Role, text};
+use crate::screens::kept_files::{KeptAction, KeptFiles};
+use crate::screens::{Context, Next};
+use crate::widgets::input::KeyTable;
+use crate::widgets::{Lines, Outcome, Role};
 
 /// Rows below the list for what is to be said of the chosen game.
-const ABOUT: u16 = 11;
+const ABOUT: usize = 11;
 
 /// The page.
 #[derive(Debug, Clone)]
 pub(super) struct SavedGames {
     /// For the page to go back to.
     pub(super) options: Options,
-    games: Games,
-    list: ListView,
-    /// A game on its way, and whether to watch it from its beginning.
-    loading: Option<(u64, bool)>,
-    notice: Option<String>,
-}
-
-/// The games there are.
-#[derive(Debug, Clone)]
-enum Games {
-    /// They have been asked for.
-    Asked,
-    /// Nobody can say, and why.
-    Unknown(String),
-    /// These.
-    Known(Vec<KeptGame>),
+    files: KeptFiles<(SavedGame, Game)>,
+    /// Whether the game on its way is to be watched from its beginning.
+    watch: bool,
 }
 
 impl SavedGames {
@@ -45,80 +33,49 @@ impl SavedGames {
         cx.ask(StoreRequest::List);
         Self {
             options,
-            games: Games::Asked,
-            list: ListView::default(),
-            loading: None,
-            notice: None,
+            files: KeptFiles::default(),
+            watch: false,
         }
-    }
-
-    fn known(&self) -> &[KeptGame] {
-        match &self.games {
-            Games::Known(games) => games,
-            Games::Asked | Games::Unknown(_) => &[],
-        }
-    }
-
-    fn chosen(&self) -> Option<&KeptGame> {
-        self.known().get(self.list.chosen(self.known().len()))
-    }
-
-    /// The chosen game, if it can be read.
-    fn game(&self) -> Option<&(SavedGame, Game)> {
-        self.chosen()?.content.as_deref().ok()
     }
 
     /// The keys of the page.
     pub(super) fn keys(&self) -> KeyTable<TableAction> {
-        use TableAction::{Back, Export, Remove, Saved, WatchAll};
-        let open = self.game().is_some();
-        let list = ListView::keys(if open { "resume" } else { "" });
+        let open = self.files.content().is_some();
         KeyTable::new("table")
-            .with(list, Saved)
-            .on(Key::Char('v'), WatchAll, "replay")
+            .with(self.files.keys("resume"), TableAction::Saved)
+            .on(Key::Char('v'), TableAction::WatchAll, "replay")
             .when(open)
-            .on(Key::Char('e'), Export, "export")
+            .on(Key::Char('e'), TableAction::Export, "export")
             .when(open)
-            .on(Key::Char('d'), Remove, "remove")
-            .or([(Key::Delete, Remove)])
-            .when(self.chosen().is_some())
-            .on(Key::Escape, Back, "back")
+            .on(Key::Escape, TableAction::Back, "back")
     }
 
     /// Does what a key stands for.
-    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) {
-        self.notice = None;
+    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match action {
-            TableAction::Saved(action) => {
-                let outcome = self.list.act(action, self.known().len());
-                self.open(outcome, cx);
+            TableAction::Saved(KeptAction::Remove) => {
+                return Next::Confirm(KeptFiles::<()>::ask_to_remove("game"));
+            }
+            TableAction::Saved(KeptAction::List(action)) => {
+                if let Outcome::Done(()) = self.files.act(action) {
+                    self.load(false, cx);
+                }
             }
             TableAction::WatchAll => self.load(true, cx),
-            TableAction::Export => self.export(cx),
+            TableAction::Export => {
+                if let Some((saved, _)) = self.files.content() {
+                    cx.ask(StoreRequest::Export(Box::new(saved.clone())));
+                }
+            }
             _ => {}
         }
-    }
-
-    /// Asks whether to remove the chosen game.
-    pub(super) fn ask_to_remove(&self) -> Next {
-        Next::Confirm(Question::new(
-            "Remove this game for good?",
-            "remove it",
-            "keep it",
-        ))
+        Next::Stay
     }
 
     /// Removes the chosen game.
-    pub(super) fn remove(&mut self, cx: &mut Context) {
-        if let Some(game) = self.chosen() {
-            let request = StoreRequest::Remove(game.name.clone());
-            cx.ask(request);
-        }
-    }
-
-    fn open(&mut self, outcome: Outcome<usize>, cx: &mut Context) {
-        if let Outcome::Done(_) = outcome {
-            self.load(false, cx);
+    pub(super) fn remove(&self, cx: &mut Context) {
+        if let Some(game) = self.files.chosen() {
+            cx.ask(StoreRequest::Remove(game.name.clone()));
         }
     }
 
@@ -127,18 +84,17 @@ impl SavedGames {
         match input {
             Input::Mouse(mouse) => {
                 let panel = view::layout(cx.body, false).panel;
+                let rows = rows(panel.height);
                 let row = panel.contains((mouse.column, mouse.row).into());
                 let row = row.then(|| usize::from(mouse.row - panel.y));
-                let line = row.filter(|row| *row < rows(panel.height).into());
-                let line = line.map(|row| self.first_row(panel.height) + row);
-                let line = line.filter(|line| *line < self.known().len());
-                self.notice = None;
-                let outcome = self.list.mouse(mouse, self.known().len(), line);
-                self.open(outcome, cx);
-                match outcome {
-                    Outcome::Ignored => Outcome::Ignored,
-                    _ => Outcome::Used,
+                let row = row.filter(|row| *row < rows);
+                let line = row.map(|row| self.files.first_row(rows) + row);
+                match self.files.mouse(mouse, line) {
+                    Outcome::Ignored => return Outcome::Ignored,
+                    Outcome::Done(()) => self.load(false, cx),
+                    Outcome::Used => {}
                 }
+                Outcome::Used
             }
             Input::Kept(answer) => {
                 let game = self.take_answer(answer, cx);
@@ -149,136 +105,77 @@ impl SavedGames {
     }
 
     fn load(&mut self, watch: bool, cx: &mut Context) {
-        if self.game().is_some()
-            && let Some(game) = self.chosen()
-        {
-            let wish = StoreRequest::Load(game.name.clone());
-            self.loading = Some((cx.ask(wish), watch));
-        }
-    }
-
-    fn export(&self, cx: &mut Context) {
-        if let Some((saved, _)) = self.game() {
-            cx.ask(StoreRequest::Export(Box::new(saved.clone())));
+        if let Some(game) = self.files.chosen() {
+            let ticket = cx.ask(StoreRequest::Load(game.name.clone()));
+            self.watch = watch;
+            self.files.load(ticket);
         }
     }
 
     fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Option<Box<ActiveGame>> {
         match &answer.done {
-            StoreReply::Listed(Ok(games)) => {
-                self.games = Games::Known(games.clone());
-            }
-            StoreReply::Listed(Err(reason)) => self.games = Games::Unknown(reason.clone()),
-            StoreReply::Loaded(loaded) => {
-                let Some((ticket, watch)) = self.loading.filter(|(it, _)| *it == answer.ticket)
-                else {
-                    return None;
-                };
-                self.loading = None;
+            StoreReply::Listed(games) => self.files.listed(games.clone()),
+            StoreReply::Loaded(loaded) if self.files.take_loaded(answer.ticket) => {
                 let active = loaded.as_ref().map_err(Clone::clone).and_then(|saved| {
-                    ActiveGame::resume_saved(saved, ticket).map_err(|error| error.to_string())
+                    let active = ActiveGame::resume_saved(saved, answer.ticket);
+                    active.map_err(|error| error.to_string())
                 });
                 match active {
                     Ok(mut active) => {
-                        if watch {
+                        if self.watch {
                             active.watch_all(cx);
                         }
                         return Some(Box::new(active));
                     }
-                    Err(reason) => self.notice = Some(format!("It cannot be resumed: {reason}.")),
+                    Err(reason) => {
+                        self.files.notice = Some(format!("It cannot be resumed: {reason}."));
+                    }
                 }
             }
             StoreReply::Removed(result) => {
-                if let Err(reason) = result {
-                    self.notice = Some(format!("It cannot be removed: {reason}."));
-                }
+                self.files.removed(result);
                 cx.ask(StoreRequest::List);
             }
-            StoreReply::Exported(Ok(place)) => {
-                self.notice = Some(format!("It is written to {place}"))
-            }
-            StoreReply::Exported(Err(reason)) => {
-                self.notice = Some(format!("It cannot be exported: {reason}."));
+            StoreReply::Exported(result) => {
+                self.files.notice = Some(match result {
+                    Ok(place) => format!("It is written to {place}"),
+                    Err(reason) => format!("It cannot be exported: {reason}."),
+                });
             }
             _ => {}
         }
         None
     }
 
-    /// The first game of the list that is shown in a panel of this height.
-    fn first_row(&self, height: u16) -> usize {
-        let count = self.known().len();
-        ListView::first_shown(self.list.chosen(count), count, rows(height))
-    }
-
     /// Draws the page: the board of the chosen game, and beside it the list.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
         let layout = view::layout(area, false);
-        let name = self.chosen().map_or("", |kept| kept.name.as_str());
+        let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
         layout.draw(buf, &look, name, "saved games");
-        let (coins, set) = match self.game() {
+        let (coins, set) = match self.files.content() {
             Some((_, game)) => (game.coins(), game.setup().set),
             None => (&[][..], self.options.set),
         };
         picture::of_pack(coins, set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
-        match &self.games {
-            Games::Asked => lines.paragraph("Looking …", Role::Text),
-            Games::Unknown(reason) => {
-                let message = format!("The saved games cannot be looked at: {reason}.");
-                lines.paragraph(&message, Role::Warn);
-            }
-            Games::Known(games) if games.is_empty() => lines.paragraph(
-                "There are none yet. Every game is saved by itself, after each stroke.",
-                Role::Text,
-            ),
-            Games::Known(games) => {
-                let rows = rows(layout.panel.height);
-                let first = self.first_row(layout.panel.height);
-                let chosen = self.list.chosen(games.len());
-                for (i, kept) in games.iter().enumerate().skip(first).take(rows.into()) {
-                    let (mark, role) = if i == chosen {
-                        (">", Role::Selected)
-                    } else {
-                        (" ", Role::Text)
-                    };
-                    let age = kept.age.map(text::ago).unwrap_or_default();
-                    lines.pair(&format!("{mark} {}", title(kept)), &age, role, Role::Dim);
-                }
-            }
-        }
-        lines.gap();
-        self.about(&mut lines);
-    }
-
-    /// What is to be said of the chosen game.
-    fn about(&self, lines: &mut Lines) {
-        let Some(kept) = self.chosen() else {
-            return;
-        };
-        if let Some(notice) = &self.notice {
-            lines.paragraph(notice, Role::Warn);
+        let what = (
+            "saved games",
+            "Every game is saved by itself, after each stroke.",
+        );
+        let rows = rows(layout.panel.height);
+        self.files.write(rows, what, title, &mut lines);
+        self.files.write_about(&mut lines, |(saved, game), lines| {
+            lines.paragraph(&about(saved, game), Role::Text);
             lines.gap();
-        }
-        match &kept.content {
-            Ok(game) => {
-                lines.paragraph(&about(&game.0, &game.1), Role::Text);
-                lines.gap();
-                lines.paragraph("Enter: resume it.  v: watch it from its start.", Role::Key);
-            }
-            Err(reason) => {
-                lines.paragraph(&format!("It cannot be read. {reason}."), Role::Warn);
-                lines.gap();
-                lines.paragraph("The file is left as it is.", Role::Text);
-            }
-        }
+            lines.paragraph("Enter: resume it.  v: watch it from its start.", Role::Key);
+        });
     }
 }
 
 /// Rows of the list in a panel of this height.
-fn rows(height: u16) -> u16 {
-    height.saturating_sub(ABOUT).max(3)
+fn rows(height: u16) -> usize {
+    usize::from(height).saturating_sub(ABOUT).max(3)
 }
 
 /// A game in a few words: who plays, and the score.
@@ -314,19 +211,19 @@ fn about(saved: &SavedGame, game: &Game) -> String {
     let rules = words::sentence(words::rules(options.rules));
     let stands = match game.stage() {
         _ if options.rules == Rules::Practice => String::new(),
-        Stage::Playing => match options.seat_name(game.seat()) {
+        GameStage::Playing => match options.seat_name(game.seat()) {
             "you" => " It is your turn.".into(),
             name => format!(" It is the turn of {name}."),
         },
-        Stage::BoardOver(won) => {
+        GameStage::BoardOver(won) => {
             let winner = options.team_name(won.winner);
             format!(" The board went to {winner}.")
         }
-        Stage::GameOver(team) => {
+        GameStage::GameOver(team) => {
             let winner = words::does(options.team_name(team), "wins");
             format!(" {} the game.", words::sentence(&winner))
         }
-        Stage::MatchOver(team) => {
+        GameStage::MatchOver(team) => {
             let winner = words::does(options.team_name(team), "wins");
             format!(" {} the match.", words::sentence(&winner))
         }
