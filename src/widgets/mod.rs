@@ -19,7 +19,6 @@ pub mod replay;
 pub mod svg;
 pub mod theme;
 
-mod beside;
 pub mod flow;
 pub mod formula;
 pub mod hit;
@@ -29,14 +28,15 @@ mod look;
 mod question_picture;
 mod scroll;
 pub(crate) mod signs;
+mod split_layout;
 pub mod text;
 pub mod tracks;
 
-pub use beside::Beside;
 pub use charset::Charset;
 pub use input::{AnswerInput, NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use lines::{Lines, Spare};
 pub use look::Look;
 pub use question_picture::{draw_question, question_picture};
 pub use scroll::{Scroll, overflow};
+pub use split_layout::SplitLayout;
 pub use theme::{Depth, Palette, Role, Theme};

@@ -6,19 +6,19 @@ use ratatui::layout::Rect;
 use super::{Foil, Page, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Beside, Lines, Look, Role, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
-pub struct FoilLayout {
+pub(super) struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
-    pub beside: Beside,
+    pub beside: SplitLayout,
 }
 
 impl FoilLayout {
     /// Lays it out in `area`.
-    pub fn new(area: Rect) -> Self {
+    pub(super) fn new(area: Rect) -> Self {
         let row = 1.min(area.height);
         let tabs = Rect {
             height: row,
@@ -31,7 +31,7 @@ impl FoilLayout {
         };
         Self {
             tabs,
-            beside: Beside::new(rest),
+            beside: SplitLayout::new(rest),
         }
     }
 
@@ -47,7 +47,7 @@ impl FoilLayout {
     }
 
     /// The page whose tab is at this cell.
-    pub fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
+    pub(super) fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
         if !self.tabs.contains((column, row).into()) {
             return None;
         }
@@ -58,7 +58,7 @@ impl FoilLayout {
     }
 
     /// Which row of the panel's text, which may be scrolled, is at this cell of it.
-    pub fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
+    pub(super) fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
         let scrolled = foil
             .scroll
             .rows(self.beside.panel, cx.settings.look(), |lines| {

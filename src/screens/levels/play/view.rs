@@ -7,7 +7,7 @@ use super::{Phase, Play, Saying, board, panel};
 use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
-use crate::widgets::Beside;
+use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Markings, setup_picture};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
@@ -21,11 +21,11 @@ fn shown(saying: &Saying) -> Markings {
 }
 
 /// Where the parts are: a square board, or a hit that takes all the room there is.
-pub(super) fn layout(play: &Play, area: Rect) -> Beside {
+pub(super) fn layout(play: &Play, area: Rect) -> SplitLayout {
     if play.is_enlarged() || play.level.is_of_the_first_hit() {
-        Beside::new(area)
+        SplitLayout::new(area)
     } else {
-        Beside::square(area)
+        SplitLayout::square(area)
     }
 }
 

@@ -21,7 +21,7 @@ const WIDE: u16 = 110;
 
 /// Where a picture and the panel beside it are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Beside {
+pub struct SplitLayout {
     /// The inside of the picture's frame.
     pub picture: Rect,
     /// The inside of the panel's frame.
@@ -29,7 +29,7 @@ pub struct Beside {
     frames: [Rect; 2],
 }
 
-impl Beside {
+impl SplitLayout {
     /// Lays them out in `area`.
     pub fn new(area: Rect) -> Self {
         let wanted = if area.width >= WIDE {
