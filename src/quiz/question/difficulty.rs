@@ -1,10 +1,7 @@
 //! How hard a question is.
 
-use serde::Deserialize;
-
 /// How hard a question is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Difficulty {
     /// One idea, in the plainest setting.
     Easy,
