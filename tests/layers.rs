@@ -250,7 +250,7 @@ fn example() -> [Map; 2] {
         //!   physics/\n//! ```\n\npub mod app;\n";
     let quiz_map = "//! ```text\n//!   rounds/\n//!   ──\n//!   families/\n//!   concepts/\n\
         //!   ──\n//!   question/\n//! ```\n\
-        pub use question::Question;\npub use rounds::{Round, code::Code};\npub struct Quiz;\n";
+        pub(crate) use question::Question;\npub use rounds::{Round, code::Code};\npub struct Quiz;\n";
     [Map::parse("", crate_map), Map::parse("quiz", quiz_map)]
 }
 
