@@ -23,11 +23,11 @@ use crate::screens::foil::Foil;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
-use crate::screens::levels::{Levels, Play};
+use crate::screens::levels::{LevelPlay, Levels};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Context, Next, Old, Place, Settings, SharedAction};
+use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
 
 use layer::Layer;
@@ -351,9 +351,9 @@ impl App {
             },
             Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
             Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
-            Place::Levels => Box::new(Old(Levels::new(&mut self.context))),
-            Place::Level { number } => match Play::new(number, &mut self.context) {
-                Some(play) => Box::new(Old(play)),
+            Place::Levels => Box::new(Hosted::new(Levels::new(&mut self.context))),
+            Place::Level { number } => match LevelPlay::new(number, &mut self.context) {
+                Some(play) => Box::new(Hosted::new(play)),
                 None => return,
             },
             Place::Class { code, teams } => {

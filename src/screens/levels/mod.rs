@@ -5,4 +5,4 @@ mod play;
 mod words;
 
 pub use list::Levels;
-pub use play::Play;
+pub use play::LevelPlay;

@@ -176,9 +176,14 @@ impl Form {
 
     /// Changes the selected field by so many steps.
     pub fn step(&mut self, steps: f64, form: &mut impl FormFields) {
+        self.step_at(self.at, steps, form);
+    }
+
+    /// Changes a field by so many steps, selected or not.
+    pub fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
-        let at = self.selected(fields.len());
+        let at = at.min(fields.len().saturating_sub(1));
         match fields.get(at) {
             Some(field) if field.locked.is_none() => form.set(at, stepped(field.value, steps)),
             _ => {}

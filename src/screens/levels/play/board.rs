@@ -4,10 +4,10 @@ use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::attempt::Attempt;
+use super::made_shot::{MadeShot, asked};
 use crate::levels::{Dial, Level, Scene};
 use crate::physics::units::m_from_mm;
-use crate::physics::{EventKind, Shot, State};
+use crate::physics::{EventKind, Shot};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
 use crate::widgets::ink::{Body, Layer, Pen, Sheet, Side, View};
@@ -166,15 +166,10 @@ fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
 }
 
 /// A shot at the time its clock shows, with the ways so far.
-pub(super) fn draw_attempt(
-    level: &Level,
-    attempt: &Attempt,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
+pub(super) fn draw_made(level: &Level, made: &MadeShot, area: Rect, buf: &mut Buffer, look: &Look) {
     let mut sheet = sheet(level, area, look);
-    let (shot, now) = (&attempt.shot, attempt.clock.time());
+    let player = &made.player;
+    let (shot, now) = (player.shot(), player.clock().time());
     for disc in 0..shot.discs().len() {
         let role = if disc == level.scene.stroke.disc {
             Role::StrikerOut
@@ -183,13 +178,9 @@ pub(super) fn draw_attempt(
         };
         trail(&mut sheet, shot, disc, now, role);
     }
-    let places = (0..shot.discs().len()).filter_map(|disc| {
-        let sample = shot.at(disc, now);
-        (sample.state != State::Pocketed).then_some((disc, sample.position))
-    });
-    let places: Vec<_> = places.collect();
+    let places: Vec<_> = player.discs().collect();
     if level.is_of_the_first_hit()
-        && let Some(impact) = attempt.impacts.first().filter(|impact| impact.time < now)
+        && let Some(impact) = player.impacts().first().filter(|impact| impact.time < now)
     {
         // Where they touched, as those that leave are soon out of the picture.
         for disc in impact.discs {
@@ -199,7 +190,7 @@ pub(super) fn draw_attempt(
         }
     }
     discs(level, &mut sheet, &places);
-    said(&mut sheet, level, attempt);
+    said(&mut sheet, level, made);
     labels(level, &mut sheet, &places);
     sheet.draw(buf, &look.theme);
 }
@@ -218,28 +209,29 @@ fn trail(sheet: &mut Sheet, shot: &Shot, disc: usize, now: f64, role: Role) {
 }
 
 /// What was said of the first impact, once it has come.
-fn said(sheet: &mut Sheet, level: &Level, attempt: &Attempt) {
-    let (Some(said), Some(impact)) = (&attempt.said, attempt.impacts.first()) else {
+fn said(sheet: &mut Sheet, level: &Level, made: &MadeShot) {
+    let player = &made.player;
+    let (Some(said), Some(impact)) = (&made.said, player.impacts().first()) else {
         return;
     };
     let Some(heading) = impact.collision.u1.try_normalize() else {
         return;
     };
-    if attempt.clock.time() < impact.time {
+    if player.clock().time() < impact.time {
         return;
     }
-    for (body, ray) in said.asked() {
-        let Some(angle) = said.rays.get(ray) else {
+    for ray in asked(said) {
+        let Some(angle) = said.so_far().get(ray) else {
             continue;
         };
         // The scattering angle counts anticlockwise, the recoil angle clockwise.
-        let turn = match ray {
-            Ray::Striker => angle,
-            Ray::Target => -angle,
+        let [first, second] = impact.discs;
+        let (turn, disc) = match ray {
+            Ray::Striker => (angle, first),
+            Ray::Target => (-angle, second),
         };
         let way = DVec2::from_angle(turn).rotate(heading);
-        let disc = impact.discs[body];
-        let centre = attempt.shot.at(disc, impact.time).position;
+        let centre = player.shot().at(disc, impact.time).position;
         let length = if level.is_of_the_first_hit() {
             NEAR_RAY
         } else {
