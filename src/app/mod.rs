@@ -342,8 +342,8 @@ impl App {
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
             Place::Home => Box::new(Old(Home::default())),
-            Place::Lab => Box::new(Old(Lab::default())),
-            Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
+            Place::Lab => Box::new(Hosted::new(Lab::default())),
+            Place::LabOf { setup } => Box::new(Hosted::new(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
             Place::Chapter { number } => match Reading::new(number, &mut self.context) {
                 Some(reading) => Box::new(Old(reading)),

@@ -104,7 +104,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
-        json(&history.attempts, history.now_s).map_err(|reason| anyhow!(reason))? + "\n"
+        json(&history.attempts, &history.calendar).map_err(|reason| anyhow!(reason))? + "\n"
     };
     print(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)

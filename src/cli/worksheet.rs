@@ -8,7 +8,7 @@ use anyhow::{Context, anyhow};
 
 use super::{Failure, Options, print, written};
 use crate::files::Document;
-use crate::paper::worksheet::{Picture, Worksheet};
+use crate::paper::worksheet::{Worksheet, WorksheetPicture};
 use crate::quiz::{Code, Course, CourseKind, Round};
 
 /// Write a round of the quiz as a worksheet, with its key
@@ -122,7 +122,8 @@ fn remove_others(out: &Path, files: &[Document]) -> anyhow::Result<()> {
     let mut others: Vec<_> = keys.into_iter().filter(|path| path.is_file()).collect();
     if let Ok(entries) = fs::read_dir(out.join(PICTURES)) {
         let names = entries.flatten().map(|entry| entry.file_name());
-        let pictures = names.filter(|name| name.to_str().is_some_and(Picture::is_file_name));
+        let pictures =
+            names.filter(|name| name.to_str().is_some_and(WorksheetPicture::is_file_name));
         others.extend(pictures.map(|name| out.join(PICTURES).join(name)));
     }
     for path in others {

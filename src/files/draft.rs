@@ -1,9 +1,12 @@
 //! Writes whole files: under a name there is the old file or the new one, never a part.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
-use std::process;
+#[cfg(unix)]
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+
+use tempfile::{Builder, TempPath};
 
 /// How the names of files begin that are not finished, or not yet in their place.
 pub const UNFINISHED: &str = ".new-";
@@ -11,10 +14,7 @@ pub const UNFINISHED: &str = ".new-";
 /// A whole file that is not yet in its place: it was brought to the disk beside that
 /// place, in the same folder, and is removed again if it is never put there.
 #[derive(Debug)]
-pub struct Draft {
-    at: PathBuf,
-    placed: bool,
-}
+pub struct Draft(TempPath);
 
 impl Draft {
     /// Writes a text to a file in `folder` that is not there yet, and brings it to the
@@ -23,19 +23,15 @@ impl Draft {
     /// # Errors
     /// If it cannot be written as a whole; then nothing of it is left.
     pub fn write(folder: &Path, text: &str) -> io::Result<Self> {
-        let mut number = 0;
-        let (at, mut file) = loop {
-            let at = folder.join(format!("{UNFINISHED}{}-{number}", process::id()));
-            match OpenOptions::new().write(true).create_new(true).open(&at) {
-                Ok(file) => break (at, file),
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
-                Err(error) => return Err(error),
-            }
-        };
-        let draft = Self { at, placed: false };
+        let mut builder = Builder::new();
+        builder.prefix(UNFINISHED);
+        // Whoever may read other new files may read this one: the umask decides.
+        #[cfg(unix)]
+        builder.permissions(fs::Permissions::from_mode(0o666));
+        let mut file = builder.tempfile_in(folder)?;
         file.write_all(text.as_bytes())?;
-        file.sync_all()?;
-        Ok(draft)
+        file.as_file().sync_all()?;
+        Ok(Self(file.into_temp_path()))
     }
 
     /// Puts it in the place of what is there, if anything is, with the permissions that
@@ -43,12 +39,11 @@ impl Draft {
     ///
     /// # Errors
     /// If that cannot be done, such as for a folder.
-    pub fn replace(mut self, path: &Path) -> io::Result<()> {
+    pub fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
-            fs::set_permissions(&self.at, old.permissions())?;
+            fs::set_permissions(&self.0, old.permissions())?;
         }
-        fs::rename(&self.at, path)?;
-        self.placed = true;
+        self.0.persist(path)?;
         Ok(())
     }
 
@@ -57,28 +52,15 @@ impl Draft {
     ///
     /// # Errors
     /// If that cannot be done.
-    pub fn place(&mut self, path: &Path) -> io::Result<bool> {
+    pub fn place(&self, path: &Path) -> io::Result<bool> {
         // A link is refused where there is something; a rename would replace it.
-        match fs::hard_link(&self.at, path) {
+        match fs::hard_link(&self.0, path) {
             // The other name goes when this is dropped.
             Ok(()) => Ok(true),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
             // Not every file system has links.
             Err(_) if is_there(path) => Ok(false),
-            Err(_) => {
-                fs::rename(&self.at, path)?;
-                self.placed = true;
-                Ok(true)
-            }
-        }
-    }
-}
-
-impl Drop for Draft {
-    fn drop(&mut self) {
-        if !self.placed {
-            // What cannot be removed takes some room, no more.
-            let _ = fs::remove_file(&self.at);
+            Err(_) => fs::rename(&self.0, path).map(|()| true),
         }
     }
 }

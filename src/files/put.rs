@@ -64,7 +64,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
         let written = opened.and_then(|mut stream| stream.write_all(text.as_bytes()));
         written.map_err(|error| Unwritten::Failed(path.clone(), error))?;
     }
-    for (mut draft, place) in drafts {
+    for (draft, place) in drafts {
         let placed = match existing {
             Existing::Stay => draft.place(&place),
             Existing::Go => draft.replace(&place).map(|()| true),

@@ -8,7 +8,7 @@ use crate::class::ClassRound;
 use crate::game::{Game, SavedGame};
 use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
-use crate::progress::Attempt;
+use crate::progress::{Attempt, Calendar};
 
 /// Something to be done with what is kept.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,8 +112,8 @@ pub enum StoreReply {
 pub struct History {
     /// All answers, in the order in which they were given.
     pub attempts: Vec<Attempt>,
-    /// The time now, in seconds since 1970 began; `None` where nobody knows it.
-    pub now_s: Option<i64>,
+    /// The time now, and the player's days.
+    pub calendar: Calendar,
 }
 
 /// One of the games or rounds that are kept.

@@ -1,14 +1,14 @@
 //! What to do next.
 
-use super::{Attempt, LESSON, Mastery, beliefs, reviews, topics};
+use super::{Attempt, Calendar, LESSON, Mastery, beliefs, reviews, topics};
 
 /// How many of the last attempts count as lately.
 const LATELY: usize = 10;
 
 /// What to do next, in a sentence or two. What is worth most comes first: a belief
-/// that is still held, then what is due (at `now_s`, where the time is known), then
+/// that is still held, then what is due today, where that is known, then
 /// what the player was sure of and missed, then the topic that went worst lately.
-pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
+pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     if attempts.is_empty() {
         return "Play a round of the quiz: ten hits, and no answer is wasted.".into();
     }
@@ -18,17 +18,17 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
     if let Some(belief) = held {
         return belief.misconception.advice.to_owned();
     }
-    let reviews = reviews(attempts);
-    let due = |now_s| {
-        let mut due = reviews.iter().filter(|review| review.is_due(now_s));
+    let reviews = reviews(attempts, calendar);
+    let due = |today| {
+        let mut due = reviews.iter().filter(|review| review.is_due(today));
         due.find(|review| review.comes_back())
     };
-    if let Some(review) = now_s.and_then(due) {
+    if let Some(review) = calendar.today().and_then(due) {
         return match review.family.as_str() {
-            LESSON => format!("Due again, among the chapters: {}.", review.topic),
+            LESSON => format!("Due again, among the chapters: {}.", review.topic_name()),
             _ => format!(
                 "Due again: {}. A round of the quiz brings it back.",
-                review.topic
+                review.topic_name()
             ),
         };
     }
@@ -37,7 +37,7 @@ pub fn advice(attempts: &[Attempt], now_s: Option<i64>) -> String {
         return format!(
             "You were sure, and it came out otherwise: {}. Take one of its kind again, and \
              stay with the why.",
-            missed.topic
+            missed.topic_name()
         );
     }
     let topics = topics(attempts);
@@ -65,20 +65,20 @@ mod tests {
         let mut attempts = Vec::new();
         let mut says = |attempt: Option<Attempt>, now_s| {
             attempts.extend(attempt);
-            advice(&attempts, now_s)
+            advice(&attempts, &Calendar::utc(now_s))
         };
         assert!(says(None, None).contains("Play a round"));
         assert!(says(Some(attempt("a", 9.0)), None).contains("most to give you now: a"));
         let sure = Attempt {
             confidence: Some(Confidence::Sure),
             time_s: Some(1000),
-            ..attempt("equal masses", 9.0)
+            ..attempt("equal-masses", 9.0)
         };
         assert!(says(Some(sure), None).contains("came out otherwise: equal masses"));
         assert!(says(None, Some(1000)).contains("Due again: equal masses"));
         let held = Attempt {
             misconception: Some("swapped".into()),
-            ..attempt("equal masses", 9.0)
+            ..attempt("equal-masses", 9.0)
         };
         says(Some(held.clone()), None);
         let swapped = Misconception::with_id("swapped").unwrap();
@@ -88,6 +88,6 @@ mod tests {
     #[test]
     fn whoever_knows_it_all_is_sent_on() {
         let attempts = vec![attempt("a", 0.0); 5];
-        assert!(advice(&attempts, None).contains("Try the levels"));
+        assert!(advice(&attempts, &Calendar::default()).contains("Try the levels"));
     }
 }

@@ -4,7 +4,9 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::quiz::{Answer, Code, Confidence, Form, Grade, Question, Response};
+use crate::quiz::{
+    Answer, Code, Confidence, Form, Grade, Misconception, Question, Response, Topic,
+};
 
 /// The family of all questions that chapters ask.
 pub const LESSON: &str = "lesson";
@@ -20,7 +22,7 @@ pub struct Attempt {
     pub player: String,
     /// The family of the question, by its name in files: "where-to", or [`LESSON`].
     pub family: String,
-    /// What it was about: "equal masses, by offset", or the title of the chapter.
+    /// What it was about: the id of a [`Topic`], or the title of the chapter.
     pub topic: String,
     /// The seed of the round; 0 where there is none.
     pub seed: u64,
@@ -66,7 +68,7 @@ impl Attempt {
             time_s: None,
             player: player.to_owned(),
             family: question.family.id().to_owned(),
-            topic: question.topic.name(),
+            topic: question.topic.id().to_owned(),
             seed: code.seed,
             number,
             question: Value::Object(figures).to_string(),
@@ -82,16 +84,35 @@ impl Attempt {
         }
     }
 
-    /// The misconceptions that an answer to this question could have shown, by their
-    /// names in files; none where that was not noted.
-    pub(super) fn could_show(&self) -> Vec<&str> {
-        serde_json::from_str(&self.question)
-            .map_or_else(|_| Vec::new(), |it: StoredFigures| it.misconceptions)
+    /// What it was about, as shown: "equal masses, by offset", or the title of the chapter.
+    pub fn topic_name(&self) -> String {
+        topic_name(&self.family, &self.topic)
+    }
+
+    /// The misconception it fits, if this carrom knows it.
+    pub(super) fn held(&self) -> Option<&'static Misconception> {
+        Misconception::with_id(self.misconception.as_deref()?)
+    }
+
+    /// The misconceptions that an answer to this question could have shown; none where that
+    /// was not noted, and none that this carrom does not know.
+    pub(super) fn could_show(&self) -> Vec<&'static Misconception> {
+        let figures = serde_json::from_str(&self.question);
+        let ids = figures.map_or_else(|_| Vec::new(), |it: StoredFigures| it.misconceptions);
+        ids.into_iter().filter_map(Misconception::with_id).collect()
     }
 
     /// Whether the player was sure, and wrong: what is worth most attention.
     pub fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
+    }
+}
+
+/// The name of what a family asked about, as shown.
+pub(super) fn topic_name(family: &str, topic: &str) -> String {
+    match family {
+        LESSON => topic.to_owned(),
+        _ => Topic::with_id(topic.to_owned()).name(),
     }
 }
 
@@ -118,6 +139,7 @@ fn said(form: &Form, said: &Response) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quiz::misconceptions::{COPIED_ANGLE, LOSSLESS};
     use crate::quiz::{Hit, Pieces, Placement, Ray, Rays};
 
     const HIT: Hit = Hit {
@@ -154,7 +176,7 @@ mod tests {
         assert_eq!(figures["alpha_deg"].as_f64(), Some(30.0));
         assert_eq!(figures["direction_deg"].as_f64(), Some(90.0));
         let could_show = right.could_show();
-        assert!(could_show.contains(&"copied-angle") && !could_show.contains(&"lossless"));
+        assert!(could_show.contains(&&COPIED_ANGLE) && !could_show.contains(&&LOSSLESS));
     }
 
     #[test]

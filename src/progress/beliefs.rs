@@ -1,10 +1,9 @@
 //! Which misconceptions were held, and whether they fade.
 
-use std::collections::HashMap;
 use std::fmt;
 
 use super::Attempt;
-use crate::quiz::Misconception;
+use crate::quiz::{Misconception, misconceptions};
 
 /// A misconception that answers fitted, in the first half of all attempts and in the
 /// second, which is the larger one by one where there is an odd number of attempts.
@@ -96,41 +95,34 @@ impl HeldBelief {
 /// All misconceptions that were held, the one held most since the middle first. Those
 /// that this carrom does not know are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
-    let held: Vec<_> = attempts
-        .iter()
-        .map(|it| it.misconception.as_deref())
+    let held: Vec<_> = attempts.iter().map(Attempt::held).collect();
+    let mut beliefs: Vec<_> = misconceptions::all()
+        .filter(|it| held.contains(&Some(it)))
+        .map(|misconception| HeldBelief {
+            misconception,
+            before: Occurrence::default(),
+            since: Occurrence::default(),
+        })
         .collect();
-    let mut shown: HashMap<&str, [Occurrence; 2]> = held
-        .iter()
-        .flatten()
-        .map(|id| (*id, Default::default()))
-        .collect();
-    if shown.is_empty() {
-        return Vec::new();
+    if beliefs.is_empty() {
+        return beliefs;
     }
     let middle = attempts.len() / 2;
     for (i, (attempt, held)) in attempts.iter().zip(held).enumerate() {
-        let half = usize::from(i >= middle);
         let could_show = attempt.could_show();
-        // Of what was noted before it was noted what could show itself, what did is known.
-        let besides = held.filter(|id| !could_show.contains(id));
-        for id in could_show.into_iter().chain(besides) {
-            if let Some(shown) = shown.get_mut(id) {
-                shown[half].asked += 1;
-                shown[half].times += usize::from(held == Some(id));
+        for belief in &mut beliefs {
+            let shows = held == Some(belief.misconception);
+            // Where it was not noted what could show itself, what did is known.
+            if shows || could_show.contains(&belief.misconception) {
+                let occurrence = match i < middle {
+                    true => &mut belief.before,
+                    false => &mut belief.since,
+                };
+                occurrence.asked += 1;
+                occurrence.times += usize::from(shows);
             }
         }
     }
-    let mut beliefs: Vec<_> = crate::quiz::misconceptions::all()
-        .filter_map(|misconception| {
-            let [before, since] = *shown.get(misconception.id)?;
-            Some(HeldBelief {
-                misconception,
-                before,
-                since,
-            })
-        })
-        .collect();
     beliefs.sort_by_key(|belief| std::cmp::Reverse((belief.since.times, belief.before.times)));
     beliefs
 }

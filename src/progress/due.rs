@@ -1,6 +1,6 @@
 //! What is due of the quiz.
 
-use super::{Attempt, LESSON, Review, reviews};
+use super::{Attempt, Calendar, LESSON, Review, reviews};
 use crate::quiz::{Course, CourseKind, Family, Topic};
 
 /// What is due of the quiz, and what comes next. What chapters asked is not of it: they
@@ -8,45 +8,40 @@ use crate::quiz::{Course, CourseKind, Family, Topic};
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Due {
     /// The topics that are due, the longest due first.
-    pub now: Vec<String>,
+    pub now: Vec<Topic>,
     /// The topic that is due next, and when: "in 2 days".
-    pub next: Option<(String, String)>,
+    pub next: Option<(Topic, String)>,
 }
 
 impl Due {
-    /// What is due at `now_s`, in seconds since 1970 began, of what was answered; nothing
-    /// where nobody knows the time.
-    pub fn of(attempts: &[Attempt], now_s: Option<i64>) -> Self {
-        let Some(now_s) = now_s else {
+    /// What is due today of what was answered; nothing where nobody knows the time.
+    pub fn of(attempts: &[Attempt], calendar: &Calendar) -> Self {
+        let Some(today) = calendar.today() else {
             return Self::default();
         };
         let mut due = Self::default();
-        for review in reviews(attempts).into_iter().filter(Review::is_of_quiz) {
-            if review.is_due(now_s) {
-                due.now.push(review.topic);
+        for review in reviews(attempts, calendar)
+            .into_iter()
+            .filter(Review::is_of_quiz)
+        {
+            if review.is_due(today) {
+                due.now.push(Topic::with_id(review.topic));
             } else if due.next.is_none() {
-                let when = review.when(now_s);
-                due.next = Some((review.topic, when));
+                let when = review.when(today);
+                due.next = Some((Topic::with_id(review.topic), when));
             }
         }
         due
     }
 
     /// The topics of the next review.
-    pub fn first(&self) -> &[String] {
+    pub fn first(&self) -> &[Topic] {
         &self.now[..self.now.len().min(Course::REVIEWED)]
     }
 
     /// A review, if anything is due.
     pub fn course(&self) -> Option<CourseKind> {
-        (!self.now.is_empty()).then(|| {
-            let topics = self.now.iter();
-            CourseKind::Review(
-                topics
-                    .map(|name| Topic::from_name_before_ids(name))
-                    .collect(),
-            )
-        })
+        (!self.now.is_empty()).then(|| CourseKind::Review(self.now.clone()))
     }
 }
 
@@ -60,16 +55,13 @@ impl Review {
     /// Whether the quiz can ask about it.
     fn is_of_quiz(&self) -> bool {
         Family::with_id(&self.family).is_some()
-            && !Topic::from_name_before_ids(&self.topic)
-                .families()
-                .is_empty()
+            && !Topic::with_id(self.topic.clone()).families().is_empty()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::progress::DAY_S;
     use crate::quiz::{Answer, Code, Confidence, Round};
 
     const NOW_S: i64 = 1_800_000_000;
@@ -80,14 +72,14 @@ mod tests {
         let question = &round.questions()[0];
         let answer = Answer::new(question.form.truth(), Confidence::Sure);
         Attempt {
-            time_s: Some(NOW_S - days_ago * DAY_S),
+            time_s: Some(NOW_S - days_ago * 86_400),
             right,
             ..Attempt::of_quiz("Ada", round.code(), 1, question, &answer)
         }
     }
 
     fn due(attempts: &[Attempt]) -> Due {
-        Due::of(attempts, Some(NOW_S))
+        Due::of(attempts, &Calendar::utc(Some(NOW_S)))
     }
 
     #[test]
@@ -96,11 +88,10 @@ mod tests {
         let missed = attempt("from-angle-1", false, 0);
         let rested = attempt("from-offset-1", true, 2);
         let found = due(&[known.clone(), missed, rested]);
-        let topics = ["equal masses, by offset", "equal masses"].map(str::to_owned);
-        assert_eq!(found.now, topics);
-        let next = ("counts at two angles".into(), "in 1 day".into());
-        assert_eq!(found.next, Some(next));
         let topics = ["equal-masses-by-offset", "equal-masses"].map(Topic::with_id);
+        assert_eq!(found.now, topics);
+        let next = ("counts-at-two-angles".into(), "in 1 day".into());
+        assert_eq!(found.next, Some(next));
         assert_eq!(found.course(), Some(CourseKind::Review(topics.to_vec())));
         let none = due(&[known]);
         assert!(none.course().is_none() && none.next.is_some());
@@ -120,14 +111,15 @@ mod tests {
         let course = Course::new(found.course().unwrap());
         assert_eq!(course.count, Course::REVIEWED);
         assert_eq!(Round::new(course, 7).questions().len(), Course::REVIEWED);
-        assert_eq!(found.now[0], attempts.last().unwrap().topic);
+        assert_eq!(found.now[0].id(), attempts.last().unwrap().topic);
     }
 
     #[test]
     fn without_the_time_and_without_answers_nothing_is_due() {
         assert_eq!(due(&[]), Due::default());
         let missed = attempt("from-angle-1", false, 0);
-        assert_eq!(Due::of(std::slice::from_ref(&missed), None), Due::default());
+        let timeless = Due::of(std::slice::from_ref(&missed), &Calendar::default());
+        assert_eq!(timeless, Due::default());
         let lesson = Attempt {
             family: LESSON.into(),
             ..missed.clone()

@@ -1,13 +1,13 @@
 //! Attempts for other programs: a table, or JSON.
 
 use std::borrow::Cow;
-use std::time::{Duration, UNIX_EPOCH};
 
+use jiff::Timestamp;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use unicode_width::UnicodeWidthChar;
 
-use super::{Attempt, Tally, advice, beliefs, calibration, topics};
+use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
 use crate::quiz::Confidence;
 
 /// The heads of the columns.
@@ -41,7 +41,7 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
                 attempt.time_s.and_then(utc).unwrap_or_default(),
                 attempt.player.clone(),
                 attempt.family.clone(),
-                attempt.topic.clone(),
+                attempt.topic_name(),
                 attempt.seed.to_string(),
                 attempt.number.to_string(),
                 attempt.question.clone(),
@@ -111,19 +111,17 @@ fn is_formula_sign(letter: char) -> bool {
 /// A time in seconds since 1970 began, as 2026-11-21T10:00:00Z; `None` outside the
 /// years 1970 to 9999.
 pub fn utc(time_s: i64) -> Option<String> {
-    const YEAR_10000: u64 = 253_402_300_800;
-    let seconds = u64::try_from(time_s).ok().filter(|it| *it < YEAR_10000)?;
-    let time = UNIX_EPOCH + Duration::from_secs(seconds);
-    Some(humantime::format_rfc3339_seconds(time).to_string())
+    let time = Timestamp::from_second(time_s).ok()?;
+    (time_s >= 0).then(|| time.to_string())
 }
 
 /// The attempts as the text of one JSON object, with what follows from them.
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should something not be writable.
-pub fn json(attempts: &[Attempt], now_s: Option<i64>) -> Result<String, String> {
+pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String> {
     let all = All {
-        summary: summary(attempts, now_s),
+        summary: summary(attempts, calendar),
         attempts: Rows(attempts),
     };
     serde_json::to_string(&all).map_err(|error| error.to_string())
@@ -150,7 +148,7 @@ struct Row<'a> {
     time: Option<String>,
     player: &'a str,
     family: &'a str,
-    topic: &'a str,
+    topic: String,
     seed: u64,
     number: u32,
     question: Value,
@@ -170,7 +168,7 @@ impl<'a> From<&'a Attempt> for Row<'a> {
             time: attempt.time_s.and_then(utc),
             player: &attempt.player,
             family: &attempt.family,
-            topic: &attempt.topic,
+            topic: attempt.topic_name(),
             seed: attempt.seed,
             number: attempt.number,
             question: figures(&attempt.question),
@@ -186,7 +184,7 @@ impl<'a> From<&'a Attempt> for Row<'a> {
 }
 
 /// What follows from the attempts.
-fn summary(attempts: &[Attempt], now_s: Option<i64>) -> Value {
+fn summary(attempts: &[Attempt], calendar: &Calendar) -> Value {
     let tally = |tally: &Tally| {
         json!({
             "attempts": tally.attempts,
@@ -234,7 +232,7 @@ fn summary(attempts: &[Attempt], now_s: Option<i64>) -> Value {
         "topics": topics,
         "calibration": calibration,
         "misconceptions": beliefs,
-        "next": advice(attempts, now_s),
+        "next": advice(attempts, calendar),
     })
 }
 
@@ -244,7 +242,7 @@ mod tests {
     use super::*;
 
     fn read(attempts: &[Attempt]) -> Value {
-        serde_json::from_str(&json(attempts, None).unwrap()).unwrap()
+        serde_json::from_str(&json(attempts, &Calendar::default()).unwrap()).unwrap()
     }
 
     #[test]
@@ -286,7 +284,12 @@ mod tests {
                         || first.parse::<f64>().is_ok(),
                     "{cell:?}"
                 );
-                assert_eq!(cell.replacen('\'', "", 1), name);
+                // Unknown topics are shown by the words of their ids.
+                let shown = match column {
+                    3 => name.replace('-', " "),
+                    _ => name.to_owned(),
+                };
+                assert_eq!(cell.replacen('\'', "", 1), shown);
             }
             assert_eq!(&row[9], "3");
         }

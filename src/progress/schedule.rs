@@ -5,8 +5,9 @@
 //! another family next time shows whether the idea has been understood, and not only
 //! the kind of question. A review asks once about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due when
-//! the interval of its step has passed since it came there.
+//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due on the
+//! day that is so many days after the one on which it came to its step. Days are those of
+//! the player's calendar: what was known last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
 //! - Right from off the ladder: on its first step.
@@ -17,11 +18,12 @@
 //! This is the box of cards of S. Leitner (1972): the better something is known, the
 //! longer it may rest, and an answer that takes some effort teaches most.
 
-use super::Attempt;
-use crate::quiz::Confidence;
+use jiff::ToSpan;
+use jiff::civil::Date;
 
-/// A day in seconds.
-pub const DAY_S: i64 = 86_400;
+use super::attempt::topic_name;
+use super::{Attempt, Calendar};
+use crate::quiz::Confidence;
 
 /// The last step; the first is 0.
 const LAST: u32 = 5;
@@ -31,79 +33,89 @@ const LAST: u32 = 5;
 pub struct Review {
     /// The family that asked about it last.
     pub family: String,
-    /// The topic.
+    /// The topic, as [`Attempt::topic`] has it.
     pub topic: String,
     /// Its step on the ladder, from 0: it rests for 2ⁿ days. `None` off the ladder.
     pub step: Option<u32>,
-    /// When it came there, in seconds since 1970 began.
+    /// The first day on which it is due.
+    pub due: Date,
+    /// When it came to its step, in seconds since 1970 began.
     since_s: i64,
 }
 
 impl Review {
-    /// When it is due, in seconds since 1970 began.
-    pub fn due_s(&self) -> i64 {
-        let rest = self.step.map_or(0, |step| DAY_S << step);
-        self.since_s.saturating_add(rest)
+    /// The topic, as shown.
+    pub fn topic_name(&self) -> String {
+        topic_name(&self.family, &self.topic)
     }
 
-    /// When it is due as seen from `now_s`, in few letters: "now", "in hours", "in 2 days".
-    pub fn when(&self, now_s: i64) -> String {
-        match self.due_s().saturating_sub(now_s) {
+    /// When it is due as seen from `today`, in few letters: "now", "in 2 days".
+    pub fn when(&self, today: Date) -> String {
+        // Between two dates a difference in days always fits.
+        match (self.due - today).get_days() {
             ..=0 => "now".into(),
-            1..DAY_S => "in hours".into(),
-            left => match left / DAY_S {
-                1 => "in 1 day".into(),
-                days => format!("in {days} days"),
-            },
+            1 => "in 1 day".into(),
+            days => format!("in {days} days"),
         }
     }
 
-    /// Whether it is due at `now_s`.
-    pub fn is_due(&self, now_s: i64) -> bool {
-        self.due_s() <= now_s
+    /// Whether it is due on this day.
+    pub fn is_due(&self, today: Date) -> bool {
+        self.due <= today
     }
 }
 
 /// When to come back to each topic, the earliest first. Attempts whose time nobody
 /// knows are left out.
-pub fn reviews(attempts: &[Attempt]) -> Vec<Review> {
+pub fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
     let mut reviews: Vec<Review> = Vec::new();
     for attempt in attempts {
-        let Some(time_s) = attempt.time_s else {
+        let day = attempt
+            .time_s
+            .and_then(|time_s| Some((time_s, calendar.day(time_s)?)));
+        let Some((since_s, day)) = day else {
             continue;
         };
         let known = attempt.right && attempt.confidence != Some(Confidence::Guess);
         let found = reviews.iter().position(|it| it.topic == attempt.topic);
         let step = match found.and_then(|i| reviews[i].step.map(|step| (step, &reviews[i]))) {
             _ if !known => None,
-            Some((step, review)) if review.is_due(time_s) => Some((step + 1).min(LAST)),
+            Some((step, review)) if review.is_due(day) => Some((step + 1).min(LAST)),
             // Too early to say more than is known already.
             Some(_) => continue,
             None => Some(0),
         };
+        let rest = step.map_or(0, |step| 1_i64 << step);
         let review = Review {
             family: attempt.family.clone(),
             topic: attempt.topic.clone(),
             step,
-            since_s: time_s,
+            due: day.saturating_add(rest.days()),
+            since_s,
         };
         match found {
             Some(i) => reviews[i] = review,
             None => reviews.push(review),
         }
     }
-    reviews.sort_by_key(Review::due_s);
+    reviews.sort_by_key(|review| (review.due, review.since_s));
     reviews
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::tally::tests::attempt;
+    use jiff::tz::TimeZone;
+
     use super::*;
+
+    const DAY_S: i64 = 86_400;
+    /// A day at 13:46 UTC.
+    const START_S: i64 = 1_000_000;
 
     fn on_day(day: i64, right: bool) -> Attempt {
         Attempt {
-            time_s: Some(1_000_000 + day * DAY_S),
+            time_s: Some(START_S + day * DAY_S),
             ..attempt("a", if right { 0.0 } else { 20.0 })
         }
     }
@@ -111,12 +123,13 @@ mod tests {
     /// The step and the day on which the one topic of these attempts is due.
     fn due(attempts: &[(i64, bool)]) -> (Option<u32>, i64) {
         let attempts: Vec<_> = attempts.iter().map(|it| on_day(it.0, it.1)).collect();
-        let reviews = reviews(&attempts);
+        let calendar = Calendar::utc(Some(START_S));
+        let reviews = reviews(&attempts, &calendar);
         assert_eq!(reviews.len(), 1);
-        let day = (reviews[0].due_s() - 1_000_000) / DAY_S;
-        assert!(reviews[0].is_due(reviews[0].due_s()));
-        assert!(!reviews[0].is_due(reviews[0].due_s() - 1));
-        (reviews[0].step, day)
+        let due = reviews[0].due;
+        assert!(reviews[0].is_due(due) && !reviews[0].is_due(due.yesterday().unwrap()));
+        let days = due - calendar.today().unwrap();
+        (reviews[0].step, days.get_days().into())
     }
 
     #[test]
@@ -143,7 +156,7 @@ mod tests {
             confidence: Some(Confidence::Guess),
             ..on_day(4, true)
         };
-        assert_eq!(reviews(&[guessed])[0].step, None);
+        assert_eq!(reviews(&[guessed], &Calendar::default())[0].step, None);
     }
 
     #[test]
@@ -157,8 +170,26 @@ mod tests {
             time_s: None,
             ..on_day(0, false)
         };
-        let reviews = reviews(&[on_day(0, true), other, timeless]);
+        let reviews = reviews(&[on_day(0, true), other, timeless], &Calendar::default());
         let topics: Vec<_> = reviews.iter().map(|it| it.topic.as_str()).collect();
         assert_eq!(topics, ["b", "a"]);
+    }
+
+    #[test]
+    fn what_was_known_in_the_evening_is_due_the_next_afternoon_where_the_player_is() {
+        // 2026-01-05 at 21:30 UTC, and 16 hours later.
+        let (evening_s, afternoon_s) = (1_767_648_600, 1_767_648_600 + 16 * 3600);
+        let answer = Attempt {
+            time_s: Some(evening_s),
+            ..attempt("a", 0.0)
+        };
+        for (hours, due, when) in [(0, true, "now"), (2, true, "now"), (3, false, "in 1 day")] {
+            let zone = TimeZone::fixed(jiff::tz::offset(hours));
+            let calendar = Calendar::new(Some(afternoon_s), zone);
+            let today = calendar.today().unwrap();
+            let review = &reviews(std::slice::from_ref(&answer), &calendar)[0];
+            assert_eq!(review.is_due(today), due, "{hours}");
+            assert_eq!(review.when(today), when, "{hours}");
+        }
     }
 }

@@ -70,11 +70,14 @@ impl Mastery {
 
 impl TopicStanding {
     /// What was done with these attempts, under this name.
-    pub fn of<'a>(name: &str, attempts: impl IntoIterator<Item = &'a Attempt>) -> Self {
+    pub fn of<'a>(
+        name: impl Into<String>,
+        attempts: impl IntoIterator<Item = &'a Attempt>,
+    ) -> Self {
         let all: Vec<_> = attempts.into_iter().collect();
         let lately = &all[all.len().saturating_sub(LATELY)..];
         Self {
-            name: name.to_owned(),
+            name: name.into(),
             lately: Tally::of(lately.iter().copied()),
             all: Tally::of(all),
         }
@@ -97,13 +100,12 @@ impl TopicStanding {
 /// All topics that were ever met, in the order in which they first were.
 pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<TopicStanding> {
     let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut met: Vec<(&str, Vec<&Attempt>)> = Vec::new();
+    let mut met: Vec<(String, Vec<&Attempt>)> = Vec::new();
     for attempt in attempts {
-        let name = attempt.topic.as_str();
-        let at = *places.entry(name).or_insert(met.len());
+        let at = *places.entry(&attempt.topic).or_insert(met.len());
         match met.get_mut(at) {
             Some((_, of_it)) => of_it.push(attempt),
-            None => met.push((name, vec![attempt])),
+            None => met.push((attempt.topic_name(), vec![attempt])),
         }
     }
     met.into_iter()

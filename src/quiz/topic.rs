@@ -23,69 +23,57 @@ pub struct Topic(Cow<'static, str>);
 struct KnownTopic {
     id: &'static str,
     name: &'static str,
-    /// What it was called where topics were kept by name, besides its name of today.
-    old_names: &'static [&'static str],
     /// Who asks about it, besides written questions.
     families: &'static [Family],
 }
 
-const fn known(
-    id: &'static str,
-    name: &'static str,
-    old_names: &'static [&'static str],
-    families: &'static [Family],
-) -> KnownTopic {
-    KnownTopic {
-        id,
-        name,
-        old_names,
-        families,
-    }
+const fn known(id: &'static str, name: &'static str, families: &'static [Family]) -> KnownTopic {
+    KnownTopic { id, name, families }
 }
 
 #[rustfmt::skip]
 static TOPICS: [KnownTopic; 41] = [
-    known("equal-masses", "equal masses", &[], &[WhereTo, FromAngle]),
-    known("equal-masses-by-offset", "equal masses, by offset", &[], &[WhereTo, FromOffset]),
-    known("equal-masses-head-on", "equal masses, head-on", &[], &[WhereTo, UnequalMasses]),
-    known("equal-masses-lossy", "equal masses, lossy", &[], &[WhereTo, FromAngle]),
-    known("heavier-striker", "heavier striker", &[], &[WhereTo, UnequalMasses]),
-    known("heavier-striker-by-offset", "heavier striker, by offset", &[], &[WhereTo, FromOffset]),
-    known("heavier-striker-head-on", "heavier striker, head-on", &[], &[WhereTo, UnequalMasses]),
-    known("heavier-target", "heavier target", &[], &[WhereTo, UnequalMasses]),
-    known("heavier-target-by-offset", "heavier target, by offset", &[], &[WhereTo, FromOffset]),
-    known("heavier-target-head-on", "heavier target, head-on", &[], &[WhereTo, UnequalMasses]),
-    known("heavier-target-lossy", "heavier target, lossy", &[], &[WhereTo, UnequalMasses]),
-    known("from-the-picture", "from the picture", &[], &[FromPicture]),
-    known("target-speed", "target's speed", &["coin's speed", "marble's speed"], &[Speeds]),
-    known("striker-speed", "striker's speed", &[], &[Speeds]),
-    known("corner-heavier-striker", "the corner, heavier striker", &[], &[Separation]),
-    known("corner-lighter-striker", "the corner, lighter striker", &[], &[Separation]),
-    known("corner-with-loss", "the corner, with loss", &["the corner with loss"], &[Separation, Restitution]),
-    known("corner-without-loss", "the corner, without loss", &[], &[Separation]),
-    known("energy-lost", "energy lost", &[], &[EnergyShare]),
-    known("energy-of-target", "energy the target takes", &["energy the coin takes", "energy the marble takes"], &[EnergyShare]),
-    known("energy-of-striker", "energy the striker keeps", &[], &[EnergyShare]),
-    known("square-in-spite-of-loss", "90° in spite of loss", &[], &[Restitution]),
-    known("e-for-square", "e for a right angle", &[], &[Restitution]),
-    known("e-from-angles", "e from the angles", &[], &[Restitution]),
-    known("e-head-on", "e of a head-on hit", &[], &[Restitution]),
-    known("aim-for-largest-turn", "aim for the largest turn", &[], &[LargestDeflection]),
-    known("limit-of-turn", "is there a limit?", &[], &[LargestDeflection]),
-    known("largest-turn", "the largest turn", &[], &[LargestDeflection]),
-    known("mass-from-angles", "mass from the angles", &[], &[Weigh]),
-    known("mass-from-momentum", "mass from the momentum", &[], &[Weigh]),
-    known("which-is-heavier", "which is heavier?", &[], &[Weigh]),
-    known("smooth-no-spring", "smooth, e = 0", &[], &[SlipOrStick]),
-    known("smooth-no-loss", "smooth, no loss", &[], &[SlipOrStick]),
-    known("sticking", "sticking together", &[], &[SlipOrStick]),
-    known("both-moving", "both moving", &[], &[BothMoving]),
-    known("centre-of-mass", "the centre of mass", &[], &[CentreOfMass]),
-    known("counts-at-two-angles", "counts at two angles", &[], &[Rutherford]),
-    known("counts-angle-and-energy", "counts, angle and energy", &[], &[Rutherford]),
-    known("angle-of-count", "the angle of a count", &[], &[Rutherford]),
-    known("send-coin", "send the coin", &[], &[MakeItSo]),
-    known("send-striker", "send the striker", &[], &[MakeItSo]),
+    known("equal-masses", "equal masses", &[WhereTo, FromAngle]),
+    known("equal-masses-by-offset", "equal masses, by offset", &[WhereTo, FromOffset]),
+    known("equal-masses-head-on", "equal masses, head-on", &[WhereTo, UnequalMasses]),
+    known("equal-masses-lossy", "equal masses, lossy", &[WhereTo, FromAngle]),
+    known("heavier-striker", "heavier striker", &[WhereTo, UnequalMasses]),
+    known("heavier-striker-by-offset", "heavier striker, by offset", &[WhereTo, FromOffset]),
+    known("heavier-striker-head-on", "heavier striker, head-on", &[WhereTo, UnequalMasses]),
+    known("heavier-target", "heavier target", &[WhereTo, UnequalMasses]),
+    known("heavier-target-by-offset", "heavier target, by offset", &[WhereTo, FromOffset]),
+    known("heavier-target-head-on", "heavier target, head-on", &[WhereTo, UnequalMasses]),
+    known("heavier-target-lossy", "heavier target, lossy", &[WhereTo, UnequalMasses]),
+    known("from-the-picture", "from the picture", &[FromPicture]),
+    known("target-speed", "target's speed", &[Speeds]),
+    known("striker-speed", "striker's speed", &[Speeds]),
+    known("corner-heavier-striker", "the corner, heavier striker", &[Separation]),
+    known("corner-lighter-striker", "the corner, lighter striker", &[Separation]),
+    known("corner-with-loss", "the corner, with loss", &[Separation, Restitution]),
+    known("corner-without-loss", "the corner, without loss", &[Separation]),
+    known("energy-lost", "energy lost", &[EnergyShare]),
+    known("energy-of-target", "energy the target takes", &[EnergyShare]),
+    known("energy-of-striker", "energy the striker keeps", &[EnergyShare]),
+    known("square-in-spite-of-loss", "90° in spite of loss", &[Restitution]),
+    known("e-for-square", "e for a right angle", &[Restitution]),
+    known("e-from-angles", "e from the angles", &[Restitution]),
+    known("e-head-on", "e of a head-on hit", &[Restitution]),
+    known("aim-for-largest-turn", "aim for the largest turn", &[LargestDeflection]),
+    known("limit-of-turn", "is there a limit?", &[LargestDeflection]),
+    known("largest-turn", "the largest turn", &[LargestDeflection]),
+    known("mass-from-angles", "mass from the angles", &[Weigh]),
+    known("mass-from-momentum", "mass from the momentum", &[Weigh]),
+    known("which-is-heavier", "which is heavier?", &[Weigh]),
+    known("smooth-no-spring", "smooth, e = 0", &[SlipOrStick]),
+    known("smooth-no-loss", "smooth, no loss", &[SlipOrStick]),
+    known("sticking", "sticking together", &[SlipOrStick]),
+    known("both-moving", "both moving", &[BothMoving]),
+    known("centre-of-mass", "the centre of mass", &[CentreOfMass]),
+    known("counts-at-two-angles", "counts at two angles", &[Rutherford]),
+    known("counts-angle-and-energy", "counts, angle and energy", &[Rutherford]),
+    known("angle-of-count", "the angle of a count", &[Rutherford]),
+    known("send-coin", "send the coin", &[MakeItSo]),
+    known("send-striker", "send the striker", &[MakeItSo]),
 ];
 
 impl Topic {
@@ -98,16 +86,6 @@ impl Topic {
     /// The topic of the subject of a written question, which is the name of its file.
     pub(super) fn of_subject(subject: &str) -> Self {
         Self::with_id(subject.replace(' ', "-"))
-    }
-
-    /// The topic that was kept by this name before topics had ids: "the corner with loss".
-    /// Any name of a question's topic has one; the title of a chapter is none.
-    pub fn from_name_before_ids(name: &str) -> Self {
-        let called = |it: &&KnownTopic| it.name == name || it.old_names.contains(&name);
-        match TOPICS.iter().find(called) {
-            Some(known) => Self::with_id(known.id),
-            None => Self::of_subject(name),
-        }
     }
 
     /// What it is kept by: "corner-with-loss".
@@ -192,40 +170,7 @@ mod tests {
     fn ids_and_names_are_each_one_topic() {
         let ids: BTreeSet<_> = TOPICS.iter().map(|it| it.id).collect();
         assert_eq!(ids.len(), TOPICS.len());
-        let names = TOPICS
-            .iter()
-            .flat_map(|it| it.old_names.iter().chain([&it.name]));
-        let all: Vec<&str> = names.copied().collect();
-        assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len());
-    }
-
-    #[test]
-    fn what_was_kept_by_name_is_found_by_id() {
-        for (name, id, shown) in [
-            (
-                "the corner, with loss",
-                "corner-with-loss",
-                "the corner, with loss",
-            ),
-            (
-                "the corner with loss",
-                "corner-with-loss",
-                "the corner, with loss",
-            ),
-            ("coin's speed", "target-speed", "target's speed"),
-            ("marble's speed", "target-speed", "target's speed"),
-            (
-                "energy the marble takes",
-                "energy-of-target",
-                "energy the target takes",
-            ),
-            ("smooth, e = 0", "smooth-no-spring", "smooth, e = 0"),
-            // Of written questions, a teacher's own among them.
-            ("right angle", "right-angle", "right angle"),
-            ("our marbles", "our-marbles", "our marbles"),
-        ] {
-            let topic = Topic::from_name_before_ids(name);
-            assert_eq!((topic.id(), topic.name().as_str()), (id, shown));
-        }
+        let names: BTreeSet<_> = TOPICS.iter().map(|it| it.name).collect();
+        assert_eq!(names.len(), TOPICS.len());
     }
 }

@@ -2,6 +2,7 @@
 
 mod context;
 mod hosted;
+mod kept_files;
 mod list;
 mod place;
 mod recall;

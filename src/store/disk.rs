@@ -46,7 +46,7 @@ impl Disk {
         if turn.is_certain() {
             self.clear_up();
         }
-        let mut draft = Draft::write(&self.folder, text)?;
+        let draft = Draft::write(&self.folder, text)?;
         let mut names = self.names()?;
         loop {
             let free = free_number(names.iter().map(String::as_str), kind);

@@ -19,12 +19,14 @@ mod text_store;
 
 use std::path::Path;
 use std::sync::Arc;
-use std::time::{SystemTime, UNIX_EPOCH};
+
+use jiff::Timestamp;
+use jiff::tz::TimeZone;
 
 use crate::class::{ClassRound, answers_csv, items_csv};
 use crate::game::{Game, SavedGame};
 use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
-use crate::progress::Attempt;
+use crate::progress::{Attempt, Calendar};
 use crate::quiz::concepts::Library;
 use database::Database;
 use disk::Disk;
@@ -54,7 +56,7 @@ pub struct Store {
 enum Clock {
     /// What the computer says.
     Computer,
-    /// Always the same, in seconds since 1970 began.
+    /// Always the same, in seconds since 1970 began; days are those of UTC.
     Stopped(i64),
     /// Nothing.
     None,
@@ -226,7 +228,7 @@ impl Store {
     /// Keeps an answer, with the time.
     fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
         let attempt = Attempt {
-            time_s: self.now_s(),
+            time_s: self.calendar().now_s,
             ..attempt.clone()
         };
         self.progress.record(&attempt)
@@ -235,7 +237,7 @@ impl Store {
     fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
         Ok(Box::new(History {
             attempts: self.progress.attempts(player)?,
-            now_s: self.now_s(),
+            calendar: self.calendar(),
         }))
     }
 
@@ -244,14 +246,14 @@ impl Store {
         self.clock == Clock::Computer
     }
 
-    /// The time in seconds since 1970 began; `None` where it is not to be known.
-    fn now_s(&self) -> Option<i64> {
+    /// The time, and the days where this computer is.
+    fn calendar(&self) -> Calendar {
         match self.clock {
-            Clock::None => None,
-            Clock::Stopped(time_s) => Some(time_s),
+            Clock::None => Calendar::default(),
+            Clock::Stopped(time_s) => Calendar::utc(Some(time_s)),
             Clock::Computer => {
-                let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
-                i64::try_from(now.as_secs()).ok()
+                let now_s = Timestamp::now().as_second();
+                Calendar::new(Some(now_s), TimeZone::system())
             }
         }
     }

@@ -1,10 +1,13 @@
 //! What an earlier carrom kept is all there, and means the same: the files in
 //! `tests/saves` were made by the program of that time.
 
+use std::fs;
+use std::process::Command;
+
 use carrom::class::ClassRound;
 use carrom::game::{Fingerprint, SavedGame};
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::progress::{Attempt, Tally, topics};
+use carrom::progress::{Attempt, Occurrence, Tally, beliefs, topics};
 use carrom::store::Store;
 use rusqlite::Connection;
 
@@ -59,28 +62,30 @@ fn a_database_of_format_2_means_the_same() {
     });
     assert!(rows.unwrap().map(Result::unwrap).eq(kept));
 
-    let mut under_four_names = 0;
-    for (player, count, right, expected) in
-        [(ADA, 170, 18, [21, 3, 33, 12]), (BO, 58, 5, [8, 0, 20, 6])]
-    {
+    let mut under_merged_names = 0;
+    for (player, count, right, expected) in [(ADA, 170, 18, [24, 45]), (BO, 58, 5, [8, 26])] {
         let attempts = attempts(&mut store, Some(player));
         let all = Tally::of(&attempts);
         assert_eq!((all.attempts, all.right), (count, right));
         let topics = topics(&attempts);
-        let found = [
-            "the corner, with loss",
-            "the corner with loss",
-            "coin's speed",
-            "marble's speed",
-        ]
-        .map(|name| {
-            let topic = topics.iter().find(|topic| topic.name == name);
-            topic.map_or(0, |topic| topic.all.attempts)
+        // "the corner with loss", "coin's speed" and "marble's speed" are these now.
+        let found = ["the corner, with loss", "target's speed"].map(|name| {
+            let mut of_name = topics.iter().filter(|topic| topic.name == name);
+            let attempts = of_name.next().map_or(0, |topic| topic.all.attempts);
+            assert!(of_name.next().is_none(), "{name} is one topic");
+            attempts
         });
         assert_eq!(found, expected);
-        under_four_names += expected.iter().sum::<usize>();
+        under_merged_names += expected.iter().sum::<usize>();
     }
-    assert!(under_four_names > 100);
+    assert!(under_merged_names > 100);
+
+    // So are two beliefs.
+    let found = beliefs(&attempts(&mut store, Some(ADA)));
+    let merged = found
+        .iter()
+        .find(|it| it.misconception.id == "offset-as-angle");
+    assert_eq!(merged.unwrap().since, Occurrence { times: 5, asked: 5 });
 
     let StoreReply::Stars(Ok(stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {
         panic!("no stars");
@@ -114,4 +119,40 @@ fn an_exported_game_of_the_first_format_still_opens() {
     assert_eq!(saved.text().unwrap().as_bytes(), bytes);
     assert_eq!(saved.record.strokes(), 3);
     assert_eq!(Fingerprint::of(&game), saved.end);
+}
+
+/// A report counts the days of the place where it is written: what is one evening in one
+/// zone is two days in another.
+#[cfg(unix)]
+#[test]
+fn a_report_counts_the_days_of_the_players_zone() {
+    let folder = folder_with("zones", include_str!("../saves/progress-2.sql"));
+    let old = Connection::open(folder.path().join("progress.db")).unwrap();
+    // 2026-01-05 at 21:30 UTC, and three hours later.
+    old.execute_batch(
+        "DELETE FROM attempt WHERE id > 2;
+         UPDATE attempt SET time_s = 1767648600 + 10800 * (id - 1)",
+    )
+    .unwrap();
+    drop(old);
+    for (zone, span) in [
+        (
+            "UTC0",
+            "2 answers on 2 days, from 5 January 2026 to 6 January 2026",
+        ),
+        ("AAA5", "2 answers on 5 January 2026"),
+        ("BBB-5", "2 answers on 6 January 2026"),
+    ] {
+        let report = folder.path().join(format!("{zone}.md"));
+        let status = Command::new(env!("CARGO_BIN_EXE_carrom"))
+            .env("TZ", zone)
+            .arg("--data-dir")
+            .arg(folder.path())
+            .args(["--player", ADA, "progress", "--report"])
+            .arg(&report)
+            .status();
+        assert!(status.unwrap().success());
+        let text = fs::read_to_string(report).unwrap();
+        assert!(text.contains(span), "{zone}: {text}");
+    }
 }

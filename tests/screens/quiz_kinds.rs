@@ -386,7 +386,7 @@ fn own_questions_make_a_round_of_their_own() {
     );
     game.press("a<Enter>2");
     assert!(game.settle(Duration::from_secs(60)));
-    assert_eq!(game.attempts()[0].topic, "our marbles");
+    assert_eq!(game.attempts()[0].topic, "our-marbles");
     // By its code, and without the folder not at all.
     let mut game = open("quiz --code own-7");
     assert_eq!(top(&mut game), "question 1 of 2");

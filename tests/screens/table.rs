@@ -9,7 +9,7 @@ use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
-use carrom::screens::{Old, Settings};
+use carrom::screens::{Old, Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -308,6 +308,28 @@ fn a_call_is_graded_beside_the_score_never_in_it() {
     );
     game.press("<Escape><Escape><Enter>");
     assert!(game.screen().contains("South 0 : 0 North"));
+}
+
+#[test]
+fn a_call_to_the_wrong_sides_is_shown_with_its_signs() {
+    let called = |keys: &str| {
+        let mut game = Headless::new(App::new(Place::Table, still(), 4), 120, 40);
+        game.press("<Enter>c]]]]]] ");
+        game.press(keys);
+        panel(&mut game)
+    };
+    let wrong = called("-17.7<Enter>-19.2<Enter>");
+    assert!(wrong.contains("your call 0 of 10"), "{wrong}");
+    assert!(
+        wrong.contains("striker -17.7 17.7 coin -19.2 19.2"),
+        "{wrong}"
+    );
+    let right = called("17.7<Enter>19.2<Enter>");
+    assert!(right.contains("your call 10 of 10"), "{right}");
+    assert!(
+        right.contains("striker 17.7 17.7 coin 19.2 19.2"),
+        "{right}"
+    );
 }
 
 #[test]

@@ -7,7 +7,9 @@ mod rows;
 
 pub use pictures::ReportPicture;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+use jiff::civil::Date;
 
 use super::clean;
 use crate::lessons::{self, Bookmark};
@@ -16,8 +18,8 @@ use crate::levels::Starred;
 use crate::messages::History;
 use crate::progress::words::answers;
 use crate::progress::{
-    Attempt, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice, beliefs,
-    calibration, ends_deg, topics, utc,
+    Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice,
+    beliefs, calibration, ends_deg, topics,
 };
 use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
@@ -55,7 +57,7 @@ pub struct Sources<'a> {
 pub struct Report<'a> {
     name: String,
     attempts: &'a [Attempt],
-    now_s: Option<i64>,
+    calendar: &'a Calendar,
     all: Tally,
     topics: Cut<TopicStanding>,
     calibration: [Calibrated; 3],
@@ -94,7 +96,7 @@ impl<'a> Report<'a> {
                 name
             },
             attempts,
-            now_s: sources.history.now_s,
+            calendar: &sources.history.calendar,
             all: Tally::of(attempts),
             topics: Cut::new(met, MOST_TOPICS),
             calibration: calibration(attempts),
@@ -128,27 +130,20 @@ impl<'a> Report<'a> {
 
     /// The first and the last day on which something was answered, as they are read.
     fn dates(&self) -> Option<(String, String)> {
-        let mut times = self.attempts.iter().filter_map(|it| it.time_s);
-        let first = times.next()?;
-        let (least, most) = times.fold((first, first), |(least, most), time| {
-            (least.min(time), most.max(time))
-        });
-        Some((day(least)?, day(most)?))
+        let days = self.days();
+        Some((long(*days.first()?), long(*days.last()?)))
     }
 
-    /// On how many days something was answered.
-    fn days(&self) -> usize {
-        let days = self.attempts.iter().filter_map(|it| utc(it.time_s?));
-        let days: std::collections::BTreeSet<_> = days
-            .filter_map(|time| time.get(..10).map(str::to_owned))
-            .collect();
-        days.len()
+    /// The days on which something was answered.
+    fn days(&self) -> BTreeSet<Date> {
+        let times = self.attempts.iter().filter_map(|it| it.time_s);
+        times.filter_map(|time| self.calendar.day(time)).collect()
     }
 
     /// From when to when, and how much.
     fn span(&self) -> String {
         let count = answers(self.all.attempts);
-        match (self.dates(), self.days()) {
+        match (self.dates(), self.days().len()) {
             (Some((first, _)), 1) => format!("{count} on {first}"),
             (Some((first, last)), days) => {
                 format!("{count} on {days} days, from {first} to {last}")
@@ -164,16 +159,16 @@ impl<'a> Report<'a> {
 
     /// What to do next.
     fn next(&self) -> String {
-        clean(&advice(self.attempts, self.now_s), 300)
+        clean(&advice(self.attempts, self.calendar), 300)
     }
 
     /// Where the figures come from.
     fn origin(&self) -> String {
-        let when = self.now_s.and_then(day);
-        let when = when.map_or(String::new(), |day| format!(" on {day}"));
+        let today = self.calendar.today();
+        let when = today.map_or(String::new(), |day| format!(" on {}", long(day)));
         format!(
-            "Written by carrom{when} from the answers kept on this computer. Days are those of \
-             UTC. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
+            "Written by carrom{when} from the answers kept on this computer. Days begin at \
+             midnight where it was written. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
              {} A chapter is done when all of it has been read and answered.",
             Measure::RIGHT,
             Mastery::MEANING,
@@ -182,25 +177,6 @@ impl<'a> Report<'a> {
 }
 
 /// A day as it is read: "21 November 2026".
-fn day(time_s: i64) -> Option<String> {
-    const MONTHS: [&str; 12] = [
-        "January",
-        "February",
-        "March",
-        "April",
-        "May",
-        "June",
-        "July",
-        "August",
-        "September",
-        "October",
-        "November",
-        "December",
-    ];
-    let time = utc(time_s)?;
-    let mut parts = time.get(..10)?.split('-').map(str::parse::<usize>);
-    let (year, month, day) = (parts.next()?, parts.next()?, parts.next()?);
-    let (year, month, day) = (year.ok()?, month.ok()?, day.ok()?);
-    let month = MONTHS.get(month.checked_sub(1)?)?;
-    Some(format!("{day} {month} {year}"))
+fn long(day: Date) -> String {
+    day.strftime("%-d %B %Y").to_string()
 }

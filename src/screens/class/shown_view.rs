@@ -52,7 +52,7 @@ pub(super) fn draw(play: &Play, shown: &Shown, area: Rect, buf: &mut Buffer, loo
     };
     layout.draw(buf, look, &title, aside);
     match shown.telling.watch() {
-        Some(watch) => watch.draw(layout.picture, buf, look),
+        Some(watch) => watch.picture(layout.picture).draw(buf, look),
         None => draw_question(layout.picture, buf, look, question, None),
     }
 }

@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::run::Run;
@@ -13,7 +12,7 @@ use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::screens::Context;
 use crate::widgets::bar::bar;
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role};
 
@@ -30,8 +29,8 @@ pub(super) fn title(setup: &Setup) -> &'static str {
     }
 }
 
-/// Draws the counts, and the law once something has been thrown.
-pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
+/// The counts, and the law once something has been thrown.
+pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let most = Counts::expected(&law, particles)
@@ -55,12 +54,21 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
         let thrown = run.thrown();
         let expected = |at| expected_at(&law, thrown, at).filter(|count| *count >= least);
         plot.function(expected, Pen::new(Role::StrikerOut));
-        let sides = [Side::AboveRight, Side::Above, Side::AboveLeft, Side::Right];
-        let _ = label_places(expected)
-            .into_iter()
-            .any(|at| plot.label("the law", at, &sides, Role::StrikerOut));
+        let sides = [
+            LabelSide::AboveRight,
+            LabelSide::Above,
+            LabelSide::AboveLeft,
+            LabelSide::Right,
+        ];
+        let mut places = label_places(expected).into_iter();
+        if let Some(first) = places.next() {
+            let label = plot.label("the law", first, &sides, Role::StrikerOut);
+            for (at, sides) in places.map(|at| (at, &sides)) {
+                label.or(at, sides);
+            }
+        }
     }
-    plot.draw(buf);
+    plot.picture()
 }
 
 /// Particles expected within 2.5° of an angle in degrees, so that the curve passes the

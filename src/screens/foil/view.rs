@@ -5,17 +5,18 @@ use ratatui::layout::Rect;
 
 use super::{Foil, Page, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
+use crate::widgets::picture::Picture;
 use crate::widgets::{Beside, Lines, Look, Role, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
-pub struct Layout {
+pub struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
     pub beside: Beside,
 }
 
-impl Layout {
+impl FoilLayout {
     /// Lays it out in `area`.
     pub fn new(area: Rect) -> Self {
         let row = 1.min(area.height);
@@ -70,7 +71,7 @@ impl Layout {
 /// Draws the foil.
 pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Layout::new(area);
+    let layout = FoilLayout::new(area);
     for (page, column, name) in layout.tabs() {
         let role = if page == foil.page {
             Role::Selected
@@ -95,7 +96,7 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
         Page::Measured => "the experiment",
     };
     beside.draw(buf, &look, title(foil), side);
-    draw_picture(foil, beside.picture, buf, look);
+    picture(foil, beside.picture, look).draw(buf, &look);
     foil.scroll.draw(beside.panel, buf, look, |lines| {
         write_panel(foil, lines, cx);
     });
@@ -110,12 +111,12 @@ pub(super) fn title(foil: &Foil) -> &'static str {
     }
 }
 
-/// Draws the plot of the page.
-pub(super) fn draw_picture(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
+/// The picture of the page.
+pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
     match foil.page {
-        Page::Tracks => tracks_page::draw(&foil.setup, area, buf, &look),
-        Page::Counts => beam_page::draw(foil, area, buf, look),
-        Page::Measured => measured_page::draw(foil.levelled, area, buf, look),
+        Page::Tracks => tracks_page::picture(&foil.setup, area),
+        Page::Counts => beam_page::picture(foil, area, look),
+        Page::Measured => measured_page::picture(foil.levelled, area, look),
     }
 }
 

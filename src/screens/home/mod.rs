@@ -9,7 +9,7 @@ use ratatui::layout::Rect;
 use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::messages::{Input, Key, MouseKind};
 use crate::physics::{Collision, Disc};
-use crate::widgets::hit::{Layer, Layers, Watch};
+use crate::widgets::hit::{Overlay, Overlays, Watch};
 
 /// The first screen.
 #[derive(Debug, Clone)]
@@ -21,8 +21,8 @@ pub struct Home {
 impl Default for Home {
     /// The first choice, beside a hit at its contact.
     fn default() -> Self {
-        let mut layers = Layers::default();
-        layers.toggle(Layer::Triangle);
+        let mut layers = Overlays::default();
+        layers.toggle(Overlay::Triangle);
         Self {
             chosen: 0,
             picture: Watch::new(worked_shot(), None, true).with_layers(layers),

@@ -51,7 +51,7 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
     let (picture, menu) = layout(area);
     let title = "a glancing hit";
     let inside = draw_panel(buf, picture, title, look.charset, &look.theme);
-    home.picture.draw(inside, buf, &look);
+    home.picture.picture(inside).draw(buf, &look);
     let mut lines = Lines::new(menu, buf, look);
     lines.line("Aim. Say where both will go.", Role::Text);
     lines.line("Then watch the exact hit, and why.", Role::Text);

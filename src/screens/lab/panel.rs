@@ -4,13 +4,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::explain::{explain, turns_a_second};
-use super::{Field, Lab};
+use super::{Lab, LabField};
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
-use crate::quiz::{Ray, Rays};
+use crate::quiz::Rays;
 use crate::screens::Context;
 use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::{Lines, RayInput, Role, brief, shown};
+use crate::widgets::panels::{said_and_true, separation};
+use crate::widgets::{Lines, RayInput, Role, shown};
 
 /// The setting whose row is at this cell.
 pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> {
@@ -18,49 +19,39 @@ pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> 
         return None;
     }
     let field = usize::from(row - panel.y);
-    (field < Field::ALL.len()).then_some(field)
+    (field < LabField::ALL.len()).then_some(field)
 }
 
 /// The settings, and what follows from them.
 pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let mut lines = Lines::new(area, buf, cx.settings.look());
-    for (i, field) in Field::ALL.into_iter().enumerate() {
-        let chosen = i == lab.field;
-        let value = if chosen && lab.entry.is_open() {
-            format!("{}_", lab.entry.text())
-        } else {
-            lab.shown(field)
-        };
-        let (name_role, value_role) = if chosen {
-            (Role::Selected, Role::Selected)
-        } else {
-            (Role::Dim, Role::Text)
-        };
-        let mark = if chosen { ">" } else { " " };
-        let name = format!("{mark} {}", field.name(&lab.setup));
-        lines.pair(&name, &value, name_role, value_role);
-    }
-    if lab.held {
-        let range = lab.field().range(&lab.setup);
-        lines.line(&format!("  {range}"), Role::Warn);
-    } else {
-        lines.gap();
-    }
-    geometry(lab, &mut lines);
-    lines.gap();
+    lab.form.write(&lab.settings, &mut lines);
     let next = if cx.settings.predict {
         "Enter: now say where both will go."
     } else {
         "Enter: shoot. (p: predict first)"
     };
+    let about = |lines: &mut Lines| lab.form.write_about(&lab.settings, lines);
+    let mut spare = lines.spare(GEOMETRY_ROWS + 1 + lines.rows_of(next));
+    if spare.take(lines.rows_by(about)) {
+        about(&mut lines);
+    }
+    if spare.take(1) {
+        lines.gap();
+    }
+    geometry(lab, &mut lines);
+    lines.gap();
     lines.paragraph(next, Role::Key);
 }
 
+/// Rows that [`geometry`] takes at most.
+const GEOMETRY_ROWS: u16 = 2;
+
 /// b/(r₁+r₂), and that they miss if they do.
 fn geometry(lab: &Lab, lines: &mut Lines) {
-    let ratio = lab.setup.offset_mm.abs() / lab.setup.reach_mm();
+    let ratio = lab.settings.setup.offset_mm.abs() / lab.settings.setup.reach_mm();
     lines.pair("b / (r₁+r₂)", &format!("{ratio:.3}"), Role::Dim, Role::Text);
-    if lab.setup.collision().normal().is_none() {
+    if lab.settings.setup.collision().normal().is_none() {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
         } else {
@@ -80,8 +71,11 @@ pub(super) fn draw_prediction(
 ) {
     let mut lines = Lines::new(area, buf, cx.settings.look());
     given(lab, &mut lines);
-    for (field, name) in [(Field::StrikerMass, "striker"), (Field::CoinMass, "coin")] {
-        lines.pair(name, &lab.shown(field), Role::Dim, Role::Text);
+    for (field, name) in [
+        (LabField::StrikerMass, "striker"),
+        (LabField::CoinMass, "coin"),
+    ] {
+        lines.fact(name, &lab.settings.field(field).shown);
     }
     lines.gap();
     lines.line("Where will they go?", Role::Title);
@@ -89,11 +83,7 @@ pub(super) fn draw_prediction(
     lines.gap();
     lines.paragraph(&rays.about("coin"), Role::Text);
     lines.gap();
-    let next = match rays.turning() {
-        Ray::Striker => "Enter: then the coin.",
-        Ray::Target => "Enter: shoot!",
-    };
-    lines.paragraph(next, Role::Key);
+    lines.paragraph(&rays.prompt("coin", "shoot!"), Role::Key);
 }
 
 /// The shot in numbers, what was said of it, and why it went as it did. The
@@ -115,13 +105,13 @@ pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
         }
         return;
     }
-    if let Some(coin) = &lab.mystery {
+    if let Some(coin) = &lab.settings.mystery {
         answers(watch, lines);
         lines.gap();
-        coin.write(&lab.setup, watch.outcome(), lines);
+        coin.write(&lab.settings.setup, watch.outcome(), lines);
         return;
     }
-    let (title, text) = explain(&lab.setup, watch);
+    let (title, text) = explain(&lab.settings.setup, watch);
     let title_rows = if title.is_empty() {
         0
     } else {
@@ -150,17 +140,13 @@ const ANSWER_ROWS: u16 = 5;
 
 /// Where they meet.
 fn given(lab: &Lab, lines: &mut Lines) {
-    lines.pair(
+    lines.fact(
         "offset b",
-        &Field::Offset.shown(&lab.setup),
-        Role::Dim,
-        Role::Text,
+        &LabField::Offset.field(&lab.settings.setup).shown,
     );
-    lines.pair(
+    lines.fact(
         "impact angle",
-        &Field::ImpactAngle.shown(&lab.setup),
-        Role::Dim,
-        Role::Text,
+        &LabField::ImpactAngle.field(&lab.settings.setup).shown,
     );
     geometry(lab, lines);
 }
@@ -171,18 +157,8 @@ fn answers(watch: &Watch, lines: &mut Lines) {
     let truth = degrees(watch.collision(), &Rays::from(outcome));
     match watch.said() {
         Some(said) => {
-            let said = degrees(watch.collision(), said);
-            let head = |text| (text, Role::Dim);
-            // The way of a pair that sticks is that of its centre of mass.
-            let truth_is = if sticks { "V" } else { "truth" };
-            lines.columns(head("degrees"), ["you said", truth_is].map(head));
-            for (i, name) in ["striker", "coin"].into_iter().enumerate() {
-                let role = [Role::StrikerOut, Role::CoinOut][i];
-                lines.columns(
-                    head(name),
-                    [(&brief(said[i]), Role::Predicted), (&brief(truth[i]), role)],
-                );
-            }
+            let names = ["striker", "coin"].map(Some);
+            said_and_true(watch.collision(), said, names, false, lines);
         }
         None if sticks => lines.pair("way of V", &shown(truth[0]), Role::Dim, Role::StrikerOut),
         None => {
@@ -192,12 +168,7 @@ fn answers(watch: &Watch, lines: &mut Lines) {
             }
         }
     }
-    let separation = match outcome.separation {
-        _ if sticks => "none".into(),
-        Some(separation) => format!("{:.1}°", separation.to_degrees()),
-        None => "none".into(),
-    };
-    lines.pair("separation", &separation, Role::Dim, Role::Text);
+    separation(watch.collision(), lines);
     if outcome.energy_before > 0.0 {
         let kept = 100.0 * outcome.energy_after / outcome.energy_before;
         lines.pair(

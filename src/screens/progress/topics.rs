@@ -4,6 +4,7 @@ use super::words::{brief, degrees, padded, percent};
 use crate::lessons::Book;
 use crate::messages::History;
 use crate::progress::{Due, LESSON, Mastery, TopicStanding, reviews, topics};
+use crate::quiz::Topic;
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role, text};
 
@@ -99,7 +100,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         lines.pair("solid", &solid.to_string(), Role::Dim, Role::Good);
         lines.gap();
     }
-    let Some(now_s) = history.now_s else {
+    let Some(today) = history.calendar.today() else {
         lines.paragraph(
             "What you know may rest for a while; what you missed comes back soon. Here it \
              will say when.",
@@ -107,27 +108,27 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         );
         return;
     };
-    let due = Due::of(&history.attempts, Some(now_s));
+    let due = Due::of(&history.attempts, &history.calendar);
     if due.now.is_empty() {
         lines.line("nothing due", Role::Title);
     } else {
         lines.line(&format!("{} due", due.now.len()), Role::Title);
-        listed(&due.now, lines);
+        listed(due.now.iter().map(Topic::name).collect(), lines);
     }
     if let Some((topic, when)) = due.next {
         lines.gap();
         lines.line(&when, Role::Title);
-        listed(&[topic], lines);
+        listed(vec![topic.name()], lines);
     }
-    let chapters: Vec<_> = reviews(&history.attempts)
+    let chapters: Vec<String> = reviews(&history.attempts, &history.calendar)
         .into_iter()
-        .filter(|review| review.family == LESSON && review.is_due(now_s))
+        .filter(|review| review.family == LESSON && review.is_due(today))
         .map(|review| review.topic)
         .collect();
     if !chapters.is_empty() {
         lines.gap();
         lines.line("chapters to look at again", Role::Title);
-        listed(&chapters, lines);
+        listed(chapters, lines);
     }
     lines.gap();
     lines.paragraph(
@@ -137,12 +138,13 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
 }
 
 /// The first of these, and how many more there are.
-fn listed(names: &[String], lines: &mut Lines) {
+fn listed(names: Vec<String>, lines: &mut Lines) {
     let room = usize::from(lines.width()).saturating_sub(2);
-    for name in names.iter().take(LISTED) {
-        lines.line(&format!(" {}", brief(name, room)), Role::Text);
+    let more = names.len().saturating_sub(LISTED);
+    for name in names.into_iter().take(LISTED) {
+        lines.line(&format!(" {}", brief(&name, room)), Role::Text);
     }
-    if let Some(more @ 1..) = names.len().checked_sub(LISTED) {
+    if more > 0 {
         lines.line(&format!(" and {more} more"), Role::Dim);
     }
 }

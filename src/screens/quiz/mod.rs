@@ -22,7 +22,7 @@ use crate::progress::Attempt;
 use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
 };
-use crate::widgets::hit::{Layers, Telling, Watch};
+use crate::widgets::hit::{Overlays, Telling, Watch};
 use crate::widgets::{AnswerInput, Outcome, Scroll};
 
 /// Back to choosing a round.
@@ -36,7 +36,7 @@ pub struct Quiz {
     answers: Vec<Answer>,
     phase: Phase,
     /// What the player likes to see drawn on top of a hit.
-    layers: Layers,
+    layers: Overlays,
     scroll: Scroll,
     /// Whether Escape was pressed in the middle of the round, and nothing since.
     leaving: bool,
@@ -87,7 +87,7 @@ impl Quiz {
             round,
             answers: Vec::new(),
             phase: Phase::Summary(0),
-            layers: Layers::default(),
+            layers: Overlays::default(),
             scroll: Scroll::default(),
             leaving: false,
         };
@@ -422,7 +422,7 @@ impl Asked {
 
 impl Watched {
     /// An answer just given. What was answered by shooting is what is watched.
-    fn new(question: Question, answer: Answer, layers: Layers, cx: &Context) -> Self {
+    fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = match answer.said {
             Response::Rays(rays) => Some(rays),
             _ => None,
@@ -431,7 +431,7 @@ impl Watched {
         let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
         let (watch, remedy) = match (&question.form, answer.said) {
             (Form::Shot(aim), Response::Shot(offset)) => {
-                let shot = |offset| watch(aim.with(offset)).with_mark(aim.into());
+                let shot = |offset| watch(aim.with(offset)).with_wanted(aim.into());
                 let right = Grade::new(&question, &answer).right;
                 let remedy = (!right).then(|| shot(aim.offset));
                 (Some(shot(offset)), remedy)

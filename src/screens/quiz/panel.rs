@@ -5,11 +5,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Asked, Watched};
-use crate::quiz::words::{self, bare_degrees};
-use crate::quiz::{Confidence, Form, Grade, Ray, RaysGrade, Response, explain, letter};
+use crate::quiz::words;
+use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
-use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::{AnswerInput, Charset, Lines, Look, Role, brief};
+use crate::widgets::panels::said_and_true;
+use crate::widgets::{AnswerInput, Charset, Lines, Look, Role};
 
 /// The question, and what is being said to it.
 pub(super) fn asked(asked: &Asked, lines: &mut Lines) {
@@ -172,7 +172,7 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
     if gap_before {
         lines.gap();
     }
-    write_answers(watched, &grade, lines);
+    write_answers(watched, lines);
     if gap {
         lines.gap();
     }
@@ -230,37 +230,16 @@ fn said_and_truth(watched: &Watched) -> Option<[String; 2]> {
     (!table).then(|| both.map(|said| lettered(form, &said)))
 }
 
-fn write_answers(watched: &Watched, grade: &Grade, lines: &mut Lines) {
+fn write_answers(watched: &Watched, lines: &mut Lines) {
     if let Some([said, truth]) = said_and_truth(watched) {
         lines.hanging(YOU, &said, Role::Predicted);
         lines.hanging(TRUTH, &truth, Role::Good);
-    } else if let (Some(watch), Some(rays)) = (watched.telling.watch(), grade.rays) {
-        ray_table(watched, watch, &rays, lines);
-    }
-}
-
-fn ray_table(watched: &Watched, watch: &Watch, grade: &RaysGrade, lines: &mut Lines) {
-    let (Form::Rays { truth, target, .. }, Response::Rays(said)) =
-        (&watched.question.form, &watched.answer.said)
-    else {
-        return;
-    };
-    let collision = watch.collision();
-    let said = degrees(collision, said);
-    let truth = degrees(collision, truth);
-    let off = [grade.striker, grade.target].map(|ray| ray.error.map_or("-".into(), bare_degrees));
-    let head = |text| (text, Role::Dim);
-    lines.columns(head("degrees"), ["you", "truth", "off"].map(head));
-    let names = ["striker", target];
-    let roles = [Role::StrikerOut, Role::CoinOut];
-    for i in 0..2 {
-        lines.columns(
-            head(names[i]),
-            [
-                (&brief(said[i]), Role::Predicted),
-                (&brief(truth[i]), roles[i]),
-                (&off[i], Role::Text),
-            ],
-        );
+    } else if let (Some(watch), Form::Rays { target, .. }, Response::Rays(said)) = (
+        watched.telling.watch(),
+        &watched.question.form,
+        &watched.answer.said,
+    ) {
+        let names = ["striker", target].map(Some);
+        said_and_true(watch.collision(), said, names, true, lines);
     }
 }

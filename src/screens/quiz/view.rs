@@ -111,7 +111,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             };
             draw_frames(&layout, buf, &look, &title(watched), side);
             match watched.telling.watch() {
-                Some(watch) => watch.draw(layout.picture, buf, &look),
+                Some(watch) => watch.picture(layout.picture).draw(buf, &look),
                 None => draw_question(layout.picture, buf, &look, &watched.question, None),
             }
         }

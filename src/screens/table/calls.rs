@@ -2,7 +2,7 @@
 
 use super::preview::first_hit;
 use crate::game::{Call, Strike};
-use crate::physics::Shot;
+use crate::physics::{Collision, Shot};
 use crate::quiz::{Rays, RaysGrade};
 
 /// A call and what came of it.
@@ -10,8 +10,8 @@ use crate::quiz::{Rays, RaysGrade};
 pub(super) struct Called {
     /// What was said.
     pub(super) said: Rays,
-    /// Where they went.
-    pub(super) truth: Rays,
+    /// The hit it was said of.
+    pub(super) collision: Collision,
 }
 
 impl Called {
@@ -22,17 +22,15 @@ impl Called {
     /// nothing was hit.
     pub(super) fn new(strike: &Strike, shot: &Shot) -> Option<Self> {
         let said = rays(&strike.call?);
-        let outcome = first_hit(shot)?.impact.collision.outcome();
-        Some(Self {
-            said,
-            truth: Rays::from(&outcome),
-        })
+        let collision = first_hit(shot)?.impact.collision;
+        Some(Self { said, collision })
     }
 
     /// Points for it, 0 to [`Called::MOST`], by how far off each ray was: graded as
     /// in the quiz, without a question of confidence.
     pub(super) fn points(&self) -> u32 {
-        let grade = RaysGrade::new(&self.said, &self.truth);
+        let truth = Rays::from(&self.collision.outcome());
+        let grade = RaysGrade::new(&self.said, &truth);
         (grade.credit() * f64::from(Self::MOST)).round() as u32
     }
 }
@@ -58,10 +56,18 @@ mod tests {
 
     #[test]
     fn a_call_earns_by_how_near_it_is() {
-        let truth = Rays::new(0.3, 0.5);
+        let disc = crate::physics::Disc {
+            mass: 0.015,
+            radius: 0.02,
+        };
+        let collision = Collision::at_angle(disc, disc, 4.0 * glam::DVec2::X, 0.5);
+        let truth = Rays::from(&collision.outcome());
         let points = |striker: f64, coin: f64| {
-            let said = Rays::new(0.3 + striker.to_radians(), 0.5 + coin.to_radians());
-            Called { said, truth }.points()
+            let said = Rays {
+                striker: truth.striker.map(|angle| angle + striker.to_radians()),
+                target: truth.target.map(|angle| angle + coin.to_radians()),
+            };
+            Called { said, collision }.points()
         };
         assert_eq!(points(0.0, 0.0), 10);
         assert_eq!(points(0.0, 90.0), 5);

@@ -105,7 +105,7 @@ impl NewGame {
         let layout = view::layout(area, false);
         layout.draw(buf, &look, "the pack", "a new game");
         let coins = pack(self.options.set, Seat::South);
-        picture::draw_pack(&coins, self.options.set, layout.picture, buf, &look);
+        picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
         for (i, row) in self.rows().into_iter().enumerate() {
             let chosen = i == self.chosen;

@@ -216,7 +216,7 @@ impl SavedGames {
             Some((_, game)) => (game.coins(), game.setup().set),
             None => (&[][..], self.options.set),
         };
-        picture::draw_pack(coins, set, layout.picture, buf, &look);
+        picture::of_pack(coins, set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
         match &self.games {
             Games::Asked => lines.paragraph("Looking …", Role::Text),

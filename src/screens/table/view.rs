@@ -8,7 +8,7 @@ use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup};
+use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
@@ -31,7 +31,8 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
     let layout = layout(area, is_enlarged(sitting));
     let (title, side_title) = titles(sitting);
     layout.draw(buf, &look, &title, &side_title);
-    match &sitting.phase {
+    let area = layout.picture;
+    let picture = match &sitting.phase {
         Phase::Call(calling) => {
             let given = Markings {
                 offset: true,
@@ -39,25 +40,16 @@ pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context
                 figures: true,
             };
             let collision = &calling.hit.impact.collision;
-            draw_setup(
-                layout.picture,
-                buf,
-                &look,
-                collision,
-                given,
-                Some(&calling.rays),
-            );
+            let rays = Some(&calling.rays);
+            setup_picture(area, Face::STRIKER_AND_COIN, collision, given, rays)
         }
-        Phase::Impact(zoom) => zoom.watch.draw(layout.picture, buf, &look),
-        Phase::Aim => picture::draw_aim(sitting, layout.picture, buf, &look),
-        Phase::Watch(replay) => picture::draw_replay(sitting, replay, layout.picture, buf, &look),
-        Phase::Arrange(arrange) => {
-            picture::draw_arrange(sitting, arrange, layout.picture, buf, &look);
-        }
-        Phase::Think { .. } | Phase::Over => {
-            picture::draw_coins(sitting, layout.picture, buf, &look);
-        }
-    }
+        Phase::Impact(zoom) => zoom.watch.picture(area),
+        Phase::Aim => picture::of_aim(sitting, area),
+        Phase::Watch(replay) => picture::of_replay(sitting, replay, area),
+        Phase::Arrange(arrange) => picture::of_arrange(sitting, arrange, area),
+        Phase::Think { .. } | Phase::Over => picture::of_coins(sitting, area),
+    };
+    picture.draw(buf, &look);
     panel::draw(sitting, layout.panel, buf, cx);
 }
 

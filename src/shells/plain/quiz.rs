@@ -11,7 +11,8 @@ use crate::messages::{StoreReply, StoreRequest};
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, explain, words,
+    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, Topic, explain,
+    words,
 };
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
@@ -50,7 +51,8 @@ fn choose(
         })
         .collect();
     if let Some(review) = due.course() {
-        let (first, all) = (due.first(), due.now.len());
+        let first: Vec<_> = due.first().iter().map(Topic::name).collect();
+        let all = due.now.len();
         let about = match all - first.len() {
             0 => format!("review what is due: {}", first.join("; ")),
             _ => format!("review {} of {all} due: {}", first.len(), first.join("; ")),
@@ -100,7 +102,7 @@ fn choose(
 fn due(talk: &mut Talk, recorder: &mut Recorder) -> Result<Due, Leave> {
     let player = recorder.player.to_owned();
     match recorder.wish(talk, StoreRequest::Recall(Some(player)))? {
-        StoreReply::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, history.now_s)),
+        StoreReply::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, &history.calendar)),
         _ => Ok(Due::default()),
     }
 }

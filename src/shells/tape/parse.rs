@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 use std::str::FromStr;
-use std::time::{Duration, UNIX_EPOCH};
+use std::time::Duration;
 
+use jiff::civil::Date;
+use jiff::tz::TimeZone;
 use thiserror::Error;
 
 use super::line::{Part, parts};
@@ -174,9 +176,10 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
 
 /// Noon of a day, such as 2026-01-05, in seconds since 1970 began (UTC).
 fn noon(day: &str) -> Option<i64> {
-    let time = humantime::parse_rfc3339(&format!("{day}T12:00:00Z")).ok()?;
-    let since = time.duration_since(UNIX_EPOCH).ok()?;
-    i64::try_from(since.as_secs()).ok()
+    let date: Date = day.parse().ok()?;
+    let noon = date.at(12, 0, 0, 0).to_zoned(TimeZone::UTC).ok()?;
+    let noon_s = noon.timestamp().as_second();
+    (noon_s > 0 && date.to_string() == day).then_some(noon_s)
 }
 
 fn scroll(arguments: &Arguments) -> Result<Instruction, String> {

@@ -14,7 +14,14 @@ use super::error::DatabaseError;
 use super::{bookmarks, tables};
 
 /// The steps, each to the version of its place, from 1.
-const STEPS: [&str; 2] = [include_str!("schema-1.sql"), include_str!("schema-2.sql")];
+const STEPS: [&str; 3] = [
+    include_str!("schema-1.sql"),
+    include_str!("schema-2.sql"),
+    TOPICS_BY_ID,
+];
+
+/// The step of version 3, which changes rows and no tables.
+const TOPICS_BY_ID: &str = include_str!("schema-3.sql");
 
 /// The present version.
 pub(super) const VERSION: i64 = STEPS.len() as i64;
@@ -43,7 +50,11 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let found = version(&transaction)?;
     let tables: i64 =
         transaction.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get(0))?;
-    if found < 0 || (found == 0 && tables > 0) {
+    let is_ours = match found {
+        0 => tables == 0,
+        _ => found > 0 && tables::check(&transaction).is_ok(),
+    };
+    if !is_ours {
         return Err(DatabaseError::Damaged(
             "it is no database of carrom's".into(),
         ));
@@ -58,6 +69,18 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
         transaction.pragma_update(None, "user_version", VERSION)?;
     }
     transaction.commit()?;
+    Ok(())
+}
+
+/// Lets the answers of an older database, which cannot be changed, be looked up as those of
+/// the present version: through a copy that is gone with the connection.
+pub(super) fn overlay(connection: &Connection, found: i64) -> rusqlite::Result<()> {
+    if found < VERSION {
+        connection.execute_batch(
+            "PRAGMA temp_store = MEMORY; CREATE TEMP TABLE attempt AS SELECT * FROM main.attempt;",
+        )?;
+        connection.execute_batch(TOPICS_BY_ID)?;
+    }
     Ok(())
 }
 

@@ -3,7 +3,7 @@ use std::process;
 
 use super::*;
 use crate::lessons::{CheckpointAnswer, GivenAnswer};
-use crate::quiz::Confidence;
+use crate::quiz::{Confidence, Topic};
 
 /// An empty folder, removed when it is dropped.
 struct Scratch(PathBuf);
@@ -46,7 +46,7 @@ fn attempt(player: &str, number: u32) -> Attempt {
         time_s: Some(1_800_000_000),
         player: player.into(),
         family: "where-to".into(),
-        topic: "equal masses".into(),
+        topic: "equal-masses".into(),
         seed: u64::MAX - 1,
         number,
         question: "{\"alpha_deg\":30}".into(),
@@ -386,6 +386,11 @@ fn a_database_of_each_older_format_opens() {
         let old = Connection::open(scratch.path()).unwrap();
         old.execute_batch(sql).unwrap();
         drop(old);
+        // Where nothing can be written it means the same.
+        let unwritten = unchanged::open(&scratch.0, NAME).unwrap();
+        let found = tables::attempts(&unwritten, None).unwrap();
+        assert_eq!(found, [attempt("Ada", 5)]);
+        drop(unwritten);
         let mut database = scratch.database();
         assert_eq!(database.attempts(None).unwrap(), [attempt("Ada", 5)]);
         assert_eq!(database.stars("Ada").unwrap(), [starred("a", 3)]);
@@ -395,6 +400,19 @@ fn a_database_of_each_older_format_opens() {
         assert_eq!(database.attempts(Some("Ada")).unwrap().len(), 2);
         assert_eq!(database.marks("Ada").unwrap().len(), marks.len() + 1);
         assert_eq!(database.take_notice(), None);
+    }
+}
+
+/// Every name that topics were kept by is that of a topic there is, or was in words.
+#[test]
+fn every_topic_kept_by_name_has_its_id() {
+    let lines = include_str!("schema-3.sql").lines();
+    let lines = lines.filter(|line| line.starts_with("    ('"));
+    let ids = lines.filter_map(|line| line.strip_suffix(')').or(line.strip_suffix("),")));
+    let ids: Vec<_> = ids.filter_map(|line| line.rsplit('\'').nth(1)).collect();
+    assert_eq!(ids.len(), 44);
+    for id in ids {
+        assert!(!Topic::with_id(id).families().is_empty(), "{id}");
     }
 }
 

@@ -21,7 +21,10 @@ pub(super) fn open(folder: &Path, name: &str) -> Result<Connection, DatabaseErro
     let connection = Connection::open_with_flags(address(&folder.join(name), how), flags)?;
     match schema::version(&connection) {
         Ok(found) if found > schema::VERSION => Err(DatabaseError::Newer(found)),
-        Ok(_) => Ok(connection),
+        Ok(found) => {
+            schema::overlay(&connection, found)?;
+            Ok(connection)
+        }
         Err(_) if in_log => Err(DatabaseError::InLog(log)),
         Err(trouble) => Err(trouble),
     }

@@ -148,6 +148,14 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
+    /// The same without the rows that do this.
+    #[must_use]
+    pub fn without(mut self, is: impl Fn(A) -> bool) -> Self {
+        self.rows
+            .retain(|row| !row.keys.first().is_some_and(|(_, action)| is(*action)));
+        self
+    }
+
     /// Adds the keys of a part of the screen.
     #[must_use]
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {

@@ -267,7 +267,7 @@ impl RayInput {
 /// How an angle in degrees reads on the screen; `None` for a disc that stays still.
 pub fn shown(angle_deg: Option<f64>) -> String {
     match angle_deg {
-        Some(angle) => format!("{angle:.1}°"),
+        Some(_) => format!("{}°", brief(angle_deg)),
         None => "stays still".into(),
     }
 }
@@ -275,7 +275,9 @@ pub fn shown(angle_deg: Option<f64>) -> String {
 /// The same in as little room as a table has: no unit, and one word for a disc that
 /// stays still.
 pub fn brief(angle_deg: Option<f64>) -> String {
-    angle_deg.map_or("still".into(), |angle| format!("{angle:.1}"))
+    angle_deg.map_or("still".into(), |angle| {
+        format!("{angle:.1}").replace('-', "−")
+    })
 }
 
 fn index(ray: Ray) -> usize {

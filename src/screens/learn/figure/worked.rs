@@ -3,19 +3,19 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Shown;
+use super::LiveFigure;
 use crate::physics::Collision;
 use crate::physics::worked::{self, Step};
-use crate::screens::lab::Field;
+use crate::screens::lab::LabField;
 use crate::widgets::{Lines, Look, Role};
 
 /// What the student sets in a solution of their own.
-pub(super) const FIELDS: [Field; 5] = [
-    Field::StrikerMass,
-    Field::CoinMass,
-    Field::Speed,
-    Field::ImpactAngle,
-    Field::Restitution,
+pub(super) const FIELDS: [LabField; 5] = [
+    LabField::StrikerMass,
+    LabField::CoinMass,
+    LabField::Speed,
+    LabField::ImpactAngle,
+    LabField::Restitution,
 ];
 
 /// All steps of the solution.
@@ -26,7 +26,7 @@ pub(super) fn steps(collision: &Collision) -> Vec<Step> {
 /// Draws the step at hand: below the settings, one of which is chosen, if there are
 /// any; with its results left `blank` from a step on, counted from 1.
 pub(super) fn draw(
-    shown: &Shown,
+    shown: &LiveFigure,
     chosen: Option<usize>,
     blank: Option<usize>,
     area: Rect,
@@ -42,13 +42,14 @@ pub(super) fn draw(
             } else {
                 (" ", Role::Dim)
             };
-            let name = format!("{mark} {}", field.name(&setup));
+            let field = field.field(&setup);
+            let name = format!("{mark} {}", field.name);
             let value = if i == chosen {
                 Role::Selected
             } else {
                 Role::Text
             };
-            lines.pair(&name, &field.shown(&setup), role, value);
+            lines.pair(&name, &field.shown, role, value);
         }
         lines.gap();
     }

@@ -8,11 +8,12 @@ use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointChoice, CheckpointK
 use crate::physics::Collision;
 use crate::quiz::Rays;
 use crate::screens::lab::explain;
-use crate::screens::learn::figure::Shown;
+use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
 use crate::screens::why::of_hit;
-use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::{Lines, Look, Role, brief};
+use crate::widgets::hit::Watch;
+use crate::widgets::panels::said_and_true;
+use crate::widgets::{Lines, Look, Role};
 
 /// Writes it.
 pub(super) fn write(reading: &Reading, lines: &mut Lines) {
@@ -54,7 +55,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
     let Some(page) = reading.page() else {
         return;
     };
-    let collision = reading.figure.as_ref().map(Shown::collision);
+    let collision = reading.figure.as_ref().map(LiveFigure::collision);
     let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
     else {
         return prose::write(&page.text, lines, collision);
@@ -73,7 +74,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
         }
         return;
     };
-    let watch = reading.figure.as_ref().and_then(Shown::watch);
+    let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
     if let (CheckpointAnswer::Rays(_), Some(watch)) = (&answer, watch)
         && !watch.is_told()
     {
@@ -99,8 +100,8 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
 
 /// What is said to an answer.
 fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, lines: &mut Lines) {
-    let collision = reading.figure.as_ref().map(Shown::collision);
-    let watch = reading.figure.as_ref().and_then(Shown::watch);
+    let collision = reading.figure.as_ref().map(LiveFigure::collision);
+    let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
     match (&answer, &checkpoint.asked) {
         (CheckpointAnswer::Rays(rays), _) => {
             if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
@@ -126,20 +127,9 @@ fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, li
 }
 
 /// Both rays beside the truth, and the explanation that starts from them.
-fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
-    let collision = watch.collision();
-    let said = degrees(collision, rays);
-    let truth = degrees(collision, &Rays::from(watch.outcome()));
-    let head = |text| (text, Role::Dim);
-    lines.columns(head("degrees"), ["you said", "truth"].map(head));
-    let rows = [("striker", Role::StrikerOut), ("coin", Role::CoinOut)];
-    for (i, (name, role)) in rows.into_iter().enumerate() {
-        let values = [(brief(said[i]), Role::Predicted), (brief(truth[i]), role)];
-        lines.columns(
-            head(name),
-            values.each_ref().map(|(text, role)| (text.as_str(), *role)),
-        );
-    }
+fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines) {
+    let names = ["striker", "coin"].map(Some);
+    said_and_true(watch.collision(), rays, names, false, lines);
     lines.gap();
     let (title, text) = match figure.question_by_angle() {
         Some(question) => {

@@ -4,14 +4,15 @@
 use super::made_shot::{MadeShot, asked};
 use super::{LevelPhase, LevelPlay, PendingShot};
 use crate::levels::{FEW_SHOTS, Win};
-use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
-use crate::physics::{Collision, Disc, Frame};
-use crate::quiz::{Ray, Rays};
+use crate::physics::Frame;
+use crate::physics::units::mm_from_m;
+use crate::quiz::Ray;
 use crate::screens::levels::words;
 use crate::screens::{Context, why};
-use crate::widgets::hit::{Watch, degrees};
+use crate::widgets::hit::Watch;
+use crate::widgets::panels::{impact_angle, masses, offset, said_and_true, separation};
 use crate::widgets::replay::Impact;
-use crate::widgets::{Lines, RayInput, Role, brief};
+use crate::widgets::{Lines, RayInput, Role};
 
 /// Shots that are shown while the next one is set.
 const SHOWN_EARLIER: usize = 2;
@@ -120,35 +121,10 @@ fn given(impact: &Impact, secret: &[usize], lines: &mut Lines) {
     bodies(impact, secret, lines);
 }
 
-fn offset(collision: &Collision, lines: &mut Lines) {
-    let offset = format!("{:.1} mm", mm_from_m(collision.offset.abs()));
-    lines.pair("offset b", &offset, Role::Dim, Role::Text);
-}
-
-fn impact_angle(collision: &Collision, lines: &mut Lines) {
-    if let Some(alpha) = collision.alpha() {
-        let alpha = format!("{:.1}°", deg_from_rad(alpha.abs()));
-        lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
-    }
-}
-
 /// What the two are, but for the masses of `secret` discs.
 fn bodies(impact: &Impact, secret: &[usize], lines: &mut Lines) {
-    let collision = &impact.collision;
-    let mass = |body: usize, disc: Disc| {
-        if secret.contains(&impact.discs[body]) {
-            "?".into()
-        } else {
-            format!("{:.1}", g_from_kg(disc.mass))
-        }
-    };
-    let (striker, target) = (mass(0, collision.striker), mass(1, collision.target));
-    let masses = format!("{striker} on {target} g");
-    lines.pair("masses", &masses, Role::Dim, Role::Text);
-    if collision.restitution < 1.0 {
-        let restitution = format!("{:.2}", collision.restitution);
-        lines.pair("restitution e", &restitution, Role::Dim, Role::Text);
-    }
+    let secret = impact.discs.map(|disc| secret.contains(&disc));
+    masses(&impact.collision, secret, lines);
 }
 
 fn watching(play: &LevelPlay, made: &MadeShot, lines: &mut Lines) {
@@ -235,26 +211,13 @@ fn answers(play: &LevelPlay, made: &MadeShot, impact: &Impact, lines: &mut Lines
     let Some(said) = &made.said else {
         return;
     };
-    let collision = &impact.collision;
-    let truth = degrees(collision, &Rays::from(&collision.outcome()));
-    let told = degrees(collision, &said.so_far());
     lines.gap();
-    let head = |text| (text, Role::Dim);
-    lines.columns(head("deg"), ["you said", "truth"].map(head));
+    let mut names = [None; 2];
     for ray in asked(said) {
-        let (body, role) = match ray {
-            Ray::Striker => (0, Role::StrikerOut),
-            Ray::Target => (1, Role::CoinOut),
-        };
-        let name = words::short(&play.level().scene, impact.discs[body]);
-        lines.columns(
-            head(name),
-            [
-                (&brief(told[body]), Role::Predicted),
-                (&brief(truth[body]), role),
-            ],
-        );
+        let body = usize::from(ray == Ray::Target);
+        names[body] = Some(words::short(&play.level().scene, impact.discs[body]));
     }
+    said_and_true(&impact.collision, &said.so_far(), names, false, lines);
 }
 
 /// Which of the impacts is enlarged.
@@ -283,11 +246,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines)
         lines.paragraph(watch.telling(), Role::Text);
         return;
     }
-    let separation = watch.outcome().separation;
-    let separation = separation.map_or("none".into(), |angle| {
-        format!("{:.1}°", deg_from_rad(angle))
-    });
-    lines.pair("separation", &separation, Role::Dim, Role::Text);
+    separation(&impact.collision, lines);
     match watch.frame() {
         Frame::Laboratory => {}
         Frame::CentreOfMass => {

@@ -8,7 +8,7 @@ use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
 use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup_of};
+use crate::widgets::hit::{Markings, setup_picture};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
 /// is asked for, for along the line of impact the other disc leaves.
@@ -36,22 +36,22 @@ pub(super) fn draw(play: &LevelPlay, area: Rect, buf: &mut Buffer, cx: &Context)
     let level = play.level();
     let (title, side_title) = titles(play);
     layout.draw(buf, &look, &title, &side_title);
-    match &play.phase {
+    let picture = match &play.phase {
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
-            board::draw_aim(level, &scene, layout.picture, buf, &look);
+            board::of_aim(level, &scene, layout.picture)
         }
         LevelPhase::Predict(pending) => {
             let faces = pending.impact.discs.map(|disc| face_of(&level.scene, disc));
             let (collision, rays) = (&pending.impact.collision, Some(&pending.rays));
-            let given = shown(pending);
-            draw_setup_of(faces, layout.picture, buf, &look, collision, given, rays);
+            setup_picture(layout.picture, faces, collision, shown(pending), rays)
         }
         LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => watch.draw(layout.picture, buf, &look),
-            None => board::draw_made(level, made, layout.picture, buf, &look),
+            Some(watch) => watch.picture(layout.picture),
+            None => board::of_made(level, made, layout.picture),
         },
-    }
+    };
+    picture.draw(buf, &look);
     play.scroll.draw(layout.panel, buf, look, |lines| {
         panel::write(play, lines, cx);
     });

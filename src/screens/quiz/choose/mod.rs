@@ -145,7 +145,7 @@ impl Choosing {
     /// What is due.
     fn due(&self) -> Due {
         let history = self.history.history();
-        history.map_or_else(Due::default, |it| Due::of(&it.attempts, it.now_s))
+        history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
     /// The chosen line of the page, and how many there are; `None` where nothing is

@@ -223,7 +223,7 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
     if due.now.is_empty() {
         let text = match choosing.history.history() {
             None => "Nothing to come back to yet. Play any round; what you miss will wait here.",
-            Some(history) if history.now_s.is_none() => {
+            Some(history) if history.calendar.now_s.is_none() => {
                 "Nobody knows what day it is here, so nothing can be due. Any other round is as good."
             }
             Some(_) => {

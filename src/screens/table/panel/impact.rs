@@ -4,31 +4,22 @@ use crate::physics::Frame;
 use crate::screens::table::sitting::Zoom;
 use crate::screens::table::words;
 use crate::screens::why;
+use crate::widgets::panels::{impact_angle, masses, offset, separation};
 use crate::widgets::{Lines, Role};
 
 /// Which two met, in numbers, and why they go where they go.
 pub(super) fn draw(zoom: &Zoom, lines: &mut Lines) {
     let watch = &zoom.watch;
     let collision = watch.collision();
-    let outcome = watch.outcome();
     let names = names(zoom);
     lines.line(&format!("{} on {}", names[0], names[1]), Role::Title);
-    let mm = collision.offset.abs() * 1000.0;
-    lines.pair("offset b", &format!("{mm:.1} mm"), Role::Dim, Role::Text);
-    if let Some(alpha) = collision.alpha() {
-        let alpha = format!("{:.1}°", alpha.to_degrees().abs());
-        lines.pair("impact angle", &alpha, Role::Dim, Role::Text);
-    }
-    let masses = [collision.striker, collision.target].map(|disc| disc.mass * 1000.0);
-    let masses = format!("{:.1} on {:.1} g", masses[0], masses[1]);
-    lines.pair("masses", &masses, Role::Dim, Role::Text);
+    offset(collision, lines);
+    impact_angle(collision, lines);
+    masses(collision, [false; 2], lines);
     if !watch.is_told() {
         return;
     }
-    let separation = outcome.separation.map_or("none".into(), |separation| {
-        format!("{:.1}°", separation.to_degrees())
-    });
-    lines.pair("separation", &separation, Role::Dim, Role::Text);
+    separation(collision, lines);
     lines.gap();
     if watch.frame() != Frame::Laboratory {
         lines.paragraph(frame_words(watch.frame()), Role::Text);

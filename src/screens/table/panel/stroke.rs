@@ -4,13 +4,13 @@ use ratatui::layout::Rect;
 
 use super::{notice, score};
 use crate::game::Piece;
-use crate::quiz::Ray;
 use crate::screens::table::calls::Called;
 use crate::screens::table::replay::Replay;
 use crate::screens::table::sitting::Sitting;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
-use crate::widgets::{Lines, Role, brief};
+use crate::widgets::panels::said_and_true;
+use crate::widgets::{Lines, Role};
 
 /// Columns from which on the list has room for names.
 const ROOMY: u16 = 31;
@@ -84,22 +84,9 @@ fn left(replay: &Replay, lines: &mut Lines) {
 fn call(called: &Called, lines: &mut Lines) {
     let points = format!("{} of {}", called.points(), Called::MOST);
     lines.pair("your call", &points, Role::Title, Role::Title);
-    let head = |text| (text, Role::Dim);
-    lines.columns(head("degrees"), ["you said", "truth"].map(head));
-    let rays = [
-        (Ray::Striker, "striker", Role::StrikerOut),
-        (Ray::Target, "coin", Role::CoinOut),
-    ];
-    for (ray, name, role) in rays {
-        let said = brief(degrees(called.said.get(ray)));
-        let truth = brief(degrees(called.truth.get(ray)));
-        lines.columns(head(name), [(&said, Role::Predicted), (&truth, role)]);
-    }
+    let names = ["striker", "coin"].map(Some);
+    said_and_true(&called.collision, &called.said, names, false, lines);
     lines.gap();
-}
-
-fn degrees(angle: Option<f64>) -> Option<f64> {
-    angle.map(|angle| angle.to_degrees().abs())
 }
 
 /// All impacts of the stroke, the chosen one marked.

@@ -1,4 +1,4 @@
-//! The sheet a picture is drawn on.
+//! The cells that a picture is drawn on.
 
 use glam::{DVec2, dvec2};
 use ratatui::{
@@ -10,33 +10,28 @@ use super::{
     cell::Cell,
     glyphs::{ascii, block, braille},
     grid,
-    label::Label,
-    pen::{Dash, Layer, Pen},
-    stroke::Stroke,
-    view::View,
+    label::PlacedLabel,
+    stroke::StrokeSamples,
 };
+use crate::widgets::picture::{Dash, Layer, Mark, Pen, Picture, View};
 use crate::widgets::{Charset, Role, Theme};
 
-/// The sheet a picture is drawn on: strokes, discs and labels in world
-/// coordinates, then all at once [`Sheet::draw`]n into a buffer.
-///
-/// Whatever lies outside the view's area is cut off there, and what is not a
-/// finite number is not drawn; nothing a caller gives can go wrong.
+/// The cells that a picture is drawn on: strokes, discs and labels in world
+/// coordinates, then all at once [`Canvas::draw`]n into a buffer.
 #[derive(Debug, Clone)]
-pub struct Sheet {
+pub(in crate::widgets) struct Canvas {
     view: View,
     pub(super) charset: Charset,
     pub(super) cells: Vec<Cell>,
-    pub(super) labels: Vec<Label>,
-    /// What labels are still to be written for, in cells from the corner of the area.
+    pub(super) labels: Vec<PlacedLabel>,
+    /// What labels are written for, in cells from the corner of the area.
     pub(super) expected: Vec<(i32, i32)>,
-    stroke: Stroke,
+    stroke: StrokeSamples,
 }
 
-impl Sheet {
-    /// An empty sheet over the area of `view`.
-    #[must_use]
-    pub fn new(view: View, charset: Charset) -> Self {
+impl Canvas {
+    /// An empty canvas over the area of `view`.
+    pub(super) fn new(view: View, charset: Charset) -> Self {
         let size = (
             usize::from(view.area().width),
             usize::from(view.area().height),
@@ -47,25 +42,56 @@ impl Sheet {
             cells: vec![Cell::EMPTY; size.0 * size.1],
             labels: Vec::new(),
             expected: Vec::new(),
-            stroke: Stroke::new(grid(charset), size),
+            stroke: StrokeSamples::new(grid(charset), size),
         }
     }
 
-    /// Where the world is on this sheet.
-    #[must_use]
-    pub const fn view(&self) -> &View {
-        &self.view
+    /// A canvas with all of a picture on it.
+    pub(in crate::widgets) fn of(picture: &Picture, charset: Charset) -> Self {
+        let mut canvas = Self::new(*picture.view(), charset);
+        for mark in picture.marks() {
+            canvas.mark(mark);
+        }
+        canvas.write(&picture.labels);
+        canvas
     }
 
-    /// The glyphs this sheet is drawn in.
-    #[must_use]
-    pub const fn charset(&self) -> Charset {
-        self.charset
+    fn mark(&mut self, mark: &Mark) {
+        match mark {
+            Mark::Line { from, to, pen } => self.line(*from, *to, *pen),
+            Mark::Curve { points, pen } => self.polyline(points.iter().copied(), *pen),
+            Mark::Arc {
+                centre,
+                radius,
+                from,
+                to,
+                pen,
+            } => self.arc(*centre, *radius, *from, *to, *pen),
+            Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
+            Mark::Dot { at, pen } => self.dot(*at, *pen),
+            Mark::Disc(body) => self.disc(body),
+            Mark::Ring { body, letter } => self.ring(body, *letter),
+            Mark::Discs(bodies) => self.discs(bodies),
+            Mark::Area { low, high, .. } => self.reserve_area(*low, *high),
+            Mark::Text { at, text, .. } => self.reserve_text(*at, text),
+            Mark::Reserved(at) => self.reserve(*at),
+            Mark::Axes(_) => self.reserve_axes(),
+        }
+    }
+
+    /// The labels that have found a place.
+    pub(in crate::widgets) fn labels(&self) -> &[PlacedLabel] {
+        &self.labels
+    }
+
+    /// Where the world is on this canvas.
+    pub(super) const fn view(&self) -> &View {
+        &self.view
     }
 
     /// A straight line. A level or upright one is shifted into the middles of its
     /// cells (in Unicode: of its dots), so that it looks the same wherever it lies.
-    pub fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
+    pub(super) fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let (from, to) = self.snapped(self.paper(from), self.paper(to), pen);
         self.stroke.piece(from, to, pen);
@@ -74,7 +100,11 @@ impl Sheet {
     }
 
     /// A line through many points. It breaks at points that are not finite.
-    pub fn polyline(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
+    pub(super) fn polyline(
+        &mut self,
+        points: impl IntoIterator<Item = DVec2>,
+        pen: impl Into<Pen>,
+    ) {
         self.through(points, pen.into(), true);
     }
 
@@ -97,7 +127,7 @@ impl Sheet {
     }
 
     /// A dot.
-    pub fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
+    pub(super) fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
         let (at, pen) = (self.paper(at), pen.into());
         self.stroke.end(at, pen);
         self.commit(pen);
@@ -105,7 +135,14 @@ impl Sheet {
 
     /// Part of a circle, from one angle to another (radians, anticlockwise from
     /// +x; to < from goes clockwise). A whole turn or more is a circle.
-    pub fn arc(&mut self, centre: DVec2, radius: f64, from: f64, to: f64, pen: impl Into<Pen>) {
+    pub(super) fn arc(
+        &mut self,
+        centre: DVec2,
+        radius: f64,
+        from: f64,
+        to: f64,
+        pen: impl Into<Pen>,
+    ) {
         let pen = pen.into();
         let turn = (to - from).clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
         let reach = radius.abs() / self.view.per_column();
@@ -125,34 +162,20 @@ impl Sheet {
     }
 
     /// A circle.
-    pub fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
+    pub(super) fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
         self.arc(centre, radius, 0.0, std::f64::consts::TAU, pen);
     }
 
-    /// A rectangle between two opposite corners.
-    pub fn rectangle(&mut self, corner: DVec2, opposite: DVec2, pen: impl Into<Pen>) {
-        let pen = pen.into();
-        let corners = [
-            corner,
-            dvec2(opposite.x, corner.y),
-            opposite,
-            dvec2(corner.x, opposite.y),
-        ];
-        for i in 0..4 {
-            self.line(corners[i], corners[(i + 1) % 4], pen);
-        }
-    }
-
     /// Keeps labels off the cell at a point of the world.
-    pub fn reserve(&mut self, at: DVec2) {
+    pub(super) fn reserve(&mut self, at: DVec2) {
         if let Some(cell) = self.cell_at(self.paper(at)) {
             cell.reserved = true;
         }
     }
 
-    /// Draws the sheet into `buffer`. Cells on which nothing was drawn keep what
+    /// Draws the canvas into `buffer`. Cells on which nothing was drawn keep what
     /// they have.
-    pub fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
+    pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
         let area = self.view.area();
         let inside = area.intersection(buffer.area);
         for y in inside.top()..inside.bottom() {
@@ -243,7 +266,7 @@ impl Sheet {
     }
 
     /// Whether anything is drawn in a cell of the screen.
-    pub fn is_drawn(&self, (column, row): (u16, u16)) -> bool {
+    pub(super) fn is_drawn(&self, (column, row): (u16, u16)) -> bool {
         let area = self.view.area();
         let (x, y) = (column.wrapping_sub(area.x), row.wrapping_sub(area.y));
         let index = usize::from(y) * usize::from(area.width) + usize::from(x);
@@ -293,7 +316,7 @@ impl Sheet {
         (from, to)
     }
 
-    pub(super) fn stroke_mut(&mut self) -> &mut Stroke {
+    pub(super) fn stroke_mut(&mut self) -> &mut StrokeSamples {
         &mut self.stroke
     }
 
@@ -313,7 +336,7 @@ impl Sheet {
         });
     }
 
-    /// Columns and rows of the sheet.
+    /// Columns and rows of the canvas.
     pub(super) fn size(&self) -> (i32, i32) {
         let area = self.view.area();
         (i32::from(area.width), i32::from(area.height))

@@ -1,35 +1,34 @@
 //! The picture of a hit at one moment.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 
-use super::arrows::{Arrows, split};
-use super::labels::Labels;
-use super::layers::{Layer, Layers};
-use super::mark::Mark;
+use super::layers::{Overlay, Overlays};
 use super::playback::Playback;
-use super::stage::Stage;
+use super::sketch::{ArrowScale, Sketch, WantedWay};
+use super::stage::HitLayout;
 use super::watch::Face;
-use super::{angles, inset};
+use crate::physics::units::g_from_kg;
 use crate::physics::{Bond, Frame, Outcome, Shot};
+use crate::quiz::words::significant;
 use crate::quiz::{Ray, Rays};
-use crate::widgets::ink::{self, Pen, Sheet, Side};
-use crate::widgets::{Look, Role};
+use crate::widgets::Role;
+use crate::widgets::picture::{self, Pen, Picture};
 
 /// A way this short, in radii of the disc, is none.
 const STANDS: f64 = 1e-6;
 
 /// What a moment of a hit is drawn from.
 pub(super) struct Moment<'a> {
-    pub(super) stage: Stage,
+    pub(super) stage: HitLayout,
     pub(super) outcome: &'a Outcome,
     pub(super) shot: Option<&'a Shot>,
     pub(super) clock: &'a Playback,
     pub(super) contact: f64,
     pub(super) frame: Frame,
-    pub(super) layers: Layers,
+    pub(super) layers: Overlays,
     pub(super) said: Option<&'a Rays>,
-    pub(super) mark: Option<Mark>,
+    pub(super) wanted: Option<WantedWay>,
+    pub(super) measured: bool,
     pub(super) faces: [Face; 2],
 }
 
@@ -54,7 +53,7 @@ impl Moment<'_> {
 
     /// A disc where it is now. Once it has left the contact and stands, it is an outline,
     /// so that it hides nothing of what explains its way.
-    fn disc(&self, sheet: &mut Sheet, body: usize, face: Face, now: DVec2) {
+    fn disc(&self, picture: &mut Picture, body: usize, face: Face, now: DVec2) {
         let radius = self.stage.radius(body);
         let gone = now - self.stage.centres[body];
         let has_left = self.clock.has_met() && gone.length() > STANDS * radius;
@@ -66,9 +65,9 @@ impl Moment<'_> {
                 let away = way.perp().dot(off) * way.dot(off);
                 let beside = way.perp() * 1.0_f64.copysign(away);
                 let letter = (face.letter, now + 0.55 * radius * beside);
-                sheet.ring(now, radius, face.role, letter);
+                picture.ring(now, radius, face.role, letter);
             }
-            _ => sheet.disc(now, radius, face.role, face.letter),
+            _ => picture.disc(now, radius, face.role, face.letter),
         }
     }
 
@@ -97,95 +96,120 @@ impl Moment<'_> {
         if self.clock.at_contact() {
             Pen::new(role)
         } else {
-            Pen::new(role).on(ink::Layer::Trail)
+            Pen::new(role).on(picture::Layer::Trail)
         }
     }
 
-    fn shows(&self, layer: Layer) -> bool {
+    fn shows(&self, layer: Overlay) -> bool {
         self.layers.shows(layer)
     }
 
     /// Whether the picture is of the split of u alone, with all its room for that.
     fn is_split_alone(&self) -> bool {
-        self.shows(Layer::Split) && !self.shows(Layer::Velocities)
+        self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
     }
 
     /// Draws it.
-    pub(super) fn draw(&self, buf: &mut Buffer, look: &Look) {
-        let mut sheet = Sheet::new(self.stage.view, look.charset);
-        let mut labels = Labels::default();
+    pub(super) fn picture(&self) -> Picture {
+        let mut sketch = Sketch::new(self.stage);
         let time = self.clock.time();
         let met = self.clock.has_met();
         let now = [self.place(0, time), self.place(1, time)];
-        if self.shows(Layer::Trails) {
-            self.trails(&mut sheet, time);
+        if self.shows(Overlay::Trails) {
+            self.trails(&mut sketch.picture, time);
         }
         for (body, face) in self.faces.into_iter().enumerate() {
-            self.disc(&mut sheet, body, face, now[body]);
+            self.disc(&mut sketch.picture, body, face, now[body]);
         }
         let collision = &self.stage.collision;
         let before = [collision.u1 - self.drift(), collision.u2 - self.drift()];
         let after = self.after(time);
-        let normal = self.outcome.normal.filter(|_| self.is_split_alone());
-        let arrows = match normal {
-            Some(n) => Arrows::fit_split(&self.stage, before[0], n),
-            None => Arrows::fit(&self.stage, before, after),
-        };
         let beats = self.clock.beats();
+        let told = met && beats >= 3;
+        let in_lab = self.frame == Frame::Laboratory;
+        // From the centre of mass the triangle is none: the two cancel.
+        let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
+        if told && self.shows(Overlay::Triangle) && !flat {
+            self.triangle(&mut sketch, before, after);
+        }
+        let normal = self.outcome.normal.filter(|_| self.is_split_alone());
+        let scale = match normal {
+            Some(n) => ArrowScale::fit_split(&self.stage, before[0], n),
+            None => ArrowScale::fit(&self.stage, before, after),
+        };
         if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
-            if beats >= 1 && self.shows(Layer::Lines) {
-                self.lines(&mut sheet, &mut labels, n, t);
+            if beats >= 1 && self.shows(Overlay::Lines) {
+                self.lines(&mut sketch, n, t);
             }
             let telling = beats == 2 && self.clock.at_contact();
-            if beats >= 2 && (telling || self.shows(Layer::Split)) {
-                split(&mut sheet, &self.stage, &arrows, before[0], n, t);
-                labels.split(&self.stage, &arrows, before[0], n, t);
-                if !self.shows(Layer::Velocities) {
-                    labels.whole(&self.stage, &arrows, before[0]);
+            if beats >= 2 && (telling || self.shows(Overlay::Split)) {
+                sketch.split(&scale, before[0], n, t);
+                if !self.shows(Overlay::Velocities) {
+                    sketch.whole(&scale, before[0]);
                 }
             }
         }
-        if self.shows(Layer::Velocities) {
+        if self.shows(Overlay::Velocities) {
             let at = if met { self.stage.centres } else { now };
-            self.incoming(&mut sheet, &mut labels, &arrows, before, at);
+            self.incoming(&mut sketch, &scale, before, at);
         }
-        if let Some(mark) = self.mark
-            && self.shows(Layer::Prediction)
-            && self.frame == Frame::Laboratory
+        if let Some(wanted) = &self.wanted
+            && self.shows(Overlay::Prediction)
+            && in_lab
         {
-            mark.draw(&mut sheet, &mut labels, &self.stage);
+            sketch.wanted_way(wanted);
         }
-        if met && beats >= 3 {
-            if self.shows(Layer::Prediction) && self.frame == Frame::Laboratory {
-                self.prediction(&mut sheet, &mut labels);
+        if told {
+            if self.shows(Overlay::Prediction) && in_lab {
+                self.prediction(&mut sketch);
             }
-            if self.shows(Layer::Velocities) {
+            if self.shows(Overlay::Velocities) {
                 let turns = self.sticks() && self.frame == Frame::CentreOfMass;
                 let at = if turns { now } else { self.stage.centres };
-                self.outgoing(&mut sheet, &mut labels, &arrows, after, at);
+                self.outgoing(&mut sketch, &scale, after, at);
             }
-            if self.shows(Layer::Angles) && self.outcome.hit() {
-                self.angles(&mut sheet, &mut labels, after);
-            }
-            // From the centre of mass the triangle is none: the two cancel.
-            let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
-            if self.shows(Layer::Triangle) && !flat {
-                self.triangle(&mut sheet, before, after);
+            if self.shows(Overlay::Angles) && self.outcome.hit() && in_lab {
+                for (body, v) in after.into_iter().enumerate() {
+                    sketch.arc(body, v, self.pen(Role::Arc));
+                }
+                if collision.u2 == DVec2::ZERO {
+                    sketch.square_corner(after[0], after[1], self.pen(Role::SquareCorner));
+                }
             }
         }
         if met && self.outcome.hit() {
-            sheet.reserve(DVec2::ZERO);
+            sketch.picture.reserve(DVec2::ZERO);
         }
-        labels.write(&mut sheet);
-        sheet.draw(buf, &look.theme);
+        if self.measured {
+            self.measures(&mut sketch);
+        }
+        sketch.picture
+    }
+
+    /// The masses, and the angle to the line of impact.
+    fn measures(&self, sketch: &mut Sketch) {
+        let [c1, c2] = self.stage.centres;
+        let apart = (c2 - c1).normalize_or(DVec2::X);
+        let collision = &self.stage.collision;
+        if let Some(alpha) = collision.alpha() {
+            let end = c2 + 1.5 * self.stage.unit() * apart;
+            let text = format!("α = {:.1}°", alpha.to_degrees().abs());
+            sketch.label(text, end, apart, Role::LineOfImpact);
+        }
+        for (disc, out) in [(collision.striker, -apart), (collision.target, apart)] {
+            let body = usize::from(out == apart);
+            let rim = self.stage.centres[body] + disc.radius * out;
+            let text = format!("{} g", significant(g_from_kg(disc.mass)));
+            sketch.label(text, rim, out, Role::Text);
+        }
     }
 
     /// Where the discs came from and, after the contact, have gone.
-    fn trails(&self, sheet: &mut Sheet, time: f64) {
+    fn trails(&self, picture: &mut Picture, time: f64) {
         for body in 0..2 {
             let until = time.min(self.contact);
             let old = Pen::new(Role::Trail).dotted().aged(0.6);
-            sheet.line(self.place(body, 0.0), self.place(body, until), old);
+            picture.line(self.place(body, 0.0), self.place(body, until), old);
             if time <= self.contact {
                 continue;
             }
@@ -196,14 +220,14 @@ impl Moment<'_> {
                 let share = i as f64 / f64::from(pieces);
                 self.place(body, self.contact + share * (time - self.contact))
             };
-            sheet.polyline((0..=pieces as usize).map(point), fresh);
+            picture.curve((0..=pieces as usize).map(point), fresh);
             let ghost = Pen::new(Role::Trail).dotted();
-            sheet.circle(self.stage.centres[body], self.stage.radius(body), ghost);
+            picture.circle(self.stage.centres[body], self.stage.radius(body), ghost);
         }
     }
 
     /// Line of impact and tangent.
-    fn lines(&self, sheet: &mut Sheet, labels: &mut Labels, n: DVec2, t: DVec2) {
+    fn lines(&self, sketch: &mut Sketch, n: DVec2, t: DVec2) {
         let unit = self.stage.unit();
         let ends = [
             self.stage.centres[0] - 1.5 * unit * n,
@@ -215,22 +239,22 @@ impl Moment<'_> {
             for (body, end) in ends.into_iter().enumerate() {
                 let centre = self.stage.centres[body];
                 let rim = centre + self.stage.radius(body) * (end - centre).normalize_or_zero();
-                sheet.line(rim, end, pen);
+                sketch.picture.line(rim, end, pen);
             }
         } else {
-            sheet.line(ends[0], ends[1], pen);
+            sketch.picture.line(ends[0], ends[1], pen);
         }
         let top = 1.7 * unit * t;
-        sheet.line(-top, top, self.pen(Role::TangentLine).dotted());
-        labels.add("n", ends[0], Side::towards(-n), Role::LineOfImpact);
-        labels.add("t", top, Side::towards(t), Role::TangentLine);
+        let pen = self.pen(Role::TangentLine).dotted();
+        sketch.picture.line(-top, top, pen);
+        sketch.label("n", ends[0], -n, Role::LineOfImpact);
+        sketch.label("t", top, t, Role::TangentLine);
     }
 
     fn incoming(
         &self,
-        sheet: &mut Sheet,
-        labels: &mut Labels,
-        arrows: &Arrows,
+        sketch: &mut Sketch,
+        scale: &ArrowScale,
         before: [DVec2; 2],
         at: [DVec2; 2],
     ) {
@@ -240,24 +264,22 @@ impl Moment<'_> {
             ["u₁", "u₂"]
         };
         for body in 0..2 {
-            let radius = self.stage.radius(body);
-            let v = before[body];
-            if arrows.inwards(sheet, at[body], radius, v, Role::Incoming) {
-                labels.incoming(&self.stage, names[body], at[body], radius, v);
-            }
+            let disc = (at[body], self.stage.radius(body));
+            sketch.incoming(scale, names[body], disc, before[body]);
         }
     }
 
-    fn outgoing(
-        &self,
-        sheet: &mut Sheet,
-        labels: &mut Labels,
-        arrows: &Arrows,
-        after: [DVec2; 2],
-        at: [DVec2; 2],
-    ) {
+    fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
         if self.sticks() && self.frame != Frame::CentreOfMass {
-            return self.common_velocity(sheet, labels, arrows, after[0], at);
+            // The one velocity of a pair that sticks, from its centre of mass.
+            if !scale.is_still(after[0]) {
+                let collision = &self.stage.collision;
+                let (m1, m2) = (collision.striker.mass, collision.target.mass);
+                let centre = (m1 * at[0] + m2 * at[1]) / (m1 + m2);
+                let disc = (centre, 0.0, self.stage.unit());
+                sketch.outgoing(scale, "V", disc, after[0], Role::StrikerOut);
+            }
+            return;
         }
         // As chapter 11 names them.
         let names = match self.frame {
@@ -267,70 +289,29 @@ impl Moment<'_> {
         let bodies = names.into_iter().zip([Role::StrikerOut, Role::CoinOut]);
         for (body, (name, role)) in bodies.enumerate() {
             let radius = self.stage.radius(body);
-            let tip = arrows.outwards(sheet, &self.stage, at[body], radius, after[body], role);
-            labels.outgoing(name, tip, at[body], radius, after[body], role);
+            let disc = (at[body], radius, radius);
+            sketch.outgoing(scale, name, disc, after[body], role);
         }
     }
 
-    /// The one velocity of a pair that sticks, from its centre of mass.
-    fn common_velocity(
-        &self,
-        sheet: &mut Sheet,
-        labels: &mut Labels,
-        arrows: &Arrows,
-        velocity: DVec2,
-        at: [DVec2; 2],
-    ) {
-        if arrows.is_still(velocity) {
-            return;
-        }
-        let collision = &self.stage.collision;
-        let (m1, m2) = (collision.striker.mass, collision.target.mass);
-        let centre = (m1 * at[0] + m2 * at[1]) / (m1 + m2);
-        let role = Role::StrikerOut;
-        let tip = arrows.outwards(sheet, &self.stage, centre, 0.0, velocity, role);
-        labels.outgoing("V", tip, centre, self.stage.unit(), velocity, role);
-    }
-
-    fn angles(&self, sheet: &mut Sheet, labels: &mut Labels, after: [DVec2; 2]) {
-        if self.frame == Frame::Laboratory {
-            for (body, v) in after.into_iter().enumerate() {
-                if let Some(middle) = angles::arc(sheet, &self.stage, body, v, self.pen(Role::Arc))
-                {
-                    let turn = self.stage.heading().angle_to(v).to_degrees();
-                    let outwards = middle - self.stage.centres[body];
-                    labels.angle(turn.abs(), middle, outwards);
-                }
-            }
-            if self.stage.collision.u2 == DVec2::ZERO {
-                let pen = self.pen(Role::SquareCorner);
-                angles::square_corner(sheet, &self.stage, after[0], after[1], pen);
-            }
-        }
-    }
-
-    fn prediction(&self, sheet: &mut Sheet, labels: &mut Labels) {
-        let Some(said) = self.said else {
-            return;
-        };
-        for (index, ray) in Ray::BOTH.into_iter().enumerate() {
-            let Some(angle) = said.get(ray) else {
+    fn prediction(&self, sketch: &mut Sketch) {
+        let said = self.said.into_iter();
+        let rays = said.flat_map(|said| Ray::BOTH.map(|ray| (ray, said.get(ray))));
+        for (body, (ray, angle)) in rays.enumerate() {
+            let Some(angle) = angle else {
                 continue;
             };
             let direction = self.stage.direction(ray, angle);
-            let centre = self.stage.centres[index];
-            let from = centre + self.stage.radius(index) * direction;
-            let reach = self
-                .stage
-                .room(centre, direction)
-                .min(2.9 * self.stage.unit());
-            let to = centre + reach * direction;
-            sheet.line(from, to, Pen::new(Role::Predicted).dashed());
-            labels.add("you", to, Side::towards(direction), Role::Predicted);
+            let centre = self.stage.centres[body];
+            let from = centre + self.stage.radius(body) * direction;
+            let to = centre + sketch.ray_length(centre, direction) * direction;
+            let pen = Pen::new(Role::Predicted).dashed();
+            sketch.picture.line(from, to, pen);
+            sketch.label("you", to, direction, Role::Predicted);
         }
     }
 
-    fn triangle(&self, sheet: &mut Sheet, before: [DVec2; 2], after: [DVec2; 2]) {
+    fn triangle(&self, sketch: &mut Sketch, before: [DVec2; 2], after: [DVec2; 2]) {
         let collision = &self.stage.collision;
         let p1 = collision.striker.mass * after[0];
         let p2 = collision.target.mass * after[1];
@@ -338,6 +319,6 @@ impl Moment<'_> {
         if let Some(n) = self.outcome.normal {
             busy.extend([n, -n]);
         }
-        inset::triangle(sheet, &self.stage, p1, p2, &busy);
+        sketch.triangle(p1, p2, &busy);
     }
 }

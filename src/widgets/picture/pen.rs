@@ -39,18 +39,18 @@ pub enum Dash {
 /// role's own layer.
 ///
 /// ```
-/// use carrom::widgets::{Role, ink::Pen};
+/// use carrom::widgets::{Role, picture::Pen};
 /// let said = Pen::new(Role::Predicted).dashed();
 /// let oldest = Pen::new(Role::Trail).dotted().aged(0.9);
 /// # assert_ne!(said, oldest);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pen {
-    pub(super) role: Role,
-    pub(super) layer: Layer,
-    pub(super) dash: Dash,
-    pub(super) bold: bool,
-    pub(super) age: f64,
+    pub(in crate::widgets) role: Role,
+    pub(in crate::widgets) layer: Layer,
+    pub(in crate::widgets) dash: Dash,
+    pub(in crate::widgets) bold: bool,
+    pub(in crate::widgets) age: f64,
 }
 
 impl Pen {

@@ -1,0 +1,46 @@
+//! Days as the player's calendar has them.
+
+use jiff::Timestamp;
+use jiff::civil::Date;
+use jiff::tz::TimeZone;
+
+/// The time, and which day of the player's calendar any time is on.
+///
+/// It is handed in from outside: nothing here looks at a clock.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Calendar {
+    /// The time now, in seconds since 1970 began (UTC); `None` where nobody knows it.
+    pub now_s: Option<i64>,
+    zone: TimeZone,
+}
+
+impl Calendar {
+    /// The calendar of a time zone.
+    pub const fn new(now_s: Option<i64>, zone: TimeZone) -> Self {
+        Self { now_s, zone }
+    }
+
+    /// The calendar of UTC: for runs that are the same everywhere.
+    pub const fn utc(now_s: Option<i64>) -> Self {
+        Self::new(now_s, TimeZone::UTC)
+    }
+
+    /// The day on which a time is, in seconds since 1970 began; `None` outside the years
+    /// -9999 to 9999.
+    pub fn day(&self, time_s: i64) -> Option<Date> {
+        let time = Timestamp::from_second(time_s).ok()?;
+        Some(self.zone.to_datetime(time).date())
+    }
+
+    /// Today; `None` where nobody knows the time.
+    pub fn today(&self) -> Option<Date> {
+        self.day(self.now_s?)
+    }
+}
+
+/// Nobody knows the time.
+impl Default for Calendar {
+    fn default() -> Self {
+        Self::utc(None)
+    }
+}

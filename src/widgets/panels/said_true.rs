@@ -1,0 +1,112 @@
+//! Where two were said to go, beside where they go.
+
+use crate::physics::{Bond, Collision, Meeting};
+use crate::quiz::{Ray, Rays, words};
+use crate::widgets::hit::degrees;
+use crate::widgets::{Lines, Role, brief};
+
+/// Writes the angles that were said beside the true ones, in the degrees of the screen, a
+/// row for each disc of a hit; a ray that was not asked for has no name and no row.
+/// `errors` adds how far off each was.
+pub(crate) fn said_and_true(
+    collision: &Collision,
+    said: &Rays,
+    names: [Option<&str>; 2],
+    errors: bool,
+    lines: &mut Lines,
+) {
+    let outcome = collision.outcome();
+    let true_rays = Rays::from(&outcome);
+    let [said_deg, true_deg] = [said, &true_rays].map(|rays| degrees(collision, rays));
+    let off = Ray::BOTH.map(|ray| {
+        let apart = said.apart(&true_rays, ray);
+        apart.map_or("-".into(), words::bare_degrees)
+    });
+    // The way of a pair that sticks is that of its centre of mass.
+    let truth = match (collision.bond, outcome.meeting) {
+        (Bond::Stick, Meeting::Hit) => "V",
+        _ => "truth",
+    };
+    let dim = |text| (text, Role::Dim);
+    match errors {
+        true => lines.columns(dim("degrees"), ["you", truth, "off"].map(dim)),
+        false => lines.columns(dim("degrees"), ["you said", truth].map(dim)),
+    }
+    for (body, name) in names.into_iter().enumerate() {
+        let Some(name) = name else { continue };
+        let said = brief(said_deg[body]);
+        let truth = brief(true_deg[body]);
+        let said = (said.as_str(), Role::Predicted);
+        let truth = (truth.as_str(), [Role::StrikerOut, Role::CoinOut][body]);
+        match errors {
+            true => lines.columns(dim(name), [said, truth, (&off[body], Role::Text)]),
+            false => lines.columns(dim(name), [said, truth]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+    use ratatui::buffer::Buffer;
+    use ratatui::layout::Rect;
+
+    use super::*;
+    use crate::physics::Disc;
+    use crate::widgets::cells::text;
+    use crate::widgets::{Charset, Look, Theme};
+
+    /// The table for a coin to the left (−1) or to the right (+1) of the striker's way.
+    fn table(side: f64, said: Rays, names: [Option<&str>; 2], errors: bool) -> String {
+        let disc = Disc {
+            mass: 0.01,
+            radius: 0.02,
+        };
+        let alpha = side * 30_f64.to_radians();
+        let collision = Collision::at_angle(disc, disc, DVec2::X, alpha);
+        let area = Rect::new(0, 0, 33, 3);
+        let mut buf = Buffer::empty(area);
+        let look = Look {
+            charset: Charset::Ascii,
+            theme: Theme::default(),
+        };
+        let mut lines = Lines::new(area, &mut buf, look);
+        said_and_true(&collision, &said, names, errors, &mut lines);
+        text(&buf)
+    }
+
+    #[test]
+    fn a_ray_to_the_wrong_side_keeps_its_sign() {
+        let names = [Some("striker"), Some("coin")];
+        for side in [1.0, -1.0] {
+            let rays = |side: f64| Rays::new(side * 60_f64.to_radians(), side * 0.5);
+            let right = table(side, rays(side), names, false);
+            let wrong = table(side, rays(-side), names, false);
+            assert!(
+                !right.contains('-') && right.matches("60.0").count() == 2,
+                "{right}"
+            );
+            assert!(
+                wrong.contains("-60.0") && wrong.contains("-28.6"),
+                "{wrong}"
+            );
+        }
+    }
+
+    #[test]
+    fn only_what_was_asked_for_is_told() {
+        let said = Rays::new(1.0, 0.5);
+        let told = table(1.0, said, [None, Some("coin")], false);
+        assert!(!told.contains("60.0") && told.contains("30.0"), "{told}");
+    }
+
+    #[test]
+    fn errors_are_told_on_request() {
+        let said = Rays {
+            striker: Some(1.0),
+            target: None,
+        };
+        let told = table(1.0, said, [Some("striker"), Some("coin")], true);
+        assert!(told.contains("2.7") && told.contains("still"), "{told}");
+    }
+}
