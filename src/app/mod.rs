@@ -19,7 +19,7 @@ use crate::levels::Shelf;
 use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
-use crate::screens::foil::Foil;
+use crate::screens::foil::FoilScreen;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
@@ -359,8 +359,8 @@ impl App {
             Place::Class { code, teams } => {
                 Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
             }
-            Place::Foil => Box::new(Old(Foil::default())),
-            Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
+            Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
+            Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
             Place::Table => Box::new(Old(Table::default())),
             Place::Progress => Box::new(Old(Progress::ask(&mut self.context))),
         };

@@ -15,7 +15,7 @@ pub enum Obstacle {
 
 /// The setting, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setup {
+pub struct FoilSetup {
     /// What stands in the way.
     pub obstacle: Obstacle,
     /// How the offsets of a beam are spread.
@@ -34,7 +34,7 @@ pub struct Setup {
     pub particles_exponent: u32,
 }
 
-impl Default for Setup {
+impl Default for FoilSetup {
     /// Radium C on the gold foil of 1913.
     fn default() -> Self {
         Self {
@@ -50,7 +50,7 @@ impl Default for Setup {
     }
 }
 
-impl Setup {
+impl FoilSetup {
     /// The metal of the foil.
     pub fn metal(&self) -> Metal {
         METALS[self.metal % METALS.len()]

@@ -135,11 +135,11 @@ impl LiveFigure {
 
     /// The page of the foil that shows more of it, if it is the foil, which has a
     /// screen of its own.
-    pub(super) fn foil_page(&self) -> Option<foil_screen::Page> {
+    pub(super) fn foil_page(&self) -> Option<foil_screen::FoilPage> {
         let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
         };
-        let pages = foil_screen::Page::ALL;
+        let pages = foil_screen::FoilPage::ALL;
         pages.get(usize::from(page).checked_sub(1)?).copied()
     }
 

@@ -31,6 +31,9 @@ pub(super) use dials::name as dial_name;
 /// Rows that a page of the panel is turned by.
 const PAGE: i16 = 8;
 
+/// The keys that turn them.
+const PAGE_KEYS: [Key; 2] = [Key::PageUp, Key::PageDown];
+
 /// A level being played.
 #[derive(Debug, Clone)]
 pub struct LevelPlay {
@@ -357,8 +360,10 @@ impl Screen for LevelPlay {
                     .on(Key::Enter, Go, go)
                     .or([(Key::Char(' '), Go)])
                     .when(!self.form.is_typing())
-                    .each(scroll, "")
-                    .with(self.form.keys(&self.dials), LevelAction::Set)
+                    .with(
+                        self.form.keys(&self.dials).without_keys(&PAGE_KEYS),
+                        LevelAction::Set,
+                    )
                     .on(Key::Char('h'), Hint, "hint")
                     .on(Key::Escape, Back, "back")
                     .when(!self.form.is_typing())
