@@ -10,7 +10,7 @@ mod read;
 mod source;
 mod tables;
 
-pub use draft::{Draft, UNFINISHED, fsync_dir};
+pub use draft::{UNFINISHED, UnplacedFile, fsync_dir};
 pub use error::{FileError, escape_control, escape_control_lines};
 pub use letters::{is_invisible, tidy_name};
 pub use list::{List, embedded, list, not_a_file};
