@@ -1,7 +1,7 @@
 //! The tables a teacher takes home, as comma-separated values.
 
 use super::{ClassRound, Vote, items};
-use crate::physics::units::deg_from_rad;
+use crate::numbers::bare_degrees;
 use crate::progress::table;
 use crate::quiz::{Question, Response};
 
@@ -79,7 +79,7 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
             .unwrap_or_default(),
         grade
             .and_then(|it| it.angle_error)
-            .map(degrees)
+            .map(bare_degrees)
             .unwrap_or_default(),
         diagnosis
             .map(|it| it.misconception.id.to_owned())
@@ -116,8 +116,10 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
                 row.extend([
                     item.votes[vote].to_string(),
                     share(item.right[vote]),
-                    spread.map(|it| degrees(it.mean)).unwrap_or_default(),
-                    spread.map(|it| degrees(it.deviation)).unwrap_or_default(),
+                    spread.map(|it| bare_degrees(it.mean)).unwrap_or_default(),
+                    spread
+                        .map(|it| bare_degrees(it.deviation))
+                        .unwrap_or_default(),
                 ]);
             }
             row.push(share(item.discrimination));
@@ -133,8 +135,4 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
 
 fn yes_or_no(yes: bool) -> String {
     if yes { "yes" } else { "no" }.into()
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{:.1}", deg_from_rad(angle) + 0.0)
 }

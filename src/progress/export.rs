@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use unicode_width::UnicodeWidthChar;
 
 use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
+use crate::numbers;
 use crate::quiz::Confidence;
 
 /// The heads of the columns.
@@ -45,8 +46,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
                 attempt.seed.to_string(),
                 attempt.number.to_string(),
                 attempt.question.clone(),
-                attempt.answer.clone(),
-                attempt.truth.clone(),
+                tidied(&attempt.answer),
+                tidied(&attempt.truth),
                 attempt.error_deg.map(number).unwrap_or_default(),
                 number(attempt.credit),
                 if attempt.right { "yes" } else { "no" }.into(),
@@ -56,6 +57,23 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         })
         .collect();
     table(&COLUMNS, &rows)
+}
+
+/// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
+/// back as 29.999999999999996.
+fn tidied(said: &str) -> String {
+    let Ok(Value::Object(mut said)) = serde_json::from_str(said) else {
+        return said.to_owned();
+    };
+    for value in said.values_mut() {
+        let number = value.as_f64().map(numbers::tidy);
+        match number {
+            Some(x) if x.fract() == 0.0 && x.abs() < 1e15 => *value = json!(x as i64),
+            Some(x) => *value = json!(x),
+            None => {}
+        }
+    }
+    Value::Object(said).to_string()
 }
 
 /// A table of comma-separated values, as RFC 4180 has them: the heads, then the rows. A

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::game::{Colour, Game, Move, Piece, Rules, Ruling, Stage, Strike, Team};
+use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Strike, Team};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
@@ -178,7 +178,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
         seen[1] |= shown.contains("queen Q to be covered");
         seen[2] |= shown.contains("queen Q with South");
         screen.press("<Enter>");
-        if let Stage::BoardOver(won) = game.stage() {
+        if let GameStage::BoardOver(won) = game.stage() {
             assert_eq!(won.winner, Team::First);
             let text = screen.screen();
             assert!(

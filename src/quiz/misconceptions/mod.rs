@@ -8,7 +8,7 @@
 
 mod always_square;
 mod always_stops;
-pub mod catalogue;
+pub(crate) mod catalogue;
 mod copied_angle;
 mod half_and_half;
 mod heavy_unmoved;

@@ -18,7 +18,7 @@ pub struct PieceSet {
 }
 
 /// The pairs one key goes through.
-pub const PIECE_SETS: [PieceSet; 3] = [
+pub(crate) const PIECE_SETS: [PieceSet; 3] = [
     PieceSet {
         name: "equal masses",
         striker: (15.0, 15.0),

@@ -4,7 +4,7 @@ use std::mem;
 
 use super::calls::Called;
 use crate::game::{
-    ByTeam, Game, Move, MoveError, Record, RecordError, Ruling, Setup, Strike, Team,
+    ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike, Team,
 };
 use crate::physics::Shot;
 
@@ -47,7 +47,7 @@ impl Past {
 
 /// What the calls of a team have brought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Tally {
+pub(super) struct CallTally {
     /// Points earned.
     pub(super) points: u32,
     /// Points that could have been earned.
@@ -56,7 +56,7 @@ pub(super) struct Tally {
 
 impl GameHistory {
     /// A new game.
-    pub(super) fn new(setup: Setup) -> Self {
+    pub(super) fn new(setup: GameSetup) -> Self {
         Self {
             record: Record::new(setup),
             game: Game::new(setup),
@@ -172,8 +172,8 @@ impl GameHistory {
     }
 
     /// What the calls have brought so far; they never count in the score.
-    pub(super) fn calls(&self) -> ByTeam<Tally> {
-        let mut calls = ByTeam::<Tally>::default();
+    pub(super) fn calls(&self) -> ByTeam<CallTally> {
+        let mut calls = ByTeam::<CallTally>::default();
         for past in &self.past {
             if let Some(called) = &past.called {
                 let tally = &mut calls[past.before.team(past.before.seat())];

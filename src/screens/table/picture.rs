@@ -10,7 +10,7 @@ use super::preview::FirstHit;
 use super::replay::StrokeReplay;
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
-use crate::physics::{Board, State, stopping_distance};
+use crate::physics::{Board, DiscState, stopping_distance};
 use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture};
 use crate::widgets::{Role, board};
 
@@ -88,7 +88,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     discs.push(striker);
     picture.discs(discs);
     if let Some(hit) = hit {
-        let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
+        let ghost = hit.at - hit.impact.collision.contact_distance() * normal(hit);
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
@@ -156,7 +156,7 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
             .discs
             .map(|disc| replay.player.shot().at(disc, impact.time).position);
         let number = number + 1;
-        let share = impact.collision.striker.radius / impact.collision.reach();
+        let share = impact.collision.striker.radius / impact.collision.contact_distance();
         let contact = a.lerp(b, share);
         picture.label(
             &format!("{number}"),
@@ -178,7 +178,7 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
         .impacts()
         .first()
         .map(|impact| impact.discs[1]);
-    let fell = || replay.player.shot().at(disc, now).state == State::Pocketed;
+    let fell = || replay.player.shot().at(disc, now).state == DiscState::Pocketed;
     if told && disc != 0 && first != Some(disc) && !fell() {
         return;
     }

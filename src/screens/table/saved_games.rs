@@ -7,7 +7,7 @@ use super::active_game::ActiveGame;
 use super::keys::TableAction;
 use super::options::Options;
 use super::{picture, view, words};
-use crate::game::{Game, Rules, SavedGame, Stage, Team};
+use crate::game::{Game, GameStage, Rules, SavedGame, Team};
 use crate::messages::{Input, KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::kept_files::{KeptAction, KeptFiles};
 use crate::screens::{Context, Next};
@@ -211,19 +211,19 @@ fn about(saved: &SavedGame, game: &Game) -> String {
     let rules = words::sentence(words::rules(options.rules));
     let stands = match game.stage() {
         _ if options.rules == Rules::Practice => String::new(),
-        Stage::Playing => match options.seat_name(game.seat()) {
+        GameStage::Playing => match options.seat_name(game.seat()) {
             "you" => " It is your turn.".into(),
             name => format!(" It is the turn of {name}."),
         },
-        Stage::BoardOver(won) => {
+        GameStage::BoardOver(won) => {
             let winner = options.team_name(won.winner);
             format!(" The board went to {winner}.")
         }
-        Stage::GameOver(team) => {
+        GameStage::GameOver(team) => {
             let winner = words::does(options.team_name(team), "wins");
             format!(" {} the game.", words::sentence(&winner))
         }
-        Stage::MatchOver(team) => {
+        GameStage::MatchOver(team) => {
             let winner = words::does(options.team_name(team), "wins");
             format!(" {} the match.", words::sentence(&winner))
         }

@@ -29,7 +29,7 @@ pub(super) fn answer(
         }
         Form::Choice { options, .. } => Ok(choose(talk, question, options)?.map(Response::Choice)),
         Form::Shot(aim) => {
-            let most_mm = (1.1e3 * aim.collision.reach()).ceil();
+            let most_mm = (1.1e3 * aim.collision.contact_distance()).ceil();
             let line = "Your offset in millimetres? A minus puts the coin to the left.";
             let lines = [question, &[line.to_owned()]].concat();
             let asked = Prompt {

@@ -22,11 +22,11 @@ use super::preview::{FirstHit, Preview};
 use super::replay::StrokeReplay;
 use super::words::sentence;
 use super::{panel, view};
-use crate::game::opponent::Hint;
-use crate::game::{Game, Move, PieceSet, Record, RecordError, Rules, Seat, Stage};
+use crate::game::opponent::StrokeHint;
+use crate::game::{Game, GameStage, Move, PieceSet, Record, RecordError, Rules, Seat};
 use crate::messages::{Input, Mouse, StoreRequest};
 use crate::physics::Shot;
-use crate::screens::{Context, Question};
+use crate::screens::{Confirmation, Context};
 use crate::widgets::replay::ShotAction;
 use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll};
 pub(super) use keeping::Keeping;
@@ -84,7 +84,7 @@ pub(super) enum Hinted {
     },
     /// There.
     Told {
-        hint: Box<Hint>,
+        hint: Box<StrokeHint>,
         /// What it speaks of on the board, if it speaks of a coin.
         pointer: Option<Pointer>,
         /// Whether all of it is told, or only where to look.
@@ -229,7 +229,7 @@ impl ActiveGame {
                 cx.ask(StoreRequest::Export(game));
             }
             TableAction::NextBoard => {
-                if let Stage::MatchOver(_) = self.game().stage() {
+                if let GameStage::MatchOver(_) = self.game().stage() {
                     return GameStep::Leave;
                 }
                 self.make(Move::NextBoard);
@@ -259,12 +259,12 @@ impl ActiveGame {
     }
 
     /// What is asked before the game is left.
-    pub(super) fn parting(&self) -> Question {
+    pub(super) fn parting(&self) -> Confirmation {
         let kept = match self.keeping.is_safe() {
             true => " It is saved: on the page of a new game, s brings it back.",
             false => "",
         };
-        Question::new(format!("Leave this game?{kept}"), "leave", "play on")
+        Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
     }
 
     /// Takes an input that is no key. Says whether it meant anything.
@@ -327,13 +327,13 @@ impl ActiveGame {
 
     /// Whether leaving now would break a game off.
     fn is_running(&self) -> bool {
-        self.history.len() > 0 && !matches!(self.game().stage(), Stage::MatchOver(_))
+        self.history.len() > 0 && !matches!(self.game().stage(), GameStage::MatchOver(_))
     }
 
     /// Goes on with the game as it stands: aiming, or the end of the board.
     fn go_on(&mut self) {
         self.phase = match self.game().stage() {
-            Stage::Playing => TablePhase::Aim,
+            GameStage::Playing => TablePhase::Aim,
             _ => TablePhase::Over,
         };
     }

@@ -1,7 +1,7 @@
 //! The computer's strokes and the player's hints: asked for, and what comes back.
 
 use super::{ActiveGame, Hinted, TablePhase};
-use crate::game::opponent::{Decision, Hint};
+use crate::game::opponent::{Decision, StrokeHint};
 use crate::game::{Move, Strike};
 use crate::messages::{Found, SearchResult, Wanted};
 use crate::physics::Motion;
@@ -101,7 +101,7 @@ impl ActiveGame {
         self.options.set_player(seat, Player::Person);
     }
 
-    fn take_hint(&mut self, hint: Option<Hint>) {
+    fn take_hint(&mut self, hint: Option<StrokeHint>) {
         self.hint = match hint {
             Some(hint) => Some(Hinted::Told {
                 pointer: Pointer::of(&hint, &meant(hint.stroke), self.game()),

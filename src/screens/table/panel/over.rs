@@ -1,7 +1,7 @@
 //! The panel at the end of a board, a game or the match.
 
 use super::{notice, score};
-use crate::game::{Game, Rules, Seat, Stage, Team};
+use crate::game::{Game, GameStage, Rules, Seat, Team};
 use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::words;
 use crate::widgets::{Lines, Role};
@@ -11,11 +11,11 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     let game = active.game();
     let name = |team: Team| active.options.team_name(team);
     let headline = match game.stage() {
-        Stage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
-        Stage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
-        Stage::BoardOver(_) if active.is_practice() => "The board is empty.".into(),
-        Stage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
-        Stage::Playing => String::new(),
+        GameStage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
+        GameStage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
+        GameStage::BoardOver(_) if active.is_practice() => "The board is empty.".into(),
+        GameStage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
+        GameStage::Playing => String::new(),
     };
     lines.line(&words::sentence(&headline), Role::Title);
     lines.gap();
@@ -56,8 +56,8 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
         lines.line(&format!("{} next.", words::sentence(&breaks)), Role::Text);
     }
     let next = match game.stage() {
-        Stage::MatchOver(_) => "Enter: a new game.",
-        Stage::GameOver(_) => "Enter: the next game.",
+        GameStage::MatchOver(_) => "Enter: a new game.",
+        GameStage::GameOver(_) => "Enter: the next game.",
         _ => "Enter: the next board.",
     };
     lines.paragraph(next, Role::Key);
