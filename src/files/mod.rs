@@ -11,15 +11,10 @@ mod put;
 mod read;
 mod source;
 
-<<<<<<< HEAD
 pub use draft::{UNFINISHED, UnplacedFile, fsync_dir};
-pub use error::{FileError, escape_control, escape_control_lines};
-=======
-pub use draft::{Draft, UNFINISHED, fsync_dir};
 pub use error::{FileError, FileErrors, escape_control, escape_control_lines};
 pub use fields::{Fields, newer};
 pub(crate) use fields::{all, is_id};
->>>>>>> main
 pub use letters::{is_invisible, tidy_name};
 pub use list::{List, embedded, list, not_a_file};
 pub use number::{NumberSpec, Range};
