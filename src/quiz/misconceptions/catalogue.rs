@@ -1,7 +1,7 @@
 //! The misconceptions that show in something other than two rays: in a speed, a share,
 //! a ratio, a choice of words.
 
-use super::Misconception;
+use crate::quiz::question::Misconception;
 
 /// All of them, in the order in which their subjects are taught.
 pub(crate) static ALL: [&Misconception; 24] = [
