@@ -5,6 +5,7 @@ mod concept;
 mod failure;
 mod figure;
 mod given;
+mod keys;
 mod lesson;
 mod level;
 mod man;
@@ -22,6 +23,7 @@ mod written;
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -29,7 +31,7 @@ use anyhow::anyhow;
 use clap::{CommandFactory, Parser, Subcommand};
 
 pub use failure::Failure;
-pub use options::Options;
+pub use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::team_names;
@@ -48,7 +50,7 @@ use options::Auto;
 #[command(name = "carrom", version, after_help = EXAMPLES)]
 pub struct Cli {
     #[command(flatten)]
-    options: Options,
+    options: GlobalOptions,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -83,7 +85,7 @@ Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
 #[derive(Debug, Subcommand)]
 enum Command {
     #[command(flatten)]
-    Open(Screen),
+    Open(OpenCommand),
     Solve(solve::Args),
     Simulate(simulate::Args),
     Replay(replay::Args),
@@ -93,6 +95,8 @@ enum Command {
     Figure(figure::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
+    /// Print all keys, as a file in which some can be changed
+    Keys,
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
     Man,
@@ -100,7 +104,7 @@ enum Command {
 
 /// Commands that open the game at a screen.
 #[derive(Debug, Subcommand)]
-enum Screen {
+enum OpenCommand {
     /// Open the lessons: glancing collisions, chapter by chapter
     Learn {
         /// A chapter to read at once: its number or its name
@@ -143,7 +147,7 @@ enum Screen {
     },
 }
 
-impl Screen {
+impl OpenCommand {
     /// Whether it really opens a screen, rather than talking in lines or printing.
     fn opens(&self) -> bool {
         match self {
@@ -190,7 +194,7 @@ impl Screen {
     ///
     /// # Errors
     /// If there is no level or chapter of that name, or no question for a code, in words.
-    fn place(&self, data: &Data, options: &Options) -> Result<Place, String> {
+    fn place(&self, data: &Data, options: &GlobalOptions) -> Result<Place, String> {
         Ok(match self {
             Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
@@ -246,7 +250,7 @@ fn teams(text: &str) -> Result<Teams, String> {
 /// If it is of own questions and there are none, in words.
 fn round(
     code: Option<&Code>,
-    options: &Options,
+    options: &GlobalOptions,
     own: &Arc<concepts::Library>,
 ) -> Result<Option<Code>, String> {
     Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
@@ -274,14 +278,26 @@ fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
-fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Result<App, String> {
+fn app(
+    screen: Option<&OpenCommand>,
+    options: &GlobalOptions,
+    folder: Option<&Path>,
+    auto: Auto,
+    seed: u64,
+) -> Result<App, String> {
     let data = Data {
         shelf: options.shelf(),
         book: options.book(),
         own: options.own(),
     };
     let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&data, options))?;
-    Ok(App::with_data(data, place, options.settings(auto), seed))
+    let mut app = App::with_data(data, place, options.settings(auto), seed);
+    match folder.map(|folder| keys::read(&folder.join(keys::FILE))) {
+        None => {}
+        Some(Ok(rebound)) => app.settings_mut().keys = rebound,
+        Some(Err(errors)) => app.tell(format!("The usual keys hold. {errors}")),
+    }
+    Ok(app)
 }
 
 impl Cli {
@@ -291,7 +307,9 @@ impl Cli {
     /// What was expected.
     fn check(&self) -> Result<(), String> {
         let code = match &self.command {
-            Some(Command::Open(Screen::Quiz { code, .. } | Screen::Class { code, .. })) => code,
+            Some(Command::Open(
+                OpenCommand::Quiz { code, .. } | OpenCommand::Class { code, .. },
+            )) => code,
             _ => &None,
         };
         match (code, self.options.seed) {
@@ -325,13 +343,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         .map_err(|error| Failure::Input(anyhow!(error)))?;
     match &cli.command {
         None => play::run(&cli.options, None),
-        Some(Command::Open(Screen::Progress(args))) if args.prints() => {
+        Some(Command::Open(OpenCommand::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
-        Some(Command::Open(Screen::Quiz { code, plain: true })) => {
+        Some(Command::Open(OpenCommand::Quiz { code, plain: true })) => {
             plain::quiz(code.as_ref(), &cli.options)
         }
-        Some(Command::Open(Screen::Learn {
+        Some(Command::Open(OpenCommand::Learn {
             chapter,
             plain: true,
         })) => plain::learn(chapter.as_deref(), &cli.options),
@@ -345,6 +363,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
+        Some(Command::Keys) => keys::run(&cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
     }
@@ -369,12 +388,12 @@ fn say(message: &clap::Error) -> io::Result<()> {
 /// # Errors
 /// What is wrong with the arguments, in words.
 pub fn open(arguments: &str) -> Result<App, String> {
-    open_within(arguments, &Options::default()).map(|(app, _)| app)
+    open_within(arguments, &GlobalOptions::default()).map(|(app, _)| app)
 }
 
 /// As [`open`], with `outer` where the arguments leave an option open; gives the
 /// options too.
-fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), String> {
+fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOptions), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
     let words = std::iter::once("carrom".to_owned()).chain(words);
     let cli = Cli::try_parse_from(words).map_err(|error| {
@@ -390,12 +409,18 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(screen, &options, Auto::PLAINEST, seed)?;
+    let app = app(
+        screen,
+        &options,
+        options.given_data_dir(),
+        Auto::PLAINEST,
+        seed,
+    )?;
     Ok((app, options))
 }
 
 /// Writes words to standard output, in glyphs that it shows. They may quote anything.
-fn print_text(text: &str, options: &Options) -> io::Result<()> {
+fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     let mut text = escape_control_lines(&options.printed().text(text));
     if !text.is_empty() {
         text.push('\n');

@@ -49,7 +49,7 @@ impl Frame {
 ///
 /// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
 /// `None` where both stop (head-on at e = 0).
-pub fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
+pub(crate) fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
     let (sin, cos) = alpha.sin_cos();
     let along = sin * sin - restitution * cos * cos;
     let across = (1.0 + restitution) * sin * cos;
@@ -59,7 +59,7 @@ pub fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
 /// Scattering angle θ₁ in the laboratory, where the target was at rest, from the
 /// angle Θ in the centre-of-mass frame at e = 1: θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
 /// `None` where the striker stops.
-pub fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
+pub(crate) fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
     let (sin, cos) = cm_angle.sin_cos();
     let along = m2 * cos + m1;
     let across = m2 * sin;
@@ -69,7 +69,7 @@ pub fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::{Disc, Outcome, RestingTarget, angle, impact::kinetic_energy};
+    use crate::physics::{CollisionOutcome, Disc, RestingTarget, angle, impact::kinetic_energy};
     use std::f64::consts::{FRAC_PI_2, PI};
 
     fn both_moving() -> Collision {
@@ -92,7 +92,7 @@ mod tests {
                 ..both_moving()
             };
             let cm = Frame::CentreOfMass.view(&lab);
-            let Outcome { v1, v2, .. } = cm.outcome();
+            let CollisionOutcome { v1, v2, .. } = cm.outcome();
             let (m1, m2) = (lab.striker.mass, lab.target.mass);
             assert!((m1 * cm.u1 + m2 * cm.u2).length() < 1e-16);
             assert!((m1 * v1 + m2 * v2).length() < 1e-16);
@@ -158,7 +158,7 @@ mod tests {
             target: Disc::from_g_mm(20.0, 15.0),
             ..both_moving()
         };
-        let Outcome {
+        let CollisionOutcome {
             v1, v2, separation, ..
         } = lab.outcome();
         assert!((v1 - lab.u2).dot(v2 - lab.u2).abs() < 1e-14);

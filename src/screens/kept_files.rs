@@ -2,7 +2,7 @@
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::Question;
+use super::Confirmation;
 use crate::messages::{Kept, Key, Mouse};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{Lines, Outcome, Role, text};
@@ -10,7 +10,7 @@ use crate::widgets::{Lines, Outcome, Role, text};
 /// What keys do to a list of kept files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub(super) enum KeptAction {
+pub enum KeptAction {
     /// choose a file, or open it
     List(ListAction),
     /// remove the chosen file for good
@@ -117,8 +117,8 @@ impl<T> KeptFiles<T> {
     }
 
     /// Asks whether the chosen one is to be removed; `what` it is: "game".
-    pub(super) fn ask_to_remove(what: &str) -> Question {
-        Question::new(
+    pub(super) fn ask_to_remove(what: &str) -> Confirmation {
+        Confirmation::new(
             format!("Remove this {what} for good?"),
             "remove it",
             "keep it",

@@ -5,38 +5,38 @@
 //! and the [`Theme`] (which colours).
 
 pub mod bar;
-pub mod big;
-pub mod board;
+pub(crate) mod big;
+pub(crate) mod board;
 pub mod cells;
-pub mod charset;
-pub mod ink;
+pub(crate) mod charset;
+pub(crate) mod ink;
 pub mod keys;
-pub mod panel;
+pub(crate) mod panel;
 pub(crate) mod panels;
 pub mod picture;
-pub mod plot;
-pub mod replay;
-pub mod svg;
-pub mod theme;
+pub(crate) mod plot;
+pub(crate) mod replay;
+pub(crate) mod svg;
+pub(crate) mod theme;
 
-mod beside;
-pub mod flow;
+pub(crate) mod flow;
 pub mod formula;
-pub mod hit;
+pub(crate) mod hit;
 pub mod input;
 mod lines;
 mod look;
 mod question_picture;
 mod scroll;
 pub(crate) mod signs;
+mod split_layout;
 pub mod text;
-pub mod tracks;
+pub(crate) mod tracks;
 
-pub use beside::Beside;
 pub use charset::Charset;
 pub use input::{AnswerInput, NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use lines::{Lines, Spare};
 pub use look::Look;
 pub use question_picture::{draw_question, question_picture};
 pub use scroll::{Scroll, overflow};
+pub use split_layout::SplitLayout;
 pub use theme::{Depth, Palette, Role, Theme};

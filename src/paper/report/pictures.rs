@@ -8,7 +8,7 @@ use crate::paper::{LOOK, svg};
 use crate::progress::{Calibrated, calibration_words};
 use crate::quiz::RIGHT_DEG;
 use crate::widgets::Role;
-use crate::widgets::picture::{self, LabelSide, Pen, View};
+use crate::widgets::picture::{self, Pen, View};
 use crate::widgets::plot::{REACH, errors_picture, sureness_picture};
 use crate::widgets::svg::Svg;
 
@@ -101,12 +101,10 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
         picture.line(dvec2(0.0, y), end, pen);
         picture.text(end, "●", Role::StrikerOut);
         let counted = format!("{} of {}", it.tally.right, it.tally.attempts);
-        let side = if share > 0.6 {
-            LabelSide::AboveLeft
-        } else {
-            LabelSide::AboveRight
-        };
-        picture.label(counted, end, &[side], Role::Text);
+        // SplitLayout the dot, where there is room.
+        let aside = (0.5 * counted.len() as f64 + 1.0) * view.per_column();
+        let x = end.x + if share > 0.6 { -aside } else { aside };
+        picture.text(dvec2(x, y + 0.2), counted, Role::Text);
     }
     let words = "Share of right answers of each confidence, beside the range it is for";
     Some(ReportPicture {

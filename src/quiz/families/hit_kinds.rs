@@ -4,15 +4,16 @@ use std::sync::OnceLock;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
-use crate::quiz::dice::Dice;
+use crate::numbers::tenths;
+use crate::physics::ImpactPoint;
 use crate::quiz::misconceptions::OF_RAYS;
+use crate::quiz::question::Dice;
 use crate::quiz::question::MIN_SEPARATION;
-use crate::quiz::words::tenths;
-use crate::quiz::{Difficulty, Hit, Pieces, Placement, RIGHT_DEG, Rays};
+use crate::quiz::question::{Difficulty, Hit, Pieces, RIGHT_DEG, Rays};
 
 /// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(super) enum HitKind {
     /// Equal masses, α given.
     EqualAngle,
     /// Equal masses, offset given.
@@ -37,19 +38,23 @@ pub enum Kind {
 impl Difficulty {
     /// The kinds that a round asks at this difficulty, each as often as it stands
     /// here.
-    pub(super) const fn kinds(self) -> &'static [Kind] {
+    pub(super) const fn kinds(self) -> &'static [HitKind] {
         match self {
-            Self::Easy => &[Kind::EqualAngle, Kind::EqualAngle, Kind::EqualOffset],
+            Self::Easy => &[
+                HitKind::EqualAngle,
+                HitKind::EqualAngle,
+                HitKind::EqualOffset,
+            ],
             Self::Middle => &[
-                Kind::TournamentAngle,
-                Kind::MarblesAngle,
-                Kind::LossyAngle,
-                Kind::HeadOn,
+                HitKind::TournamentAngle,
+                HitKind::MarblesAngle,
+                HitKind::LossyAngle,
+                HitKind::HeadOn,
             ],
             Self::Hard => &[
-                Kind::TournamentOffset,
-                Kind::MarblesOffset,
-                Kind::LossyMarbles,
+                HitKind::TournamentOffset,
+                HitKind::MarblesOffset,
+                HitKind::LossyMarbles,
             ],
         }
     }
@@ -64,31 +69,32 @@ impl Difficulty {
     }
 }
 
-impl Kind {
+impl HitKind {
     /// How many kinds there are.
     const COUNT: usize = 1 + Self::LossyMarbles as usize;
 
     /// All hits of this kind that are good to ask, in a fixed order, with the
     /// target on the right and the striker moving to the right at 1 m/s. They are looked
     /// for once, for it takes thousands of hits to find them.
-    pub fn candidates(self) -> &'static [Hit] {
-        static FOUND: [OnceLock<Vec<Hit>>; Kind::COUNT] = [const { OnceLock::new() }; Kind::COUNT];
+    pub(super) fn candidates(self) -> &'static [Hit] {
+        static FOUND: [OnceLock<Vec<Hit>>; HitKind::COUNT] =
+            [const { OnceLock::new() }; HitKind::COUNT];
         FOUND[self as usize].get_or_init(|| self.find())
     }
 
     fn find(self) -> Vec<Hit> {
         let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
             let given = steps
-                .map(|i| Placement::Angle {
+                .map(|i| ImpactPoint::Angle {
                     alpha_deg: f64::from(i * step),
                 })
                 .collect::<Vec<_>>();
             every(pieces, &given, losses)
         };
         let offsets = |pieces: Pieces| {
-            let head_on = plain(pieces, Placement::Angle { alpha_deg: 0.0 }, 1.0);
+            let head_on = plain(pieces, ImpactPoint::Angle { alpha_deg: 0.0 }, 1.0);
             let given = (1..=(10.0 * head_on.reach_mm()) as u32)
-                .map(|tenths| Placement::Offset {
+                .map(|tenths| ImpactPoint::Offset {
                     offset_mm: f64::from(tenths) / 10.0,
                 })
                 .collect::<Vec<_>>();
@@ -119,7 +125,12 @@ impl Kind {
 
     /// Draws a hit of this kind, none of `asked` again; `None` only if all have
     /// been asked.
-    pub fn draw(self, difficulty: Difficulty, asked: &[Hit], dice: &mut Dice) -> Option<Hit> {
+    pub(super) fn draw(
+        self,
+        difficulty: Difficulty,
+        asked: &[Hit],
+        dice: &mut Dice,
+    ) -> Option<Hit> {
         let fresh: Vec<Hit> = self
             .candidates()
             .iter()
@@ -141,7 +152,7 @@ impl Kind {
 }
 
 /// A hit with the target on the right and nothing else about it.
-fn plain(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
+fn plain(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
     Hit {
         pieces,
         given,
@@ -151,20 +162,20 @@ fn plain(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
     }
 }
 
-fn every(pieces: Pieces, given: &[Placement], losses: &[f64]) -> Vec<Hit> {
+fn every(pieces: Pieces, given: &[ImpactPoint], losses: &[f64]) -> Vec<Hit> {
     given
         .iter()
         .flat_map(|&given| losses.iter().map(move |&e| plain(pieces, given, e)))
         .collect()
 }
 
-fn mirrored(given: Placement) -> Placement {
+fn mirrored(given: ImpactPoint) -> ImpactPoint {
     match given {
         // 0.0 - x, not -x: a head-on hit has no side.
-        Placement::Angle { alpha_deg } => Placement::Angle {
+        ImpactPoint::Angle { alpha_deg } => ImpactPoint::Angle {
             alpha_deg: 0.0 - alpha_deg,
         },
-        Placement::Offset { offset_mm } => Placement::Offset {
+        ImpactPoint::Offset { offset_mm } => ImpactPoint::Offset {
             offset_mm: 0.0 - offset_mm,
         },
     }
@@ -219,22 +230,22 @@ fn adds_up(hit: &Hit) -> bool {
 mod tests {
     use super::*;
 
-    const KINDS: [Kind; Kind::COUNT] = [
-        Kind::EqualAngle,
-        Kind::EqualOffset,
-        Kind::TournamentAngle,
-        Kind::MarblesAngle,
-        Kind::LossyAngle,
-        Kind::HeadOn,
-        Kind::TournamentOffset,
-        Kind::MarblesOffset,
-        Kind::LossyMarbles,
+    const KINDS: [HitKind; HitKind::COUNT] = [
+        HitKind::EqualAngle,
+        HitKind::EqualOffset,
+        HitKind::TournamentAngle,
+        HitKind::MarblesAngle,
+        HitKind::LossyAngle,
+        HitKind::HeadOn,
+        HitKind::TournamentOffset,
+        HitKind::MarblesOffset,
+        HitKind::LossyMarbles,
     ];
 
     #[test]
     fn every_kind_has_hits_enough() {
         for kind in KINDS {
-            let least = if kind == Kind::HeadOn { 3 } else { 8 };
+            let least = if kind == HitKind::HeadOn { 3 } else { 8 };
             let n = kind.candidates().len();
             assert!(n >= least, "{kind:?}: {n}");
         }

@@ -18,7 +18,7 @@ use crate::widgets::hit::{HitLayout, degrees};
 use crate::widgets::panel::draw_panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Beside, Lines, Look, Role, brief, draw_question};
+use crate::widgets::{Lines, Look, Role, SplitLayout, brief, draw_question};
 
 const HEADING: Heading<'static> = Heading::new(
     &["Talk"],
@@ -44,7 +44,7 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
     match &question.form {
         Form::Choice { options, .. } => draw_bars(options, &votes, column(rest), buf, look),
         Form::Rays { .. } => {
-            let beside = Beside::square(rest);
+            let beside = SplitLayout::square(rest);
             beside.draw(buf, look, "all who voted", "the votes");
             // The question's own labels stay whole.
             if let Some(collision) = question.picture.collision() {
@@ -82,7 +82,7 @@ pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'
     let Form::Rays { target, .. } = &question.form else {
         return None;
     };
-    let panel = Beside::square(HEADING.rest(area, look)).panel;
+    let panel = SplitLayout::square(HEADING.rest(area, look)).panel;
     let write = move |lines: &mut Lines| write_rays(play, question, target, lines);
     Some((panel, Box::new(write)))
 }

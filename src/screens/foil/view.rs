@@ -6,19 +6,19 @@ use ratatui::layout::Rect;
 use super::{FoilScreen, FoilPage, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Beside, Lines, Look, Role, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
-pub struct FoilLayout {
+pub(super) struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
-    pub beside: Beside,
+    pub beside: SplitLayout,
 }
 
 impl FoilLayout {
     /// Lays it out in `area`.
-    pub fn new(area: Rect) -> Self {
+    pub(super) fn new(area: Rect) -> Self {
         let row = 1.min(area.height);
         let tabs = Rect {
             height: row,
@@ -31,7 +31,7 @@ impl FoilLayout {
         };
         Self {
             tabs,
-            beside: Beside::new(rest),
+            beside: SplitLayout::new(rest),
         }
     }
 

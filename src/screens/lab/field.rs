@@ -78,7 +78,7 @@ pub enum LabField {
 
 impl LabField {
     /// All settings, in the order of the panel.
-    pub const ALL: [Self; 12] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Offset,
         Self::ImpactAngle,
         Self::Aim,
@@ -172,7 +172,7 @@ impl LabField {
 
     /// Its value in the units of the screen; slip is 0 and stick is 1, and the impact
     /// angle of a miss is that of the graze it comes nearest to.
-    pub fn value(self, setup: &Setup) -> f64 {
+    pub(crate) fn value(self, setup: &Setup) -> f64 {
         match self {
             Self::Offset => setup.offset_mm,
             Self::ImpactAngle => (setup.offset_mm / setup.reach_mm())

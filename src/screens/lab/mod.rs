@@ -136,7 +136,7 @@ impl Lab {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = Beside::new(cx.body);
+        let layout = SplitLayout::new(cx.body);
         let cell = (mouse.column, mouse.row);
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;

@@ -5,13 +5,13 @@ use ratatui::layout::Rect;
 
 use super::{Lab, LabPhase, panel};
 use crate::screens::Context;
-use crate::widgets::Beside;
+use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Draws the lab.
 pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = SplitLayout::new(area);
     let (title, side_title) = match &lab.phase {
         LabPhase::Aim => ("set up the hit".into(), "settings"),
         LabPhase::Predict(_) => ("where will they go?".into(), "say it first"),

@@ -8,7 +8,7 @@ mod summary;
 mod tests;
 mod view;
 
-pub use choose::Choosing;
+pub(crate) use choose::Choosing;
 
 use std::time::Duration;
 
@@ -17,10 +17,11 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
 };
 use crate::widgets::hit::{Overlays, Telling, Watch};
 use crate::widgets::{AnswerInput, Outcome, Scroll};
@@ -30,7 +31,7 @@ const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
 
 /// A round of the quiz.
 #[derive(Debug, Clone)]
-pub struct Quiz {
+pub(crate) struct Quiz {
     round: Round,
     /// What has been answered, in the order of the questions.
     answers: Vec<Answer>,
@@ -77,12 +78,12 @@ struct Watched {
 
 impl Quiz {
     /// The round of a code, at its first question.
-    pub fn new(code: Code) -> Self {
+    pub(crate) fn new(code: Code) -> Self {
         Self::of(Round::of(code))
     }
 
     /// A round, at its first question.
-    pub fn of(round: Round) -> Self {
+    pub(crate) fn of(round: Round) -> Self {
         let mut quiz = Self {
             round,
             answers: Vec::new(),
@@ -476,7 +477,7 @@ impl OldScreen for Quiz {
         };
         let mut status = place;
         if !self.tells_at_end() || self.has_ended() {
-            status += &format!("  {} points", words::points(self.summary().points()));
+            status += &format!("  {} points", numbers::points(self.summary().points()));
         }
         match &self.round.course().kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",

@@ -26,7 +26,7 @@ const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
 /// Where one of the two discs is to be sent.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WantedWay {
+pub(crate) struct WantedWay {
     /// Which of the two.
     pub ray: Ray,
     /// Its way: θ₁ or θ₂ in radians, with the signs of [`Rays`](crate::quiz::Rays).
@@ -74,7 +74,7 @@ impl ArrowScale {
             let direction = v.try_normalize()?;
             Some(stage.room(stage.centres[0], direction) * fastest / v.length())
         };
-        let short = SHORT * stage.collision.reach() * fastest / along.length();
+        let short = SHORT * stage.collision.contact_distance() * fastest / along.length();
         let longest = [u, along, u - along]
             .into_iter()
             .filter_map(room)
@@ -239,7 +239,7 @@ impl Sketch {
                 DVec2::NEG_Y,
             ),
         };
-        // Beside the disc, as after a head-on hit the arrow may be on the other disc.
+        // SplitLayout the disc, as after a head-on hit the arrow may be on the other disc.
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture
@@ -253,7 +253,10 @@ impl Sketch {
         let stage = &self.stage;
         let from = stage.centres[0];
         // Labels stand beyond the discs, which they never cover.
-        let beyond = [stage.collision.reach() + stage.radius(1), stage.radius(0)];
+        let beyond = [
+            stage.collision.contact_distance() + stage.radius(1),
+            stage.radius(0),
+        ];
         let end = |v: DVec2| from + scale.per_speed * v;
         let parts = [n, t].map(|axis| u.dot(axis) * axis);
         let closing = Pen::new(Role::TangentLine).dotted();

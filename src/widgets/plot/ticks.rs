@@ -1,8 +1,9 @@
 //! Where the ticks of an axis are, and what is written beside them.
 
+use crate::numbers::{fixed, true_minus};
 /// A tick.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tick {
+pub(crate) struct Tick {
     /// Where it is, in units in which the axis is even.
     pub place: f64,
     /// What is written beside it.
@@ -32,7 +33,7 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
             let value = (first + i as f64) * step + 0.0;
             Tick {
                 place: value,
-                text: format!("{value:.decimals$}").replace('-', "−"),
+                text: true_minus(&fixed(value, decimals)),
             }
         })
         .collect()

@@ -19,7 +19,7 @@ pub(super) const FIELDS: [LabField; 5] = [
 ];
 
 /// All steps of the solution.
-pub(super) fn steps(collision: &Collision) -> Vec<Step> {
+pub(super) fn steps(collision: &Collision) -> Vec<WorkedStep> {
     worked::steps(collision, false)
 }
 

@@ -14,7 +14,7 @@ use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
 use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
-use crate::widgets::{Beside, Scroll, overflow};
+use crate::widgets::{Scroll, SplitLayout, overflow};
 
 /// A chapter being read.
 #[derive(Debug, Clone)]
@@ -371,7 +371,7 @@ impl Reading {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let Beside { picture, panel, .. } = view::layout(self, cx.body);
+        let SplitLayout { picture, panel, .. } = view::layout(self, cx.body);
         let cell = (mouse.column, mouse.row);
         let look = cx.settings.look();
         if picture.contains(cell.into()) {

@@ -16,11 +16,11 @@ const NEXT: &str = "next";
 const NARROW_PANEL: u16 = 24;
 
 /// Where the list and the panel are.
-fn layout(area: Rect) -> Beside {
+fn layout(area: Rect) -> SplitLayout {
     if area.width < 80 {
-        Beside::with_panel(area, NARROW_PANEL)
+        SplitLayout::with_panel(area, NARROW_PANEL)
     } else {
-        Beside::new(area)
+        SplitLayout::new(area)
     }
 }
 

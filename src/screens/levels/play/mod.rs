@@ -114,7 +114,7 @@ pub enum LevelAction {
 
 impl LevelPlay {
     /// The level of this number; `None` if there is none.
-    pub fn new(number: usize, cx: &mut Context) -> Option<Self> {
+    pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let (_, level) = cx.shelf.get(number)?;
         let dials = Dials::new(level.clone());
         cx.shelf.at = number;

@@ -4,6 +4,7 @@
 use super::made_shot::{MadeShot, asked};
 use super::{LevelPhase, LevelPlay, PendingShot};
 use crate::levels::{FEW_SHOTS, Win};
+use crate::numbers;
 use crate::physics::Frame;
 use crate::physics::units::mm_from_m;
 use crate::quiz::Ray;
@@ -65,7 +66,7 @@ fn earlier(play: &LevelPlay, lines: &mut Lines) {
     for made in play.earlier.iter().skip(hidden) {
         lines.gap();
         lines.line(&format!("shot {}: {}", made.number, made.set), Role::Dim);
-        lines.paragraph(&format!("{}.", words::capital(&made.told)), Role::Dim);
+        lines.paragraph(&format!("{}.", numbers::capital(&made.told)), Role::Dim);
     }
     if !play.earlier.is_empty() {
         lines.gap();
@@ -99,7 +100,7 @@ fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
     offset(collision, lines);
     if pending.rays.asks(Ray::Target) {
         // The angle itself is what is asked for.
-        let reach = format!("{:.1} mm", mm_from_m(collision.reach()));
+        let reach = format!("{:.1} mm", mm_from_m(collision.contact_distance()));
         lines.pair("r₁ + r₂", &reach, Role::Dim, Role::Text);
     } else {
         impact_angle(collision, lines);
@@ -163,7 +164,7 @@ fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
         } else {
             ("✗", Role::Warn)
         };
-        let told = words::capital(&finding.told);
+        let told = numbers::capital(&finding.told);
         lines.paragraph(&format!("{mark} {told}."), role);
     }
     if let Some(impact) = made.player.impacts().first() {
@@ -233,7 +234,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines)
         return;
     };
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
-    let met = words::capital(&format!("{first} on {second}"));
+    let met = numbers::capital(&format!("{first} on {second}"));
     lines.paragraph(&met, Role::Title);
     // What a win has shown is no secret any more.
     let secret = match made.win {

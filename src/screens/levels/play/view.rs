@@ -7,7 +7,7 @@ use super::{LevelPhase, LevelPlay, PendingShot, board, panel};
 use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
-use crate::widgets::Beside;
+use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Markings, setup_picture};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
@@ -25,7 +25,7 @@ pub(super) fn layout(play: &LevelPlay, area: Rect) -> Beside {
     if play.is_enlarged() || play.level().is_of_the_first_hit() {
         Beside::new(area)
     } else {
-        Beside::square(area)
+        SplitLayout::square(area)
     }
 }
 

@@ -1,0 +1,200 @@
+//! The one explanation after an answer: first what was wrong with it, then why the true
+//! answer is true.
+
+use crate::numbers::{degrees, tenths};
+use crate::quiz::question::{
+    Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response,
+};
+
+/// An explanation, to be shown as a title over a text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Explanation {
+    /// The name of the misconception, or how the answer was: "right", "one is off".
+    pub title: &'static str,
+    /// The text, two to six short sentences.
+    pub text: String,
+    /// The misconception it begins with.
+    pub diagnosis: Option<Diagnosis>,
+}
+
+/// Explains a question to a player who gave this answer.
+pub fn explain(question: &Question, answer: &Answer) -> Explanation {
+    let belief = question.belief_of(answer);
+    let diagnosis = belief.map(|(belief, fit)| Diagnosis {
+        misconception: belief.misconception,
+        fit,
+    });
+    let (title, opening) = match belief {
+        Some((belief, _)) => (belief.misconception.name, belief.says.clone()),
+        None if Grade::new(question, answer).right => ("right", "Right, and this is why.".into()),
+        None => undiagnosed(question, answer),
+    };
+    Explanation {
+        title,
+        text: format!("{opening} {}", question.why).trim().to_owned(),
+        diagnosis,
+    }
+}
+
+/// What to say of an answer that is off in its own way.
+fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
+    let form = &question.form;
+    match (form, &answer.said) {
+        (Form::Rays { truth, target, .. }, Response::Rays(said)) => rays_off(said, truth, target),
+        (Form::Shot(aim), Response::Shot(offset)) => {
+            let disc = match aim.ray {
+                Ray::Striker => "striker",
+                Ray::Target => "coin",
+            };
+            let way = match aim.error(*offset) {
+                Some(error) => format!("The {disc} passes the mark by {}.", degrees(error)),
+                None if aim.outcome(*offset).hit() => format!("The {disc} does not move."),
+                None => "It misses: the offset is more than both radii together.".into(),
+            };
+            ("off the mark", way)
+        }
+        (Form::Choice { .. }, Response::Choice(choice)) => {
+            let reply = question.replies.get(choice).cloned();
+            ("not that one", reply.unwrap_or_default())
+        }
+        _ => (
+            "off",
+            format!(
+                "You said {}; it is {}.",
+                form.words(&answer.said),
+                form.words(&form.truth())
+            ),
+        ),
+    }
+}
+
+/// How two rays are off that fit no misconception.
+fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
+    let [striker_grade, target_grade] = Ray::BOTH.map(|ray| RayGrade {
+        error: said.apart(truth, ray),
+    });
+    let striker_off = off(said, truth, Ray::Striker, &striker_grade);
+    let target_off = off(said, truth, Ray::Target, &target_grade);
+    match (striker_grade.is_right(), target_grade.is_right()) {
+        (true, _) => (
+            "one is off",
+            format!("The striker is right; the {target} {target_off}."),
+        ),
+        (_, true) => (
+            "one is off",
+            format!("The {target} is right; the striker {striker_off}."),
+        ),
+        _ => (
+            "both are off",
+            format!("The striker {striker_off}; the {target} {target_off}."),
+        ),
+    }
+}
+
+/// How a ray is off: "is 12.0° too wide", "does not stay still".
+fn off(said: &Rays, truth: &Rays, ray: Ray, grade: &RayGrade) -> String {
+    match (said.get(ray), truth.get(ray), grade.error) {
+        (Some(said), Some(true_angle), Some(error)) => {
+            // Straight ahead and straight back have no side.
+            let has_side = tenths(true_angle.abs()) % 1800 != 0;
+            let how = if has_side && said * true_angle < 0.0 {
+                "off, on the wrong side"
+            } else if said.abs() > true_angle.abs() {
+                "too wide"
+            } else {
+                "too narrow"
+            };
+            format!("is {} {how}", degrees(error))
+        }
+        (_, None, _) => "stays still".into(),
+        (None, ..) | (.., None) => "does not stay still".into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::ImpactPoint;
+    use crate::quiz::question::{Confidence, Hit, Pieces};
+
+    fn explained(pieces: Pieces, alpha_deg: f64, striker: Option<f64>, target: f64) -> String {
+        let question = Question::from(&Hit {
+            pieces,
+            given: ImpactPoint::Angle { alpha_deg },
+            restitution: 1.0,
+            speed: 3.0,
+            direction_deg: 0.0,
+        });
+        let rays = Rays {
+            striker: striker.map(f64::to_radians),
+            target: Some(target.to_radians()),
+        };
+        let answer = Answer::new(Response::Rays(rays), Confidence::Sure);
+        let explanation = explain(&question, &answer);
+        format!("[{}] {}", explanation.title, explanation.text)
+    }
+
+    #[test]
+    fn the_figures_of_the_worked_examples() {
+        // 15 g on 15 g, 30°: striker at 60°. 20 g on 40 g, 3 m/s, 45°: v1 is the sum of
+        // 3/√2 m/s across and 1/√2 m/s back along the line, at atan 2; 108.4° apart.
+        let equal = explained(Pieces::Equal, 30.0, Some(60.0), 30.0);
+        assert_eq!(
+            equal,
+            "[right] Right, and this is why. The coin leaves along the line of impact: 30.0°. \
+             Along it the striker gives up all it had. It keeps its part across, square to the \
+             line: 90 - 30.0 = 60.0°."
+        );
+        let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
+        assert_eq!(
+            marbles,
+            "[right] Right, and this is why. The marble leaves along the line of impact: 45.0°. \
+             Across the line the striker keeps 2.12 m/s; along it, it bounces at 0.707 m/s. So \
+             the two part by 108.4°: 108.4 - 45.0 = 63.4°."
+        );
+    }
+
+    #[test]
+    fn an_answer_off_in_its_own_way() {
+        for (pieces, alpha_deg, striker, target, start) in [
+            (
+                Pieces::Equal,
+                30.0,
+                Some(80.0),
+                30.0,
+                "[one is off] The coin is right; the striker is 20.0° too wide.",
+            ),
+            (
+                Pieces::Equal,
+                30.0,
+                Some(60.0),
+                -20.0,
+                "[one is off] The striker is right; the coin is 50.0° off, on the wrong side.",
+            ),
+            (
+                Pieces::Equal,
+                30.0,
+                None,
+                20.0,
+                "[both are off] The striker does not stay still; the coin is 10.0° too narrow.",
+            ),
+            (
+                Pieces::Equal,
+                0.0,
+                Some(20.0),
+                0.0,
+                "[one is off] The coin is right; the striker stays still.",
+            ),
+            (
+                Pieces::Marbles,
+                0.0,
+                Some(-170.0),
+                0.0,
+                "[one is off] The marble is right; the striker is 10.0° too narrow.",
+            ),
+        ] {
+            let text = explained(pieces, alpha_deg, striker, target);
+            assert!(text.starts_with(start), "{text}");
+        }
+    }
+}

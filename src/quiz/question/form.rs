@@ -1,0 +1,176 @@
+//! How a question is answered, and what the true answer is.
+
+use crate::physics::units::{deg_from_rad, mm_from_m};
+use crate::physics::{Collision, CollisionOutcome};
+
+use super::{Measure, Ray, Rays, Response};
+use crate::numbers::millimetres;
+
+/// How a question is answered, with the true answer.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Form {
+    /// By two rays, turned or typed.
+    Rays {
+        /// Where the two go.
+        truth: Rays,
+        /// The side on which the target lies: 1 for the right, −1 for the left.
+        side: f64,
+        /// What the target is called.
+        target: &'static str,
+    },
+    /// By a number.
+    Number {
+        /// What it measures.
+        quantity: Measure,
+        /// The true number, in the quantity's unit.
+        truth: f64,
+    },
+    /// By choosing.
+    Choice {
+        /// What there is to choose from, two to five texts.
+        options: Vec<String>,
+        /// The right one, counted from 0.
+        right: usize,
+    },
+    /// By setting the offset and shooting.
+    Shot(AimTask),
+}
+
+/// A shot that is to send one of the two a given way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AimTask {
+    /// The hit, head-on; its offset is the player's to set.
+    pub collision: Collision,
+    /// Which of the two has a way to go.
+    pub ray: Ray,
+    /// Its way: θ₁ or θ₂ in radians, with the signs of [`Rays`].
+    pub wanted: f64,
+    /// An offset in metres that does it.
+    pub offset: f64,
+}
+
+impl AimTask {
+    /// What becomes of the hit with this offset in metres.
+    pub fn outcome(&self, offset: f64) -> CollisionOutcome {
+        self.with(offset).outcome()
+    }
+
+    /// The hit with this offset in metres.
+    pub fn with(&self, offset: f64) -> Collision {
+        Collision {
+            offset,
+            ..self.collision
+        }
+    }
+
+    /// How far off its way the disc goes with this offset, in radians from 0 to π;
+    /// `None` if it does not move, or if nothing is hit.
+    pub fn error(&self, offset: f64) -> Option<f64> {
+        let outcome = self.outcome(offset);
+        if !outcome.hit() {
+            return None;
+        }
+        let wanted = Rays::new(self.wanted, self.wanted);
+        Rays::from(&outcome).apart(&wanted, self.ray)
+    }
+}
+
+impl Form {
+    /// The true answer.
+    pub fn truth(&self) -> Response {
+        match self {
+            Self::Rays { truth, .. } => Response::Rays(*truth),
+            Self::Number { truth, .. } => Response::Number(*truth),
+            Self::Choice { right, .. } => Response::Choice(*right),
+            Self::Shot(aim) => Response::Shot(aim.offset),
+        }
+    }
+
+    /// How far an answer is from `truth`, or from what somebody believes, counted in what
+    /// still counts as right: 1 is the edge, 0 is the same answer. Infinite where they
+    /// are of different kinds.
+    pub fn distance(&self, said: &Response, truth: &Response) -> f64 {
+        match (self, said, truth) {
+            (Self::Number { quantity, .. }, Response::Number(said), Response::Number(truth)) => {
+                quantity.distance(*said, *truth)
+            }
+            _ => self.spacing(said, truth),
+        }
+    }
+
+    /// How far apart two answers are, counted in the widest that can count as right: see
+    /// [`Measure::spacing`].
+    pub fn spacing(&self, a: &Response, b: &Response) -> f64 {
+        let angle = |angle: f64| deg_from_rad(angle) / super::grade::RIGHT_DEG;
+        match (self, a, b) {
+            (Self::Rays { .. }, Response::Rays(a), Response::Rays(b)) => angle(a.gap(b)),
+            (Self::Number { quantity, .. }, Response::Number(a), Response::Number(b)) => {
+                quantity.spacing(*a, *b)
+            }
+            (Self::Choice { .. }, Response::Choice(a), Response::Choice(b)) if a == b => 0.0,
+            (Self::Shot(aim), Response::Shot(a), Response::Shot(b)) => {
+                let [a, b] = [*a, *b].map(|offset| {
+                    let outcome = aim.outcome(offset);
+                    outcome.hit().then(|| Rays::from(&outcome))
+                });
+                match (a, b) {
+                    (None, None) => 0.0,
+                    (Some(a), Some(b)) => a.apart(&b, aim.ray).map_or(f64::INFINITY, angle),
+                    _ => f64::INFINITY,
+                }
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// An answer in words, as long as it takes: "striker 60.0° left, coin 30.0° right".
+    pub fn words(&self, said: &Response) -> String {
+        match (self, said) {
+            (Self::Rays { target, .. }, Response::Rays(rays)) => format!(
+                "striker {}, {target} {}",
+                Ray::Striker.words(rays.striker),
+                Ray::Target.words(rays.target)
+            ),
+            (Self::Number { quantity, .. }, Response::Number(x)) => quantity.print(*x),
+            (Self::Choice { options, .. }, Response::Choice(i)) => {
+                options.get(*i).cloned().unwrap_or_else(|| "-".into())
+            }
+            (Self::Shot(_), Response::Shot(offset)) => {
+                let length = millimetres(mm_from_m(offset.abs()));
+                match *offset {
+                    offset if offset > 0.0 => format!("offset {length} right"),
+                    offset if offset < 0.0 => format!("offset {length} left"),
+                    _ => "head-on".into(),
+                }
+            }
+            _ => "-".into(),
+        }
+    }
+
+    /// An answer in at most ten columns, for a table: "60 30", "63.4°", "B", "12.5 mm".
+    /// Rays count from the target's side, as the player turns them.
+    pub fn brief(&self, said: &Response) -> String {
+        match (self, said) {
+            (Self::Rays { side, .. }, Response::Rays(rays)) => {
+                let whole = |ray| match rays.get(ray) {
+                    Some(angle) => format!("{:.0}", (side * deg_from_rad(angle)).round() + 0.0),
+                    None => "rest".into(),
+                };
+                format!("{:>4}{:>5}", whole(Ray::Striker), whole(Ray::Target))
+            }
+            (Self::Choice { .. }, Response::Choice(i)) => letter(*i).to_string(),
+            (Self::Shot(_), Response::Shot(offset)) => {
+                format!("{:.1} mm", mm_from_m(offset.abs()))
+            }
+            _ => self.words(said),
+        }
+    }
+}
+
+/// The letter of a choice, counted from 0: "A".
+pub fn letter(choice: usize) -> char {
+    u8::try_from(choice)
+        .ok()
+        .filter(|i| *i < 26)
+        .map_or('?', |i| char::from(b'A' + i))
+}

@@ -1,0 +1,163 @@
+//! How good an answer is, by how far off it is.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::physics::units::{deg_from_rad, rad_from_deg};
+
+use super::measure::apart_deg;
+use super::{Answer, Confidence, Form, Question, Ray, Rays, Response};
+
+/// Up to this error an angle counts as right, in degrees.
+pub const RIGHT_DEG: f64 = 4.0;
+
+/// Up to this share of what counts as right an answer earns full credit: for an angle
+/// 2°, about what can be read off the picture.
+const FULL_CREDIT: f64 = 0.5;
+
+/// From this many times what counts as right on an answer earns nothing: for an angle
+/// 30°.
+const NO_CREDIT: f64 = 7.5;
+
+/// Credit from 0 to 1 for an answer that is off by `distance`, counted in what still
+/// counts as right: 1 up to a half, then cos² down to 0 at seven and a half, which has
+/// no corner at either end. Infinite earns 0.
+fn credit(distance: f64) -> f64 {
+    let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
+    let credit = (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2);
+    // The cosine of what is nearly a right angle is only nearly nothing.
+    if credit < 1e-12 { 0.0 } else { credit }
+}
+
+/// How good one ray is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RayGrade {
+    /// Error in radians, 0 to π; 0 if the disc rightly stays still, `None` if it
+    /// moves in the answer alone or in truth alone.
+    pub error: Option<f64>,
+}
+
+impl RayGrade {
+    /// Credit from 0 to 1: full up to 2°, nothing from 30° on. A ray where there is
+    /// none, or none where there is one, earns 0.
+    pub fn credit(&self) -> f64 {
+        self.error
+            .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))
+    }
+
+    /// Whether it counts as right.
+    pub fn is_right(&self) -> bool {
+        self.error
+            .is_some_and(|error| error <= rad_from_deg(RIGHT_DEG))
+    }
+}
+
+/// How good two rays are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaysGrade {
+    /// The striker's ray.
+    pub striker: RayGrade,
+    /// The target's ray.
+    pub target: RayGrade,
+}
+
+impl RaysGrade {
+    /// Grades what was said of both.
+    pub fn new(said: &Rays, truth: &Rays) -> Self {
+        let [striker, target] = Ray::BOTH.map(|ray| RayGrade {
+            error: said.apart(truth, ray),
+        });
+        Self { striker, target }
+    }
+
+    /// Credit from 0 to 1: the mean of both rays.
+    pub fn credit(&self) -> f64 {
+        f64::midpoint(self.striker.credit(), self.target.credit())
+    }
+
+    /// Whether both rays count as right.
+    pub fn is_right(&self) -> bool {
+        self.striker.is_right() && self.target.is_right()
+    }
+}
+
+/// How good an answer is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grade {
+    /// Credit from 0 to 1.
+    pub credit: f64,
+    /// Whether it counts as right.
+    pub right: bool,
+    /// How far off the angle was, in radians, or of two rays the one further off;
+    /// `None` where there was no angle to be off.
+    pub angle_error: Option<f64>,
+    /// Each of two rays, if that is what was asked for.
+    pub rays: Option<RaysGrade>,
+    /// How sure the player was.
+    pub confidence: Confidence,
+}
+
+impl Grade {
+    /// Most points a question can bring.
+    pub const MOST: f64 = 10.0;
+
+    /// Grades an answer. One of another kind than was asked for earns nothing.
+    pub fn new(question: &Question, answer: &Answer) -> Self {
+        let form = &question.form;
+        let distance = form.distance(&answer.said, &form.truth());
+        let rays = match (form, &answer.said) {
+            (Form::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
+            _ => None,
+        };
+        Self {
+            credit: rays.map_or_else(|| credit(distance), |rays| rays.credit()),
+            right: distance <= 1.0,
+            angle_error: match (form, &answer.said) {
+                (Form::Number { quantity, truth }, Response::Number(said))
+                    if *quantity == super::Measure::Angle =>
+                {
+                    Some(rad_from_deg(apart_deg(*said, *truth)))
+                }
+                (Form::Shot(aim), Response::Shot(offset)) => aim.error(*offset),
+                _ => rays.and_then(|rays| {
+                    let errors = [rays.striker.error, rays.target.error];
+                    errors.into_iter().flatten().reduce(f64::max)
+                }),
+            },
+            rays,
+            confidence: answer.confidence,
+        }
+    }
+
+    /// Points by [`Confidence::points`], −6 to 10.
+    pub fn points(&self) -> f64 {
+        self.confidence.points(self.credit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn credit(error_deg: f64) -> f64 {
+        let error = Some(rad_from_deg(error_deg));
+        RayGrade { error }.credit()
+    }
+
+    #[test]
+    fn credit_falls_smoothly_from_all_to_nothing() {
+        assert!((credit(0.0) - 1.0).abs() < 1e-12);
+        assert!((credit(2.0) - 1.0).abs() < 1e-12);
+        assert!((credit(16.0) - 0.5).abs() < 1e-12);
+        for wrong in [30.0, 31.0, 180.0] {
+            assert!(credit(wrong).abs() <= 0.0, "nothing, not nearly so");
+        }
+        for tenth in 0..1800 {
+            let (here, next) = (
+                credit(f64::from(tenth) / 10.0),
+                credit(f64::from(tenth + 1) / 10.0),
+            );
+            assert!(next <= here && here - next < 0.006);
+        }
+        assert!(RayGrade { error: None }.credit().abs() < 1e-12);
+    }
+}

@@ -1,0 +1,188 @@
+//! One hit at rest, as a player reads of it: where will the two go?
+
+use glam::DVec2;
+
+use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
+use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
+
+use super::{Pieces, Rays, Topic};
+use crate::numbers;
+use crate::numbers::significant;
+
+/// A hit: the figures as the player reads them. All else follows from them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// What meets what.
+    pub pieces: Pieces,
+    /// Where they meet.
+    pub given: ImpactPoint,
+    /// Coefficient of restitution e, 0 to 1.
+    pub restitution: f64,
+    /// Speed of the striker in m/s.
+    pub speed: f64,
+    /// Direction of the striker on the picture in degrees, anticlockwise from the
+    /// right. The answer's angles count from it.
+    pub direction_deg: f64,
+}
+
+impl Hit {
+    /// The collision it asks about.
+    pub fn collision(&self) -> Collision {
+        let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
+        let (striker, target) = (self.pieces.striker(), self.pieces.target());
+        let collision = match self.given {
+            ImpactPoint::Angle { alpha_deg } => {
+                Collision::at_angle(striker, target, u1, rad_from_deg(alpha_deg))
+            }
+            ImpactPoint::Offset { offset_mm } => {
+                Collision::at_offset(striker, target, u1, m_from_mm(offset_mm))
+            }
+        };
+        Collision {
+            restitution: self.restitution,
+            ..collision
+        }
+    }
+
+    /// The same hit with another coefficient of restitution.
+    pub(in crate::quiz) fn with_restitution(&self, restitution: f64) -> Self {
+        Self {
+            restitution,
+            ..*self
+        }
+    }
+
+    /// The same hit at another impact angle in degrees.
+    pub(in crate::quiz) fn at_angle(&self, alpha_deg: f64) -> Self {
+        Self {
+            given: ImpactPoint::Angle { alpha_deg },
+            ..*self
+        }
+    }
+
+    /// The hit with the two discs exchanged, at the same impact angle.
+    pub(in crate::quiz) fn exchanged(&self) -> Self {
+        Self {
+            pieces: Pieces::Own {
+                striker: self.pieces.target(),
+                target: self.pieces.striker(),
+            },
+            ..self.at_angle(deg_from_rad(self.alpha()))
+        }
+    }
+
+    /// What becomes of it.
+    pub fn outcome(&self) -> CollisionOutcome {
+        self.collision().outcome()
+    }
+
+    /// Where the two really go.
+    pub fn truth(&self) -> Rays {
+        Rays::from(&self.outcome())
+    }
+
+    /// The impact angle α in radians, positive when the target lies to the right; 0
+    /// for a miss, which no question asks about.
+    pub fn alpha(&self) -> f64 {
+        self.collision().alpha().unwrap_or(0.0)
+    }
+
+    /// Whether the two meet dead centre.
+    pub fn head_on(&self) -> bool {
+        self.collision().offset.abs() <= 0.0
+    }
+
+    /// The side on which the target lies, as the sign of α: 1 for the right and for
+    /// a head-on hit, −1 for the left.
+    pub fn side(&self) -> f64 {
+        if self.collision().offset < 0.0 {
+            -1.0
+        } else {
+            1.0
+        }
+    }
+
+    /// That side in words, "right" or "left".
+    pub fn side_name(&self) -> &'static str {
+        if self.side() < 0.0 { "left" } else { "right" }
+    }
+
+    /// Mass of the striker over mass of the target.
+    pub fn mass_ratio(&self) -> f64 {
+        self.pieces.striker().mass / self.pieces.target().mass
+    }
+
+    /// Whether both weigh the same.
+    pub(in crate::quiz) fn masses_are_equal(&self) -> bool {
+        self.mass_ratio().total_cmp(&1.0).is_eq()
+    }
+
+    /// Both masses in grams.
+    pub(in crate::quiz) fn masses_g(&self) -> (f64, f64) {
+        let (striker, target) = (self.pieces.striker(), self.pieces.target());
+        (g_from_kg(striker.mass), g_from_kg(target.mass))
+    }
+
+    /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."
+    pub(in crate::quiz) fn loss(&self) -> String {
+        let how_much = if self.restitution < 1.0 { "Some" } else { "No" };
+        let e = significant(self.restitution);
+        format!("{how_much} energy is lost: e = {e}.")
+    }
+
+    /// The distance of the centres at contact, r₁ + r₂, in millimetres.
+    pub fn reach_mm(&self) -> f64 {
+        mm_from_m(self.collision().contact_distance())
+    }
+
+    /// What it is about: "equal masses, by offset".
+    pub fn topic(&self) -> Topic {
+        let ratio = self.mass_ratio();
+        let pieces = if ratio > 1.0 {
+            "heavier-striker"
+        } else if ratio < 1.0 {
+            "heavier-target"
+        } else {
+            "equal-masses"
+        };
+        let place = match self.given {
+            _ if self.head_on() => "-head-on",
+            ImpactPoint::Angle { .. } => "",
+            ImpactPoint::Offset { .. } => "-by-offset",
+        };
+        let loss = if self.restitution < 1.0 { "-lossy" } else { "" };
+        Topic::with_id(format!("{pieces}{place}{loss}"))
+    }
+
+    /// The question where both will go, in words.
+    pub fn text(&self) -> String {
+        format!("{} Where will they go?", self.setting())
+    }
+
+    /// The hit in words, without what the picture alone can tell.
+    pub fn setting(&self) -> String {
+        let name = self.pieces.target_name();
+        let (m1, m2) = self.masses_g();
+        let [m1, m2] = [m1, m2].map(significant);
+        let speed = significant(self.speed);
+        let side = self.side_name();
+        let place = match self.given {
+            _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
+            ImpactPoint::Angle { .. } => format!(
+                "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
+                numbers::degrees(self.alpha().abs())
+            ),
+            ImpactPoint::Offset { offset_mm } => format!(
+                "The {name}'s centre lies {} to the {side} of its path; the two radii \
+                 make {} together.",
+                numbers::millimetres(offset_mm.abs()),
+                numbers::millimetres(self.reach_mm())
+            ),
+        };
+        let loss = self.loss();
+        format!(
+            "A striker of {m1} g hits a resting {name} of {m2} g at {speed} m/s. \
+             {place} {loss}"
+        )
+    }
+}

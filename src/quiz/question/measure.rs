@@ -1,0 +1,217 @@
+//! What a number that is asked for measures.
+
+use super::grade::RIGHT_DEG;
+use crate::numbers;
+
+/// The furthest off that a share can be right, in percentage points.
+const MOST_SHARE: f64 = 4.0;
+/// The furthest off that a coefficient of restitution can be right.
+const MOST_RESTITUTION: f64 = 0.04;
+
+/// What a number that is asked for measures: its unit, how it is printed, and how near
+/// is near enough.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// An angle in degrees.
+    Angle,
+    /// A share of a whole in percent.
+    Share,
+    /// A speed in m/s.
+    Speed,
+    /// A mass in grams.
+    Mass,
+    /// A length in millimetres.
+    Length,
+    /// How many times as much.
+    Times,
+    /// A coefficient of restitution.
+    Restitution,
+}
+
+impl Measure {
+    /// In words what counts as right: see [`distance`](Self::distance).
+    pub const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
+        further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
+
+    /// The unit behind a number, as typed beside it; empty for a pure number.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Angle => "°",
+            Self::Share => "%",
+            Self::Speed => "m/s",
+            Self::Mass => "g",
+            Self::Length => "mm",
+            Self::Times => "times",
+            Self::Restitution => "",
+        }
+    }
+
+    /// Its name in files, with which a number is kept: "angle_deg".
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Angle => "angle_deg",
+            Self::Share => "share_percent",
+            Self::Speed => "speed",
+            Self::Mass => "mass_g",
+            Self::Length => "length_mm",
+            Self::Times => "times",
+            Self::Restitution => "restitution",
+        }
+    }
+
+    /// A number as printed, with its unit: "63.4°", "25.0 %", "2.12 m/s".
+    pub fn print(self, x: f64) -> String {
+        let bare = self.print_bare(x);
+        match self {
+            Self::Angle => format!("{bare}°"),
+            Self::Restitution => bare,
+            _ => format!("{bare} {}", self.unit()),
+        }
+    }
+
+    /// The same without its unit.
+    pub fn print_bare(self, x: f64) -> String {
+        match self {
+            Self::Angle => numbers::bare_degrees(x.to_radians()),
+            Self::Length => numbers::bare_millimetres(x + 0.0),
+            _ => numbers::significant(x + 0.0),
+        }
+    }
+
+    /// How far `said` is from `truth`, counted in what still counts as right: 1 is the
+    /// edge.
+    ///
+    /// An angle, a share or e counts as right within a tenth of the truth, but never
+    /// further off than 4°, 4 percentage points or 0.04, for it can be seen or reckoned
+    /// better than that; nor need it be nearer than 1°, a fifth of a point or 0.01. All
+    /// others count by a twentieth of the truth either way, as a ratio; infinite where a
+    /// ratio says nothing.
+    pub fn distance(self, said: f64, truth: f64) -> f64 {
+        let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most);
+        match self {
+            Self::Angle => apart_deg(said, truth) / near(1.0, RIGHT_DEG),
+            Self::Share => (said - truth).abs() / near(0.2, MOST_SHARE),
+            Self::Restitution => (said - truth).abs() / near(0.01, MOST_RESTITUTION),
+            _ => self.spacing(said, truth),
+        }
+    }
+
+    /// How far apart two numbers are, counted in the widest that can count as right
+    /// about either: never more than [`distance`](Self::distance). By it questions are
+    /// chosen whose truth and beliefs lie apart, so it is part of what a round's code
+    /// fixes, and may not change.
+    pub fn spacing(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Angle => apart_deg(a, b) / RIGHT_DEG,
+            Self::Share => (a - b).abs() / MOST_SHARE,
+            Self::Restitution => (a - b).abs() / MOST_RESTITUTION,
+            Self::Speed | Self::Mass | Self::Length | Self::Times => {
+                let ratio = a / b;
+                if a == b {
+                    0.0
+                } else if ratio > 0.0 && ratio.is_finite() {
+                    ratio.ln().abs() / 1.05_f64.ln()
+                } else {
+                    f64::INFINITY
+                }
+            }
+        }
+    }
+
+    /// The largest number that makes sense and can be typed; the smallest is 0, but for
+    /// angles its opposite.
+    pub const fn largest(self) -> f64 {
+        match self {
+            Self::Angle => 180.0,
+            Self::Share => 100.0,
+            Self::Restitution => 1.0,
+            Self::Speed | Self::Mass | Self::Length | Self::Times => 99_999.0,
+        }
+    }
+
+    /// The smallest number that makes sense.
+    pub const fn smallest(self) -> f64 {
+        match self {
+            Self::Angle => -180.0,
+            _ => 0.0,
+        }
+    }
+}
+
+/// The angle between two directions in degrees, 0 to 180.
+pub(in crate::quiz) fn apart_deg(a: f64, b: f64) -> f64 {
+    let turn = (a - b).rem_euclid(360.0);
+    turn.min(360.0 - turn)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_printed_with_sense() {
+        for (quantity, x, text) in [
+            (Measure::Angle, 63.434_948, "63.4°"),
+            (Measure::Share, 25.0, "25.0 %"),
+            (Measure::Speed, 2.121_32, "2.12 m/s"),
+            (Measure::Mass, 5.5, "5.50 g"),
+            (Measure::Length, 15.0, "15.0 mm"),
+            (Measure::Times, 16.0, "16.0 times"),
+            (Measure::Restitution, 0.5, "0.500"),
+        ] {
+            assert_eq!(quantity.print(x), text);
+        }
+    }
+
+    #[test]
+    fn near_enough_is_one_and_ratios_count_both_ways_alike() {
+        assert!((Measure::Angle.distance(64.0, 60.0) - 1.0).abs() < 1e-12);
+        assert!((Measure::Angle.distance(-179.0, 179.0) - 0.5).abs() < 1e-12);
+        assert!((Measure::Speed.distance(2.1, 2.0) - 1.0).abs() < 1e-12);
+        let (up, down) = (
+            Measure::Times.distance(2.0, 1.0),
+            Measure::Times.distance(0.5, 1.0),
+        );
+        assert!((up - down).abs() < 1e-12);
+        assert!(Measure::Mass.distance(0.0, 15.0).is_infinite());
+        assert!(Measure::Mass.distance(-1.0, 15.0).is_infinite());
+        assert!(Measure::Speed.distance(0.0, 0.0) <= 0.0);
+    }
+
+    #[test]
+    fn small_numbers_count_by_themselves_and_large_ones_by_points() {
+        for (quantity, said, truth, right) in [
+            (Measure::Angle, 14.0, 10.2, false),
+            (Measure::Angle, 11.0, 10.2, true),
+            (Measure::Angle, -177.0, 180.0, true),
+            (Measure::Share, 4.0, 6.7, false),
+            (Measure::Share, 7.0, 6.7, true),
+            (Measure::Share, 6.0, 6.7, false),
+            (Measure::Share, 22.0, 25.0, false),
+            (Measure::Share, 72.0, 75.0, true),
+            (Measure::Share, 90.0, 93.3, true),
+            (Measure::Share, 70.5, 75.0, false),
+            (Measure::Share, 0.1, 0.0, true),
+            (Measure::Restitution, 0.22, 0.2, true),
+            (Measure::Restitution, 0.24, 0.2, false),
+            (Measure::Restitution, 0.77, 0.8, true),
+            (Measure::Restitution, 0.75, 0.8, false),
+        ] {
+            let distance = quantity.distance(said, truth);
+            assert_eq!(distance < 1.0 + 1e-9, right, "{quantity:?} {said} {truth}");
+        }
+    }
+
+    /// So an answer that fits the truth or a belief fits nothing else, as long as they
+    /// are spaced.
+    #[test]
+    fn nothing_is_right_that_is_wide_of_the_spacing() {
+        for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {
+            for (said, truth) in (0..=100).flat_map(|a| (0..=100).map(move |b| (a, b))) {
+                let scale = quantity.largest().min(100.0) / 100.0;
+                let (said, truth) = (scale * f64::from(said), scale * f64::from(truth));
+                assert!(quantity.distance(said, truth) >= quantity.spacing(said, truth));
+            }
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! One question of any family: what is asked, what is seen, what is true, and what each
+//! misconception would answer.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value};
+
+use super::{Answer, Difficulty, Family, Form, Illustration, Misconception, Ray, Response, Topic};
+
+/// Answers nearer to each other than this cannot be told apart, counted in the widest
+/// that can count as right; more than 2, so that no answer fits two.
+pub const MIN_SEPARATION: f64 = 2.0625;
+
+/// A question, ready to be asked on a screen, on paper or line by line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Its family.
+    pub family: Family,
+    /// How hard it is.
+    pub difficulty: Difficulty,
+    /// What it is about: "equal masses, by offset".
+    pub topic: Topic,
+    /// The question in words.
+    pub text: String,
+    /// What is seen beside it.
+    pub picture: Illustration,
+    /// How it is answered, and the true answer.
+    pub form: Form,
+    /// What misconceptions would answer; one that happens to be right is not among
+    /// them.
+    pub beliefs: Vec<WrongAnswer>,
+    /// What to say to wrong choices that follow no known misconception, by the choice
+    /// counted from 0; a choice that is not here has nothing of its own to be told.
+    pub replies: BTreeMap<usize, String>,
+    /// Why the true answer is true, on the question's own figures: one to four short
+    /// sentences.
+    pub why: String,
+    /// The figures that fix it, with the units in their names, to be kept with every
+    /// answer.
+    pub figures: Map<String, Value>,
+}
+
+/// What a misconception would answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrongAnswer {
+    /// Which misconception.
+    pub misconception: &'static Misconception,
+    /// Its answer.
+    pub said: Response,
+    /// Of two rays the one that gives it away whatever the other does; `None` if only
+    /// both together do.
+    pub telltale: Option<Ray>,
+    /// One or two sentences on what is wrong with it, on the question's figures.
+    pub says: String,
+}
+
+impl WrongAnswer {
+    /// What a misconception would answer where one thing is asked for.
+    pub fn new(misconception: &'static Misconception, said: Response, says: String) -> Self {
+        Self {
+            misconception,
+            said,
+            telltale: None,
+            says,
+        }
+    }
+}
+
+/// The misconception that an answer fits best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Diagnosis {
+    /// Which one.
+    pub misconception: &'static Misconception,
+    /// How much of the answer fits it.
+    pub fit: Fit,
+}
+
+/// How much of an answer fits a misconception.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fit {
+    /// All of it.
+    Whole,
+    /// The ray that gives it away; the other one is off in its own way.
+    OneRay(Ray),
+}
+
+impl Question {
+    /// How far apart the two nearest of the true answer and all that misconceptions
+    /// would answer are, counted in the widest that can count as right. Choices are 0 or
+    /// infinitely far apart.
+    pub fn clearance(&self) -> f64 {
+        let mut answers: Vec<Response> = self.beliefs.iter().map(|belief| belief.said).collect();
+        answers.push(self.form.truth());
+        let pairs = answers.iter().enumerate().flat_map(|(i, a)| {
+            let later = answers.iter().skip(i + 1);
+            later.map(move |b| self.form.spacing(a, b))
+        });
+        pairs.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether an answer tells which of the misconceptions it follows, if any, and whether
+    /// it has to be found rather than read in the text: only such questions are asked.
+    pub fn is_clear(&self) -> bool {
+        let told = match &self.form {
+            Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
+            Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
+        };
+        !told && self.clearance() > MIN_SEPARATION
+    }
+
+    /// Finds the misconception that an answer fits best, if it fits one.
+    ///
+    /// A right answer fits none. A fit of the whole answer goes before a fit of the
+    /// telltale ray alone; among those the nearest goes first, to a fortieth of what
+    /// counts as right (a tenth of a degree), and then the first in
+    /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be off
+    /// the truth by more than counts as right.
+    pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
+        self.belief_of(answer).map(|(belief, fit)| Diagnosis {
+            misconception: belief.misconception,
+            fit,
+        })
+    }
+
+    /// The belief that an answer fits best, and how much of it fits.
+    pub(in crate::quiz) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
+        let right = |said: &Response| self.form.distance(said, &self.form.truth()) <= 1.0;
+        if right(&answer.said) {
+            return None;
+        }
+        let fits = self.beliefs.iter().filter_map(|belief| {
+            let (fit, distance) = self.fit(belief, &answer.said)?;
+            Some((belief, fit, distance))
+        });
+        fits.min_by_key(|(_, fit, distance)| (*fit != Fit::Whole, (40.0 * distance).round() as i64))
+            .map(|(belief, fit, _)| (belief, fit))
+    }
+
+    /// How `said` fits a belief, and how far off it is.
+    fn fit(&self, belief: &WrongAnswer, said: &Response) -> Option<(Fit, f64)> {
+        let distance = self.form.distance(said, &belief.said);
+        if distance <= 1.0 {
+            return Some((Fit::Whole, distance));
+        }
+        let ray = belief.telltale?;
+        let (Form::Rays { truth, .. }, Response::Rays(said), Response::Rays(held)) =
+            (&self.form, said, &belief.said)
+        else {
+            return None;
+        };
+        let near = super::RIGHT_DEG.to_radians();
+        let gap = said.apart(held, ray)?;
+        let from_truth = said.apart(truth, ray).unwrap_or(f64::INFINITY);
+        let fits = gap <= near && from_truth > near;
+        fits.then_some((Fit::OneRay(ray), gap / near))
+    }
+}

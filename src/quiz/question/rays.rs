@@ -1,0 +1,166 @@
+//! Two rays: where the striker and its target go.
+
+use std::f64::consts::TAU;
+
+use serde_json::{Value, json};
+
+use crate::physics::CollisionOutcome;
+use crate::physics::units::{deg_from_rad, rad_from_deg};
+
+use crate::numbers;
+
+/// One of the two rays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Ray {
+    /// The striker's.
+    Striker,
+    /// The target's.
+    Target,
+}
+
+impl Ray {
+    /// Both.
+    pub const BOTH: [Self; 2] = [Self::Striker, Self::Target];
+
+    /// A direction of this ray in words: "60.0° left", "straight ahead", "stays
+    /// still". Left and right are as seen along the striker's path.
+    pub fn words(self, angle: Option<f64>) -> String {
+        // A scattering angle counts to the left, a recoil angle to the right.
+        let leftward = match self {
+            Self::Striker => angle,
+            Self::Target => angle.map(|angle| -angle),
+        };
+        match leftward {
+            None => "stays still".into(),
+            Some(angle) => match numbers::tenths(angle.abs()) {
+                0 => "straight ahead".into(),
+                1800 => "straight back".into(),
+                _ if angle > 0.0 => format!("{} left", numbers::degrees(angle)),
+                _ => format!("{} right", numbers::degrees(-angle)),
+            },
+        }
+    }
+}
+
+/// Where the two go, or are said to go.
+///
+/// Angles in radians with the signs of physics: scattering angle θ₁ of the striker
+/// positive anticlockwise, recoil angle θ₂ of the target positive clockwise, both
+/// from the striker's direction before. `None` is a disc that stays still.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rays {
+    /// Scattering angle θ₁.
+    pub striker: Option<f64>,
+    /// Recoil angle θ₂.
+    pub target: Option<f64>,
+}
+
+impl Rays {
+    /// Both discs move, at these angles in radians.
+    pub const fn new(theta1: f64, theta2: f64) -> Self {
+        Self {
+            striker: Some(theta1),
+            target: Some(theta2),
+        }
+    }
+
+    /// Both in degrees, with names and signs as `carrom solve` gives them.
+    pub fn json(&self) -> Value {
+        json!({
+            "theta1_deg": self.striker.map(deg_from_rad),
+            "theta2_deg": self.target.map(deg_from_rad),
+        })
+    }
+
+    /// Rays as [`Rays::json`] writes them; `None` if they are none.
+    pub fn of_json(value: &Value) -> Option<Self> {
+        let ray = |name| match value.get(name)? {
+            Value::Null => Some(None),
+            angle => {
+                let degrees = angle.as_f64().filter(|angle| angle.abs() <= 360.0)?;
+                Some(Some(rad_from_deg(degrees)))
+            }
+        };
+        Some(Self {
+            striker: ray("theta1_deg")?,
+            target: ray("theta2_deg")?,
+        })
+    }
+
+    /// One of the two.
+    pub fn get(&self, ray: Ray) -> Option<f64> {
+        match ray {
+            Ray::Striker => self.striker,
+            Ray::Target => self.target,
+        }
+    }
+
+    /// How far one ray is from the same ray of `other`, in radians from 0 to π; 0 if
+    /// the disc stays still in both, `None` if it does so in one alone.
+    pub fn apart(&self, other: &Self, ray: Ray) -> Option<f64> {
+        match (self.get(ray), other.get(ray)) {
+            (None, None) => Some(0.0),
+            (Some(a), Some(b)) => {
+                let turn = (a - b).rem_euclid(TAU);
+                Some(turn.min(TAU - turn))
+            }
+            _ => None,
+        }
+    }
+
+    /// The larger of the two [gaps](Self::apart); infinite where a disc moves in one
+    /// and stays still in the other.
+    pub fn gap(&self, other: &Self) -> f64 {
+        Ray::BOTH
+            .map(|ray| self.apart(other, ray).unwrap_or(f64::INFINITY))
+            .into_iter()
+            .fold(0.0, f64::max)
+    }
+}
+
+impl From<&CollisionOutcome> for Rays {
+    fn from(outcome: &CollisionOutcome) -> Self {
+        Self {
+            striker: outcome.theta1,
+            target: outcome.theta2,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rad(angle_deg: f64) -> f64 {
+        angle_deg.to_radians()
+    }
+
+    #[test]
+    fn gaps_go_the_short_way_round() {
+        let a = Rays::new(rad(175.0), rad(-10.0));
+        let b = Rays::new(rad(-175.0), rad(20.0));
+        assert!((a.apart(&b, Ray::Striker).unwrap() - rad(10.0)).abs() < 1e-12);
+        assert!((a.gap(&b) - rad(30.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn still_and_moving_are_no_angle_apart() {
+        let still = Rays {
+            striker: None,
+            ..Rays::new(0.0, 0.0)
+        };
+        assert_eq!(still.apart(&still, Ray::Striker), Some(0.0));
+        assert_eq!(still.apart(&Rays::new(0.0, 0.0), Ray::Striker), None);
+        assert!(still.gap(&Rays::new(0.0, 0.0)).is_infinite());
+    }
+
+    #[test]
+    fn sides_are_seen_along_the_path() {
+        assert_eq!(Ray::Striker.words(Some(rad(60.0))), "60.0° left");
+        assert_eq!(Ray::Target.words(Some(rad(30.0))), "30.0° right");
+        assert_eq!(Ray::Target.words(Some(rad(-30.0))), "30.0° left");
+        assert_eq!(Ray::Striker.words(Some(-1e-9)), "straight ahead");
+        assert_eq!(Ray::Striker.words(Some(rad(180.0))), "straight back");
+        assert_eq!(Ray::Striker.words(None), "stays still");
+    }
+}

@@ -1,0 +1,293 @@
+//! What a round is made of, and the code that fixes it.
+
+use std::fmt;
+
+use std::sync::Arc;
+use thiserror::Error;
+
+use crate::quiz::concepts::Library;
+use crate::quiz::families;
+use crate::quiz::question::{Family, Topic};
+
+/// What a round is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    /// Which questions.
+    pub kind: CourseKind,
+    /// How many of them.
+    pub count: usize,
+}
+
+/// Which questions a round asks.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CourseKind {
+    /// Ten hits to predict: the round a bare number is the code of.
+    Hits,
+    /// A few of all kinds.
+    Quick,
+    /// All kinds, mixed.
+    Mixed,
+    /// All kinds, with no word of what was right until the end.
+    Exam,
+    /// One family.
+    Topic(Family),
+    /// A question about each of these topics, because they are due, the longest due
+    /// first; where they are many, about the first of them.
+    Review(Vec<Topic>),
+    /// Written questions that are not in the program: a teacher's own. In a code that
+    /// was only just read there are none yet: [`Code::with_own`] gives them.
+    Own(Arc<Library>),
+}
+
+impl CourseKind {
+    /// The kinds that are there for everyone, whatever has been answered before; then
+    /// come one topic, and what is due.
+    pub const ALWAYS: [Self; 4] = [Self::Quick, Self::Mixed, Self::Hits, Self::Exam];
+
+    /// Its name in codes.
+    pub const fn id(&self) -> &'static str {
+        match self {
+            Self::Hits => "hits",
+            Self::Quick => "quick",
+            Self::Mixed => "mixed",
+            Self::Exam => "exam",
+            Self::Topic(family) => family.id(),
+            Self::Review(_) => "review",
+            Self::Own(_) => "own",
+        }
+    }
+
+    /// Its name as shown.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Hits => "ten hits",
+            Self::Quick => "quick five",
+            Self::Mixed => "mixed ten",
+            Self::Exam => "exam",
+            Self::Topic(family) => family.name(),
+            Self::Review(_) => "review",
+            Self::Own(_) => "your own questions",
+        }
+    }
+
+    /// How many questions it has unless told otherwise.
+    pub fn length(&self) -> usize {
+        match self {
+            Self::Quick => 5,
+            Self::Review(due) => due.len().min(Course::REVIEWED),
+            Self::Exam => 15,
+            Self::Topic(_) => 6,
+            Self::Hits | Self::Mixed | Self::Own(_) => families::where_to::LENGTH,
+        }
+    }
+
+    /// The kind of an `id`; a review has none, for it is its player's alone.
+    pub fn with_id(id: &str) -> Option<Self> {
+        let topic = || Self::topics().find(|family| family.id() == id);
+        Self::ALWAYS
+            .into_iter()
+            .chain([Self::Own(Arc::default())])
+            .find(|kind| kind.id() == id)
+            .or_else(|| topic().map(Self::Topic))
+    }
+
+    /// The families that make a round of one topic: all but the hits of every kind,
+    /// which are a course of their own.
+    pub fn topics() -> impl Iterator<Item = Family> {
+        Family::ALL
+            .into_iter()
+            .filter(|family| *family != Family::WhereTo)
+    }
+}
+
+impl Course {
+    /// Most questions of a round.
+    pub const MOST: usize = 60;
+    /// Most questions of one review; what is left waits for the next.
+    pub const REVIEWED: usize = 10;
+
+    /// A round of the usual length.
+    pub fn new(kind: CourseKind) -> Self {
+        let count = kind.length();
+        Self { kind, count }
+    }
+
+    /// A round of so many questions, held from 1 to [`Course::MOST`]; ten hits are
+    /// always ten, and a review has a question a topic.
+    pub fn of(kind: CourseKind, count: usize) -> Self {
+        let count = match kind {
+            CourseKind::Hits | CourseKind::Review(_) => kind.length(),
+            _ => count.clamp(1, Self::MOST),
+        };
+        Self { kind, count }
+    }
+
+    /// Whether the player hears only at the end what was right.
+    pub fn tells_at_end(&self) -> bool {
+        self.kind == CourseKind::Exam
+    }
+}
+
+/// The code of a round: the same code brings the same questions on every machine and in
+/// every version.
+///
+/// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, and `hits-7` or
+/// simply `7` for ten hits. Only `own-7` hangs on something else: on the files of own
+/// questions being the same.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Code {
+    /// What the round is made of.
+    pub course: Course,
+    /// What is left to chance.
+    pub seed: u64,
+}
+
+/// Why a text is no code of a round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NoCode {
+    /// It does not look like one.
+    #[error(
+        "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
+         speeds-7, or 7 for ten hits"
+    )]
+    Unlike,
+    /// A round has not so many questions.
+    #[error(
+        "expected 1 to {} questions in the code of a round, as in mixed12-7",
+        Course::MOST
+    )]
+    Count,
+    /// Ten hits are ten.
+    #[error("expected no number of questions for ten hits, as in hits-7")]
+    Hits,
+    /// A review is of what one player has answered.
+    #[error(
+        "a review has no code, as everyone has another; choose it in carrom quiz, or give \
+         a code such as mixed-7"
+    )]
+    Review,
+}
+
+impl Code {
+    /// The code of the ten hits of a seed.
+    pub fn hits(seed: u64) -> Self {
+        Self {
+            course: Course::new(CourseKind::Hits),
+            seed,
+        }
+    }
+
+    /// Reads a code; `None` if it is none. Case and blanks around it do not matter.
+    pub fn parse(text: &str) -> Option<Self> {
+        Self::read(text).ok()
+    }
+
+    /// The same.
+    ///
+    /// # Errors
+    /// Why it is none.
+    pub fn read(text: &str) -> Result<Self, NoCode> {
+        let text = text.trim().to_ascii_lowercase();
+        let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
+        if !seed.bytes().all(|b| b.is_ascii_digit()) {
+            return Err(NoCode::Unlike);
+        }
+        let seed = seed.parse().map_err(|_| NoCode::Unlike)?;
+        let id = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        if id == "review" {
+            return Err(NoCode::Review);
+        }
+        let kind = CourseKind::with_id(id).ok_or(NoCode::Unlike)?;
+        let course = match &name[id.len()..] {
+            "" => Course::new(kind),
+            count => {
+                let fixed = kind == CourseKind::Hits;
+                let course = (count.parse().ok())
+                    .map(|count| (count, Course::of(kind, count)))
+                    // A count that would not be kept is no code of a round.
+                    .filter(|(count, course)| course.count == *count);
+                let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
+                course.ok_or(no_count)?.1
+            }
+        };
+        Ok(Self { course, seed })
+    }
+}
+
+impl Code {
+    /// The code with these own questions, where it asks for own ones.
+    ///
+    /// # Errors
+    /// If it does and there are none, in words.
+    pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
+        if let CourseKind::Own(library) = &mut self.course.kind {
+            if own.concepts.is_empty() {
+                return Err(format!(
+                    "expected questions of your own for the code {self}; --concepts gives their folder"
+                ));
+            }
+            *library = Arc::clone(own);
+        }
+        Ok(self)
+    }
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Course { kind, count } = &self.course;
+        match kind {
+            CourseKind::Hits => write!(f, "{}", self.seed),
+            _ if *count == kind.length() => write!(f, "{}-{}", kind.id(), self.seed),
+            _ => write!(f, "{}{count}-{}", kind.id(), self.seed),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_code_is_read_as_it_is_written() {
+        for text in [
+            "7",
+            "mixed-7",
+            "mixed12-18446744073709551615",
+            "quick-0",
+            "exam-3",
+            "speeds-12",
+            "from-angle4-12",
+            "own-7",
+            "own3-7",
+        ] {
+            let code = Code::parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(code.to_string(), text);
+        }
+        assert_eq!(Code::parse(" Hits-7 "), Code::parse("7"));
+        assert_eq!(Code::parse("mixed10-7"), Code::parse("mixed-7"));
+    }
+
+    #[test]
+    fn what_is_no_code_is_refused() {
+        for text in [
+            "",
+            "-",
+            "mixed",
+            "mixed-",
+            "mixed--7",
+            "-7",
+            "mixed-+7",
+            "nothing-7",
+            "review-7",
+            "hits12-7",
+            "mixed0-7",
+            "mixed61-7",
+            "mixed99999999999999999999-7",
+            "mixed-18446744073709551616",
+            "7.5",
+            "sieben",
+        ] {
+            assert_eq!(Code::parse(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! A look back over a round.
+
+use crate::quiz::misconceptions::all;
+use crate::quiz::question::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
+
+/// Fewest angles whose mean error says something.
+pub const ENOUGH_ANGLES: usize = 3;
+
+/// A round that has been answered, or as much of it as has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// One line a question, in order.
+    pub lines: Vec<SummaryLine>,
+}
+
+/// What became of one question.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SummaryLine {
+    /// What it was about: "equal masses, by offset".
+    pub topic: Topic,
+    /// How good the answer was.
+    pub grade: Grade,
+    /// The misconception it fitted.
+    pub diagnosis: Option<Diagnosis>,
+}
+
+impl Summary {
+    /// Looks back over these answers.
+    pub fn new<'a>(answered: impl IntoIterator<Item = (&'a Question, &'a Answer)>) -> Self {
+        let lines = answered
+            .into_iter()
+            .map(|(question, answer)| SummaryLine {
+                topic: question.topic.clone(),
+                grade: Grade::new(question, answer),
+                diagnosis: question.diagnose(answer),
+            })
+            .collect();
+        Self { lines }
+    }
+
+    /// Points of the round: the sum of those of its questions, each to a tenth, as they
+    /// are shown. It may fall below 0: were it held there, whoever has none could say
+    /// "sure" of anything at no cost, and honesty would not pay.
+    pub fn points(&self) -> f64 {
+        // Adding 0 turns −0, the sum of none, into 0.
+        let tenths = |line: &SummaryLine| (10.0 * line.grade.points()).round();
+        let sum: f64 = self.lines.iter().map(tenths).sum();
+        sum / 10.0 + 0.0
+    }
+
+    /// Points the round could have brought.
+    pub fn most(&self) -> f64 {
+        Grade::MOST * self.lines.len() as f64
+    }
+
+    /// How many answers were right.
+    pub fn right(&self) -> usize {
+        self.lines.iter().filter(|line| line.grade.right).count()
+    }
+
+    /// The errors of all angles in radians: each of two rays counts for itself.
+    fn errors(&self) -> impl Iterator<Item = f64> {
+        let errors = self.lines.iter().flat_map(|line| match line.grade.rays {
+            Some(rays) => [rays.striker.error, rays.target.error],
+            None => [line.grade.angle_error, None],
+        });
+        errors.flatten()
+    }
+
+    /// How many angles there were to be off.
+    pub fn angles(&self) -> usize {
+        self.errors().count()
+    }
+
+    /// Mean error of all angles, in radians; `None` where there were fewer than
+    /// [`ENOUGH_ANGLES`].
+    pub fn mean_error(&self) -> Option<f64> {
+        let count = self.angles();
+        (count >= ENOUGH_ANGLES).then(|| self.errors().sum::<f64>() / count as f64)
+    }
+
+    /// How many answers had this confidence, and how many of those were right.
+    pub fn calibration(&self, confidence: Confidence) -> (usize, usize) {
+        let right: Vec<bool> = self
+            .lines
+            .iter()
+            .filter(|line| line.grade.confidence == confidence)
+            .map(|line| line.grade.right)
+            .collect();
+        (right.len(), right.iter().filter(|right| **right).count())
+    }
+
+    /// How well confidence and answers went together, in words; empty if nothing was
+    /// answered.
+    pub fn calibration_words(&self) -> String {
+        let (sure, sure_right) = self.calibration(Confidence::Sure);
+        let (thought, thought_right) = self.calibration(Confidence::ThinkSo);
+        let (guesses, guesses_right) = self.calibration(Confidence::Guess);
+        let counted = match sure {
+            _ if self.lines.is_empty() => return String::new(),
+            0 => "You were never sure.".into(),
+            1 if sure_right == 1 => "Sure once, and right.".into(),
+            1 => "Sure once, and not right.".into(),
+            _ => format!("Sure {sure} times, right {sure_right} of them."),
+        };
+        // "Sure" pays from four right in five on, "guess" up to one in two. One answer
+        // that was thought right and was not says nothing yet.
+        let verdict = if 5 * sure_right < 4 * sure {
+            "What you were sure of and missed is worth most: look at it again."
+        } else if 2 * guesses_right > guesses
+            || sure == 0 && 5 * self.right() >= 4 * self.lines.len()
+        {
+            "You know more than you trust yourself to."
+        } else if thought > 1 && 2 * thought_right < thought {
+            "\"Think so\" was right less than half the time: a guess would have cost nothing."
+        } else {
+            "You judge well what you know."
+        };
+        format!("{counted} {verdict}")
+    }
+
+    /// The misconception that most answers fitted and how many did; of several the
+    /// first of [`all`].
+    pub fn most_held(&self) -> Option<(&'static Misconception, usize)> {
+        let held = |misconception: &Misconception| {
+            self.lines
+                .iter()
+                .filter_map(|line| line.diagnosis)
+                .filter(|diagnosis| diagnosis.misconception == misconception)
+                .count()
+        };
+        // Of equals, `max_by_key` gives the last.
+        let mut counted: Vec<_> = all().map(|it| (it, held(it))).collect();
+        counted.reverse();
+        counted
+            .into_iter()
+            .max_by_key(|(_, count)| *count)
+            .filter(|(_, count)| *count > 0)
+    }
+
+    /// One piece of advice on what to try next.
+    pub fn advice(&self) -> String {
+        if let Some((misconception, _)) = self.most_held() {
+            return misconception.advice.into();
+        }
+        match self.lines.len() {
+            0 => "Answer a question first.".into(),
+            // As a topic is solid: from four right in five on.
+            asked if 5 * self.right() >= 4 * asked => {
+                "You have this. Try a new round, or a level that needs an exact cut.".into()
+            }
+            _ => "In the lab, take one hit at a time: first the line of impact, then the \
+                  striker's part across it."
+                .into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Code, Round};
+    use super::*;
+    use crate::physics::ImpactPoint;
+    use crate::quiz::question::{Hit, Pieces, Rays, Response};
+
+    const HIT: Hit = Hit {
+        pieces: Pieces::Equal,
+        given: ImpactPoint::Angle { alpha_deg: 30.0 },
+        restitution: 1.0,
+        speed: 4.0,
+        direction_deg: 0.0,
+    };
+
+    /// A summary of right (`true`) and wrong answers.
+    fn summary(answers: &[(Confidence, bool)]) -> Summary {
+        let question = Question::from(&HIT);
+        let answers: Vec<Answer> = answers
+            .iter()
+            .map(|&(confidence, right)| {
+                let rays = if right {
+                    HIT.truth()
+                } else {
+                    Rays::new(-3.0, 3.0)
+                };
+                Answer::new(Response::Rays(rays), confidence)
+            })
+            .collect();
+        Summary::new(answers.iter().map(|answer| (&question, answer)))
+    }
+
+    #[test]
+    fn calibration_in_words() {
+        use Confidence::{Guess, Sure, ThinkSo};
+        for (answers, words) in [
+            (
+                vec![(Sure, true)],
+                "Sure once, and right. You judge well what you know.",
+            ),
+            (
+                vec![(Sure, true), (Sure, false), (Guess, false)],
+                "Sure 2 times, right 1 of them. What you were sure of and missed is worth most: \
+                 look at it again.",
+            ),
+            (
+                vec![(ThinkSo, true), (Guess, true)],
+                "You were never sure. You know more than you trust yourself to.",
+            ),
+            (
+                vec![(ThinkSo, false), (Guess, false)],
+                "You were never sure. You judge well what you know.",
+            ),
+            (
+                vec![(ThinkSo, false), (ThinkSo, false), (ThinkSo, true)],
+                "You were never sure. \"Think so\" was right less than half the time: a guess \
+                 would have cost nothing.",
+            ),
+        ] {
+            assert_eq!(summary(&answers).calibration_words(), words);
+        }
+    }
+
+    /// No angle is asked for in this round, and one answer in three is off.
+    #[test]
+    fn advice_counts_what_was_right_whatever_was_asked() {
+        let round = Round::of(Code::parse("speeds3-5").unwrap());
+        let summary = |right: usize| {
+            let answers: Vec<Answer> = (round.questions().iter().enumerate())
+                .map(|(i, question)| match question.form.truth() {
+                    Response::Number(truth) if i >= right => Response::Number(truth + 90.0),
+                    truth => truth,
+                })
+                .map(|said| Answer::new(said, Confidence::Guess))
+                .collect();
+            Summary::new(round.questions().iter().zip(&answers))
+        };
+        assert!(summary(3).advice().starts_with("You have this."));
+        assert!(summary(2).advice().starts_with("In the lab,"));
+    }
+
+    #[test]
+    fn the_points_are_the_sum_even_below_zero() {
+        let missed = summary(&[(Confidence::Sure, false); 3]);
+        assert!((missed.points() + 18.0).abs() < 1e-12);
+        assert!((missed.most() - 30.0).abs() < 1e-12);
+        assert_eq!(missed.right(), 0);
+        let caught_up = summary(&[(Confidence::ThinkSo, false), (Confidence::Sure, true)]);
+        assert!((caught_up.points() - 8.0).abs() < 1e-12);
+        // No minus before a sum of nothing.
+        assert!(summary(&[]).points().is_sign_positive());
+    }
+
+    #[test]
+    fn a_mean_error_needs_some_angles() {
+        let one = summary(&[(Confidence::Sure, true)]);
+        assert_eq!((one.angles(), one.mean_error()), (2, None));
+        let two = summary(&[(Confidence::Sure, true); 2]);
+        assert_eq!(two.angles(), 4);
+        assert!(two.mean_error().is_some_and(|error| error < 1e-12));
+    }
+}
