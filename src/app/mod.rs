@@ -352,7 +352,7 @@ impl App {
 
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
-            Place::Home => Box::new(Old(Home::default())),
+            Place::Home => Box::new(Hosted::new(Home::default())),
             Place::Lab => Box::new(Hosted::new(Lab::default())),
             Place::LabOf { setup } => Box::new(Hosted::new(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
@@ -372,8 +372,8 @@ impl App {
             }
             Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
             Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
-            Place::Table => Box::new(Old(Table::default())),
-            Place::Progress => Box::new(Old(Progress::ask(&mut self.context))),
+            Place::Table => Box::new(Hosted::new(Table::default())),
+            Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };
         self.stack.push(screen);
     }

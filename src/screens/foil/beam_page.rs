@@ -5,16 +5,16 @@ use std::f64::consts::PI;
 use ratatui::layout::Rect;
 
 use super::run::BeamRun;
-use super::setup::{Obstacle, FoilSetup};
+use super::setup::{FoilSetup, Obstacle};
 use super::{FoilScreen, guess, words};
-use crate::beams::{BIN_WIDTH, BINS, Counts, Law, Target};
+use crate::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
+use crate::quiz::{Response, letter};
 use crate::screens::Context;
 use crate::widgets::bar::bar;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::quiz::{Response, letter};
 use crate::widgets::{AnswerInput, Lines, Look, Role};
 
 /// Rows above the answers to choose from.

@@ -38,7 +38,7 @@ impl FormFields for FoilFields {
 
 /// One setting of the foil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FoilField {
+pub(crate) enum FoilField {
     /// What stands in the way.
     Obstacle,
     /// Plane or space.
@@ -59,7 +59,7 @@ use FoilField as F;
 
 impl FoilField {
     /// The settings that mean something on a page, in the order of its panel.
-    pub fn on(page: FoilPage, setup: &FoilSetup) -> &'static [Self] {
+    pub(crate) fn on(page: FoilPage, setup: &FoilSetup) -> &'static [Self] {
         match (page, setup.obstacle) {
             (FoilPage::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
             (FoilPage::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
@@ -107,9 +107,7 @@ impl FoilField {
             (Self::Energy, _) => number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
             (Self::Thickness, _) => number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
             (Self::Offset, Obstacle::Hard) => number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
-            (Self::Offset, Obstacle::Nucleus) => {
-                number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm")
-            }
+            (Self::Offset, Obstacle::Nucleus) => number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
             (Self::Particles, _) => {
                 let at = setup.particles_exponent.saturating_sub(least);
                 choice(at as usize, (most - least + 1) as usize)
@@ -118,7 +116,7 @@ impl FoilField {
     }
 
     /// The setting as it stands.
-    pub fn field(self, setup: &FoilSetup) -> Field {
+    pub(crate) fn field(self, setup: &FoilSetup) -> Field {
         let (name, about) = self.words();
         Field {
             name: name.into(),
@@ -149,7 +147,7 @@ impl FoilField {
     }
 
     /// Sets it, held to its range, a choice by its place.
-    pub fn set(self, setup: &mut FoilSetup, value: f64) {
+    pub(crate) fn set(self, setup: &mut FoilSetup, value: f64) {
         let (low, high) = match self.value(setup) {
             FieldValue::Number { range, .. } => range,
             FieldValue::Choice { count, .. } => (0.0, count as f64 - 1.0),
@@ -170,7 +168,7 @@ impl FoilField {
     }
 
     /// Moves it by `steps` steps and onto the grid of steps; choices go round.
-    pub fn step(self, setup: &mut FoilSetup, steps: f64) {
+    pub(crate) fn step(self, setup: &mut FoilSetup, steps: f64) {
         self.set(setup, self.value(setup).stepped(steps));
     }
 }

@@ -20,12 +20,12 @@ use ratatui::layout::Rect;
 use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
-use crate::widgets::input::{AnswerAction, AnswerInput, Form, FormAction, KeyTable};
+use crate::widgets::input::{AnswerAction, AnswerInput, FormAction, KeyTable, SettingsForm};
 use crate::widgets::{Outcome, Scroll, svg};
 
-pub use field::FoilField;
-pub use plot::FoilFigure;
-pub use setup::{FoilSetup, Obstacle};
+pub(crate) use field::FoilField;
+pub(crate) use plot::FoilFigure;
+pub(crate) use setup::FoilSetup;
 
 use field::FoilFields;
 use run::BeamRun;
@@ -63,7 +63,7 @@ const PAGE: i16 = 8;
 /// What keys do at the foil.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum FoilAction {
+pub(crate) enum FoilAction {
     /// next page, the one before
     TurnPage(isize),
     /// change a setting
@@ -94,11 +94,11 @@ pub enum FoilAction {
 
 /// The foil.
 #[derive(Debug, Clone, Default)]
-pub struct FoilScreen {
+pub(crate) struct FoilScreen {
     setup: FoilSetup,
     page: FoilPage,
     /// The setting that keys change.
-    form: Form,
+    form: SettingsForm,
     /// How far the text of the page is scrolled.
     scroll: Scroll,
     /// What is said of the beam, while that is asked for.
@@ -115,7 +115,7 @@ pub struct FoilScreen {
 
 impl FoilScreen {
     /// The foil at one of its pages.
-    pub fn at(page: FoilPage) -> Self {
+    pub(crate) fn at(page: FoilPage) -> Self {
         Self {
             page,
             ..Self::default()
@@ -147,7 +147,7 @@ impl FoilScreen {
     }
 
     /// Changes the setting; a beam of another setting is no longer this one's.
-    fn edit(&mut self, how: impl FnOnce(&mut Form, &mut FoilFields)) {
+    fn edit(&mut self, how: impl FnOnce(&mut SettingsForm, &mut FoilFields)) {
         let (before, mut fields) = (self.setup, self.fields());
         how(&mut self.form, &mut fields);
         self.setup = fields.setup;
@@ -174,7 +174,7 @@ impl FoilScreen {
         let chosen = fields.get(self.form.selected(fields.len()));
         self.page = page;
         let mut others = self.fields().all().iter();
-        self.form = Form::at(others.position(|other| Some(other) == chosen).unwrap_or(0));
+        self.form = SettingsForm::at(others.position(|other| Some(other) == chosen).unwrap_or(0));
         self.scroll = Scroll::default();
         self.guess = None;
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{FoilField, FoilScreen, FoilPage, BeamRun, FoilSetup, tracks_page, view};
+use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, tracks_page, view};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
@@ -21,12 +21,12 @@ const LEAP: f64 = 10.0;
 
 /// The picture of a page of the foil.
 #[derive(Debug, Clone)]
-pub struct FoilFigure(FoilScreen);
+pub(crate) struct FoilFigure(FoilScreen);
 
 impl FoilFigure {
     /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A
     /// beam is thrown: at once, or so that one can watch it if it is `watched`.
-    pub fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
+    pub(crate) fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
         let mut setup = FoilSetup {
             particles_exponent: PARTICLES_EXPONENT,
             ..FoilSetup::default()
@@ -79,8 +79,12 @@ impl FoilFigure {
         };
         let foil = &mut self.0;
         match (foil.page, key) {
-            (FoilPage::Tracks, _) if by != 0.0 => foil.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by)),
-            (FoilPage::Counts, Key::Escape | Key::Char(' ')) if foil.is_running() => foil.halt(true),
+            (FoilPage::Tracks, _) if by != 0.0 => {
+                foil.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by))
+            }
+            (FoilPage::Counts, Key::Escape | Key::Char(' ')) if foil.is_running() => {
+                foil.halt(true)
+            }
             (FoilPage::Counts, Key::Char(' ')) => match &foil.run {
                 Some(run) if !run.is_over() => foil.halt(false),
                 _ => foil.begin(None, SEED),
@@ -111,7 +115,7 @@ impl FoilFigure {
     }
 
     /// Throws the particles between two pictures.
-    pub fn advance(&mut self) {
+    pub(crate) fn advance(&mut self) {
         self.0.run.iter_mut().for_each(BeamRun::advance);
     }
 

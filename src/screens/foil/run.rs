@@ -11,8 +11,8 @@ const MOST: u64 = 2_000_000;
 
 /// A beam, as far as it has been thrown.
 #[derive(Debug, Clone)]
-pub struct BeamRun {
-    law: Law,
+pub(crate) struct BeamRun {
+    law: ScatteringLaw,
     sampler: Box<Sampler>,
     seed: u64,
     particles: u64,

@@ -15,7 +15,7 @@ pub(crate) enum Obstacle {
 
 /// The setting, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FoilSetup {
+pub(crate) struct FoilSetup {
     /// What stands in the way.
     pub obstacle: Obstacle,
     /// How the offsets of a beam are spread.

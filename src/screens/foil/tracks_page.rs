@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
-use super::setup::{Obstacle, FoilSetup};
+use super::setup::{FoilSetup, Obstacle};
 use super::words::rounded;
 use crate::beams::{BeamTarget, ScatteringLaw};
 use crate::physics::beam::Beam;

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{FoilScreen, FoilPage, beam_page, measured_page, tracks_page};
+use super::{FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, SplitLayout, text};
@@ -47,7 +47,7 @@ impl FoilLayout {
     }
 
     /// The page whose tab is at this cell.
-    pub fn tab_at(self, (column, row): (u16, u16)) -> Option<FoilPage> {
+    pub(crate) fn tab_at(self, (column, row): (u16, u16)) -> Option<FoilPage> {
         if !self.tabs.contains((column, row).into()) {
             return None;
         }
@@ -58,7 +58,7 @@ impl FoilLayout {
     }
 
     /// Which row of the panel's text, which may be scrolled, is at this cell of it.
-    pub fn row_of_text(self, foil: &FoilScreen, (_, row): (u16, u16), cx: &Context) -> u16 {
+    pub(crate) fn row_of_text(self, foil: &FoilScreen, (_, row): (u16, u16), cx: &Context) -> u16 {
         let scrolled = foil
             .scroll
             .rows(self.beside.panel, cx.settings.look(), |lines| {

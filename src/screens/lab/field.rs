@@ -49,7 +49,7 @@ impl FormFields for LabSettings {
 
 /// One setting of the lab.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LabField {
+pub(crate) enum LabField {
     /// Impact parameter b.
     Offset,
     /// Impact angle α: the same as the offset, said by the line of impact.
@@ -102,7 +102,7 @@ impl LabField {
     }
 
     /// The setting as it stands. Of directions every number is one.
-    pub fn field(self, setup: &Setup) -> Field {
+    pub(crate) fn field(self, setup: &Setup) -> Field {
         let widest = widest_mm(setup);
         let any = (f64::NEG_INFINITY, f64::INFINITY);
         let (name, about) = self.words();
@@ -194,7 +194,7 @@ impl LabField {
 
     /// Sets it, held to its range; directions wrap round. What is out of range is
     /// brought to the nearest value that is in it.
-    pub fn set(self, setup: &mut Setup, value: f64) {
+    pub(crate) fn set(self, setup: &mut Setup, value: f64) {
         let value = match (self, self.field(setup).value) {
             (Self::Aim | Self::CoinAim, _) => wrap_degrees(value),
             (_, FieldValue::Number { range, .. }) => value.clamp(range.0, range.1),
@@ -222,7 +222,7 @@ impl LabField {
     }
 
     /// Moves it by `steps` steps and onto the grid of steps.
-    pub fn step(self, setup: &mut Setup, steps: f64) {
+    pub(crate) fn step(self, setup: &mut Setup, steps: f64) {
         let value = self.field(setup).value.stepped(steps);
         self.set(setup, value);
     }

@@ -16,25 +16,27 @@ use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Frame;
 use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at, side};
-use crate::widgets::input::{EntryAction, Form, FormAction, FormFields, KeyTable, RayAction};
-use crate::widgets::{Beside, Outcome, RayInput, Scroll};
+use crate::widgets::input::{
+    EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
+};
+use crate::widgets::{Outcome, RayInput, Scroll, SplitLayout};
 
 use field::LabSettings;
 use mystery::Mystery;
 
 pub(super) use explain::explain;
-pub use field::LabField;
-pub use setup::{PIECE_SETS, PieceSet, Setup};
+pub(crate) use field::LabField;
+pub(crate) use setup::{PIECE_SETS, Setup};
 
 /// Rows that a page of the explanation is turned by.
 const PAGE: i16 = 8;
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
-pub struct Lab {
+pub(crate) struct Lab {
     settings: LabSettings,
     /// The setting that keys change.
-    form: Form,
+    form: SettingsForm,
     phase: LabPhase,
     /// How far the explanation of the shot is scrolled.
     scroll: Scroll,
@@ -55,7 +57,7 @@ enum LabPhase {
 /// What keys do in the lab.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum LabAction {
+pub(crate) enum LabAction {
     /// go on: say where both will go, or shoot
     Go,
     /// set up the hit
@@ -86,7 +88,7 @@ pub enum LabAction {
 
 impl Lab {
     /// The lab with a hit set up.
-    pub fn of(setup: Setup) -> Self {
+    pub(crate) fn of(setup: Setup) -> Self {
         let mut lab = Self::default();
         lab.settings.setup = setup;
         lab
@@ -126,7 +128,7 @@ impl Lab {
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         if let LabPhase::Watch(watch) = &self.phase {
-            let area = Beside::new(cx.body).panel;
+            let area = SplitLayout::new(cx.body).panel;
             let mut scroll = self.scroll;
             scroll.by(rows, area, cx.settings.look(), |lines| {
                 panel::write_shot(self, watch, lines);

@@ -3,7 +3,7 @@
 use super::{LabField, Setup};
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
-use crate::physics::{Bond, Outcome as CollisionOutcome};
+use crate::physics::{Bond, CollisionOutcome};
 use crate::widgets::input::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::{Lines, Role};
 

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::LiveFigure;
 use crate::physics::Collision;
-use crate::physics::worked::{self, Step};
+use crate::physics::worked::{self, WorkedStep};
 use crate::screens::lab::LabField;
 use crate::widgets::{Lines, Look, Role};
 

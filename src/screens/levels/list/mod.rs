@@ -21,7 +21,7 @@ pub(crate) struct Levels {
 /// What keys do in the list of levels.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum LevelsAction {
+pub(crate) enum LevelsAction {
     /// choose a level, and play it
     List(ListAction),
     /// the next level that was never won

@@ -8,7 +8,7 @@ use crate::screens::Context;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
 use crate::widgets::input::ListView;
-use crate::widgets::{Beside, Lines, Role, text};
+use crate::widgets::{Lines, Role, SplitLayout, text};
 
 /// What stands beside the level that is to be won next.
 const NEXT: &str = "next";

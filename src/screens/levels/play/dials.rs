@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::levels::{Dial, Level, LevelAim, Range};
 use crate::physics::units::mm_from_m;
-use crate::widgets::input::{Field, FieldValue, Form, FormFields};
+use crate::widgets::input::{Field, FieldValue, FormFields, SettingsForm};
 
 /// A level, and its dials as the player has set them.
 #[derive(Debug, Clone)]
@@ -95,7 +95,7 @@ impl Dials {
     }
 
     /// The wheel turns the speed, or the chosen dial where the speed is fixed.
-    pub(super) fn wheel(&mut self, form: &mut Form, up: f64) {
+    pub(super) fn wheel(&mut self, form: &mut SettingsForm, up: f64) {
         form.commit(self);
         let chosen = form.selected(self.level.adjust.dials().count());
         form.step_at(self.place(Dial::Speed).unwrap_or(chosen), up, self);
@@ -103,7 +103,7 @@ impl Dials {
 
     /// The button went down (`pressed`) or moved over a point of the board: drags the
     /// disc along its line if it was pressed on it, else points the shot there.
-    pub(super) fn drag(&mut self, form: &mut Form, at: DVec2, near: f64, pressed: bool) {
+    pub(super) fn drag(&mut self, form: &mut SettingsForm, at: DVec2, near: f64, pressed: bool) {
         let scene = self.level.aimed(&self.aim);
         let Some(piece) = scene.pieces.get(scene.stroke.disc) else {
             return;

@@ -19,7 +19,7 @@ use crate::quiz::Ray;
 use crate::screens::levels::words;
 use crate::screens::{Context, Next, Place, Screen};
 use crate::widgets::hit::{point_at, side};
-use crate::widgets::input::{Form, FormAction, KeyTable, RayAction};
+use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
 use crate::widgets::replay::{Impact, ShotAction, impacts};
 use crate::widgets::{Lines, Outcome, RayInput, Scroll};
 
@@ -36,12 +36,12 @@ const PAGE_KEYS: [Key; 2] = [Key::PageUp, Key::PageDown];
 
 /// A level being played.
 #[derive(Debug, Clone)]
-pub struct LevelPlay {
+pub(crate) struct LevelPlay {
     /// Its number on the shelf, from 0.
     number: usize,
     dials: Dials,
     /// The dial that keys turn.
-    form: Form,
+    form: SettingsForm,
     /// How many hints have been asked for.
     hints: usize,
     /// Shots made since it was opened.
@@ -87,7 +87,7 @@ struct PendingShot {
 /// What keys do in a level.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum LevelAction {
+pub(crate) enum LevelAction {
     /// go on: say where the discs will go, or shoot
     Go,
     /// set the shot
@@ -121,7 +121,7 @@ impl LevelPlay {
         Some(Self {
             number,
             dials,
-            form: Form::default(),
+            form: SettingsForm::default(),
             hints: 0,
             shots: 0,
             earlier: Vec::new(),
@@ -216,9 +216,9 @@ impl LevelPlay {
     fn leave_shot(&mut self, cx: &mut Context) {
         self.keep(cx);
         if let LevelPhase::Watch(made) = &self.phase {
-            let findings = &made.verdict.0;
-            let told = findings.iter().find(|finding| !finding.met);
-            if let Some(finding) = told.or(findings.first()) {
+            let findings = made.verdict.told(self.level());
+            let unmet = findings.iter().find(|finding| !finding.met);
+            if let Some(finding) = unmet.or(findings.first()) {
                 self.earlier.push(EarlierShot {
                     number: self.shots,
                     set: self.dials.setting(),

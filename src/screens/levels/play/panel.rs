@@ -158,7 +158,7 @@ fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
         }
     }
     lines.gap();
-    for finding in &made.verdict.0 {
+    for finding in made.verdict.told(play.level()) {
         let (mark, role) = if finding.met {
             ("✓", Role::Good)
         } else {

@@ -21,9 +21,9 @@ fn shown(pending: &PendingShot) -> Markings {
 }
 
 /// Where the parts are: a square board, or a hit that takes all the room there is.
-pub(super) fn layout(play: &LevelPlay, area: Rect) -> Beside {
+pub(super) fn layout(play: &LevelPlay, area: Rect) -> SplitLayout {
     if play.is_enlarged() || play.level().is_of_the_first_hit() {
-        Beside::new(area)
+        SplitLayout::new(area)
     } else {
         SplitLayout::square(area)
     }
