@@ -15,7 +15,7 @@ use crate::quiz::question::Misconception;
 
 pub use explain::{Explanation, explain};
 pub use of_rays::OF_RAYS;
-pub(super) use of_rays::*;
+pub(crate) use of_rays::*;
 pub use reasoning::reasoning;
 
 /// All misconceptions: those of [`OF_RAYS`], then those of the [`catalogue`].

@@ -32,7 +32,7 @@ fn on_usual_sides(hit: &Hit, theta1: f64, theta2: f64) -> Rays {
 }
 
 /// The scattering angle is taken to be the impact angle.
-pub static COPIED_ANGLE: Misconception = Misconception {
+pub(crate) static COPIED_ANGLE: Misconception = Misconception {
     id: "copied-angle",
     name: "the angle was copied",
     advice: "In the lab, step the offset and watch both angles: as the coin's grows, the \
@@ -52,7 +52,7 @@ pub static COPIED_ANGLE: Misconception = Misconception {
 };
 
 /// The right angle of equal masses is taken to hold for all.
-pub static ALWAYS_SQUARE: Misconception = Misconception {
+pub(crate) static ALWAYS_SQUARE: Misconception = Misconception {
     id: "always-square",
     name: "always 90°",
     advice: "In the lab, set a right angle with equal masses, then change one mass or e and \
@@ -78,7 +78,7 @@ pub static ALWAYS_SQUARE: Misconception = Misconception {
 };
 
 /// The two are taken to share a right angle evenly.
-pub static HALF_AND_HALF: Misconception = Misconception {
+pub(crate) static HALF_AND_HALF: Misconception = Misconception {
     id: "half-and-half",
     name: "half and half",
     advice: "In the lab, move the offset from 0 to a graze: equal pieces share evenly at one \
@@ -95,7 +95,7 @@ pub static HALF_AND_HALF: Misconception = Misconception {
 };
 
 /// The striker's angle is given to the target and the target's to the striker.
-pub static SWAPPED: Misconception = Misconception {
+pub(crate) static SWAPPED: Misconception = Misconception {
     id: "swapped",
     name: "the two were swapped",
     advice: "Before you answer, find the line through the two centres: it is the coin's way out.",
@@ -126,7 +126,7 @@ pub static SWAPPED: Misconception = Misconception {
 };
 
 /// The heavier disc is taken to go on, or to lie, as if nothing had hit it.
-pub static HEAVY_UNMOVED: Misconception = Misconception {
+pub(crate) static HEAVY_UNMOVED: Misconception = Misconception {
     id: "heavy-unmoved",
     name: "the heavier is not moved",
     advice: "In the lab, make one piece ten times as heavy as the other and look closely: it \
@@ -167,7 +167,7 @@ pub static HEAVY_UNMOVED: Misconception = Misconception {
 
 /// The striker is taken to keep its direction, though it is not the heavier one
 /// (that is another belief).
-pub static STRAIGHT_ON: Misconception = Misconception {
+pub(crate) static STRAIGHT_ON: Misconception = Misconception {
     id: "straight-on",
     name: "the striker goes straight on",
     advice: "In the lab, watch the striker alone: only a hit that barely grazes leaves it on \
@@ -191,7 +191,7 @@ pub static STRAIGHT_ON: Misconception = Misconception {
 
 /// The target is taken to be pushed along the striker's path, not along the line of
 /// impact.
-pub static PUSHED_AHEAD: Misconception = Misconception {
+pub(crate) static PUSHED_AHEAD: Misconception = Misconception {
     id: "pushed-ahead",
     name: "pushed straight ahead",
     advice: "In the lab, switch on the line of impact and see the coin leave along it every \
@@ -215,7 +215,7 @@ pub static PUSHED_AHEAD: Misconception = Misconception {
 };
 
 /// The striker is taken to be drawn after the target.
-pub static SAME_SIDE: Misconception = Misconception {
+pub(crate) static SAME_SIDE: Misconception = Misconception {
     id: "same-side",
     name: "both to one side",
     advice: "Before you answer, ask what moves sideways before the hit. Nothing: so afterwards \
@@ -240,7 +240,7 @@ pub static SAME_SIDE: Misconception = Misconception {
 };
 
 /// Both angles right, each to the wrong side.
-pub static SIDES_EXCHANGED: Misconception = Misconception {
+pub(crate) static SIDES_EXCHANGED: Misconception = Misconception {
     id: "sides-exchanged",
     name: "left and right exchanged",
     advice: "Look along the striker's path, as if you rode on it, and say first on which side \
@@ -266,7 +266,7 @@ pub static SIDES_EXCHANGED: Misconception = Misconception {
 };
 
 /// The target is taken to throw the striker back as a wall would.
-pub static OFF_A_WALL: Misconception = Misconception {
+pub(crate) static OFF_A_WALL: Misconception = Misconception {
     id: "off-a-wall",
     name: "bounced as off a wall",
     advice: "In the lab, make the target heavier and heavier: only then does the striker bounce \
@@ -288,7 +288,7 @@ pub static OFF_A_WALL: Misconception = Misconception {
 };
 
 /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
-pub static OFFSET_AS_ANGLE: Misconception = Misconception {
+pub(crate) static OFFSET_AS_ANGLE: Misconception = Misconception {
     id: "offset-as-angle",
     name: "the offset read as an angle",
     advice: "In the lab, set half the largest offset and read the impact angle: 30°, not 45°.",
@@ -311,7 +311,7 @@ pub static OFFSET_AS_ANGLE: Misconception = Misconception {
 };
 
 /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
-pub static LOSSLESS: Misconception = Misconception {
+pub(crate) static LOSSLESS: Misconception = Misconception {
     id: "lossless",
     name: "the loss was forgotten",
     advice: "In the lab, turn e down from 1 and watch the striker's ray alone.",
@@ -333,7 +333,7 @@ pub static LOSSLESS: Misconception = Misconception {
 };
 
 /// What equal masses do head-on is taken to hold for all.
-pub static ALWAYS_STOPS: Misconception = Misconception {
+pub(crate) static ALWAYS_STOPS: Misconception = Misconception {
     id: "always-stops",
     name: "the striker always stops",
     advice: "In the lab, hit head-on with a heavier striker and then with a lighter one.",
