@@ -49,6 +49,8 @@
 //!                  terminal, no clock, no random numbers.
 //!   files/         how any file from outside is read, how its faults are told, and how
 //!                  whole files are written
+//!   ─────────────────────────────────────────────────────────────
+//!   numbers        how quantities are printed: figures, units, signs
 //! ```
 
 pub mod app;
@@ -60,6 +62,7 @@ pub mod game;
 pub mod lessons;
 pub mod levels;
 pub mod messages;
+pub mod numbers;
 pub mod paper;
 pub mod physics;
 pub mod progress;

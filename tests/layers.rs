@@ -31,12 +31,13 @@ impl Map {
             .skip_while(|line| line.trim() != "```text")
             .skip(1)
             .take_while(|line| line.trim() != "```");
+        let mut indent = None;
         for line in map {
-            if line.trim().starts_with('─') {
+            let entry = line.trim_start();
+            let blanks = line.len() - entry.len();
+            if entry.starts_with('─') {
                 floors.push(Vec::new());
-            } else if let Some(entry) = line.strip_prefix("   ")
-                && !entry.starts_with(' ')
-            {
+            } else if blanks == *indent.get_or_insert(blanks) {
                 let name = entry.split_whitespace().next().unwrap_or_default();
                 let name = name.trim_end_matches('/').trim_end_matches(".rs");
                 floors.last_mut().unwrap().push(name.to_owned());

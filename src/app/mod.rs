@@ -27,8 +27,9 @@ use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Context, Next, Old, Place, Settings, SharedAction};
+use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
+use crate::widgets::input::KeyTable;
 
 use layer::Layer;
 
@@ -65,7 +66,7 @@ impl App {
     /// An app that starts at `place`, with Home below it.
     pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
         let mut app = Self {
-            stack: vec![Box::new(Old(Home::default()))],
+            stack: vec![Box::new(Hosted::new(Home::default()))],
             context: Context::new(settings, seed),
             size: Rect::default(),
             layers: Vec::new(),
@@ -241,6 +242,16 @@ impl App {
         self.stack.last()?.wake(&self.context)
     }
 
+    /// The keys that mean something just now, as the player has them: those of what lies
+    /// over the screen, or the screen's own and those that all share.
+    pub fn keys(&self) -> KeyTable<()> {
+        match (self.layers.last(), self.stack.last()) {
+            (Some(layer), _) => layer.keys().map(|_| ()),
+            (None, Some(screen)) => screen.table(&self.context),
+            (None, None) => KeyTable::new("app"),
+        }
+    }
+
     /// Draws the whole screen. The app must have been told the frame's size by
     /// [`Input::Resize`] for the mouse to find what it points at.
     pub fn draw(&self, frame: &mut Frame) {
@@ -328,7 +339,7 @@ impl App {
             Next::Back => {
                 self.stack.pop();
                 if self.stack.is_empty() {
-                    self.stack.push(Box::new(Old(Home::default())));
+                    self.stack.push(Box::new(Hosted::new(Home::default())));
                     return vec![Effect::Quit];
                 }
             }
@@ -341,7 +352,7 @@ impl App {
 
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
-            Place::Home => Box::new(Old(Home::default())),
+            Place::Home => Box::new(Hosted::new(Home::default())),
             Place::Lab => Box::new(Old(Lab::default())),
             Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
@@ -361,8 +372,8 @@ impl App {
             }
             Place::Foil => Box::new(Old(Foil::default())),
             Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
-            Place::Table => Box::new(Old(Table::default())),
-            Place::Progress => Box::new(Old(Progress::ask(&mut self.context))),
+            Place::Table => Box::new(Hosted::new(Table::default())),
+            Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };
         self.stack.push(screen);
     }

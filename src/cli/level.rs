@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, Options, given, print_text};
+use super::{Failure, GlobalOptions, given, print_text};
 use crate::levels::{Judgement, Level, LevelLibrary, Trial, winning_share};
 
 /// How many aims the measure of difficulty tries.
@@ -39,7 +39,7 @@ struct Check {
     verbose: bool,
 }
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,

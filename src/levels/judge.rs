@@ -7,9 +7,10 @@ use super::goal::{Goal, GoalCircle, between, between_deg};
 use super::level::Level;
 use super::quantity::Range;
 use super::scene::{Scene, figures, pockets, tidy};
+use crate::numbers::degrees;
 use crate::physics::angle::angle_between;
-use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::physics::{Event, EventKind, Shot, State};
+use crate::physics::units::mm_from_m;
+use crate::physics::{DiscState, Event, EventKind, Shot};
 
 /// What became of a level's goals, one finding each, in their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -57,9 +58,9 @@ fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
         Goal::Rest { disc, circle } => {
             let end = shot.at(*disc, shot.duration());
             match end.state {
-                State::Pocketed => finding(false, format!("{} fell into a pocket", name(disc))),
-                State::Moving => finding(false, format!("{} never came to rest", name(disc))),
-                State::Resting => inside(circle, end.position, &name(disc), "came to rest"),
+                DiscState::Pocketed => finding(false, format!("{} fell into a pocket", name(disc))),
+                DiscState::Moving => finding(false, format!("{} never came to rest", name(disc))),
+                DiscState::Resting => inside(circle, end.position, &name(disc), "came to rest"),
             }
         }
         Goal::Pass { disc, circle } => {
@@ -138,10 +139,6 @@ fn compared(number: f64, range: &Range, told: String, wanted: impl Fn() -> Strin
     } else {
         finding(false, format!("{told}, wanted {}", wanted()))
     }
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{:.1}°", deg_from_rad(angle))
 }
 
 /// The first time two discs meet.

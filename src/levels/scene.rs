@@ -7,6 +7,7 @@ use super::kind::DiscKind;
 use super::quantity as q;
 use super::source::read_document;
 use crate::files::FileError;
+use crate::numbers::short;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
@@ -214,7 +215,7 @@ impl PlacedDisc {
         if out > SLACK {
             return Err(format!(
                 "expected a place inside the frame, found the disc {} mm beyond it",
-                short(out)
+                small(out)
             ));
         }
         if pockets(board).any(|hole| hole.distance(self.at) <= 0.5 * board.pocket_diameter) {
@@ -225,7 +226,7 @@ impl PlacedDisc {
         match others.find(|(_, other)| overlap(other) > SLACK) {
             Some((number, other)) => Err(format!(
                 "expected a place clear of other discs, found {} mm of overlap with disc {number}",
-                short(overlap(other))
+                small(overlap(other))
             )),
             None => Ok(()),
         }
@@ -233,7 +234,7 @@ impl PlacedDisc {
 }
 
 /// A length in millimetres with as many digits as say something.
-fn short(length: f64) -> String {
+fn small(length: f64) -> String {
     let mm = mm_from_m(length);
     if mm < 0.01 {
         format!("{mm:.1e}")
@@ -244,13 +245,7 @@ fn short(length: f64) -> String {
 
 /// A number to two decimals, without zeros at the end.
 pub(super) fn tidy(number: f64) -> String {
-    let text = format!("{number:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
+    short(number, 2)
 }
 
 /// A measured length in millimetres, to three figures but no finer than a

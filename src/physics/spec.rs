@@ -5,6 +5,7 @@ use std::fmt::Display;
 use super::angle::unit_vector;
 use super::units::{m_from_mm, rad_from_deg};
 use super::{Bond, Collision, Disc};
+use crate::numbers::typed;
 
 /// Two discs about to meet, in the units of files and of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +81,7 @@ impl FieldRange {
         if (self.least..=self.most).contains(&value) {
             return Ok(value);
         }
-        let (least, most) = (plain(self.least), plain(self.most));
+        let (least, most) = (typed(self.least), typed(self.most));
         let what = self.what;
         Err(format!(
             "expected {what} from {least} to {most}, found {found}"
@@ -228,15 +229,6 @@ impl Collision {
                 ..self
             },
         }
-    }
-}
-
-/// A number as one would type it: 90, 0.5, 1e12.
-pub fn plain(x: f64) -> String {
-    if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
     }
 }
 

@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 
-use super::words::significant;
-use super::{Pieces, Rays, Topic, words};
+use super::{Pieces, Rays, Topic};
+use crate::numbers::{self, significant};
 
 /// How it is said where the two meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,7 +87,7 @@ impl Hit {
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CollisionOutcome {
         self.collision().outcome()
     }
 
@@ -147,7 +147,7 @@ impl Hit {
 
     /// The distance of the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
-        mm_from_m(self.collision().reach())
+        mm_from_m(self.collision().contact_distance())
     }
 
     /// What it is about: "equal masses, by offset".
@@ -185,13 +185,13 @@ impl Hit {
             _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
             Placement::Angle { .. } => format!(
                 "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
-                words::degrees(self.alpha().abs())
+                numbers::degrees(self.alpha().abs())
             ),
             Placement::Offset { offset_mm } => format!(
                 "The {name}'s centre lies {} to the {side} of its path; the two radii \
                  make {} together.",
-                words::millimetres(offset_mm.abs()),
-                words::millimetres(self.reach_mm())
+                numbers::millimetres(offset_mm.abs()),
+                numbers::millimetres(self.reach_mm())
             ),
         };
         let loss = self.loss();

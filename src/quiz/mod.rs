@@ -33,7 +33,6 @@ mod review;
 mod round;
 mod summary;
 mod topic;
-pub mod words;
 
 pub use answer::{Answer, Response};
 pub use confidence::Confidence;

@@ -4,6 +4,7 @@ use super::concepts::Concept;
 use super::dice::Dice;
 use super::families::{concept, where_to};
 use super::{Code, Course, CourseKind, Difficulty, Family, Question, review};
+use crate::numbers::{FNV_START, fnv1a};
 
 /// The questions of a round.
 ///
@@ -122,9 +123,5 @@ fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
 /// A seed of each kind of course's own, so that the quick five of a seed are not the
 /// first half of its mixed ten: the seed and the FNV-1a hash of the name.
 fn salted(id: &str, seed: u64) -> u64 {
-    let start = 0xcbf2_9ce4_8422_2325_u64;
-    let hash = id.bytes().fold(start, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    seed ^ hash
+    seed ^ fnv1a(FNV_START, id.as_bytes())
 }

@@ -7,8 +7,8 @@ use ratatui::layout::Rect;
 
 use super::Role;
 use super::picture::{LabelSide, Pen, Picture, View};
+use crate::numbers::degrees;
 use crate::physics::rutherford::Rutherford;
-use crate::quiz::words::degrees;
 
 /// Straight pieces of a way.
 const PIECES: u32 = 160;

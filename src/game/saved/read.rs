@@ -8,7 +8,7 @@ use super::{Aids, Company, FORMAT, Fingerprint, SavedGame, is_player_name};
 use crate::files::{FileError, Source};
 use crate::game::opponent::Strength;
 use crate::game::record::{Move, Record};
-use crate::game::table::{Game, Setup};
+use crate::game::table::{Game, GameSetup};
 
 /// A file of the present format.
 #[derive(Debug, Deserialize)]
@@ -21,7 +21,7 @@ struct File {
     computer: Strength,
     call: bool,
     aids: Aids,
-    setup: Setup,
+    setup: GameSetup,
     moves: Vec<Spanned<Move>>,
     end: Spanned<String>,
 }

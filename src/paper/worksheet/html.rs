@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
+use crate::numbers;
 use crate::paper::HtmlPage;
 use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
@@ -89,7 +90,7 @@ fn room(form: &Form) -> Markup {
             table.rays {
                 @for name in ["striker", target] {
                     tr {
-                        td { (words::capital(name)) }
+                        td { (numbers::capital(name)) }
                         td { (blank("°")) }
                         @for way in ["left", "right", "stays still"] { td { (ticked(way)) } }
                     }

@@ -5,14 +5,14 @@ use glam::DVec2;
 
 use super::draft::Draft;
 use super::hit_draws::direction_deg;
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::ALWAYS_SQUARE;
 use crate::quiz::misconceptions::catalogue::{
     FRAMES_MIXED, ONE_LINE_FORMULA, SINE_COSINE, SPEED_OPENS_ANGLE, SQUARE_ON_THE_GROUND,
 };
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{Difficulty, Illustration, Markings, Measure, Pieces, Question};
 
 /// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
@@ -69,7 +69,7 @@ impl MovingPair {
         let drawable = relative.dot(normal) > LEAST_COSINE && sine.abs() > LEAST_SINE;
         drawable.then_some(Collision {
             u2,
-            offset: head_on.reach() * sine,
+            offset: head_on.contact_distance() * sine,
             ..head_on
         })
     }
@@ -136,7 +136,12 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 const TOPIC: &str = "both-moving";
 
 /// Who sees 90°, or what somebody sees who moves along.
-fn frames(pair: &MovingPair, outcome: &Outcome, draft: Draft, dice: &mut Dice) -> Option<Draft> {
+fn frames(
+    pair: &MovingPair,
+    outcome: &CollisionOutcome,
+    draft: Draft,
+    dice: &mut Dice,
+) -> Option<Draft> {
     const RIDES: &str = "Ride along with the coin as it came: there it is at rest before the hit, \
                          and the rule for a coin at rest holds.";
     const BACK_TO_BACK: &str = "With the centre of mass the momentum is zero, so the two part \
@@ -205,7 +210,7 @@ fn frames(pair: &MovingPair, outcome: &Outcome, draft: Draft, dice: &mut Dice) -
 
 /// More or less than 90° on the board. For equal masses without loss v₁·v₂ = u₁·u₂, so
 /// that alone the way of the coin decides.
-fn on_the_board(pair: &MovingPair, outcome: &Outcome, draft: Draft) -> Option<Draft> {
+fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Draft) -> Option<Draft> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
     let (right, came) = match pair.way_deg {
@@ -244,7 +249,7 @@ fn on_the_board(pair: &MovingPair, outcome: &Outcome, draft: Draft) -> Option<Dr
 }
 
 /// The angle between the two on the board.
-fn parting(pair: &MovingPair, outcome: &Outcome, draft: Draft) -> Option<Draft> {
+fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Draft) -> Option<Draft> {
     let [v1, v2] = [outcome.v1, outcome.v2].map(|it| significant(it.length()));
     let sign = if pair.way_deg == 180 { "-" } else { "" };
     let draft = draft
@@ -266,7 +271,7 @@ fn parting(pair: &MovingPair, outcome: &Outcome, draft: Draft) -> Option<Draft> 
 
 /// How fast one of the two leaves: equal discs exchange their parts along the line of
 /// impact, and each keeps its own across it.
-fn speed(pair: &MovingPair, of_target: bool, outcome: &Outcome, draft: Draft) -> Draft {
+fn speed(pair: &MovingPair, of_target: bool, outcome: &CollisionOutcome, draft: Draft) -> Draft {
     let line = rad_from_deg(f64::from(pair.line_deg));
     let (sin, cos) = line.sin_cos();
     let (u1, u2) = (f64::from(pair.speed), f64::from(pair.target_speed));

@@ -3,6 +3,7 @@
 
 use super::draft::Draft;
 use super::hit_draws::{ALL, HitDraws, NO_LOSS, UNEQUAL, in_short, unmarked, who};
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Collision;
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
@@ -11,7 +12,6 @@ use crate::quiz::misconceptions::catalogue::{
     DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
-use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{Difficulty, Hit, Illustration, Markings, Measure, Pieces, Placement, Question};
 
 /// Draws a question.

@@ -2,9 +2,9 @@
 
 use std::ops::RangeInclusive;
 
+use crate::numbers::{bare_millimetres, degrees, significant};
 use crate::physics::Disc;
 use crate::quiz::dice::Dice;
-use crate::quiz::words::{bare_millimetres, degrees, significant};
 use crate::quiz::{Difficulty, Hit, Illustration, Markings, Pieces, Placement};
 
 pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];

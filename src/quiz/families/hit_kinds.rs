@@ -4,15 +4,15 @@ use std::sync::OnceLock;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use crate::numbers::tenths;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
 use crate::quiz::question::MIN_SEPARATION;
-use crate::quiz::words::tenths;
 use crate::quiz::{Difficulty, Hit, Pieces, Placement, RIGHT_DEG, Rays};
 
 /// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HitKind {
+pub(super) enum HitKind {
     /// Equal masses, α given.
     EqualAngle,
     /// Equal masses, offset given.
@@ -75,7 +75,7 @@ impl HitKind {
     /// All hits of this kind that are good to ask, in a fixed order, with the
     /// target on the right and the striker moving to the right at 1 m/s. They are looked
     /// for once, for it takes thousands of hits to find them.
-    pub fn candidates(self) -> &'static [Hit] {
+    pub(super) fn candidates(self) -> &'static [Hit] {
         static FOUND: [OnceLock<Vec<Hit>>; HitKind::COUNT] =
             [const { OnceLock::new() }; HitKind::COUNT];
         FOUND[self as usize].get_or_init(|| self.find())
@@ -124,7 +124,12 @@ impl HitKind {
 
     /// Draws a hit of this kind, none of `asked` again; `None` only if all have
     /// been asked.
-    pub fn draw(self, difficulty: Difficulty, asked: &[Hit], dice: &mut Dice) -> Option<Hit> {
+    pub(super) fn draw(
+        self,
+        difficulty: Difficulty,
+        asked: &[Hit],
+        dice: &mut Dice,
+    ) -> Option<Hit> {
         let fresh: Vec<Hit> = self
             .candidates()
             .iter()

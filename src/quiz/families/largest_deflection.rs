@@ -3,6 +3,7 @@
 
 use super::draft::Draft;
 use super::hit_draws::{direction_deg, pair, unmarked};
+use crate::numbers::{bare_degrees, degrees, millimetres, significant};
 use crate::physics::RestingTarget;
 use crate::physics::resting_target::LargestDeflection;
 use crate::physics::units::deg_from_rad;
@@ -14,7 +15,6 @@ use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HALF_AND_HALF, HEAVY_UNMOVED, LOSSLESS, OFF_A_WALL,
     OFFSET_AS_ANGLE,
 };
-use crate::quiz::words::{bare_degrees, degrees, millimetres, significant};
 use crate::quiz::{Difficulty, Hit, Illustration, Measure, Placement, Question};
 
 /// The choices, in their natural order.

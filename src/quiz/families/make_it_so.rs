@@ -2,12 +2,12 @@
 
 use super::draft::Draft;
 use super::hit_draws::direction_deg;
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Disc;
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
-use crate::quiz::words::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::quiz::{
     AimTask, Difficulty, Hit, Illustration, Markings, Pieces, Placement, Question, Ray, Topic,
 };

@@ -24,7 +24,7 @@ mod separation;
 mod slip_or_stick;
 mod speeds;
 mod weigh;
-pub mod where_to;
+pub(super) mod where_to;
 
 /// A family of questions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

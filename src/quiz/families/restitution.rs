@@ -5,6 +5,7 @@ use super::draft::Draft;
 use super::hit_draws::{HitDraws, pair, unmarked};
 use super::separation::twice_alpha;
 use super::weigh::seen_angles;
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::RestingTarget;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::dice::Dice;
@@ -12,7 +13,6 @@ use crate::quiz::misconceptions::catalogue::{
     E_AS_ENERGY, LOSS_FORBIDS_SQUARE, LOSS_ON_EVERYTHING, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, LOSSLESS};
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{Difficulty, Hit, Illustration, Measure, Pieces, Question};
 
 /// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.

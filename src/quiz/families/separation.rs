@@ -5,13 +5,13 @@ use std::cmp::Ordering;
 
 use super::draft::Draft;
 use super::hit_draws::{HitDraws, NO_LOSS, UNEQUAL, pair, unmarked};
+use crate::numbers::{degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
 use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
 };
-use crate::quiz::words::{degrees, significant};
 use crate::quiz::{Difficulty, Hit, Measure, Question, reasoning};
 
 /// The choices, in their natural order.

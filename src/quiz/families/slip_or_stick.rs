@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::hit_draws::{EQUAL, HitDraws, UNEQUAL, in_short};
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::physics::{Bond, Collision};
 use crate::quiz::dice::Dice;
@@ -9,7 +10,6 @@ use crate::quiz::misconceptions::catalogue::{
     GRIP_IGNORED, GRIP_STOPS_ALL, HALFWAY_CENTRE, MOMENTUM_LOST, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
-use crate::quiz::words::{bare_degrees, degrees, significant};
 use crate::quiz::{Difficulty, Hit, Illustration, Markings, Measure, Question};
 
 /// What the rims do.

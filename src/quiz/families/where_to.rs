@@ -14,7 +14,7 @@ use crate::quiz::{
 };
 
 /// How many hits a round of this family has.
-pub const LENGTH: usize = 10;
+pub(crate) const LENGTH: usize = 10;
 
 /// The ten hits of a seed, mixed in kind and rising in difficulty.
 ///
@@ -107,7 +107,7 @@ fn of_kinds(kinds: &[HitKind], difficulty: Difficulty, dice: &mut Dice) -> Optio
 }
 
 /// The question where the two of this hit will go.
-pub fn question(hit: &Hit) -> Question {
+pub(crate) fn question(hit: &Hit) -> Question {
     Question {
         family: Family::WhereTo,
         difficulty: Difficulty::Middle,

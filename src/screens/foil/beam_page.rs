@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::run::Run;
 use super::setup::{Obstacle, Setup};
 use super::{Foil, guess, words};
-use crate::beams::{BIN_WIDTH, BINS, Counts, Law, Target};
+use crate::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::screens::Context;
@@ -73,7 +73,7 @@ pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
 
 /// Particles expected within 2.5° of an angle in degrees, so that the curve passes the
 /// middle of each bin at what is expected in it.
-fn expected_at(law: &Law, thrown: u64, degrees: f64) -> Option<f64> {
+fn expected_at(law: &ScatteringLaw, thrown: u64, degrees: f64) -> Option<f64> {
     let half = BIN_WIDTH / 2.0;
     let at = degrees.to_radians();
     let inside = at >= half - 1e-9 && at <= PI - half + 1e-9;
@@ -204,18 +204,18 @@ fn about(setup: &Setup) -> &'static str {
 }
 
 /// Why the share is what it is.
-fn reason(law: &Law, share: f64) -> String {
+fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {
-        (Target::Hard, Beam::Board) => format!(
+        (BeamTarget::Hard, Beam::Board) => format!(
             "Turned back are those nearer than R cos 45° = {nearness:.3} R. On a line that is {}.",
             words::share(share)
         ),
-        (Target::Hard, Beam::Space) => format!(
+        (BeamTarget::Hard, Beam::Space) => format!(
             "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres scatter alike in all directions; the counts are highest at 90° because that ring of the sky is widest.",
             words::share(share)
         ),
-        (Target::Coulomb { half_width, .. }, beam) => {
+        (BeamTarget::Coulomb { half_width, .. }, beam) => {
             let near = nearness * half_width / FM;
             let room = words::count(words::rounded(half_width / FM) as u64);
             let power = if beam == Beam::Space { "²" } else { "" };

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::setup::{Obstacle, Setup};
 use super::words::rounded;
-use crate::beams::{Law, Target};
+use crate::beams::{BeamTarget, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
@@ -99,8 +99,8 @@ fn hard_path(offset: f64, reach: f64) -> Path {
         };
     }
     let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);
-    let law = Law {
-        target: Target::Hard,
+    let law = ScatteringLaw {
+        target: BeamTarget::Hard,
         beam: Beam::Board,
     };
     let angle = law.angle(offset.abs());

@@ -10,7 +10,7 @@ use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
-pub struct FoilLayout {
+pub(super) struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
     pub beside: SplitLayout,
@@ -18,7 +18,7 @@ pub struct FoilLayout {
 
 impl FoilLayout {
     /// Lays it out in `area`.
-    pub fn new(area: Rect) -> Self {
+    pub(super) fn new(area: Rect) -> Self {
         let row = 1.min(area.height);
         let tabs = Rect {
             height: row,
@@ -47,7 +47,7 @@ impl FoilLayout {
     }
 
     /// The page whose tab is at this cell.
-    pub fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
+    pub(super) fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
         if !self.tabs.contains((column, row).into()) {
             return None;
         }
@@ -58,7 +58,7 @@ impl FoilLayout {
     }
 
     /// Which row of the panel's text, which may be scrolled, is at this cell of it.
-    pub fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
+    pub(super) fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
         let scrolled = foil
             .scroll
             .rows(self.beside.panel, cx.settings.look(), |lines| {

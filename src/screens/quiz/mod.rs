@@ -17,10 +17,11 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, OldScreen, Place};
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
 };
 use crate::widgets::hit::{Overlays, Telling, Watch};
 use crate::widgets::{AnswerInput, Outcome, Scroll};
@@ -476,7 +477,7 @@ impl OldScreen for Quiz {
         };
         let mut status = place;
         if !self.tells_at_end() || self.has_ended() {
-            status += &format!("  {} points", words::points(self.summary().points()));
+            status += &format!("  {} points", numbers::points(self.summary().points()));
         }
         match &self.round.course().kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",

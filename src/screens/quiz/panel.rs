@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Asked, Watched};
-use crate::quiz::words;
+use crate::numbers;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::panels::said_and_true;
@@ -192,7 +192,7 @@ pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
 fn points(grade: &Grade, lines: &mut Lines) {
     let points = format!(
         "{} of {:.0} points",
-        words::points(grade.points()),
+        numbers::points(grade.points()),
         Grade::MOST
     );
     let role = if grade.right { Role::Good } else { Role::Text };

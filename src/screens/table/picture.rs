@@ -3,14 +3,14 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
+use super::active_game::{ActiveGame, Hinted};
 use super::arrange::Arrange;
 use super::pointer::Pointer;
 use super::preview::FirstHit;
-use super::replay::Replay;
-use super::sitting::{Hinted, Sitting};
+use super::replay::StrokeReplay;
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
-use crate::physics::{Board, State, stopping_distance};
+use crate::physics::{Board, DiscState, stopping_distance};
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture};
 use crate::widgets::{Role, board};
 
@@ -47,52 +47,52 @@ pub(super) fn of_pack(coins: &[Coin], set: PieceSet, area: Rect) -> Picture {
 }
 
 /// The board as it lies.
-pub(super) fn of_coins(sitting: &Sitting, area: Rect) -> Picture {
-    of_pack(sitting.game().coins(), sitting.set(), area)
+pub(super) fn of_coins(active: &ActiveGame, area: Rect) -> Picture {
+    of_pack(active.game().coins(), active.set(), area)
 }
 
 /// The board with the striker, its aim and what helps to aim.
-pub(super) fn of_aim(sitting: &Sitting, area: Rect) -> Picture {
+pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let mut picture = ground(area);
-    let seat = sitting.seat();
-    let aim = sitting.aimed();
+    let seat = active.seat();
+    let aim = active.aimed();
     let place = aim.place;
-    let radius = sitting.set().striker_radius();
+    let radius = active.set().striker_radius();
     let heading = aim.heading(seat);
-    let aids = sitting.options.aids;
-    let hit = sitting
+    let aids = active.options.aids;
+    let hit = active
         .preview
         .as_ref()
         .and_then(|preview| preview.first_hit());
-    if !sitting.is_practice() {
+    if !active.is_practice() {
         own_side(&mut picture, seat);
     }
-    let pointer = match &sitting.hint {
+    let pointer = match &active.hint {
         Some(Hinted::Told { pointer, .. }) => pointer.as_ref(),
         _ => None,
     };
     if let Some(pointer) = pointer {
         point_out(&mut picture, pointer);
     }
-    if let Some(preview) = sitting.preview.as_ref().filter(|_| aids.line) {
+    if let Some(preview) = active.preview.as_ref().filter(|_| aids.line) {
         picture.curve(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
     } else {
         let from = place + radius * heading;
         picture.arrow(from, from + STUB * heading, Role::Aim);
     }
-    let striker = body(sitting.set(), Piece::Striker, place);
-    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+    let striker = body(active.set(), Piece::Striker, place);
+    let mut discs: Vec<_> = bodies(active.set(), active.game().coins()).collect();
     if let Some(coin) = pointer.and_then(|pointer| discs.get_mut(pointer.coin)) {
         coin.pointed_out = true;
     }
     discs.push(striker);
     picture.discs(discs);
     if let Some(hit) = hit {
-        let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
+        let ghost = hit.at - hit.impact.collision.contact_distance() * normal(hit);
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
-        if aids.rays && !sitting.options.call {
+        if aids.rays && !active.options.call {
             departures(&mut picture, hit, ghost);
         }
     }
@@ -143,20 +143,20 @@ fn own_side(picture: &mut Picture, seat: Seat) {
 }
 
 /// A stroke at the time its clock shows.
-pub(super) fn of_replay(sitting: &Sitting, replay: &Replay, area: Rect) -> Picture {
+pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) -> Picture {
     let mut picture = ground(area);
     for disc in 0..replay.pieces.len() {
         trail(&mut picture, replay, disc);
     }
     let discs = replay.discs();
-    let bodies = discs.map(|(_, piece, at)| body(sitting.set(), piece, at));
+    let bodies = discs.map(|(_, piece, at)| body(active.set(), piece, at));
     picture.discs(bodies);
-    if let Some(impact) = replay.impact() {
+    if let Some((number, impact)) = replay.player.chosen() {
         let [a, b] = impact
             .discs
-            .map(|disc| replay.shot.at(disc, impact.time).position);
-        let number = replay.chosen.unwrap_or(0) + 1;
-        let share = impact.collision.striker.radius / impact.collision.reach();
+            .map(|disc| replay.player.shot().at(disc, impact.time).position);
+        let number = number + 1;
+        let share = impact.collision.striker.radius / impact.collision.contact_distance();
         let contact = a.lerp(b, share);
         picture.label(
             &format!("{number}"),
@@ -170,11 +170,15 @@ pub(super) fn of_replay(sitting: &Sitting, replay: &Replay, area: Rect) -> Pictu
 
 /// Where a disc has been: fading while time runs; at the end the whole way of the
 /// striker, of the coin it met first and of what fell.
-fn trail(picture: &mut Picture, replay: &Replay, disc: usize) {
-    let now = replay.clock.time();
-    let told = replay.clock.is_over();
-    let first = replay.impacts.first().map(|impact| impact.discs[1]);
-    let fell = || replay.shot.at(disc, now).state == State::Pocketed;
+fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
+    let now = replay.player.clock().time();
+    let told = replay.player.clock().is_over();
+    let first = replay
+        .player
+        .impacts()
+        .first()
+        .map(|impact| impact.discs[1]);
+    let fell = || replay.player.shot().at(disc, now).state == DiscState::Pocketed;
     if told && disc != 0 && first != Some(disc) && !fell() {
         return;
     }
@@ -185,7 +189,7 @@ fn trail(picture: &mut Picture, replay: &Replay, disc: usize) {
         .map_or(Role::Trail, |piece| words::role(*piece));
     let pen = Pen::new(role).on(DrawLayer::Trail);
     let since = if told { 0.0 } else { now - FADE };
-    for leg in replay.shot.path(disc) {
+    for leg in replay.player.shot().path(disc) {
         let (start, end) = (leg.start.max(since), leg.end.min(now));
         if start >= end {
             continue;
@@ -201,7 +205,7 @@ fn trail(picture: &mut Picture, replay: &Replay, disc: usize) {
             match share {
                 0.0 => leg.from,
                 _ if time(i) >= leg.end => leg.to,
-                _ => replay.shot.at(disc, time(i)).position,
+                _ => replay.player.shot().at(disc, time(i)).position,
             }
         };
         for i in 0..SHADES {
@@ -212,9 +216,9 @@ fn trail(picture: &mut Picture, replay: &Replay, disc: usize) {
 }
 
 /// The board with a hand over it.
-pub(super) fn of_arrange(sitting: &Sitting, arrange: &Arrange, area: Rect) -> Picture {
+pub(super) fn of_arrange(active: &ActiveGame, arrange: &Arrange, area: Rect) -> Picture {
     let mut picture = ground(area);
-    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+    let mut discs: Vec<_> = bodies(active.set(), active.game().coins()).collect();
     if let Some(held) = arrange.held.and_then(|held| discs.get_mut(held)) {
         held.at = arrange.hand;
     }

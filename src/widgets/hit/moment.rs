@@ -7,9 +7,9 @@ use super::playback::Playback;
 use super::sketch::{ArrowScale, Sketch, WantedWay};
 use super::stage::HitLayout;
 use super::watch::Face;
+use crate::numbers::significant;
 use crate::physics::units::g_from_kg;
-use crate::physics::{Bond, Frame, Outcome, Shot};
-use crate::quiz::words::significant;
+use crate::physics::{Bond, CollisionOutcome, Frame, Shot};
 use crate::quiz::{Ray, Rays};
 use crate::widgets::Role;
 use crate::widgets::picture::{self, Pen, Picture};
@@ -20,7 +20,7 @@ const STANDS: f64 = 1e-6;
 /// What a moment of a hit is drawn from.
 pub(super) struct Moment<'a> {
     pub(super) stage: HitLayout,
-    pub(super) outcome: &'a Outcome,
+    pub(super) outcome: &'a CollisionOutcome,
     pub(super) shot: Option<&'a Shot>,
     pub(super) clock: &'a Playback,
     pub(super) contact: f64,

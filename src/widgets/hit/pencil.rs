@@ -48,7 +48,7 @@ fn along(collision: &Collision) -> DVec2 {
 pub fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
-    let radius = collision.reach() + collision.target.radius + 0.45 * unit;
+    let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
     let fastest = collision.u1.length().max(collision.u2.length());
     // So far away that its arrow, too, is outside the protractor.
     let time = (radius + 2.9 * unit) / fastest;
@@ -107,7 +107,7 @@ pub fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);
     let unit = collision.striker.radius.max(collision.target.radius);
     let (start, zero) = collision.placed_at_contact();
-    let (heading, reach) = (along(&collision), collision.reach());
+    let (heading, reach) = (along(&collision), collision.contact_distance());
     let start = start - (0.9 * collision.striker.radius + 2.1 * unit) * heading;
     let right = -heading.perp();
     let (name, turn) = match aim.ray {

@@ -12,7 +12,7 @@ const EASE: f64 = 0.35;
 /// Time between one layer of the explanation and the next, in seconds.
 const BEAT: f64 = 0.9;
 /// Overlays that come one after the other at the contact.
-pub const BEATS: usize = 3;
+pub(super) const BEATS: usize = 3;
 
 /// Where in its telling a hit is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -255,5 +255,5 @@ pub fn drag_offset(area: Rect, collision: &Collision, cell: (u16, u16)) -> f64 {
     };
     // To the right of the way counts as positive. The contact point is in the
     // middle, so the coin's centre has but its own share of the offset.
-    -at.dot(along.perp()) * collision.reach() / collision.target.radius
+    -at.dot(along.perp()) * collision.contact_distance() / collision.target.radius
 }

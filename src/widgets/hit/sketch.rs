@@ -74,7 +74,7 @@ impl ArrowScale {
             let direction = v.try_normalize()?;
             Some(stage.room(stage.centres[0], direction) * fastest / v.length())
         };
-        let short = SHORT * stage.collision.reach() * fastest / along.length();
+        let short = SHORT * stage.collision.contact_distance() * fastest / along.length();
         let longest = [u, along, u - along]
             .into_iter()
             .filter_map(room)
@@ -253,7 +253,10 @@ impl Sketch {
         let stage = &self.stage;
         let from = stage.centres[0];
         // Labels stand beyond the discs, which they never cover.
-        let beyond = [stage.collision.reach() + stage.radius(1), stage.radius(0)];
+        let beyond = [
+            stage.collision.contact_distance() + stage.radius(1),
+            stage.radius(0),
+        ];
         let end = |v: DVec2| from + scale.per_speed * v;
         let parts = [n, t].map(|axis| u.dot(axis) * axis);
         let closing = Pen::new(Role::TangentLine).dotted();

@@ -12,7 +12,7 @@ use super::playback::{FRAME, Playback};
 use super::sketch::WantedWay;
 use super::stage::{HitLayout, time_in_sight};
 use crate::messages::Key;
-use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::Rays;
 use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
@@ -27,7 +27,7 @@ const SCRUB: f64 = 1.0 / 16.0;
 #[derive(Debug, Clone)]
 pub struct Watch {
     collision: Collision,
-    outcome: Outcome,
+    outcome: CollisionOutcome,
     shot: Option<Shot>,
     clock: Playback,
     contact: f64,
@@ -140,7 +140,7 @@ impl Watch {
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> &Outcome {
+    pub fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }
 
@@ -295,7 +295,7 @@ fn times(collision: &Collision) -> (f64, f64) {
         .length()
         .max(collision.u2.length())
         .max(relative);
-    let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
+    let lead = (2.6 * largest / fastest).max(1.15 * collision.contact_distance() / relative);
     if lead.is_finite() && lead > 0.0 {
         (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {

@@ -261,5 +261,5 @@ fn choice_rows(option: &str, lines: &Lines) -> u16 {
 
 /// The largest offset that can be set, in millimetres: a little more than still hits.
 fn most_mm(aim: &AimTask) -> f64 {
-    (1.1 * mm_from_m(aim.collision.reach())).ceil()
+    (1.1 * mm_from_m(aim.collision.contact_distance())).ceil()
 }

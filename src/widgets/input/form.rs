@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
-use crate::messages::Key;
+use crate::messages::{Key, Mouse, MouseKind};
 use crate::widgets::{Lines, Role};
 
 /// Share of a step that the keys for fine steps go.
@@ -137,6 +137,7 @@ impl Form {
             .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
             .when(fields.len() > 1)
             .each([(Key::Left, Step(-1)), (Key::Right, Step(1))], "change")
+            .or([(Key::Char(' '), Step(1))].into_iter().filter(|_| !number))
             .each([(Key::Char(','), Fine(-1)), (Key::Char('.'), Fine(1))], "")
             .when(number && !self.is_typing())
             .with(
@@ -183,6 +184,32 @@ impl Form {
             Some(field) if field.locked.is_none() => form.set(at, stepped(field.value, steps)),
             _ => {}
         }
+    }
+
+    /// The mouse over a form, `row` being the one it points at: the wheel goes through the
+    /// fields, a click selects one, and goes on to the next value of a choice.
+    pub fn mouse(
+        &mut self,
+        mouse: &Mouse,
+        row: Option<usize>,
+        form: &mut impl FormFields,
+    ) -> Outcome {
+        let fields = form.fields();
+        match (
+            mouse.kind,
+            row.and_then(|row| Some((row, fields.get(row)?))),
+        ) {
+            (MouseKind::ScrollUp, _) => self.go(-1, form),
+            (MouseKind::ScrollDown, _) => self.go(1, form),
+            (MouseKind::Down, Some((row, field))) => {
+                self.select(row, form);
+                if matches!(field.value, FieldValue::Choice { .. }) {
+                    self.step(1.0, form);
+                }
+            }
+            _ => return Outcome::Ignored,
+        }
+        Outcome::Used
     }
 
     fn go(&mut self, by: isize, form: &mut impl FormFields) {
@@ -247,7 +274,7 @@ impl Form {
             ) if self.held => {
                 lines.paragraph(&format!("from {least} to {most}{unit}"), Role::Warn);
             }
-            _ => lines.paragraph(&field.about, Role::Dim),
+            _ => lines.paragraph(&field.about, Role::Text),
         }
     }
 }

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::LiveFigure;
 use crate::physics::Collision;
-use crate::physics::worked::{self, Step};
+use crate::physics::worked::{self, WorkedStep};
 use crate::screens::lab::Field;
 use crate::widgets::{Lines, Look, Role};
 
@@ -19,7 +19,7 @@ pub(super) const FIELDS: [Field; 5] = [
 ];
 
 /// All steps of the solution.
-pub(super) fn steps(collision: &Collision) -> Vec<Step> {
+pub(super) fn steps(collision: &Collision) -> Vec<WorkedStep> {
     worked::steps(collision, false)
 }
 

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use super::Reading;
 use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointChoice, CheckpointKind};
+use crate::numbers::{fixed, true_minus, with_unit};
 use crate::physics::Collision;
 use crate::quiz::Rays;
 use crate::screens::lab::explain;
@@ -162,10 +163,7 @@ fn number_told(
     let (_, unit) = expected.sign_and_unit();
     // As many decimals as the tolerance asks for.
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
-    let shown = |value: f64| {
-        let gap = if unit == "°" { "" } else { " " };
-        format!("{value:.decimals$}{gap}{unit}").replace('-', "−")
-    };
+    let shown = |value: f64| true_minus(&with_unit(&fixed(value, decimals), unit));
     let role = if right { Role::Good } else { Role::Warn };
     lines.pair("you said", &shown(number), Role::Dim, role);
     if let Some(truth) = expected.value(figure) {

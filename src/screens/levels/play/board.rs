@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::attempt::Attempt;
 use crate::levels::{Dial, Level, Scene};
 use crate::physics::units::m_from_mm;
-use crate::physics::{EventKind, Shot, State};
+use crate::physics::{DiscState, EventKind, Shot};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
@@ -172,7 +172,7 @@ pub(super) fn of_attempt(level: &Level, attempt: &Attempt, area: Rect) -> Pictur
     }
     let places = (0..shot.discs().len()).filter_map(|disc| {
         let sample = shot.at(disc, now);
-        (sample.state != State::Pocketed).then_some((disc, sample.position))
+        (sample.state != DiscState::Pocketed).then_some((disc, sample.position))
     });
     let places: Vec<_> = places.collect();
     if level.is_of_the_first_hit()

@@ -2,55 +2,47 @@
 
 use glam::DVec2;
 
-use super::{Phase, Sitting, Taken};
+use super::{ActiveGame, TablePhase};
 use crate::game::{Coin, GameError, Move, Piece};
-use crate::messages::{Key, Mouse, MouseKind};
+use crate::messages::{Mouse, MouseKind};
 use crate::physics::Board;
 use crate::screens::Context;
+use crate::screens::table::keys::TableAction;
 use crate::screens::table::view;
 use crate::widgets::board;
 
-/// Steps of the hand, in metres.
-const STEPS: (f64, f64) = (0.002, 0.02);
+/// A small step of the hand, in metres.
+const STEP: f64 = 0.002;
 
-impl Sitting {
-    pub(super) fn arranging_key(&mut self, key: Key) -> Taken {
-        match key {
-            Key::Right => self.move_hand(STEPS.1 * DVec2::X),
-            Key::Left => self.move_hand(-STEPS.1 * DVec2::X),
-            Key::Up => self.move_hand(STEPS.1 * DVec2::Y),
-            Key::Down => self.move_hand(-STEPS.1 * DVec2::Y),
-            Key::Char('d' | 'D') => self.move_hand(STEPS.0 * DVec2::X),
-            Key::Char('a' | 'A') => self.move_hand(-STEPS.0 * DVec2::X),
-            Key::Char('w' | 'W') => self.move_hand(STEPS.0 * DVec2::Y),
-            Key::Char('s' | 'S') => self.move_hand(-STEPS.0 * DVec2::Y),
-            Key::Char(' ') | Key::Enter => self.take_or_drop(),
-            Key::Tab => self.next_coin(),
-            Key::Char('o' | 'O') => self.add(Piece::White),
-            Key::Char('b' | 'B') => self.add(Piece::Black),
-            Key::Char('q' | 'Q') => self.add(Piece::Queen),
-            Key::Char('x' | 'X') | Key::Delete | Key::Backspace => self.remove(),
-            Key::Char('z' | 'Z') => {
-                if self.session.undo() {
+impl ActiveGame {
+    pub(super) fn act_on_layout(&mut self, action: TableAction) {
+        match action {
+            TableAction::Hand(x, y) => {
+                self.move_hand(STEP * DVec2::new(f64::from(x), f64::from(y)));
+            }
+            TableAction::TakeOrLay => self.take_or_drop(),
+            TableAction::NextCoin => self.next_coin(),
+            TableAction::Add(piece) => self.add(piece),
+            TableAction::RemoveCoin => self.remove(),
+            TableAction::Undo => {
+                if self.history.undo() {
                     self.begin_turn();
                 }
-                if let Phase::Arrange(arrange) = &mut self.phase {
+                if let TablePhase::Arrange(arrange) = &mut self.phase {
                     arrange.held = None;
                 }
             }
-            Key::Escape | Key::Char('p' | 'P') => self.phase = Phase::Aim,
-            _ => return Taken::Ignored,
+            _ => {}
         }
-        Taken::Used
     }
 
-    pub(super) fn arranging_mouse(&mut self, mouse: &Mouse, cx: &Context) -> Taken {
+    pub(super) fn arranging_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
         let area = board::square(view::layout(cx.body, false).picture);
         let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
         let inside = area.contains((mouse.column, mouse.row).into());
-        let game = self.session.game();
-        let Phase::Arrange(arrange) = &mut self.phase else {
-            return Taken::Ignored;
+        let game = self.history.game();
+        let TablePhase::Arrange(arrange) = &mut self.phase else {
+            return false;
         };
         match mouse.kind {
             MouseKind::Down if inside => {
@@ -59,28 +51,28 @@ impl Sitting {
             }
             MouseKind::Drag => arrange.put_hand(at, game),
             MouseKind::Up if arrange.held.is_some() => self.take_or_drop(),
-            _ => return Taken::Ignored,
+            _ => return false,
         }
-        Taken::Used
+        true
     }
 
     fn move_hand(&mut self, step: DVec2) {
-        let game = self.session.game();
-        if let Phase::Arrange(arrange) = &mut self.phase {
+        let game = self.history.game();
+        if let TablePhase::Arrange(arrange) = &mut self.phase {
             arrange.put_hand(arrange.hand + step, game);
         }
     }
 
     /// Takes the coin under the hand, or lays the held one down.
     fn take_or_drop(&mut self) {
-        let game = self.session.game();
-        let Phase::Arrange(arrange) = &mut self.phase else {
+        let game = self.history.game();
+        let TablePhase::Arrange(arrange) = &mut self.phase else {
             return;
         };
         match arrange.moved(game) {
             Some(coins) => {
                 if self.lay(coins)
-                    && let Phase::Arrange(arrange) = &mut self.phase
+                    && let TablePhase::Arrange(arrange) = &mut self.phase
                 {
                     arrange.held = None;
                 }
@@ -96,8 +88,8 @@ impl Sitting {
 
     /// Puts the hand over the next coin.
     fn next_coin(&mut self) {
-        let game = self.session.game();
-        if let Phase::Arrange(arrange) = &mut self.phase
+        let game = self.history.game();
+        if let TablePhase::Arrange(arrange) = &mut self.phase
             && arrange.held.is_none()
             && !game.coins().is_empty()
         {
@@ -109,7 +101,7 @@ impl Sitting {
     }
 
     fn add(&mut self, piece: Piece) {
-        let Phase::Arrange(arrange) = &self.phase else {
+        let TablePhase::Arrange(arrange) = &self.phase else {
             return;
         };
         match arrange.added(self.game(), piece) {
@@ -124,7 +116,7 @@ impl Sitting {
     }
 
     fn remove(&mut self) {
-        let Phase::Arrange(arrange) = &self.phase else {
+        let TablePhase::Arrange(arrange) = &self.phase else {
             return;
         };
         let Some(coins) = arrange.taken(self.game()) else {
@@ -132,7 +124,7 @@ impl Sitting {
             return;
         };
         if self.lay(coins)
-            && let Phase::Arrange(arrange) = &mut self.phase
+            && let TablePhase::Arrange(arrange) = &mut self.phase
         {
             arrange.held = None;
         }

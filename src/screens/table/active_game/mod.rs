@@ -14,42 +14,40 @@ use std::time::Duration;
 
 use super::aim::Aim;
 use super::arrange::Arrange;
-use super::calls::Called;
+use super::game_history::GameHistory;
+use super::keys::TableAction;
 use super::options::Options;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
-use super::replay::Replay;
-use super::session::Session;
+use super::replay::StrokeReplay;
 use super::words::sentence;
 use super::{panel, view};
-use crate::game::opponent::Hint;
-use crate::game::{Game, Move, PieceSet, Record, RecordError, Rules, Seat, Stage};
-use crate::messages::{Input, Key, Mouse};
+use crate::game::opponent::StrokeHint;
+use crate::game::{Game, GameStage, Move, PieceSet, Record, RecordError, Rules, Seat};
+use crate::messages::{Input, Mouse, StoreRequest};
 use crate::physics::Shot;
-use crate::screens::Context;
-use crate::widgets::hit::Watch;
-use crate::widgets::{NumberEntry, RayInput, Scroll};
+use crate::screens::{Context, Question};
+use crate::widgets::replay::ShotAction;
+use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll};
 pub(super) use keeping::Keeping;
 
 /// A game in progress, and what is being done at the table.
 #[derive(Debug, Clone)]
-pub(super) struct Sitting {
+pub(super) struct ActiveGame {
     pub(super) options: Options,
-    pub(super) session: Session,
+    pub(super) history: GameHistory,
     pub(super) aim: Aim,
     /// What the aim will meet; kept, because it takes an engine to know.
     pub(super) preview: Option<Preview>,
     /// An angle being typed.
     pub(super) entry: NumberEntry,
-    pub(super) phase: Phase,
+    pub(super) phase: TablePhase,
     /// What has to be said just now: why something cannot be done.
     pub(super) notice: Option<String>,
     /// Help with the next stroke.
     pub(super) hint: Option<Hinted>,
     /// How far the panel is scrolled.
     pub(super) scroll: Scroll,
-    /// Whether the player has been asked about leaving.
-    pub(super) leaving: bool,
     /// How it is kept.
     pub(super) keeping: Keeping,
     /// What the mouse holds while its button is down.
@@ -58,7 +56,7 @@ pub(super) struct Sitting {
 
 /// What is being done at the table.
 #[derive(Debug, Clone)]
-pub(super) enum Phase {
+pub(super) enum TablePhase {
     /// Aiming the next stroke.
     Aim,
     /// Waiting for the computer's stroke.
@@ -69,9 +67,7 @@ pub(super) enum Phase {
     /// Saying where the two of the first impact will go.
     Call(Box<Calling>),
     /// Watching a stroke.
-    Watch(Box<Replay>),
-    /// Looking into one impact of it.
-    Impact(Box<Zoom>),
+    Watch(Box<StrokeReplay>),
     /// Laying coins out, in practice.
     Arrange(Arrange),
     /// The board has ended.
@@ -88,7 +84,7 @@ pub(super) enum Hinted {
     },
     /// There.
     Told {
-        hint: Box<Hint>,
+        hint: Box<StrokeHint>,
         /// What it speaks of on the board, if it speaks of a coin.
         pointer: Option<Pointer>,
         /// Whether all of it is told, or only where to look.
@@ -103,12 +99,15 @@ pub(super) struct Calling {
     pub(super) rays: RayInput,
 }
 
-/// One impact of a stroke, enlarged.
-#[derive(Debug, Clone)]
-pub(super) struct Zoom {
-    pub(super) watch: Watch,
-    /// The stroke to go back to.
-    pub(super) replay: Replay,
+/// What follows from a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum GameStep {
+    /// The game goes on.
+    Stay,
+    /// The player is to be asked whether to leave it.
+    AskToLeave,
+    /// It is left.
+    Leave,
 }
 
 /// What the mouse holds.
@@ -120,21 +119,10 @@ enum Grip {
     Striker,
 }
 
-/// What became of an input.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Taken {
-    /// It was used.
-    Used,
-    /// It meant nothing here.
-    Ignored,
-    /// The player leaves the game.
-    Leave,
-}
-
-impl Sitting {
+impl ActiveGame {
     /// Sits down to a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
-        Self::with(options, Session::new(options.setup(seed)))
+        Self::with(options, GameHistory::new(options.setup(seed)))
     }
 
     /// Sits down to a game that has been begun. What the record was agreed on counts,
@@ -150,38 +138,42 @@ impl Sitting {
             set: setup.set,
             ..options
         };
-        let mut sitting = Self::with(options, Session::from_record(record)?);
-        sitting.go_on();
-        Ok(sitting)
+        let mut active = Self::with(options, GameHistory::from_record(record)?);
+        active.go_on();
+        Ok(active)
     }
 
-    fn with(options: Options, session: Session) -> Self {
-        let mut sitting = Self {
-            aim: Aim::begin(session.game()),
+    fn with(options: Options, history: GameHistory) -> Self {
+        let mut active = Self {
+            aim: Aim::begin(history.game()),
             options,
-            session,
+            history,
             preview: None,
             entry: NumberEntry::default(),
-            phase: Phase::Aim,
+            phase: TablePhase::Aim,
             notice: None,
             hint: None,
             scroll: Scroll::default(),
-            leaving: false,
             keeping: Keeping::default(),
             grip: Grip::Aim,
         };
-        sitting.look_ahead();
-        sitting
+        active.look_ahead();
+        active
+    }
+
+    /// Whether there is a long hint to read, for which the page keys are needed.
+    pub(super) fn reads_hint(&self) -> bool {
+        matches!(self.hint, Some(Hinted::Told { whole: true, .. }))
     }
 
     /// The game as it stands.
     pub(super) fn game(&self) -> &Game {
-        self.session.game()
+        self.history.game()
     }
 
     /// All that is needed to play the game again.
     pub(super) fn record(&self) -> &Record {
-        self.session.record()
+        self.history.record()
     }
 
     /// The pieces it is played with.
@@ -199,81 +191,110 @@ impl Sitting {
         self.game().setup().rules == Rules::Practice
     }
 
-    /// What came of the call of a stroke.
-    pub(super) fn called(&self, number: usize) -> Option<&Called> {
-        self.session.past(number)?.called.as_ref()
-    }
-
-    /// Takes an input.
-    pub(super) fn update(&mut self, input: &Input, cx: &mut Context) -> Taken {
+    /// Does what a key stands for. What it asks about is leaving the game.
+    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> GameStep {
         self.hand_over(cx);
-        let taken = match input {
-            Input::Key(key) => self.key(*key, cx),
-            Input::Mouse(mouse) if !self.leaving => self.mouse(mouse, cx),
-            Input::Searched(thought) => {
-                self.thought(thought, cx);
-                Taken::Used
-            }
-            Input::Kept(answer) => {
-                self.take_answer(answer);
-                Taken::Used
-            }
-            _ => Taken::Ignored,
-        };
-        if taken != Taken::Leave {
-            self.hand_over(cx);
-        }
-        self.save(cx);
-        taken
-    }
-
-    fn key(&mut self, key: Key, cx: &mut Context) -> Taken {
-        if self.leaving {
-            self.leaving = false;
-            return match key {
-                Key::Escape | Key::Enter | Key::Char('y') => Taken::Leave,
-                _ => Taken::Used,
-            };
-        }
-        // While aiming they turn the aim, unless there is a long hint to read.
-        let reads = matches!(self.hint, Some(Hinted::Told { whole: true, .. }));
-        if (reads || !matches!(self.phase, Phase::Aim))
-            && let Key::PageUp | Key::PageDown = key
-        {
-            self.scroll_by(if key == Key::PageUp { -8 } else { 8 }, cx);
-            return Taken::Used;
+        if let TableAction::Scroll(rows) = action {
+            self.scroll_by(rows, cx);
+            return GameStep::Stay;
         }
         self.scroll = Scroll::default();
         self.notice = None;
-        let taken = match &mut self.phase {
-            Phase::Aim => self.aiming_key(key, cx),
-            Phase::Call(_) => self.calling_key(key, cx),
-            Phase::Watch(_) => self.watching_key(key, cx),
-            Phase::Impact(_) => self.impact_key(key),
-            Phase::Arrange(_) => self.arranging_key(key),
-            Phase::Think { .. } => thinking_key(key),
-            Phase::Over => self.over_key(key),
-        };
-        let taken = match taken {
-            Taken::Ignored => self.keeping_key(key, cx),
-            taken => taken,
-        };
-        if taken == Taken::Leave && self.is_running() {
-            self.leaving = true;
-            return Taken::Used;
+        let step = self.act_now(action, cx);
+        if let GameStep::Stay = step {
+            self.hand_over(cx);
         }
-        taken
+        self.save(cx);
+        step
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Taken {
+    fn act_now(&mut self, action: TableAction, cx: &mut Context) -> GameStep {
+        match action {
+            TableAction::Number(action) => {
+                if let Outcome::Done(degrees) = self.entry.act(action) {
+                    self.aim.set_direction(degrees);
+                }
+                self.look_ahead();
+            }
+            TableAction::Ray(action) => self.act_on_call(action, cx),
+            TableAction::Replay(action) => self.act_on_replay(action, cx),
+            TableAction::GoOn => self.go_on_from_stroke(cx),
+            TableAction::ToTheEnd => self.act_on_replay(ShotAction::Seek(f64::INFINITY), cx),
+            TableAction::StrokeBefore => self.look_beside(false, cx),
+            TableAction::StrokeAfter => self.look_beside(true, cx),
+            TableAction::LookBack => self.look_back(self.history.len(), cx),
+            TableAction::WatchAll => self.watch_all(cx),
+            TableAction::Export => {
+                let game = Box::new(self.saved(cx));
+                cx.ask(StoreRequest::Export(game));
+            }
+            TableAction::NextBoard => {
+                if let GameStage::MatchOver(_) = self.game().stage() {
+                    return GameStep::Leave;
+                }
+                self.make(Move::NextBoard);
+                self.go_on();
+            }
+            TableAction::Back => return self.back(),
+            action if matches!(self.phase, TablePhase::Arrange(_)) => self.act_on_layout(action),
+            action => self.act_on_aim(action, cx),
+        }
+        GameStep::Stay
+    }
+
+    /// One step back: out of a call, a stroke that is watched, or laying out; from there
+    /// out of the game.
+    fn back(&mut self) -> GameStep {
+        match self.phase {
+            TablePhase::Call(_) | TablePhase::Arrange(_) => self.phase = TablePhase::Aim,
+            TablePhase::Watch(_) => self.go_on(),
+            TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Over if self.is_running() => {
+                return GameStep::AskToLeave;
+            }
+            TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Over => {
+                return GameStep::Leave;
+            }
+        }
+        GameStep::Stay
+    }
+
+    /// What is asked before the game is left.
+    pub(super) fn parting(&self) -> Question {
+        let kept = match self.keeping.is_safe() {
+            true => " It is saved: on the page of a new game, s brings it back.",
+            false => "",
+        };
+        Question::new(format!("Leave this game?{kept}"), "leave", "play on")
+    }
+
+    /// Takes an input that is no key. Says whether it meant anything.
+    pub(super) fn input(&mut self, input: &Input, cx: &mut Context) -> bool {
+        self.hand_over(cx);
+        let used = match input {
+            Input::Mouse(mouse) => self.mouse(mouse, cx),
+            Input::Searched(result) => {
+                self.take_result(result, cx);
+                true
+            }
+            Input::Kept(answer) => {
+                self.take_answer(answer);
+                true
+            }
+            _ => false,
+        };
+        self.hand_over(cx);
+        self.save(cx);
+        used
+    }
+
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
         self.notice = None;
         match &mut self.phase {
-            Phase::Aim => self.aiming_mouse(mouse, cx),
-            Phase::Call(_) => self.calling_mouse(mouse, cx),
-            Phase::Watch(_) => self.watching_mouse(mouse, cx),
-            Phase::Impact(_) => self.impact_mouse(mouse),
-            Phase::Arrange(_) => self.arranging_mouse(mouse, cx),
-            Phase::Think { .. } | Phase::Over => Taken::Ignored,
+            TablePhase::Aim => self.aiming_mouse(mouse, cx),
+            TablePhase::Call(_) => self.calling_mouse(mouse, cx),
+            TablePhase::Watch(_) => self.watching_mouse(mouse, cx),
+            TablePhase::Arrange(_) => self.arranging_mouse(mouse, cx),
+            TablePhase::Think { .. } | TablePhase::Over => false,
         }
     }
 
@@ -290,8 +311,7 @@ impl Sitting {
     pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
         match &mut self.phase {
-            Phase::Watch(replay) => replay.advance(passed),
-            Phase::Impact(zoom) => zoom.watch.advance(passed),
+            TablePhase::Watch(replay) => replay.player.advance(passed),
             _ => {}
         }
     }
@@ -299,30 +319,29 @@ impl Sitting {
     /// When it next needs time.
     pub(super) fn wake(&self) -> Option<Duration> {
         match &self.phase {
-            Phase::Watch(replay) => replay.wake(),
-            Phase::Impact(zoom) => zoom.watch.wake(),
-            Phase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
+            TablePhase::Watch(replay) => replay.player.wake(),
+            TablePhase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
             _ => None,
         }
     }
 
     /// Whether leaving now would break a game off.
     fn is_running(&self) -> bool {
-        self.session.len() > 0 && !matches!(self.game().stage(), Stage::MatchOver(_))
+        self.history.len() > 0 && !matches!(self.game().stage(), GameStage::MatchOver(_))
     }
 
     /// Goes on with the game as it stands: aiming, or the end of the board.
     fn go_on(&mut self) {
         self.phase = match self.game().stage() {
-            Stage::Playing => Phase::Aim,
-            _ => Phase::Over,
+            GameStage::Playing => TablePhase::Aim,
+            _ => TablePhase::Over,
         };
     }
 
     /// Makes a move and begins the turn that follows; says in words if it cannot be
     /// made. Gives the shot if it was a stroke.
     fn make(&mut self, next: Move) -> Option<Shot> {
-        match self.session.make(next) {
+        match self.history.make(next) {
             Ok(shot) => {
                 self.begin_turn();
                 shot
@@ -351,10 +370,10 @@ impl Sitting {
 
     /// Passes, because coins bar every place for the striker.
     fn pass(&mut self) {
-        let number = self.session.len();
-        self.phase = Phase::Aim;
+        let number = self.history.len();
+        self.phase = TablePhase::Aim;
         self.make(Move::NoPlace);
-        if let Some(past) = self.session.past(number) {
+        if let Some(past) = self.history.past(number) {
             self.notice = past.rulings.first().map(|ruling| ruling.text.clone());
         }
     }
@@ -372,31 +391,6 @@ impl Sitting {
     fn look_ahead(&mut self) {
         self.preview = Preview::of(&self.aimed().strike(self.seat()), self.game());
     }
-
-    /// The board after one that has ended.
-    fn over_key(&mut self, key: Key) -> Taken {
-        match key {
-            Key::Enter | Key::Char(' ') => {
-                if let Stage::MatchOver(_) = self.game().stage() {
-                    return Taken::Leave;
-                }
-                self.make(Move::NextBoard);
-                self.go_on();
-            }
-            Key::Char('i' | 'I') => self.look_back(self.session.len()),
-            Key::Escape => return Taken::Leave,
-            _ => return Taken::Ignored,
-        }
-        Taken::Used
-    }
-}
-
-/// While the computer thinks one can only leave.
-fn thinking_key(key: Key) -> Taken {
-    match key {
-        Key::Escape => Taken::Leave,
-        _ => Taken::Ignored,
-    }
 }
 
 #[cfg(test)]
@@ -404,7 +398,7 @@ mod tests {
     use super::*;
     use crate::game::SavedGame;
     use crate::game::opponent;
-    use crate::messages::{Effect, Found, SearchResult, SearchTask, Wanted};
+    use crate::messages::{Effect, Found, Key, SearchResult, SearchTask, Wanted};
     use crate::physics::Board;
     use crate::screens::Settings;
 
@@ -416,7 +410,7 @@ mod tests {
         Context::new(settings, 1)
     }
 
-    fn press(sitting: &mut Sitting, keys: &str, cx: &mut Context) {
+    fn press(active: &mut ActiveGame, keys: &str, cx: &mut Context) {
         for letter in keys.chars() {
             let key = match letter {
                 '\n' => Key::Enter,
@@ -424,7 +418,10 @@ mod tests {
                 '^' => Key::Up,
                 other => Key::Char(other),
             };
-            sitting.update(&Input::Key(key), cx);
+            let action = super::super::keys::keys(active).find(key);
+            if let Some(action) = action {
+                active.act(action, cx);
+            }
         }
     }
 
@@ -440,48 +437,48 @@ mod tests {
 
     /// What was written down leads to what is on the table, to the last bit, also by
     /// way of a file.
-    fn assert_recorded(sitting: &Sitting, cx: &Context) {
-        let text = sitting.saved(cx).text().unwrap();
+    fn assert_recorded(active: &ActiveGame, cx: &Context) {
+        let text = active.saved(cx).text().unwrap();
         let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();
-        assert_eq!(&game, sitting.game());
-        let again = Sitting::resume_saved(&read, 1).unwrap();
-        assert_eq!(again.options, sitting.options);
-        assert_eq!(again.session.len(), sitting.session.len());
-        assert_eq!(again.session.calls(), sitting.session.calls());
+        assert_eq!(&game, active.game());
+        let again = ActiveGame::resume_saved(&read, 1).unwrap();
+        assert_eq!(again.options, active.options);
+        assert_eq!(again.history.len(), active.history.len());
+        assert_eq!(again.history.calls(), active.history.calls());
     }
 
     #[test]
     fn the_record_replays_to_the_game_on_the_table() {
         let mut cx = context();
-        let mut sitting = Sitting::new(Options::two_people(), 4);
-        press(&mut sitting, "c[[97.3 60\n30\n\n", &mut cx);
-        press(&mut sitting, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
-        assert_eq!(sitting.session.len(), 4);
-        assert!(sitting.session.has_calls());
-        assert_recorded(&sitting, &cx);
+        let mut active = ActiveGame::new(Options::two_people(), 4);
+        press(&mut active, "c[[97.3 60\n30\n\n", &mut cx);
+        press(&mut active, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
+        assert_eq!(active.history.len(), 4);
+        assert!(active.history.has_calls());
+        assert_recorded(&active, &cx);
 
         let practice = Options {
             rules: Rules::Practice,
             ..Options::default()
         };
-        let mut sitting = Sitting::new(practice, 4);
-        press(&mut sitting, "91 \np\t ^^^^^^^^ p80 \n85 \nz", &mut cx);
-        assert_eq!(sitting.session.len(), 3);
-        assert_recorded(&sitting, &cx);
+        let mut active = ActiveGame::new(practice, 4);
+        press(&mut active, "91 \np\t ^^^^^^^^ p80 \n85 \nz", &mut cx);
+        assert_eq!(active.history.len(), 3);
+        assert_recorded(&active, &cx);
     }
 
     #[test]
-    fn only_the_thought_that_is_waited_for_is_taken_in() {
+    fn only_the_result_that_is_waited_for_is_taken_in() {
         let mut cx = context();
         let options = Options {
             players: [super::super::options::Player::Computer; 4],
             ..Options::default()
         };
-        let mut sitting = Sitting::new(options, 4);
+        let mut active = ActiveGame::new(options, 4);
         // Nobody has to press a key for it.
-        assert!(sitting.wake().is_some());
-        sitting.advance(Duration::ZERO, &mut cx);
-        assert_eq!(sitting.wake(), None);
+        assert!(active.wake().is_some());
+        active.advance(Duration::ZERO, &mut cx);
+        assert_eq!(active.wake(), None);
         let tasks = asked(&mut cx);
         assert_eq!(tasks.len(), 1);
         let SearchTask {
@@ -494,65 +491,65 @@ mod tests {
             panic!("a stroke was wanted");
         };
         let decision = opponent::think(game, &Board::default(), *strength, *seed);
-        let thought = SearchResult {
+        let result = SearchResult {
             ticket: *ticket,
             found: Found::Stroke(decision),
         };
         let stale = SearchResult {
-            ticket: thought.ticket + 1,
-            ..thought
+            ticket: result.ticket + 1,
+            ..result
         };
         for unwanted in [
             stale,
             SearchResult {
                 found: Found::Hint(None),
-                ..thought
+                ..result
             },
         ] {
-            sitting.update(&Input::Searched(Box::new(unwanted)), &mut cx);
-            assert!(matches!(sitting.phase, Phase::Think { .. }));
+            active.input(&Input::Searched(Box::new(unwanted)), &mut cx);
+            assert!(matches!(active.phase, TablePhase::Think { .. }));
         }
-        let mut failing = sitting.clone();
-        sitting.update(&Input::Searched(Box::new(thought)), &mut cx);
-        assert!(matches!(sitting.phase, Phase::Watch(_)));
-        assert!(sitting.session.past(0).unwrap().told.is_some());
-        // The same thought again comes too late.
-        sitting.update(&Input::Searched(Box::new(thought)), &mut cx);
-        assert_eq!(sitting.session.len(), 1);
-        assert_recorded(&sitting, &cx);
+        let mut failing = active.clone();
+        active.input(&Input::Searched(Box::new(result)), &mut cx);
+        assert!(matches!(active.phase, TablePhase::Watch(_)));
+        assert!(active.history.past(0).unwrap().told.is_some());
+        // The same result again comes too late.
+        active.input(&Input::Searched(Box::new(result)), &mut cx);
+        assert_eq!(active.history.len(), 1);
+        assert_recorded(&active, &cx);
         assert_eq!(asked(&mut cx), vec![]);
-        press(&mut sitting, "\n", &mut cx);
+        press(&mut active, "\n", &mut cx);
         assert_eq!(asked(&mut cx).len(), 1);
         // Where the computer fails a person plays on, and is told so.
-        failing.update(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
-        assert!(matches!(failing.phase, Phase::Aim));
+        failing.input(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
+        assert!(matches!(failing.phase, TablePhase::Aim));
         assert!(failing.notice.is_some() && !failing.is_computers_turn());
         assert_eq!(asked(&mut cx), vec![]);
         press(&mut failing, " ", &mut cx);
-        assert_eq!(failing.session.len(), 1);
+        assert_eq!(failing.history.len(), 1);
     }
 
     #[test]
     fn a_hint_that_fails_is_told_and_can_be_asked_for_again() {
         let mut cx = context();
-        let mut sitting = Sitting::new(Options::two_people(), 4);
+        let mut active = ActiveGame::new(Options::two_people(), 4);
         for _ in 0..2 {
-            sitting.ask_for_hint(&mut cx);
+            active.ask_for_hint(&mut cx);
             let tasks = asked(&mut cx);
             assert_eq!(tasks.len(), 1);
-            sitting.update(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
-            assert!(sitting.hint.is_none() && sitting.notice.is_some());
+            active.input(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
+            assert!(active.hint.is_none() && active.notice.is_some());
         }
     }
 
     #[test]
     fn nothing_moves_but_a_stroke_that_is_watched() {
         let mut cx = Context::new(Settings::default(), 1);
-        let mut sitting = Sitting::new(Options::two_people(), 4);
-        assert_eq!(sitting.wake(), None);
-        press(&mut sitting, " ", &mut cx);
-        assert!(sitting.wake().is_some());
-        sitting.advance(Duration::from_secs(60), &mut cx);
-        assert_eq!(sitting.wake(), None);
+        let mut active = ActiveGame::new(Options::two_people(), 4);
+        assert_eq!(active.wake(), None);
+        press(&mut active, " ", &mut cx);
+        assert!(active.wake().is_some());
+        active.advance(Duration::from_secs(60), &mut cx);
+        assert_eq!(active.wake(), None);
     }
 }

@@ -1,7 +1,7 @@
 //! The computer's strokes and the player's hints: asked for, and what comes back.
 
-use super::{Hinted, Phase, Sitting};
-use crate::game::opponent::{Decision, Hint};
+use super::{ActiveGame, Hinted, TablePhase};
+use crate::game::opponent::{Decision, StrokeHint};
 use crate::game::{Move, Strike};
 use crate::messages::{Found, SearchResult, Wanted};
 use crate::physics::Motion;
@@ -10,10 +10,11 @@ use crate::screens::table::aim::Aim;
 use crate::screens::table::options::Player;
 use crate::screens::table::pointer::Pointer;
 
-impl Sitting {
+impl ActiveGame {
     /// Whether the computer is to play and has not been asked yet.
     pub(super) fn is_computers_turn(&self) -> bool {
-        matches!(self.phase, Phase::Aim) && self.options.player(self.seat()) == Player::Computer
+        matches!(self.phase, TablePhase::Aim)
+            && self.options.player(self.seat()) == Player::Computer
     }
 
     /// Asks the computer for its stroke, if it is to play.
@@ -21,7 +22,7 @@ impl Sitting {
         if self.is_computers_turn() {
             let wanted = Wanted::Stroke(self.options.strength);
             let ticket = cx.think(self.game().clone(), self.next_seed(), wanted);
-            self.phase = Phase::Think { ticket };
+            self.phase = TablePhase::Think { ticket };
         }
     }
 
@@ -46,29 +47,31 @@ impl Sitting {
     /// when the game is played again.
     fn next_seed(&self) -> u64 {
         let seed = self.game().setup().seed.unwrap_or(0);
-        seed.rotate_left(32) ^ self.session.len() as u64
+        seed.rotate_left(32) ^ self.history.len() as u64
     }
 
-    /// Takes a thought in, if it is still waited for.
-    pub(super) fn thought(&mut self, thought: &SearchResult, cx: &Context) {
-        match (&self.phase, &self.hint, thought.found) {
-            (Phase::Think { ticket }, _, Found::Stroke(decision)) if *ticket == thought.ticket => {
+    /// Takes the result of a search in, if it is still waited for.
+    pub(super) fn take_result(&mut self, result: &SearchResult, cx: &Context) {
+        match (&self.phase, &self.hint, result.found) {
+            (TablePhase::Think { ticket }, _, Found::Stroke(decision))
+                if *ticket == result.ticket =>
+            {
                 match decision {
                     Some(decision) => self.play_for_the_computer(&decision, cx),
                     None => self.pass(),
                 }
             }
-            (_, Some(Hinted::Asked { ticket }), Found::Hint(hint)) if *ticket == thought.ticket => {
+            (_, Some(Hinted::Asked { ticket }), Found::Hint(hint)) if *ticket == result.ticket => {
                 self.take_hint(hint);
             }
-            (Phase::Think { ticket }, _, Found::Failed) if *ticket == thought.ticket => {
-                self.phase = Phase::Aim;
+            (TablePhase::Think { ticket }, _, Found::Failed) if *ticket == result.ticket => {
+                self.phase = TablePhase::Aim;
                 self.hand_to_person();
                 let notice =
                     "The computer has come upon a fault of its own. Please play on in its place.";
                 self.notice = Some(notice.into());
             }
-            (_, Some(Hinted::Asked { ticket }), Found::Failed) if *ticket == thought.ticket => {
+            (_, Some(Hinted::Asked { ticket }), Found::Failed) if *ticket == result.ticket => {
                 self.hint = None;
                 self.notice =
                     Some("No hint: the computer has come upon a fault of its own.".into());
@@ -78,12 +81,12 @@ impl Sitting {
     }
 
     fn play_for_the_computer(&mut self, decision: &Decision, cx: &Context) {
-        self.phase = Phase::Aim;
-        let number = self.session.len();
+        self.phase = TablePhase::Aim;
+        let number = self.history.len();
         for motion in [decision.struck(), decision.meant] {
             self.play(Move::Strike(meant(motion)), cx);
-            if self.session.len() > number {
-                self.session.tell(number, decision.afterwards());
+            if self.history.len() > number {
+                self.history.tell(number, decision.afterwards());
                 self.notice = None;
                 return;
             }
@@ -98,7 +101,7 @@ impl Sitting {
         self.options.set_player(seat, Player::Person);
     }
 
-    fn take_hint(&mut self, hint: Option<Hint>) {
+    fn take_hint(&mut self, hint: Option<StrokeHint>) {
         self.hint = match hint {
             Some(hint) => Some(Hinted::Told {
                 pointer: Pointer::of(&hint, &meant(hint.stroke), self.game()),

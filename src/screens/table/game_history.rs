@@ -4,13 +4,13 @@ use std::mem;
 
 use super::calls::Called;
 use crate::game::{
-    ByTeam, Game, Move, MoveError, Record, RecordError, Ruling, Setup, Strike, Team,
+    ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike, Team,
 };
 use crate::physics::Shot;
 
 /// A game and its record, always in step.
 #[derive(Debug, Clone)]
-pub(super) struct Session {
+pub(super) struct GameHistory {
     record: Record,
     game: Game,
     past: Vec<Past>,
@@ -54,9 +54,9 @@ pub(super) struct Tally {
     pub(super) most: u32,
 }
 
-impl Session {
+impl GameHistory {
     /// A new game.
-    pub(super) fn new(setup: Setup) -> Self {
+    pub(super) fn new(setup: GameSetup) -> Self {
         Self {
             record: Record::new(setup),
             game: Game::new(setup),

@@ -36,27 +36,27 @@ impl Bodies {
         }
     }
 
-    /// The margins of all discs; `times` are their forecasts. Without branches over
+    /// The clearances of all discs; `times` are their forecasts. Without branches over
     /// arrays, so that the compiler makes vector code of it.
-    pub(super) fn margins(&self, seeker: &Seeker, times: &[f64], margins: &mut Vec<f64>) {
+    pub(super) fn clearances(&self, seeker: &Seeker, times: &[f64], clearances: &mut Vec<f64>) {
         let n = self.x.len();
-        margins.resize(n, 0.0);
+        clearances.resize(n, 0.0);
         let (x, y) = (&self.x[..n], &self.y[..n]);
         let (vx, vy) = (&self.vx[..n], &self.vy[..n]);
         let (ax, ay) = (&self.ax[..n], &self.ay[..n]);
         let (since, radius) = (&self.since[..n], &self.radius[..n]);
-        let (times, margins) = (&times[..n], &mut margins[..n]);
+        let (times, clearances) = (&times[..n], &mut clearances[..n]);
         for k in 0..n {
             let other = [
                 x[k], y[k], vx[k], vy[k], ax[k], ay[k], since[k], radius[k], times[k],
             ];
-            margins[k] = seeker.margin(other);
+            clearances[k] = seeker.clearance(other);
         }
     }
 
-    /// The margin of one disc with a forecast for `time`.
-    pub(super) fn margin(&self, seeker: &Seeker, k: usize, time: f64) -> f64 {
-        seeker.margin([
+    /// The clearance of one disc with a forecast for `time`.
+    pub(super) fn clearance(&self, seeker: &Seeker, k: usize, time: f64) -> f64 {
+        seeker.clearance([
             self.x[k],
             self.y[k],
             self.vx[k],
@@ -77,11 +77,12 @@ impl Seeker {
     /// Seen from the seeker the other moves by Δ(τ) = d + w τ + ½ a τ² for τ up to h.
     /// There is no contact if
     /// - it stays far along d: contact needs d·Δ ≤ R |d| ≤ (R² + d²)/2, and d·Δ stays
-    ///   above the least of its three Bézier coefficients; or
+    ///   above the least of its three Bernstein coefficients (as in
+    ///   [`first_root`](super::quartic::first_root)); or
     /// - it stays to one side of w by more than R: Δ × w goes one way from its value
     ///   at 0 to its value at h.
     #[inline(always)]
-    fn margin(&self, [x, y, vx, vy, ax, ay, since, radius, time]: [f64; 9]) -> f64 {
+    fn clearance(&self, [x, y, vx, vy, ax, ay, since, radius, time]: [f64; 9]) -> f64 {
         let t = self.now - since;
         let half = 0.5 * t;
         let dx = x + (vx + ax * half) * t - self.x;
@@ -89,12 +90,12 @@ impl Seeker {
         let wx = vx + ax * t - self.vx;
         let wy = vy + ay * t - self.vy;
         let (ax, ay) = (ax - self.ax, ay - self.ay);
-        let reach = radius + self.radius;
+        let contact_distance = radius + self.radius;
         let h = least(time, self.until) - self.now + SAME_TIME;
         let half_h2 = 0.5 * h * h;
-        let reach2 = reach * reach;
+        let distance2 = contact_distance * contact_distance;
 
-        let gap = 0.5 * (dx * dx + dy * dy - reach2);
+        let gap = 0.5 * (dx * dx + dy * dy - distance2);
         let closing = (dx * wx + dy * wy) * h;
         let bend = (dx * ax + dy * ay) * half_h2;
         let along = least(least(gap + closing + bend, gap + 0.5 * closing), gap);
@@ -102,7 +103,7 @@ impl Seeker {
         let offset = dx * wy - dy * wx;
         let offset_end = offset + (ax * wy - ay * wx) * half_h2;
         let one_side = least(offset * offset_end, offset_end * offset_end);
-        let aside = least(one_side, offset * offset) - reach2 * (wx * wx + wy * wy);
+        let aside = least(one_side, offset * offset) - distance2 * (wx * wx + wy * wy);
 
         if along > aside { along } else { aside }
     }

@@ -1,8 +1,8 @@
 //! Keeping the game: saved after each move, exported when asked, gone on with later.
 
-use super::{Phase, Sitting, Taken};
+use super::ActiveGame;
 use crate::game::{Fingerprint, RecordError, SavedGame};
-use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 use crate::screens::table::options::Options;
 
@@ -42,7 +42,7 @@ impl Keeping {
     }
 }
 
-impl Sitting {
+impl ActiveGame {
     /// Sits down to a game that was saved, and keeps it with the ticket it was
     /// loaded with.
     ///
@@ -52,22 +52,22 @@ impl Sitting {
         saved: &SavedGame,
         ticket: u64,
     ) -> Result<Self, RecordError> {
-        let mut sitting = Self::resume(Options::of(saved), saved.record.clone())?;
-        sitting.keeping.ticket = Some(ticket);
-        sitting.keeping.saved = Some(Ok(()));
-        if let Some(number) = sitting.session.stroke_before(sitting.session.len())
-            && let Some(strike) = sitting.session.strike(number)
-            && !sitting.game().play().is_unbroken()
+        let mut active = Self::resume(Options::of(saved), saved.record.clone())?;
+        active.keeping.ticket = Some(ticket);
+        active.keeping.saved = Some(Ok(()));
+        if let Some(number) = active.history.stroke_before(active.history.len())
+            && let Some(strike) = active.history.strike(number)
+            && !active.game().play().is_unbroken()
         {
             // The strength stands where it was left.
-            sitting.aim.set_speed(strike.velocity.length());
+            active.aim.set_speed(strike.velocity.length());
         }
-        Ok(sitting)
+        Ok(active)
     }
 
     /// Has the game saved if anything was done since.
     pub(super) fn save(&mut self, cx: &mut Context) {
-        if self.session.take_unsaved() {
+        if self.history.take_unsaved() {
             let ticket = self.keeping.ticket.unwrap_or_else(|| cx.ticket());
             self.keeping.ticket = Some(ticket);
             self.keeping.trouble = None;
@@ -83,23 +83,6 @@ impl Sitting {
             record: self.record().clone(),
             end: Fingerprint::of(self.game()),
         }
-    }
-
-    /// Keys that have to do with the whole game.
-    pub(super) fn keeping_key(&mut self, key: Key, cx: &mut Context) -> Taken {
-        match key {
-            Key::Char('v' | 'V')
-                if matches!(self.phase, Phase::Aim | Phase::Watch(_) | Phase::Over) =>
-            {
-                self.watch_all(cx);
-            }
-            Key::Char('e' | 'E') => {
-                let game = Box::new(self.saved(cx));
-                cx.ask(StoreRequest::Export(game));
-            }
-            _ => return Taken::Ignored,
-        }
-        Taken::Used
     }
 
     /// Takes in what came of saving and exporting.
