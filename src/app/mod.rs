@@ -31,7 +31,7 @@ use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, Sha
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
-use layer::Layer;
+use layer::AppLayer;
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -53,7 +53,7 @@ pub struct App {
     context: Context,
     size: Rect,
     /// What lies over the screen, the topmost last.
-    layers: Vec<Layer>,
+    layers: Vec<AppLayer>,
     /// The tickets of what is being kept and takes long.
     saving: BTreeSet<u64>,
     /// How many things could not be kept.
@@ -235,7 +235,7 @@ impl App {
 
     /// When the app next needs time; `None` while nothing moves.
     pub fn wake(&self) -> Option<Duration> {
-        let stands = |layer: &Layer| !matches!(layer, Layer::Notice(_));
+        let stands = |layer: &AppLayer| !matches!(layer, AppLayer::Notice(_));
         if self.layers.iter().any(stands) || self.too_small() {
             return None;
         }
@@ -269,10 +269,10 @@ impl App {
     }
 
     /// Tells the player something, over whatever the screen shows, until a key is pressed.
-    fn tell(&mut self, words: String) {
+    pub fn tell(&mut self, words: String) {
         self.layers
-            .retain(|layer| !matches!(layer, Layer::Notice(_)));
-        self.layers.push(Layer::Notice(words));
+            .retain(|layer| !matches!(layer, AppLayer::Notice(_)));
+        self.layers.push(AppLayer::Notice(words));
     }
 
     /// Gives a key to what lies on top.
@@ -318,7 +318,7 @@ impl App {
     fn share(&mut self, action: SharedAction) -> Vec<Effect> {
         let settings = &mut self.context.settings;
         match action {
-            SharedAction::Help => self.layers.push(Layer::Help { scrolled: 0 }),
+            SharedAction::Help => self.layers.push(AppLayer::Help { scrolled: 0 }),
             SharedAction::Charset => settings.charset = settings.charset.other(),
             SharedAction::Theme => settings.palette = settings.palette.next(),
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
@@ -343,7 +343,7 @@ impl App {
                     return vec![Effect::Quit];
                 }
             }
-            Next::Confirm(question) => self.layers.push(Layer::Confirm(question)),
+            Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
             Next::Shared(action) => return self.share(action),
             Next::Quit => return vec![Effect::Quit],
         }

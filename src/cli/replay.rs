@@ -8,7 +8,7 @@ use anyhow::anyhow;
 use serde::Serialize;
 
 use super::{Failure, given, print};
-use crate::files::FileError;
+use crate::files::FileErrors;
 use crate::game::{
     Coin, Fingerprint, Game, GameSetup, GameStage, Move, Piece, RecordError, Ruling, SavedGame,
     Seat, Strike, Team,
@@ -45,7 +45,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn read(file: &Path) -> Result<(SavedGame, Game), FileError> {
+fn read(file: &Path) -> Result<(SavedGame, Game), FileErrors> {
     let (name, bytes) = given::bytes(file, SavedGame::LARGEST_FILE)?;
     SavedGame::read(&name, &bytes)
 }

@@ -8,7 +8,7 @@ use anyhow::anyhow;
 use serde::Serialize;
 
 use super::{Failure, given, print};
-use crate::files::{self, FileError};
+use crate::files::{self, FileErrors};
 use crate::levels::Scene;
 use crate::physics::units::mm_from_m;
 use crate::physics::{DiscState, Event, EventKind, Sample, Shot};
@@ -39,7 +39,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn read(file: &Path) -> Result<Scene, FileError> {
+fn read(file: &Path) -> Result<Scene, FileErrors> {
     let (name, bytes) = given::bytes(file, files::LARGEST)?;
     Scene::read(&name, &bytes)
 }

@@ -123,6 +123,12 @@ impl CollisionSpec {
         FieldRange::new("target_deg", "a direction in degrees", -180.0, 180.0),
     ];
 
+    /// The names of the fields in files.
+    pub fn field_names() -> Vec<&'static str> {
+        let names = Self::RANGES.iter().map(|range| range.name);
+        names.chain(["stick"]).collect()
+    }
+
     /// Whether files have a field of this name.
     pub fn has(field: &str) -> bool {
         field == "stick" || Self::RANGES.iter().any(|range| range.name == field)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::text_store::TextStore;
-use crate::files::FileError;
+use crate::files::FileErrors;
 use crate::messages::Kept;
 
 /// Things of one kind that are saved again and again, each known by the
@@ -20,7 +20,7 @@ pub(super) struct OpenFiles<T> {
 }
 
 /// Makes a thing of the bytes of a file of a name.
-type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileError> + Send>;
+type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
 
 /// A thing being worked on.
 struct OpenFile {
@@ -33,7 +33,7 @@ impl<T> OpenFiles<T> {
     pub(super) fn new(
         texts: Box<dyn TextStore>,
         kind: &'static str,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) -> Self {
         Self {
             texts,
@@ -47,7 +47,7 @@ impl<T> OpenFiles<T> {
     /// Has the things made of bytes in another way from now on.
     pub(super) fn read_by(
         &mut self,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) {
         self.read = Box::new(read);
     }
@@ -106,7 +106,7 @@ impl<T> OpenFiles<T> {
     }
 
     /// The text under a name, and the thing that it makes.
-    fn read(&self, name: &str) -> Result<(String, T), FileError> {
+    fn read(&self, name: &str) -> Result<(String, T), FileErrors> {
         let bytes = self.texts.read(name)?;
         let thing = (self.read)(&self.texts.place(name), &bytes)?;
         Ok((String::from_utf8_lossy(&bytes).into_owned(), thing))

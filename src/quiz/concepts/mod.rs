@@ -17,12 +17,13 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::{Difficulty, Misconception, Topic};
-use crate::files::FileError;
+use crate::files::{FileError, FileErrors};
 use crate::physics::Collision;
+use crate::quiz::question::{Difficulty, Family, Misconception, Topic};
 
 pub use check::check;
 pub use library::Library;
+pub(crate) use read::read_hit;
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");
 
@@ -125,6 +126,17 @@ impl Concept {
     }
 }
 
+impl Topic {
+    /// The families that ask about it; none where nothing in the program does.
+    pub fn families(&self) -> Vec<Family> {
+        let mut families = self.families_of_figures().to_vec();
+        if all().iter().any(|it| it.topic() == *self) {
+            families.push(Family::Concept);
+        }
+        families
+    }
+}
+
 /// All concept questions, read once for the whole process.
 ///
 /// Their order is fixed, for it is part of what the code of a round stands for: new
@@ -143,8 +155,8 @@ pub fn with_id(id: &str) -> Option<&'static Concept> {
 /// Reads the files in the program.
 ///
 /// # Errors
-/// The first thing that is wrong with them.
-fn embedded() -> Result<Vec<Concept>, FileError> {
+/// All that is wrong with the first file with which anything is.
+fn embedded() -> Result<Vec<Concept>, FileErrors> {
     let mut files: Vec<_> = FILES.files().collect();
     files.sort_by_key(|file| file.path());
     let mut concepts: Vec<Concept> = Vec::new();
@@ -154,10 +166,10 @@ fn embedded() -> Result<Vec<Concept>, FileError> {
         match name.strip_suffix(".toml") {
             Some(subject) => read::file(subject, &name, file.contents(), &mut concepts)?,
             None if name == ORDER => order = String::from_utf8_lossy(file.contents()).into(),
-            None => return Err(FileError::of_file(&name, "expected a file NAME.toml")),
+            None => return Err(FileError::of_file(&name, "expected a file NAME.toml").into()),
         }
     }
-    in_order(concepts, &order)
+    Ok(in_order(concepts, &order)?)
 }
 
 /// The questions as `order` lists their ids, one a line.

@@ -36,7 +36,7 @@ use set_up::{Row, SetUp};
 
 /// A round for a class round one screen.
 #[derive(Debug, Clone)]
-pub struct Class {
+pub(crate) struct Class {
     scene: Scene,
     /// Whether the screen is blank until someone goes on.
     paused: bool,
@@ -54,7 +54,7 @@ enum Scene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
+    pub(crate) fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
         Self {
             scene: Scene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
             paused: false,

@@ -8,7 +8,7 @@ mod summary;
 mod tests;
 mod view;
 
-pub use choose::Choosing;
+pub(crate) use choose::Choosing;
 
 use std::time::Duration;
 
@@ -31,7 +31,7 @@ const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
 
 /// A round of the quiz.
 #[derive(Debug, Clone)]
-pub struct Quiz {
+pub(crate) struct Quiz {
     round: Round,
     /// What has been answered, in the order of the questions.
     answers: Vec<Answer>,
@@ -78,12 +78,12 @@ struct Watched {
 
 impl Quiz {
     /// The round of a code, at its first question.
-    pub fn new(code: Code) -> Self {
+    pub(crate) fn new(code: Code) -> Self {
         Self::of(Round::of(code))
     }
 
     /// A round, at its first question.
-    pub fn of(round: Round) -> Self {
+    pub(crate) fn of(round: Round) -> Self {
         let mut quiz = Self {
             round,
             answers: Vec::new(),

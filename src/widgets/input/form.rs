@@ -81,14 +81,14 @@ pub enum FormAction {
 
 /// Which field of a form is selected, and the number that is being typed for it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Form {
+pub struct SettingsForm {
     at: usize,
     entry: NumberEntry,
     /// Whether the last number typed was out of range, and held to it.
     held: bool,
 }
 
-impl Form {
+impl SettingsForm {
     /// A form with this field selected.
     pub fn at(at: usize) -> Self {
         Self {
@@ -345,7 +345,7 @@ mod tests {
         }
     }
 
-    fn press(form: &mut Form, hit: &mut Hit, keys: &[Key]) {
+    fn press(form: &mut SettingsForm, hit: &mut Hit, keys: &[Key]) {
         for key in keys {
             if let Some(action) = form.keys(hit).find(*key) {
                 form.act(action, hit);
@@ -359,7 +359,7 @@ mod tests {
             offset_mm: 7.3,
             stick: false,
         };
-        let mut form = Form::default();
+        let mut form = SettingsForm::default();
         for (key, value) in [
             (Key::Right, 7.5),
             (Key::Left, 7.0),
@@ -379,7 +379,7 @@ mod tests {
             offset_mm: 0.0,
             stick: false,
         };
-        let mut form = Form::default();
+        let mut form = SettingsForm::default();
         press(&mut form, &mut hit, &[Key::Char('9'), Key::Char('9')]);
         assert_eq!(hit.offset_mm, 0.0);
         press(&mut form, &mut hit, &[Key::Enter]);

@@ -33,7 +33,7 @@ const PAGE: i16 = 8;
 
 /// A level being played.
 #[derive(Debug, Clone)]
-pub struct Play {
+pub(crate) struct Play {
     /// Its number on the shelf, from 0.
     number: usize,
     level: Level,
@@ -82,7 +82,7 @@ struct Saying {
 
 impl Play {
     /// The level of this number; `None` if there is none.
-    pub fn new(number: usize, cx: &mut Context) -> Option<Self> {
+    pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let (_, level) = cx.shelf.get(number)?;
         let level = level.clone();
         cx.shelf.at = number;
@@ -176,9 +176,9 @@ impl Play {
     fn leave_shot(&mut self, cx: &mut Context) {
         if let Phase::Watch(attempt) = &self.phase {
             self.keep(attempt, cx);
-            let findings = &attempt.verdict.0;
-            let told = findings.iter().find(|finding| !finding.met);
-            if let Some(finding) = told.or(findings.first()) {
+            let findings = attempt.verdict.told(&self.level);
+            let unmet = findings.iter().find(|finding| !finding.met);
+            if let Some(finding) = unmet.or(findings.first()) {
                 self.tries.push(Try {
                     number: self.shots,
                     set: self.dials.setting(&self.level),

@@ -175,7 +175,7 @@ fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
         }
     }
     lines.gap();
-    for finding in &attempt.verdict.0 {
+    for finding in attempt.verdict.told(&play.level) {
         let (mark, role) = if finding.met {
             ("✓", Role::Good)
         } else {

@@ -16,7 +16,7 @@ use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The screen.
 #[derive(Debug, Clone)]
-pub struct Choosing {
+pub(crate) struct Choosing {
     history: Recall,
     page: Page,
     /// The round that is chosen.
@@ -104,7 +104,7 @@ impl Choice {
 
 impl Choosing {
     /// The screen, with what the player has done asked for.
-    pub fn ask(cx: &mut Context) -> Self {
+    pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
             history: Recall::ask(cx),
             page: Page::Rounds,
