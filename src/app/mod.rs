@@ -27,7 +27,7 @@ use crate::screens::levels::{Levels, Play};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Context, Next, Old, Place, Settings, SharedAction};
+use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
 
 use layer::Layer;
@@ -349,8 +349,8 @@ impl App {
                 Some(reading) => Box::new(Old(reading)),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
-            Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
+            Place::Quiz { code: Some(code) } => Box::new(Hosted::new(Quiz::new(code))),
+            Place::Quiz { code: None } => Box::new(Hosted::new(Choosing::ask(&mut self.context))),
             Place::Levels => Box::new(Old(Levels::new(&mut self.context))),
             Place::Level { number } => match Play::new(number, &mut self.context) {
                 Some(play) => Box::new(Old(play)),
