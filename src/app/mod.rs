@@ -357,7 +357,7 @@ impl App {
                 None => return,
             },
             Place::Class { code, teams } => {
-                Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
+                Box::new(Hosted::new(Class::new(code.as_ref(), teams, &self.context)))
             }
             Place::Foil => Box::new(Old(Foil::default())),
             Place::FoilAt { page } => Box::new(Old(Foil::at(page))),

@@ -1,7 +1,7 @@
 //! How the quiz looks.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
 use super::{AnsweredQuestion, Quiz, QuizPhase, panel, summary};
 use crate::physics::Frame;
@@ -43,15 +43,7 @@ fn question(quiz: &Quiz) -> Option<&Question> {
 /// Where the text of the phase at hand is.
 pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
     match quiz.phase {
-        QuizPhase::Summary(_) => {
-            let frame = summary_frame(area);
-            Rect::new(
-                frame.x + 1,
-                frame.y + 1,
-                frame.width.saturating_sub(2),
-                frame.height.saturating_sub(2),
-            )
-        }
+        QuizPhase::Summary(_) => summary_frame(area).inner(Margin::new(1, 1)),
         _ => layout(quiz, area).panel,
     }
 }
