@@ -270,7 +270,9 @@ impl Screen for Choosing {
         let ChoosingPage::Code { typed, refused } = &mut self.page else {
             return false;
         };
-        let used = typed.update(key);
+        // A question mark asks for help here: it is in no code.
+        let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        let used = !matches!(key, Key::Char(c) if !of_code(c)) && typed.update(key);
         *refused &= !used;
         used
     }
