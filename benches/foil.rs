@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use carrom::app::App;
-use carrom::beams::{BIN_WIDTH, BINS, Counts, Foil, Law, METALS, Sampler, Target};
+use carrom::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, Foil, METALS, Sampler, ScatteringLaw};
 use carrom::physics::beam::Beam;
 use carrom::physics::rutherford::RADIUM_C_ENERGY;
 use carrom::screens::{Place, Settings};
@@ -23,15 +23,15 @@ const ROUNDS: usize = 40;
 const SEED: u64 = 1913;
 
 fn main() {
-    let spheres = Law {
-        target: Target::Hard,
+    let spheres = ScatteringLaw {
+        target: BeamTarget::Hard,
         beam: Beam::Space,
     };
     let foil = Foil {
         metal: METALS[0],
         thickness: 2.1e-7,
     };
-    let gold = Law {
+    let gold = ScatteringLaw {
         target: foil.target(RADIUM_C_ENERGY),
         beam: Beam::Space,
     };
@@ -42,7 +42,7 @@ fn main() {
 }
 
 /// The table and the plain loop, turn and turn about.
-fn compare(name: &str, law: &Law) {
+fn compare(name: &str, law: &ScatteringLaw) {
     let sampler = Sampler::new(law);
     let mut times = [const { Vec::new() }; 2];
     for _ in 0..ROUNDS {
@@ -67,7 +67,7 @@ fn compare(name: &str, law: &Law) {
 }
 
 /// A number, an offset, an angle, a bin, for each particle.
-fn plain(law: &Law) -> Counts {
+fn plain(law: &ScatteringLaw) -> Counts {
     let mut numbers = Pcg64::new(u128::from(SEED), 0x0a02_bdbf_7bb3_c0a7);
     let mut counts = Counts::default();
     for _ in 0..PARTICLES {
@@ -106,7 +106,7 @@ fn pictures() {
 }
 
 /// The tables, and a whole beam of 10⁸ in one go.
-fn whole(law: &Law) {
+fn whole(law: &ScatteringLaw) {
     let start = Instant::now();
     let sampler = black_box(Sampler::new(law));
     let made = start.elapsed();

@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use carrom::game::opponent::{FASTEST, Strength, think};
-use carrom::game::{Game, Seat, Setup, Stroke, Team};
+use carrom::game::{Game, GameSetup, Seat, Stroke, Team};
 use carrom::physics::{Board, Engine, Limits, Motion, Shot};
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
@@ -129,14 +129,14 @@ impl Tally {
 }
 
 fn new_game(seed: u64) -> Game {
-    Game::new(Setup {
+    Game::new(GameSetup {
         first_breaker: if seed.is_multiple_of(2) {
             Seat::South
         } else {
             Seat::North
         },
         seed: Some(seed),
-        ..Setup::default()
+        ..GameSetup::default()
     })
 }
 

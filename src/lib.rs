@@ -5,8 +5,8 @@
 //!
 //! # The house
 //!
-//! Higher rooms may use lower ones, never the reverse; `tests/house.rs` holds
-//! every room to it.
+//! Higher rooms may use lower ones, never the reverse, and rooms of one floor do not
+//! know each other: `tests/layers.rs` reads this map and holds every room to it.
 //!
 //! ```text
 //!   main.rs        parse the command line, run, print the error
@@ -19,11 +19,15 @@
 //!                  room that writes there
 //!   ─────────────────────────────────────────────────────────────
 //!   app/           App: the stack of screens, what every screen shares
+//!   ─────────────────────────────────────────────────────────────
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · learn · lab · foil · quiz · table · levels · progress
+//!                  home · learn · lab · foil · quiz · class · table · levels · progress
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
-//!   widgets/       the drawn things: ink, discs, vectors, the hit, prompts; theme
-//!   messages/      what goes into the app and what comes out: keys, thoughts, effects
+//!   ─────────────────────────────────────────────────────────────
+//!   widgets/       the drawn things: pictures as lists of marks (picture) with two
+//!                  renderers (ink, svg), the hit, plots, prompts; theme
+//!   ─────────────────────────────────────────────────────────────
+//!   messages/      what goes into the app and what comes out: keys, searches, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   class/         a round for a class round one screen: teams, two votes, scores, what
 //!                  each question showed
@@ -45,6 +49,8 @@
 //!                  terminal, no clock, no random numbers.
 //!   files/         how any file from outside is read, how its faults are told, and how
 //!                  whole files are written
+//!   ─────────────────────────────────────────────────────────────
+//!   numbers        how quantities are printed: figures, units, signs
 //! ```
 
 pub mod app;
@@ -56,6 +62,7 @@ pub mod game;
 pub mod lessons;
 pub mod levels;
 pub mod messages;
+pub mod numbers;
 pub mod paper;
 pub mod physics;
 pub mod progress;

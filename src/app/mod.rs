@@ -29,8 +29,9 @@ use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
 use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
+use crate::widgets::input::KeyTable;
 
-use layer::Layer;
+use layer::AppLayer;
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -52,7 +53,7 @@ pub struct App {
     context: Context,
     size: Rect,
     /// What lies over the screen, the topmost last.
-    layers: Vec<Layer>,
+    layers: Vec<AppLayer>,
     /// The tickets of what is being kept and takes long.
     saving: BTreeSet<u64>,
     /// How many things could not be kept.
@@ -65,7 +66,7 @@ impl App {
     /// An app that starts at `place`, with Home below it.
     pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
         let mut app = Self {
-            stack: vec![Box::new(Old(Home::default()))],
+            stack: vec![Box::new(Hosted::new(Home::default()))],
             context: Context::new(settings, seed),
             size: Rect::default(),
             layers: Vec::new(),
@@ -234,11 +235,21 @@ impl App {
 
     /// When the app next needs time; `None` while nothing moves.
     pub fn wake(&self) -> Option<Duration> {
-        let stands = |layer: &Layer| !matches!(layer, Layer::Notice(_));
+        let stands = |layer: &AppLayer| !matches!(layer, AppLayer::Notice(_));
         if self.layers.iter().any(stands) || self.too_small() {
             return None;
         }
         self.stack.last()?.wake(&self.context)
+    }
+
+    /// The keys that mean something just now, as the player has them: those of what lies
+    /// over the screen, or the screen's own and those that all share.
+    pub fn keys(&self) -> KeyTable<()> {
+        match (self.layers.last(), self.stack.last()) {
+            (Some(layer), _) => layer.keys().map(|_| ()),
+            (None, Some(screen)) => screen.table(&self.context),
+            (None, None) => KeyTable::new("app"),
+        }
     }
 
     /// Draws the whole screen. The app must have been told the frame's size by
@@ -260,8 +271,8 @@ impl App {
     /// Tells the player something, over whatever the screen shows, until a key is pressed.
     fn tell(&mut self, words: String) {
         self.layers
-            .retain(|layer| !matches!(layer, Layer::Notice(_)));
-        self.layers.push(Layer::Notice(words));
+            .retain(|layer| !matches!(layer, AppLayer::Notice(_)));
+        self.layers.push(AppLayer::Notice(words));
     }
 
     /// Gives a key to what lies on top.
@@ -307,7 +318,7 @@ impl App {
     fn share(&mut self, action: SharedAction) -> Vec<Effect> {
         let settings = &mut self.context.settings;
         match action {
-            SharedAction::Help => self.layers.push(Layer::Help { scrolled: 0 }),
+            SharedAction::Help => self.layers.push(AppLayer::Help { scrolled: 0 }),
             SharedAction::Charset => settings.charset = settings.charset.other(),
             SharedAction::Theme => settings.palette = settings.palette.next(),
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
@@ -328,11 +339,11 @@ impl App {
             Next::Back => {
                 self.stack.pop();
                 if self.stack.is_empty() {
-                    self.stack.push(Box::new(Old(Home::default())));
+                    self.stack.push(Box::new(Hosted::new(Home::default())));
                     return vec![Effect::Quit];
                 }
             }
-            Next::Confirm(question) => self.layers.push(Layer::Confirm(question)),
+            Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
             Next::Shared(action) => return self.share(action),
             Next::Quit => return vec![Effect::Quit],
         }
@@ -341,7 +352,7 @@ impl App {
 
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
-            Place::Home => Box::new(Old(Home::default())),
+            Place::Home => Box::new(Hosted::new(Home::default())),
             Place::Lab => Box::new(Old(Lab::default())),
             Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
@@ -361,8 +372,8 @@ impl App {
             }
             Place::Foil => Box::new(Old(Foil::default())),
             Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
-            Place::Table => Box::new(Old(Table::default())),
-            Place::Progress => Box::new(Old(Progress::ask(&mut self.context))),
+            Place::Table => Box::new(Hosted::new(Table::default())),
+            Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };
         self.stack.push(screen);
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::Law;
+use super::ScatteringLaw;
 
 /// Bins of equal width from 0 to 180°.
 pub const BINS: usize = 36;
@@ -36,7 +36,7 @@ impl Counts {
     }
 
     /// What a law leads one to expect of `particles`, bin by bin.
-    pub fn expected(law: &Law, particles: u64) -> [f64; BINS] {
+    pub fn expected(law: &ScatteringLaw, particles: u64) -> [f64; BINS] {
         std::array::from_fn(|bin| {
             let beyond = |edge: usize| law.share_beyond(edge as f64 * BIN_WIDTH);
             particles as f64 * (beyond(bin) - beyond(bin + 1))

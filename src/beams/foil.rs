@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::Target;
+use super::BeamTarget;
 use crate::physics::rutherford::{ALPHA_CHARGE, GOLD_CHARGE, GOLD_DENSITY, Rutherford};
 
 /// A metal.
@@ -64,8 +64,8 @@ impl Foil {
     /// What α particles of `energy` joules meet in it, each at most one nucleus: the
     /// beam that belongs to one nucleus has the area 1/(n t), so b goes up to
     /// 1/√(π n t).
-    pub fn target(&self, energy: f64) -> Target {
-        Target::Coulomb {
+    pub fn target(&self, energy: f64) -> BeamTarget {
+        BeamTarget::Coulomb {
             scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),
             half_width: 1.0 / (PI * self.atoms_per_area()).sqrt(),
         }

@@ -7,7 +7,7 @@ use crate::physics::rutherford::Rutherford;
 
 /// What a beam is thrown at. It is taken as fixed: so heavy that it does not move.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Target {
+pub enum BeamTarget {
     /// Hard discs or spheres, e = 1. The beam is as wide as can hit: b goes up to
     /// r₁ + r₂.
     Hard,
@@ -26,21 +26,21 @@ pub enum Target {
 /// Offsets are counted in *nearness*: b as a share of the beam's half-width, 0 for
 /// straight on, 1 at the rim.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Law {
+pub struct ScatteringLaw {
     /// What is hit.
-    pub target: Target,
+    pub target: BeamTarget,
     /// Plane or space.
     pub beam: Beam,
 }
 
-impl Law {
+impl ScatteringLaw {
     /// The angle Θ by which a particle is turned, 0 to π radians, for a nearness from 0
     /// to 1: Θ = 2 arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is that
     /// of incidence), Θ = 2 atan(d/2b) for a charge.
     pub fn angle(&self, nearness: f64) -> f64 {
         match self.target {
-            Target::Hard => 2.0 * nearness.clamp(-1.0, 1.0).acos(),
-            Target::Coulomb {
+            BeamTarget::Hard => 2.0 * nearness.clamp(-1.0, 1.0).acos(),
+            BeamTarget::Coulomb {
                 scatterer,
                 half_width,
             } => scatterer.scattering_angle(nearness * half_width),
@@ -54,8 +54,8 @@ impl Law {
             return 0.0;
         }
         match self.target {
-            Target::Hard => (angle.max(0.0) / 2.0).cos(),
-            Target::Coulomb {
+            BeamTarget::Hard => (angle.max(0.0) / 2.0).cos(),
+            BeamTarget::Coulomb {
                 scatterer,
                 half_width,
             } => scatterer

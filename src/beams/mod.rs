@@ -1,7 +1,7 @@
 //! Beams of many particles, thrown one by one and counted by the angle they leave at;
 //! and what Geiger and Marsden counted.
 //!
-//! [`Law`] says how a particle is turned, [`Sampler`] throws the particles, [`Counts`]
+//! [`ScatteringLaw`] says how a particle is turned, [`Sampler`] throws the particles, [`Counts`]
 //! holds the counts by angle. Everything follows from a seed: the generator and the way
 //! from its numbers to offsets are part of what a seed means.
 
@@ -15,6 +15,6 @@ mod tests;
 
 pub use counts::{BIN_WIDTH, BINS, Counts};
 pub use foil::{Foil, METALS, Metal};
-pub use law::{Law, Target};
+pub use law::{BeamTarget, ScatteringLaw};
 pub use measured::{Angle, Fault, Series, geiger_marsden, read};
 pub use sampler::Sampler;

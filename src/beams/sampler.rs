@@ -5,7 +5,7 @@ use std::ops::Range;
 use rand::Rng;
 use rand_pcg::Pcg64;
 
-use super::{BIN_WIDTH, BINS, Counts, Law};
+use super::{BIN_WIDTH, BINS, Counts, ScatteringLaw};
 
 /// Stream of the generator; part of what a seed means.
 const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
@@ -41,7 +41,7 @@ pub struct Sampler {
 
 impl Sampler {
     /// A sampler for a law.
-    pub fn new(law: &Law) -> Self {
+    pub fn new(law: &ScatteringLaw) -> Self {
         let mut edges = [0; PLACES];
         for (bin, edge) in edges.iter_mut().enumerate().take(BINS) {
             // To the nearest whole number; 2⁶⁴ itself, for all, is held to what fits.

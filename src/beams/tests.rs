@@ -9,23 +9,23 @@ use super::*;
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::{MEV, RADIUM_C_ENERGY, Rutherford};
 
-const DISC: Law = Law {
-    target: Target::Hard,
+const DISC: ScatteringLaw = ScatteringLaw {
+    target: BeamTarget::Hard,
     beam: Beam::Board,
 };
 
-const SPHERE: Law = Law {
-    target: Target::Hard,
+const SPHERE: ScatteringLaw = ScatteringLaw {
+    target: BeamTarget::Hard,
     beam: Beam::Space,
 };
 
 /// Radium C on gold in a beam so narrow that every bin gets its share: the outermost
 /// particles are turned by 2.5°.
-fn coulomb(beam: Beam) -> Law {
+fn coulomb(beam: Beam) -> ScatteringLaw {
     let scatterer = Rutherford::radium_c_on_gold();
     let half_width = scatterer.impact_parameter(2.5_f64.to_radians());
-    Law {
-        target: Target::Coulomb {
+    ScatteringLaw {
+        target: BeamTarget::Coulomb {
             scatterer,
             half_width: half_width.unwrap(),
         },
@@ -33,18 +33,18 @@ fn coulomb(beam: Beam) -> Law {
     }
 }
 
-fn foil(thickness: f64) -> Law {
+fn foil(thickness: f64) -> ScatteringLaw {
     let foil = Foil {
         metal: METALS[0],
         thickness,
     };
-    Law {
+    ScatteringLaw {
         target: foil.target(RADIUM_C_ENERGY),
         beam: Beam::Space,
     }
 }
 
-fn thrown(law: &Law, seed: u64, particles: u64) -> Counts {
+fn thrown(law: &ScatteringLaw, seed: u64, particles: u64) -> Counts {
     let mut counts = Counts::default();
     Sampler::new(law).throw(seed, 0..particles, &mut counts);
     counts
@@ -111,9 +111,11 @@ fn ten_million_particles_agree_with_the_closed_forms() {
     let gold = Rutherford::radium_c_on_gold();
     let sigma = |angle| gold.cross_section_beyond(angle).unwrap_or(f64::INFINITY);
     let whole = sigma(2.5_f64.to_radians());
-    let cases: [(&str, Law, Beyond); 4] = [
-        ("disc", DISC, &|a| Beam::Board.cm_share_beyond(a)),
-        ("sphere", SPHERE, &|a| Beam::Space.cm_share_beyond(a)),
+    let cases: [(&str, ScatteringLaw, Beyond); 4] = [
+        ("disc", DISC, &|a| Beam::Board.share_within((a / 2.0).cos())),
+        ("sphere", SPHERE, &|a| {
+            Beam::Space.share_within((a / 2.0).cos())
+        }),
         ("Coulomb", coulomb(Beam::Space), &|a| {
             (sigma(a) / whole).min(1.0)
         }),
@@ -210,7 +212,7 @@ fn a_foil_turns_back_few() {
     assert!((1.0 / back / 117_000.0 - 1.0).abs() < 0.01, "{back}");
     assert!((foil(4.2e-7).share_beyond(PI / 2.0) / back - 2.0).abs() < 1e-12);
     // Half the energy: twice the d, four times as many.
-    let slow = Law {
+    let slow = ScatteringLaw {
         target: Foil {
             metal: METALS[0],
             thickness: 2.1e-7,

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-use toml::Spanned;
+use serde::Serialize;
 
 use super::{Ballot, ClassPlace, ClassRound, ClassStep, Vote, team_names};
-use crate::files::{FileError, Source};
+use crate::files::{Fields, FileErrors, Source};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question, Response};
 
@@ -38,27 +37,10 @@ struct Votes {
     second: Vec<String>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ReadRound {
-    #[serde(rename = "format")]
-    _format: u32,
-    code: Spanned<String>,
-    teams: Spanned<Vec<String>>,
-    number: Option<Spanned<usize>>,
-    step: Option<Spanned<String>>,
-    #[serde(default)]
-    asked: Option<Spanned<Vec<String>>>,
-    #[serde(default)]
-    question: Vec<ReadVotes>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ReadVotes {
-    first: Vec<Spanned<String>>,
-    second: Vec<Spanned<String>>,
-}
+/// The fields of a file.
+const FIELDS: [&str; 7] = [
+    "format", "code", "teams", "number", "step", "asked", "question",
+];
 
 impl ClassRound {
     /// Largest file that is read, in bytes.
@@ -103,83 +85,63 @@ impl ClassRound {
     /// the teacher's own there are.
     ///
     /// # Errors
-    /// The first thing that is wrong with it: that it is no such file, or a newer one;
-    /// that its code or its teams are none; that it asks questions of the teacher's own
-    /// that are not there or have changed; that a vote says nothing, or something else
-    /// than was asked for.
-    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileError> {
+    /// All that is wrong with it: that it is no such file, or a newer one; that its code or
+    /// its teams are none; that it asks questions of the teacher's own that are not there
+    /// or have changed; that a vote says nothing, or something else than was asked for.
+    pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, bytes, LARGEST)?;
-        let read: ReadRound = source.tables("a class round", FORMAT)?;
-        let Some(code) = Code::parse(read.code.get_ref()) else {
-            let message = "expected the code of a round, such as mixed-7";
-            return Err(source.fault(read.code.span().start, "code", message));
-        };
-        let code = code
-            .with_own(own)
-            .map_err(|message| source.fault(read.code.span().start, "code", message))?;
-        let at = read.teams.span().start;
-        let teams = team_names(read.teams.get_ref().iter().map(String::as_str))
-            .map_err(|trouble| source.fault(at, "teams", trouble.to_string()))?;
-        if &teams != read.teams.get_ref() {
-            let message = "expected names of 1 to 24 visible letters";
-            return Err(source.fault(at, "teams", message));
-        }
-        let mut round = Self::new(code, teams);
-        if let Some(asked) = &read.asked
-            && round.own_ids() != *asked.get_ref()
-        {
+        source.document("a class round", FORMAT, &FIELDS, |fields| {
+            Self::from_fields(fields, own)
+        })
+    }
+
+    fn from_fields(fields: &Fields, own: &Arc<Library>) -> Option<Self> {
+        let code = fields.text_as("code", |code| match Code::parse(code) {
+            Some(code) => code.with_own(own),
+            None => Err("expected the code of a round, such as mixed-7".into()),
+        });
+        let teams =
+            fields
+                .any_texts("teams")
+                .and_then(|found| match team_names(found.iter().copied()) {
+                    Ok(teams) if teams == found => Some(teams),
+                    Ok(_) => fields.refuse("teams", "expected names of 1 to 24 visible letters"),
+                    Err(error) => fields.refuse("teams", error.to_string()),
+                });
+        let asked = fields.or("asked", None, |name| fields.any_texts(name).map(Some));
+        let votes = fields.or("question", Vec::new(), |name| {
+            fields.tables(name, 0..=usize::MAX, &["first", "second"])
+        });
+        let mut round = Self::new(code?, teams?);
+        if asked?.is_some_and(|asked| round.own_ids() != asked) {
             let message =
                 "expected the questions of your own as they were; their files have changed";
-            return Err(source.fault(asked.span().start, "asked", message));
+            return fields.refuse("asked", message);
         }
-        for (question, votes) in read.question.iter().enumerate() {
-            for (vote, field, said) in [
-                (Vote::First, "first", &votes.first),
-                (Vote::Second, "second", &votes.second),
-            ] {
-                for (team, text) in said.iter().enumerate() {
-                    round
-                        .take(question, team, vote, text.get_ref())
-                        .map_err(|message| source.fault(text.span().start, field, message))?;
+        for (question, votes) in votes?.iter().enumerate() {
+            for (vote, field) in [(Vote::First, "first"), (Vote::Second, "second")] {
+                let said = votes.any_texts(field).unwrap_or_default();
+                for (team, text) in said.into_iter().enumerate() {
+                    if let Err(message) = round.take(question, team, vote, text) {
+                        votes.refuse_item::<()>(field, team, message);
+                    }
                 }
             }
         }
-        let place = round.read_place(source, &read)?;
-        round.go(place);
-        Ok(round)
-    }
-
-    /// The place in the round that a file gives: without one the first question that
-    /// nobody has voted on.
-    fn read_place(&self, source: Source, read: &ReadRound) -> Result<ClassPlace, FileError> {
-        let last = self.questions().len().saturating_sub(1);
-        let question = match &read.number {
-            None => self.begun().min(last),
-            Some(number) => {
-                let question = number.get_ref().checked_sub(1);
-                question.filter(|it| *it <= last).ok_or_else(|| {
-                    let message = format!(
-                        "expected the number of a question, 1 to {}, found {}",
-                        last + 1,
-                        number.get_ref()
-                    );
-                    source.fault(number.span().start, "number", message)
-                })?
-            }
-        };
-        let step = match &read.step {
-            None => ClassStep::default(),
-            Some(step) => ClassStep::with_id(step.get_ref()).ok_or_else(|| {
-                let ids: Vec<_> = ClassStep::ALL.into_iter().map(ClassStep::id).collect();
-                let message = format!(
-                    "expected one of {}, found \"{}\"",
-                    ids.join(", "),
-                    step.get_ref().escape_debug()
-                );
-                source.fault(step.span().start, "step", message)
-            })?,
-        };
-        Ok(ClassPlace { question, step })
+        let last = round.questions().len().saturating_sub(1);
+        // Without one, the first question that nobody has voted on.
+        let question = fields.or("number", round.begun().min(last), |name| {
+            let expected = format!("the number of a question, 1 to {}", last + 1);
+            Some(fields.whole(name, &expected, 1..=last + 1)? - 1)
+        });
+        let step = fields.or("step", ClassStep::default(), |name| {
+            fields.word(name, &ClassStep::ALL.map(|step| (step.id(), step)))
+        });
+        round.go(ClassPlace {
+            question: question?,
+            step: step?,
+        });
+        Some(round)
     }
 
     /// Takes a vote from a file.

@@ -1,9 +1,31 @@
 //! The tables a teacher takes home, as comma-separated values.
 
 use super::{ClassRound, Vote, items};
-use crate::physics::units::deg_from_rad;
+use crate::numbers::bare_degrees;
 use crate::progress::table;
-use crate::quiz::Response;
+use crate::quiz::{Question, Response};
+
+/// The columns that both tables begin with: what was asked.
+const ASKED: [&str; 6] = [
+    "code",
+    "number",
+    "family",
+    "difficulty",
+    "question",
+    "truth",
+];
+
+/// The cells of [`ASKED`] for a question, counted from 0.
+fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> {
+    vec![
+        round.code().to_string(),
+        (number + 1).to_string(),
+        question.family.id().into(),
+        question.difficulty.id().into(),
+        question.text.clone(),
+        question.form.words(&question.form.truth()),
+    ]
+}
 
 /// A row a team and question: both votes, the truth, how good they were.
 ///
@@ -11,12 +33,6 @@ use crate::quiz::Response;
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
     let heads = [
-        "code",
-        "number",
-        "family",
-        "difficulty",
-        "question",
-        "truth",
         "team",
         "first_vote",
         "first_right",
@@ -34,15 +50,8 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
     for (i, question) in round.questions().iter().enumerate() {
         for (team, name) in round.teams().iter().enumerate() {
             let ballot = round.ballot(i, team);
-            let mut row = vec![
-                round.code().to_string(),
-                (i + 1).to_string(),
-                question.family.id().into(),
-                question.difficulty.id().into(),
-                question.text.clone(),
-                question.form.words(&question.form.truth()),
-                name.clone(),
-            ];
+            let mut row = asked(round, i, question);
+            row.push(name.clone());
             for vote in [Vote::First, Vote::Second] {
                 row.extend(judged(round, i, ballot.vote(vote)));
             }
@@ -53,7 +62,7 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
             rows.push(row);
         }
     }
-    table(&heads, &rows)
+    table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
 /// A vote, whether it was right, its credit, how far off it was, the misconception; five
@@ -70,7 +79,7 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
             .unwrap_or_default(),
         grade
             .and_then(|it| it.angle_error)
-            .map(degrees)
+            .map(bare_degrees)
             .unwrap_or_default(),
         diagnosis
             .map(|it| it.misconception.id.to_owned())
@@ -84,12 +93,6 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn items_csv(round: &ClassRound) -> Result<String, String> {
     let heads = [
-        "code",
-        "number",
-        "family",
-        "difficulty",
-        "question",
-        "truth",
         "first_votes",
         "first_share_right",
         "first_error_mean_deg",
@@ -107,21 +110,16 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
         .iter()
         .filter_map(|item| {
             let question = round.questions().get(item.question)?;
-            let mut row = vec![
-                round.code().to_string(),
-                (item.question + 1).to_string(),
-                question.family.id().into(),
-                question.difficulty.id().into(),
-                question.text.clone(),
-                question.form.words(&question.form.truth()),
-            ];
+            let mut row = asked(round, item.question, question);
             for vote in 0..2 {
                 let spread = item.spread[vote];
                 row.extend([
                     item.votes[vote].to_string(),
                     share(item.right[vote]),
-                    spread.map(|it| degrees(it.mean)).unwrap_or_default(),
-                    spread.map(|it| degrees(it.deviation)).unwrap_or_default(),
+                    spread.map(|it| bare_degrees(it.mean)).unwrap_or_default(),
+                    spread
+                        .map(|it| bare_degrees(it.deviation))
+                        .unwrap_or_default(),
                 ]);
             }
             row.push(share(item.discrimination));
@@ -132,13 +130,9 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
             Some(row)
         })
         .collect();
-    table(&heads, &rows)
+    table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
 fn yes_or_no(yes: bool) -> String {
     if yes { "yes" } else { "no" }.into()
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{:.1}", deg_from_rad(angle) + 0.0)
 }

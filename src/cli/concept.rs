@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, Options, given, print_text};
+use super::{Failure, GlobalOptions, given, print_text};
 use crate::quiz::concepts::{Library, check};
 
 /// Check written questions: every field, every figure, and that no right choice gives
@@ -34,7 +34,7 @@ struct Check {
     paths: Vec<PathBuf>,
 }
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,

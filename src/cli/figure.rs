@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use super::options::Auto;
-use super::{Failure, Options, print, written};
+use super::{Failure, GlobalOptions, print, written};
 use crate::screens::learn::draw_figure;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 
@@ -41,7 +41,7 @@ const AUTO: Auto = Auto {
     depth: Depth::True,
 };
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let settings = options.settings(AUTO);
     let palette = if args.light {
         Palette::Light

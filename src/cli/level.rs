@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, Options, given, print_text};
-use crate::levels::{Judgement, Level, LevelLibrary, Trial, winning_share};
+use super::{Failure, GlobalOptions, given, print_text};
+use crate::levels::{Finding, Level, LevelLibrary, Trial, winning_share};
 
 /// How many aims the measure of difficulty tries.
 const TRIES: u32 = 4000;
@@ -39,7 +39,7 @@ struct Check {
     verbose: bool,
 }
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let Command::Check(args) = &args.command;
     let library = given::library(
         &args.paths,
@@ -83,12 +83,13 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut Vec<u8>) -> io::Res
     };
     let won = trial.verdict.won();
     let outcome = if won { "won" } else { "NOT WON" };
-    writeln!(out, "{name}: {outcome}: {}", summary(&trial.verdict))?;
+    let findings = trial.verdict.told(level);
+    writeln!(out, "{name}: {outcome}: {}", summary(&findings))?;
     if trial.opens_won {
         writeln!(out, "  note: the aim it opens with wins already")?;
     }
     if verbose {
-        for (goal, finding) in level.goals.iter().zip(&trial.verdict.0) {
+        for (goal, finding) in level.goals.iter().zip(&findings) {
             let sign = if finding.met { '+' } else { '-' };
             let goal = goal.describe(&level.scene);
             writeln!(out, "  {sign} {goal} ({})", finding.told)?;
@@ -100,9 +101,9 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut Vec<u8>) -> io::Res
 }
 
 /// What happened, the goals that are not met first.
-fn summary(verdict: &Judgement) -> String {
+fn summary(findings: &[Finding]) -> String {
     let told = |met| {
-        let findings = verdict.0.iter().filter(move |finding| finding.met == met);
+        let findings = findings.iter().filter(move |finding| finding.met == met);
         findings.map(|finding| finding.told.as_str())
     };
     let all: Vec<_> = told(false).chain(told(true)).collect();

@@ -29,7 +29,7 @@ use anyhow::anyhow;
 use clap::{CommandFactory, Parser, Subcommand};
 
 pub use failure::Failure;
-pub use options::Options;
+pub use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::team_names;
@@ -48,7 +48,7 @@ use options::Auto;
 #[command(name = "carrom", version, after_help = EXAMPLES)]
 pub struct Cli {
     #[command(flatten)]
-    options: Options,
+    options: GlobalOptions,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -83,7 +83,7 @@ Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
 #[derive(Debug, Subcommand)]
 enum Command {
     #[command(flatten)]
-    Open(Screen),
+    Open(OpenCommand),
     Solve(solve::Args),
     Simulate(simulate::Args),
     Replay(replay::Args),
@@ -100,7 +100,7 @@ enum Command {
 
 /// Commands that open the game at a screen.
 #[derive(Debug, Subcommand)]
-enum Screen {
+enum OpenCommand {
     /// Open the lessons: glancing collisions, chapter by chapter
     Learn {
         /// A chapter to read at once: its number or its name
@@ -143,7 +143,7 @@ enum Screen {
     },
 }
 
-impl Screen {
+impl OpenCommand {
     /// Whether it really opens a screen, rather than talking in lines or printing.
     fn opens(&self) -> bool {
         match self {
@@ -190,7 +190,7 @@ impl Screen {
     ///
     /// # Errors
     /// If there is no level or chapter of that name, or no question for a code, in words.
-    fn place(&self, data: &Data, options: &Options) -> Result<Place, String> {
+    fn place(&self, data: &Data, options: &GlobalOptions) -> Result<Place, String> {
         Ok(match self {
             Self::Learn { chapter: None, .. } => Place::Learn,
             Self::Learn {
@@ -246,7 +246,7 @@ fn teams(text: &str) -> Result<Teams, String> {
 /// If it is of own questions and there are none, in words.
 fn round(
     code: Option<&Code>,
-    options: &Options,
+    options: &GlobalOptions,
     own: &Arc<concepts::Library>,
 ) -> Result<Option<Code>, String> {
     Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
@@ -274,7 +274,12 @@ fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
 ///
 /// # Errors
 /// What is wrong with the arguments, in words.
-fn app(screen: Option<&Screen>, options: &Options, auto: Auto, seed: u64) -> Result<App, String> {
+fn app(
+    screen: Option<&OpenCommand>,
+    options: &GlobalOptions,
+    auto: Auto,
+    seed: u64,
+) -> Result<App, String> {
     let data = Data {
         shelf: options.shelf(),
         book: options.book(),
@@ -291,7 +296,9 @@ impl Cli {
     /// What was expected.
     fn check(&self) -> Result<(), String> {
         let code = match &self.command {
-            Some(Command::Open(Screen::Quiz { code, .. } | Screen::Class { code, .. })) => code,
+            Some(Command::Open(
+                OpenCommand::Quiz { code, .. } | OpenCommand::Class { code, .. },
+            )) => code,
             _ => &None,
         };
         match (code, self.options.seed) {
@@ -325,13 +332,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         .map_err(|error| Failure::Input(anyhow!(error)))?;
     match &cli.command {
         None => play::run(&cli.options, None),
-        Some(Command::Open(Screen::Progress(args))) if args.prints() => {
+        Some(Command::Open(OpenCommand::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
-        Some(Command::Open(Screen::Quiz { code, plain: true })) => {
+        Some(Command::Open(OpenCommand::Quiz { code, plain: true })) => {
             plain::quiz(code.as_ref(), &cli.options)
         }
-        Some(Command::Open(Screen::Learn {
+        Some(Command::Open(OpenCommand::Learn {
             chapter,
             plain: true,
         })) => plain::learn(chapter.as_deref(), &cli.options),
@@ -369,12 +376,12 @@ fn say(message: &clap::Error) -> io::Result<()> {
 /// # Errors
 /// What is wrong with the arguments, in words.
 pub fn open(arguments: &str) -> Result<App, String> {
-    open_within(arguments, &Options::default()).map(|(app, _)| app)
+    open_within(arguments, &GlobalOptions::default()).map(|(app, _)| app)
 }
 
 /// As [`open`], with `outer` where the arguments leave an option open; gives the
 /// options too.
-fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), String> {
+fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOptions), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
     let words = std::iter::once("carrom".to_owned()).chain(words);
     let cli = Cli::try_parse_from(words).map_err(|error| {
@@ -395,7 +402,7 @@ fn open_within(arguments: &str, outer: &Options) -> Result<(App, Options), Strin
 }
 
 /// Writes words to standard output, in glyphs that it shows. They may quote anything.
-fn print_text(text: &str, options: &Options) -> io::Result<()> {
+fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     let mut text = escape_control_lines(&options.printed().text(text));
     if !text.is_empty() {
         text.push('\n');

@@ -21,7 +21,7 @@ use crate::{lessons, levels};
 /// Options that every command takes.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Global options")]
-pub struct Options {
+pub struct GlobalOptions {
     /// Glyphs to draw with; auto: unicode in a UTF-8 locale
     #[arg(long, global = true, value_enum, default_value_t, value_name = "SET")]
     charset: CharsetChoice,
@@ -97,7 +97,7 @@ impl Auto {
     };
 }
 
-impl Options {
+impl GlobalOptions {
     /// These options, with the other's where these leave something open.
     pub(super) fn or(self, other: &Self) -> Self {
         let other = other.clone();

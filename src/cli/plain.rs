@@ -7,13 +7,13 @@ use anyhow::anyhow;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::play::any_seed;
-use super::{Failure, Options};
-use crate::physics::worked::Step;
+use super::{Failure, GlobalOptions};
+use crate::physics::worked::WorkedStep;
 use crate::quiz::Code;
 use crate::shells::plain::{self, Leave, Recorder, Talk};
 
 /// A round of the quiz.
-pub(super) fn quiz(code: Option<&Code>, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn quiz(code: Option<&Code>, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let own = options.own();
     let code = super::round(code, options, &own).map_err(|error| Failure::Input(anyhow!(error)))?;
     let seed = options.seed.unwrap_or_else(any_seed);
@@ -23,7 +23,7 @@ pub(super) fn quiz(code: Option<&Code>, options: &Options) -> Result<ExitCode, F
 }
 
 /// The chapters, from one of them on.
-pub(super) fn learn(chapter: Option<&str>, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn learn(chapter: Option<&str>, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let book = options.book();
     let library = book.library();
     let chapter = chapter
@@ -36,7 +36,7 @@ pub(super) fn learn(chapter: Option<&str>, options: &Options) -> Result<ExitCode
 }
 
 /// A worked solution; without steps the hit is asked for.
-pub(super) fn solve(steps: Option<&[Step]>) -> Result<ExitCode, Failure> {
+pub(super) fn solve(steps: Option<&[WorkedStep]>) -> Result<ExitCode, Failure> {
     talk(|talk| plain::solve(talk, steps))
 }
 
@@ -59,7 +59,7 @@ pub(super) fn advise(message: &mut clap::Error) {
 }
 
 fn with_keeper(
-    options: &Options,
+    options: &GlobalOptions,
     run: impl FnOnce(&mut Talk, &mut Recorder) -> Result<(), Leave>,
 ) -> Result<ExitCode, Failure> {
     let mut store = options.store();

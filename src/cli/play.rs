@@ -7,14 +7,17 @@ use std::process::ExitCode;
 use anyhow::anyhow;
 
 use super::options::Auto;
-use super::{Failure, Options, Screen, app};
+use super::{Failure, GlobalOptions, OpenCommand, app};
 use crate::shells::terminal::{self, Ending};
 
 /// Opens the game at a screen and plays it until it is left.
-pub(super) fn run(options: &Options, screen: Option<&Screen>) -> Result<ExitCode, Failure> {
+pub(super) fn run(
+    options: &GlobalOptions,
+    screen: Option<&OpenCommand>,
+) -> Result<ExitCode, Failure> {
     let env = |name: &str| env::var(name).ok();
     terminal::check(env).map_err(|error| {
-        let instead = screen.map_or(Screen::WITHOUT_TERMINAL, Screen::without_terminal);
+        let instead = screen.map_or(OpenCommand::WITHOUT_TERMINAL, OpenCommand::without_terminal);
         Failure::Input(anyhow!("{error}; without one: {instead}"))
     })?;
     terminal::report_crashes(options.data_dir());

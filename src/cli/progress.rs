@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, Options, print, written};
+use super::{Failure, GlobalOptions, print, written};
 use crate::files::{Document, escape_control_lines};
 use crate::messages::{StoreCall, StoreReply, StoreRequest};
 use crate::paper::report::{Report, Sources};
@@ -70,7 +70,7 @@ impl Args {
     }
 }
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let mut store = options.store();
     let player = options.player_name();
     let history = match ask(

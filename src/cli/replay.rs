@@ -8,10 +8,10 @@ use anyhow::anyhow;
 use serde::Serialize;
 
 use super::{Failure, given, print};
-use crate::files::FileError;
+use crate::files::FileErrors;
 use crate::game::{
-    Coin, Fingerprint, Game, Move, Piece, RecordError, Ruling, SavedGame, Seat, Setup, Stage,
-    Strike, Team,
+    Coin, Fingerprint, Game, GameSetup, GameStage, Move, Piece, RecordError, Ruling, SavedGame,
+    Seat, Strike, Team,
 };
 use crate::physics::units::mm_from_m;
 use crate::physics::{EventKind, Shot};
@@ -35,7 +35,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let (saved, game) = read(&args.file).map_err(|fault| Failure::Input(fault.into()))?;
     let moves = happenings(&saved).map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
     let report = if args.json {
-        let mut report = serde_json::to_string(&Report::of(&saved, &game, moves))?;
+        let mut report = serde_json::to_string(&ReplayReport::of(&saved, &game, moves))?;
         report.push('\n');
         report
     } else {
@@ -45,14 +45,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn read(file: &Path) -> Result<(SavedGame, Game), FileError> {
+fn read(file: &Path) -> Result<(SavedGame, Game), FileErrors> {
     let (name, bytes) = given::bytes(file, SavedGame::LARGEST_FILE)?;
     SavedGame::read(&name, &bytes)
 }
 
 /// A move and what came of it.
 #[derive(Debug, Serialize)]
-struct Happening {
+struct ReplayedMove {
     r#move: usize,
     seat: Seat,
     kind: &'static str,
@@ -71,16 +71,16 @@ struct Announced {
 
 /// What `--json` prints.
 #[derive(Debug, Serialize)]
-struct Report {
+struct ReplayReport {
     player: String,
-    setup: Setup,
-    moves: Vec<Happening>,
-    r#final: End,
+    setup: GameSetup,
+    moves: Vec<ReplayedMove>,
+    r#final: ReplayEnd,
 }
 
 /// How the game stands after its last move.
 #[derive(Debug, Serialize)]
-struct End {
+struct ReplayEnd {
     stage: &'static str,
     board: u8,
     turn: Seat,
@@ -106,10 +106,10 @@ impl From<Ruling> for Announced {
 }
 
 /// All moves, made once more.
-fn happenings(saved: &SavedGame) -> Result<Vec<Happening>, RecordError> {
+fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
     let mut happenings = Vec::new();
     saved.record.play_through(|before, made, shot, rulings| {
-        happenings.push(Happening {
+        happenings.push(ReplayedMove {
             r#move: happenings.len() + 1,
             seat: before.seat(),
             kind: kind(made),
@@ -144,8 +144,8 @@ const fn kind(made: &Move) -> &'static str {
     }
 }
 
-impl Report {
-    fn of(saved: &SavedGame, game: &Game, moves: Vec<Happening>) -> Self {
+impl ReplayReport {
+    fn of(saved: &SavedGame, game: &Game, moves: Vec<ReplayedMove>) -> Self {
         let score = game.score();
         let lying = |coin: &Coin| Lying {
             piece: coin.piece,
@@ -155,12 +155,12 @@ impl Report {
             player: saved.player.clone(),
             setup: *saved.record.setup(),
             moves,
-            r#final: End {
+            r#final: ReplayEnd {
                 stage: match game.stage() {
-                    Stage::Playing => "playing",
-                    Stage::BoardOver(_) => "board_over",
-                    Stage::GameOver(_) => "game_over",
-                    Stage::MatchOver(_) => "match_over",
+                    GameStage::Playing => "playing",
+                    GameStage::BoardOver(_) => "board_over",
+                    GameStage::GameOver(_) => "game_over",
+                    GameStage::MatchOver(_) => "match_over",
                 },
                 board: game.board_number(),
                 turn: game.seat(),
@@ -173,7 +173,7 @@ impl Report {
     }
 }
 
-fn text(saved: &SavedGame, game: &Game, moves: &[Happening]) -> String {
+fn text(saved: &SavedGame, game: &Game, moves: &[ReplayedMove]) -> String {
     let mut text = String::new();
     for happening in moves {
         let seat = format!("{:?}", happening.seat);

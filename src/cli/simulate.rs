@@ -8,10 +8,10 @@ use anyhow::anyhow;
 use serde::Serialize;
 
 use super::{Failure, given, print};
-use crate::files::{self, FileError};
+use crate::files::{self, FileErrors};
 use crate::levels::Scene;
 use crate::physics::units::mm_from_m;
-use crate::physics::{Event, EventKind, Sample, Shot, State};
+use crate::physics::{DiscState, Event, EventKind, Sample, Shot};
 
 /// Play the shot of a scene and print what happens
 #[derive(Debug, clap::Args)]
@@ -30,7 +30,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
         .map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
     let mut report = Vec::new();
     if args.json {
-        serde_json::to_writer(&mut report, &Report::of(&shot))?;
+        serde_json::to_writer(&mut report, &ShotReport::of(&shot))?;
         writeln!(report)?;
     } else {
         write_table(&scene, &shot, &mut report)?;
@@ -39,43 +39,43 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn read(file: &Path) -> Result<Scene, FileError> {
+fn read(file: &Path) -> Result<Scene, FileErrors> {
     let (name, bytes) = given::bytes(file, files::LARGEST)?;
     Scene::read(&name, &bytes)
 }
 
 /// What `--json` prints.
 #[derive(Debug, Serialize)]
-struct Report {
+struct ShotReport {
     duration_s: f64,
-    events: Vec<Happening>,
-    r#final: Vec<End>,
+    events: Vec<ShotEvent>,
+    r#final: Vec<DiscEnd>,
     energy_before_j: f64,
     energy_after_j: f64,
 }
 
 #[derive(Debug, Serialize)]
-struct Happening {
+struct ShotEvent {
     t_s: f64,
     kind: &'static str,
     discs: Vec<usize>,
 }
 
 #[derive(Debug, Serialize)]
-struct End {
+struct DiscEnd {
     disc: usize,
     state: &'static str,
     at_mm: [f64; 2],
 }
 
-impl Report {
+impl ShotReport {
     fn of(shot: &Shot) -> Self {
-        let happening = |event: &Event| Happening {
+        let happening = |event: &Event| ShotEvent {
             t_s: event.time,
             kind: kind_name(&event.kind),
             discs: discs_of(&event.kind),
         };
-        let end = |(disc, sample): (usize, Sample)| End {
+        let end = |(disc, sample): (usize, Sample)| DiscEnd {
             disc,
             state: state_name(sample.state),
             at_mm: sample.position.to_array().map(mm_from_m),
@@ -105,11 +105,11 @@ fn discs_of(kind: &EventKind) -> Vec<usize> {
 }
 
 /// `moving` can only be the end of a shot on a board without friction.
-const fn state_name(state: State) -> &'static str {
+const fn state_name(state: DiscState) -> &'static str {
     match state {
-        State::Moving => "moving",
-        State::Resting => "rest",
-        State::Pocketed => "pocketed",
+        DiscState::Moving => "moving",
+        DiscState::Resting => "rest",
+        DiscState::Pocketed => "pocketed",
     }
 }
 

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, Options};
+use super::{Failure, GlobalOptions};
 use crate::files::{self, Existing, Source};
 use crate::shells::Headless;
 use crate::shells::tape::{PlayError, Tape, play};
@@ -47,7 +47,7 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Expect "90.0"            fails unless the screen shows this
   Refuse "NaN"             fails if the screen shows this"#;
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let file = args.file.display();
     let tape = read(&args.file).map_err(Failure::Input)?;
     let open = |arguments: &str| {

@@ -6,9 +6,9 @@ use std::process::ExitCode;
 
 use anyhow::{Context, anyhow};
 
-use super::{Failure, Options, print, written};
+use super::{Failure, GlobalOptions, print, written};
 use crate::files::Document;
-use crate::paper::worksheet::{Picture, Worksheet};
+use crate::paper::worksheet::{Worksheet, WorksheetPicture};
 use crate::quiz::{Code, Course, CourseKind, Round};
 
 /// Write a round of the quiz as a worksheet, with its key
@@ -50,7 +50,7 @@ pub(super) struct Args {
 /// The folder of the pictures for Markdown.
 const PICTURES: &str = "pictures";
 
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let code = code(args, options).map_err(Failure::Input)?;
     let code = code.with_own(&options.own());
     let round = Round::of(code.map_err(|error| Failure::Input(anyhow!(error)))?);
@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
 }
 
 /// The code of the round that is asked for.
-fn code(args: &Args, options: &Options) -> anyhow::Result<Code> {
+fn code(args: &Args, options: &GlobalOptions) -> anyhow::Result<Code> {
     match (&args.code, options.seed) {
         (Some(_), Some(_)) => Err(anyhow!(
             "expected --seed or --code, not both: a code has its seed in it"
@@ -122,7 +122,8 @@ fn remove_others(out: &Path, files: &[Document]) -> anyhow::Result<()> {
     let mut others: Vec<_> = keys.into_iter().filter(|path| path.is_file()).collect();
     if let Ok(entries) = fs::read_dir(out.join(PICTURES)) {
         let names = entries.flatten().map(|entry| entry.file_name());
-        let pictures = names.filter(|name| name.to_str().is_some_and(Picture::is_file_name));
+        let pictures =
+            names.filter(|name| name.to_str().is_some_and(WorksheetPicture::is_file_name));
         others.extend(pictures.map(|name| out.join(PICTURES).join(name)));
     }
     for path in others {

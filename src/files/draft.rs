@@ -66,7 +66,7 @@ impl Draft {
 }
 
 /// Whether there is anything of this name, a link that leads nowhere included.
-pub fn is_there(path: &Path) -> bool {
+pub(super) fn is_there(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok()
 }
 

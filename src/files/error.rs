@@ -1,10 +1,14 @@
-//! What is wrong with a file, in one message.
+//! What is wrong with a file, in words.
 
 use std::fmt;
 
 use super::is_invisible;
 
-/// The first thing that is wrong with a file.
+/// Most errors of a file that are told; of one that is something else altogether there
+/// is no end.
+const MOST_TOLD: usize = 20;
+
+/// One thing that is wrong with a file.
 ///
 /// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -20,7 +24,7 @@ pub struct FileError {
 }
 
 impl FileError {
-    /// A fault of a whole file.
+    /// An error of a whole file.
     pub fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self {
             file: file.into(),
@@ -31,7 +35,7 @@ impl FileError {
     }
 
     /// What is wrong and where in the file, for those who know which file it is.
-    pub fn without_file(&self) -> String {
+    fn without_file(&self) -> String {
         match self.line {
             Some(line) => format!("line {line}: {}", self.what()),
             None => self.what(),
@@ -54,6 +58,50 @@ impl fmt::Display for FileError {
             write!(f, ":{line}")?;
         }
         write!(f, ": {}", self.what())
+    }
+}
+
+/// All that is wrong with a file, at least one thing. Shown a line each.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub struct FileErrors(Vec<FileError>);
+
+impl FileErrors {
+    /// The errors of a `file` in the order in which they are told, the first few of them;
+    /// `None` if there are none.
+    pub(super) fn of(file: &str, mut errors: Vec<FileError>) -> Option<Self> {
+        if errors.len() > MOST_TOLD {
+            errors.truncate(MOST_TOLD);
+            errors.push(FileError::of_file(file, "there are more errors"));
+        }
+        (!errors.is_empty()).then_some(Self(errors))
+    }
+
+    /// What is wrong and where in the file, for those who know which file it is.
+    pub fn without_file(&self) -> String {
+        let errors: Vec<_> = self.0.iter().map(FileError::without_file).collect();
+        errors.join("; ")
+    }
+}
+
+impl From<FileError> for FileErrors {
+    fn from(error: FileError) -> Self {
+        Self(vec![error])
+    }
+}
+
+impl IntoIterator for FileErrors {
+    type Item = FileError;
+    type IntoIter = std::vec::IntoIter<FileError>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl fmt::Display for FileErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let errors: Vec<_> = self.0.iter().map(ToString::to_string).collect();
+        f.write_str(&errors.join("\n"))
     }
 }
 

@@ -3,18 +3,21 @@
 
 mod draft;
 mod error;
+mod fields;
 mod letters;
 mod list;
+mod number;
 mod put;
 mod read;
 mod source;
-mod tables;
 
 pub use draft::{Draft, UNFINISHED, fsync_dir};
-pub use error::{FileError, escape_control, escape_control_lines};
+pub use error::{FileError, FileErrors, escape_control, escape_control_lines};
+pub use fields::{Fields, newer};
+pub(crate) use fields::{all, is_id};
 pub use letters::{is_invisible, tidy_name};
 pub use list::{List, embedded, list, not_a_file};
+pub use number::{NumberSpec, Range};
 pub use put::{Document, Existing, Unwritten, put};
 pub use read::{LARGEST, read, read_stdin};
 pub use source::{BYTE_ORDER_MARK, Source};
-pub use tables::newer;

@@ -45,12 +45,12 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
     let mut streams = Vec::new();
     for (path, text) in documents {
         let failed = |error| Unwritten::Failed(path.clone(), error);
-        match target(path).map_err(failed)? {
-            Target::Stream => streams.push((path, text)),
-            Target::There if existing == Existing::Stay => {
+        match state(path).map_err(failed)? {
+            PathState::Stream => streams.push((path, text)),
+            PathState::There if existing == Existing::Stay => {
                 return Err(Unwritten::There(path.clone()));
             }
-            Target::There | Target::Free => {
+            PathState::There | PathState::Free => {
                 // The file that a link leads to is the one that is meant.
                 let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
                 let folder = folder(&place);
@@ -79,7 +79,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
 }
 
 /// What is at a place where a document is to be.
-enum Target {
+enum PathState {
     /// Nothing.
     Free,
     /// Something that would have to go.
@@ -88,13 +88,13 @@ enum Target {
     Stream,
 }
 
-fn target(path: &Path) -> io::Result<Target> {
+fn state(path: &Path) -> io::Result<PathState> {
     match fs::metadata(path) {
         Ok(about) if about.is_dir() => Err(io::Error::other("expected a file, found a folder")),
-        Ok(about) if about.is_file() => Ok(Target::There),
-        Ok(_) => Ok(Target::Stream),
-        Err(_) if is_there(path) => Ok(Target::There),
-        Err(_) => Ok(Target::Free),
+        Ok(about) if about.is_file() => Ok(PathState::There),
+        Ok(_) => Ok(PathState::Stream),
+        Err(_) if is_there(path) => Ok(PathState::There),
+        Err(_) => Ok(PathState::Free),
     }
 }
 

@@ -1,38 +1,69 @@
 //! The text of a file, and what is wrong with it where.
 
-use super::error::FileError;
+use std::cell::RefCell;
+
+use super::{FileError, FileErrors};
 
 /// U+FEFF in UTF-8.
 pub const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// A file's text and its name, for messages.
-#[derive(Debug, Clone, Copy)]
+/// Most errors that are looked for in a file: each takes a walk to its line.
+const MOST_NOTED: usize = 200;
+
+/// A file's text, and all that is found wrong with it while it is read.
+#[derive(Debug)]
 pub struct Source<'a> {
     name: &'a str,
     text: &'a str,
+    /// The line of the file that the text begins with, from 1.
+    first_line: usize,
+    /// Each with its place among the others.
+    errors: RefCell<Vec<(Rank, FileError)>>,
+}
+
+/// Which of the errors of a file are told first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Rank {
+    /// A field that nobody knows: it often is a wanted one misspelt.
+    UnknownField,
+    /// Text that is no TOML. What follows from it on the same line is not told.
+    Syntax,
+    /// Anything else.
+    Value,
 }
 
 impl<'a> Source<'a> {
+    fn new(name: &'a str, text: &'a str, first_line: usize) -> Self {
+        Self {
+            name,
+            text,
+            first_line,
+            errors: RefCell::default(),
+        }
+    }
+
     /// The bytes of a file of this name, as text.
     ///
     /// # Errors
     /// If there are more than `most` of them, or they are no UTF-8.
     pub fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
-        let empty = Source { name, text: "" };
         if bytes.len() > most {
             let message = format!("expected a file of at most {} MiB, found more", most >> 20);
-            return Err(empty.fault(0, "", message));
+            return Err(Self::new(name, "", 1).error_at(0, "", message));
         }
         // Some editors begin with a mark that says nothing about UTF-8.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         std::str::from_utf8(bytes)
-            .map(|text| Source { name, text })
+            .map(|text| Self::new(name, text, 1))
             .map_err(|error| {
                 let good = bytes.get(..error.valid_up_to()).unwrap_or_default();
-                let text = std::str::from_utf8(good).unwrap_or_default();
-                let source = Source { name, text };
-                let field = source.key_near(text.len());
-                source.fault(text.len(), field, "expected UTF-8 text, found other bytes")
+                let source = Self::new(name, std::str::from_utf8(good).unwrap_or_default(), 1);
+                let at = source.text.len();
+                source.error_at(
+                    at,
+                    source.key_near(at),
+                    "expected UTF-8 text, found other bytes",
+                )
             })
     }
 
@@ -41,27 +72,112 @@ impl<'a> Source<'a> {
         self.text
     }
 
-    /// The fault that `message` describes, at a byte of the text.
-    pub fn fault(&self, at: usize, field: &str, message: impl Into<String>) -> FileError {
-        let before = self.text.as_bytes().iter().take(at);
+    /// Its lines with their numbers.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
+        (self.first_line..).zip(self.text.lines())
+    }
+
+    /// A stretch of it as a source of its own, whose errors are of the same file.
+    pub(crate) fn part(&self, bytes: std::ops::Range<usize>) -> Self {
+        let first_line = self.line_of(bytes.start);
+        Self::new(
+            self.name,
+            self.text.get(bytes).unwrap_or_default(),
+            first_line,
+        )
+    }
+
+    /// The error that `message` describes, at a byte of the text.
+    pub(super) fn error_at(&self, at: usize, field: &str, message: impl Into<String>) -> FileError {
         FileError {
-            file: self.name.into(),
-            line: Some(1 + before.filter(|&&byte| byte == b'\n').count()),
+            line: Some(self.line_of(at)),
             field: (!field.is_empty()).then(|| field.into()),
-            message: message.into(),
+            ..FileError::of_file(self.name, message)
         }
     }
 
-    /// The key that the line around a byte sets, if it sets one.
-    pub fn key_near(&self, at: usize) -> &'a str {
-        let start = self
-            .text
-            .get(..at)
-            .and_then(|before| before.rfind('\n'))
-            .map_or(0, |newline| newline + 1);
+    /// The error that `message` describes, at a line.
+    pub(crate) fn error_on(&self, line: usize, message: impl Into<String>) -> FileError {
+        FileError {
+            line: Some(line),
+            ..FileError::of_file(self.name, message)
+        }
+    }
+
+    /// Notes what is wrong at a byte of the text.
+    pub(super) fn note(&self, rank: Rank, at: usize, field: &str, message: impl Into<String>) {
+        let mut errors = self.errors.borrow_mut();
+        if errors.len() < MOST_NOTED {
+            errors.push((rank, self.error_at(at, field, message)));
+        }
+    }
+
+    /// Notes what is wrong at a line; always `None`, for whoever wanted something there.
+    pub(crate) fn refuse<T>(&self, line: usize, message: impl Into<String>) -> Option<T> {
+        let error = self.error_on(line, message);
+        self.errors.borrow_mut().push((Rank::Value, error));
+        None
+    }
+
+    /// Forgets what was found wrong so far.
+    pub(super) fn forget(&self) {
+        self.errors.borrow_mut().clear();
+    }
+
+    /// What was made of a line, or its message noted.
+    pub(crate) fn accept<T>(&self, line: usize, made: Result<T, String>) -> Option<T> {
+        match made {
+            Ok(made) => Some(made),
+            Err(message) => self.refuse(line, message),
+        }
+    }
+
+    /// Takes over what was found wrong with a [part](Self::part).
+    pub(crate) fn absorb(&self, part: Self) {
+        let mut errors = self.errors.borrow_mut();
+        errors.extend(part.errors.into_inner());
+    }
+
+    /// What was made of the text, unless something was found wrong with it.
+    ///
+    /// # Errors
+    /// All that was found.
+    pub(crate) fn finish<T>(self, made: Option<T>) -> Result<T, FileErrors> {
+        let mut errors = self.errors.into_inner();
+        let broken: Vec<_> = errors
+            .iter()
+            .filter(|(rank, _)| *rank == Rank::Syntax)
+            .map(|(_, error)| error.line)
+            .collect();
+        errors.retain(|(rank, error)| *rank != Rank::Value || !broken.contains(&error.line));
+        errors.sort_by_key(|(rank, error)| (*rank != Rank::UnknownField, error.line));
+        let mut errors: Vec<_> = errors.into_iter().map(|(_, error)| error).collect();
+        errors.dedup();
+        match (FileErrors::of(self.name, errors), made) {
+            (None, Some(made)) => Ok(made),
+            (Some(errors), _) => Err(errors),
+            // Nothing is refused without a word; were it so, this would still be true.
+            (None, None) => Err(FileError::of_file(self.name, "cannot be understood").into()),
+        }
+    }
+
+    pub(super) fn line_of(&self, at: usize) -> usize {
+        let before = self.text.as_bytes().iter().take(at);
+        self.first_line + before.filter(|&&byte| byte == b'\n').count()
+    }
+
+    /// The line around a byte.
+    pub(super) fn line_near(&self, at: usize) -> &'a str {
+        let before = self.text.get(..at).unwrap_or_default();
+        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
         let line = self.text.get(start..).unwrap_or_default();
-        let line = line.lines().next().unwrap_or_default();
-        let key = line.split_once('=').map_or("", |(key, _)| key.trim());
+        line.lines().next().unwrap_or_default()
+    }
+
+    /// The key that the line around a byte sets, if it sets one.
+    pub(super) fn key_near(&self, at: usize) -> &'a str {
+        let key = self.line_near(at).split_once('=');
+        let key = key.map_or("", |(key, _)| key.trim());
         let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if key.chars().all(bare) { key } else { "" }
     }

@@ -18,7 +18,7 @@
 //! | `score` | points, boards, games, the match |
 //! | `play` | one board, from the break to its end |
 //! | `table` | a whole game at the table |
-//! | `validity` | what no game can be |
+//! | `validity` | what a game refuses |
 //! | `record` | a game move by move, to be played again bit for bit |
 //! | `saved` | a record as a file, with who plays |
 //! | `opponent` | the computer opponent, and hints for the player |
@@ -39,14 +39,14 @@ mod stroke;
 mod table;
 mod validity;
 
-pub use laws::{BoardWon, Effect, Law, Rules, Ruling};
+pub use laws::{BoardWon, Law, Rules, Ruling, RulingEffect};
 pub use pieces::{Coin, Colour, Piece, PieceSet};
 pub use placing::{BaseLines, Misplaced};
-pub use play::Play;
+pub use play::BoardInPlay;
 pub use record::{Call, Move, MoveError, Record, RecordError, Strike};
 pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, is_player_name};
 pub use score::Score;
 pub use seat::{ByTeam, Hands, Seat, Team};
 pub use stroke::{Stroke, StrokeError};
-pub use table::{Game, Setup, Stage};
+pub use table::{Game, GameSetup, GameStage};
 pub use validity::GameError;

@@ -4,7 +4,9 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::free_place;
-use super::laws::{BoardWon, Case, Effect, Law, QueenBefore, QueenFate, Ruling, TurnFate, Verdict};
+use super::laws::{
+    BoardWon, Case, Law, QueenBefore, QueenFate, Ruling, RulingEffect, TurnFate, Verdict,
+};
 use super::pieces::{COINS_EACH, Coin, Colour, Piece, PieceSet, count};
 use super::score::Score;
 use super::seat::{ByTeam, Hands, Seat, Team};
@@ -13,7 +15,7 @@ use super::stroke::Stroke;
 /// A board in play: what lies where, whose turn it is, what is owed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Play {
+pub struct BoardInPlay {
     /// The coins on the board; the striker is never among them.
     pub(super) coins: Vec<Coin>,
     /// Whose turn it is.
@@ -61,7 +63,7 @@ impl Terms {
     }
 }
 
-impl Play {
+impl BoardInPlay {
     /// A board about to be broken by the player at `breaker`.
     pub(super) fn new(coins: Vec<Coin>, breaker: Seat) -> Self {
         Self {
@@ -178,7 +180,7 @@ impl Play {
         };
         if verdict.queen == QueenFate::Covered {
             self.queen_covered_by = Some(team);
-            main.effects.push(Effect::QueenCovered(colour));
+            main.effects.push(RulingEffect::QueenCovered(colour));
         }
         if let Some(end) = verdict.end {
             let won = BoardWon {
@@ -188,7 +190,7 @@ impl Play {
             self.won = Some(won);
             // Whatever is owed is written off (28).
             self.owed = ByTeam::default();
-            main.effects.push(Effect::BoardWon(won));
+            main.effects.push(RulingEffect::BoardWon(won));
             return vec![main];
         }
 
@@ -207,11 +209,11 @@ impl Play {
         }
         if verdict.turn == TurnFate::Passes {
             self.pass_turn(terms.hands);
-            main.effects.push(Effect::TurnPasses(self.seat));
+            main.effects.push(RulingEffect::TurnPasses(self.seat));
         } else {
-            main.effects.push(Effect::TurnContinues(self.seat));
+            main.effects.push(RulingEffect::TurnContinues(self.seat));
             if self.queen_to_cover() {
-                main.effects.push(Effect::MustCover);
+                main.effects.push(RulingEffect::MustCover);
             }
         }
 
@@ -223,7 +225,7 @@ impl Play {
                 text: format!(
                     "{colour} has no coin in the pockets to give back, so the due waits until there is one."
                 ),
-                effects: vec![Effect::StillOwed(colour, self.owed[team])],
+                effects: vec![RulingEffect::StillOwed(colour, self.owed[team])],
             });
         }
         rulings
@@ -247,7 +249,7 @@ impl Play {
             }
             if !ruling.effects.is_empty() {
                 if self.owed[team] > 0 {
-                    let still = Effect::StillOwed(colour, self.owed[team]);
+                    let still = RulingEffect::StillOwed(colour, self.owed[team]);
                     ruling.effects.push(still);
                 }
                 rulings.push(ruling);
@@ -280,7 +282,7 @@ impl Play {
     fn put_back(&mut self, piece: Piece, at: DVec2, ruling: &mut Ruling) {
         let coin = Coin { piece, at };
         self.coins.push(coin);
-        ruling.effects.push(Effect::PutBack(coin));
+        ruling.effects.push(RulingEffect::PutBack(coin));
     }
 
     fn pass_turn(&mut self, hands: Hands) {

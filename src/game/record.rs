@@ -9,14 +9,14 @@ use super::laws::Ruling;
 use super::pieces::{Coin, metres};
 use super::placing::Misplaced;
 use super::stroke::{Stroke, StrokeError};
-use super::table::{Game, Setup};
+use super::table::{Game, GameSetup};
 use super::validity::GameError;
 use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
 
 /// What was agreed and every move since. All else follows from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    setup: Setup,
+    setup: GameSetup,
     moves: Vec<Move>,
 }
 
@@ -96,17 +96,17 @@ pub struct RecordError {
 
 impl Record {
     /// A game in which nobody has moved yet.
-    pub const fn new(setup: Setup) -> Self {
+    pub const fn new(setup: GameSetup) -> Self {
         Self::of(setup, Vec::new())
     }
 
     /// A game with these moves, be they possible or not.
-    pub const fn of(setup: Setup, moves: Vec<Move>) -> Self {
+    pub const fn of(setup: GameSetup, moves: Vec<Move>) -> Self {
         Self { setup, moves }
     }
 
     /// What was agreed before the first break.
-    pub const fn setup(&self) -> &Setup {
+    pub const fn setup(&self) -> &GameSetup {
         &self.setup
     }
 
@@ -222,7 +222,7 @@ mod tests {
     use super::*;
 
     /// Hard random strokes from legal places, next boards included.
-    fn played(setup: Setup, strokes: usize, seed: u64) -> (Record, Game) {
+    fn played(setup: GameSetup, strokes: usize, seed: u64) -> (Record, Game) {
         let mut hand = Pcg64::seed_from_u64(seed);
         let mut record = Record::new(setup);
         let mut game = Game::new(setup);
@@ -260,11 +260,11 @@ mod tests {
             (2, Hands::Four, Rules::Tournament),
             (3, Hands::Two, Rules::Friendly),
         ] {
-            let setup = Setup {
+            let setup = GameSetup {
                 rules,
                 hands,
                 seed: Some(seed),
-                ..Setup::default()
+                ..GameSetup::default()
             };
             let (record, game) = played(setup, 60, seed);
             assert!(record.moves().len() > 20);
@@ -277,7 +277,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_played_is_refused_with_the_move_it_fails_at() {
-        let mut record = Record::new(Setup::default());
+        let mut record = Record::new(GameSetup::default());
         let breaking = Strike {
             place: DVec2::new(0.0, -0.2526),
             velocity: DVec2::new(0.0, 4.0),
@@ -303,9 +303,9 @@ mod tests {
                 velocity,
                 call: None,
             };
-            let mut game = Game::new(Setup::default());
+            let mut game = Game::new(GameSetup::default());
             assert!(Move::Strike(strike).make(&mut game).is_err());
-            assert_eq!(game, Game::new(Setup::default()));
+            assert_eq!(game, Game::new(GameSetup::default()));
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::pieces::{Coin, Piece, count};
-use crate::physics::{EventKind, Shot, State};
+use crate::physics::{DiscState, EventKind, Shot};
 
 /// A stroke as the referee sees it: what was touched, what fell and what lies
 /// where afterwards. How it came about is the engine's business.
@@ -84,7 +84,7 @@ impl Stroke {
         let left = coins
             .iter()
             .zip(shot.final_states().skip(1))
-            .filter(|(_, end)| end.state != State::Pocketed)
+            .filter(|(_, end)| end.state != DiscState::Pocketed)
             .map(|(coin, end)| Coin {
                 at: end.position,
                 ..*coin
@@ -138,7 +138,7 @@ mod tests {
     use super::super::pack::pack;
     use super::super::pieces::PieceSet;
     use super::super::seat::Seat;
-    use super::super::{Game, Rules, Setup};
+    use super::super::{Game, GameSetup, Rules};
     use super::*;
     use crate::physics::{self, Board, Limits, Motion};
     use glam::DVec2;
@@ -151,9 +151,9 @@ mod tests {
             piece,
             at: DVec2::new(x, y),
         };
-        let mut game = Game::new(Setup {
+        let mut game = Game::new(GameSetup {
             rules: Rules::Practice,
-            ..Setup::default()
+            ..GameSetup::default()
         });
         // The black coin stands before the right upper pocket, in line with it.
         let coins = vec![

@@ -3,11 +3,11 @@
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use super::laws::{self, BoardWon, Effect, Law, Rules, Ruling, Verdict};
+use super::laws::{self, BoardWon, Law, Rules, Ruling, RulingEffect, Verdict};
 use super::pack::{jittered_pack, pack};
 use super::pieces::{Coin, Colour, Piece, PieceSet};
 use super::placing::{BaseLines, Misplaced, check_anywhere};
-use super::play::{Play, Terms};
+use super::play::{BoardInPlay, Terms};
 use super::score::Score;
 use super::seat::{Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
@@ -17,7 +17,7 @@ use crate::physics::{Board, Disc, Motion};
 /// What is agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Setup {
+pub struct GameSetup {
     /// The rules.
     pub rules: Rules,
     /// Singles or doubles.
@@ -47,7 +47,7 @@ mod seed_bits {
 
 /// Where a game stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stage {
+pub enum GameStage {
     /// A board is being played.
     Playing,
     /// A board has ended, and the game goes on with the next.
@@ -65,20 +65,20 @@ pub enum Stage {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Game {
-    pub(super) setup: Setup,
+    pub(super) setup: GameSetup,
     pub(super) finished: Vec<BoardWon>,
-    pub(super) play: Play,
+    pub(super) play: BoardInPlay,
 }
 
 impl Game {
     /// A new game with the pack laid out. In singles South breaks first unless it
     /// is North: nobody sits at the other sides.
-    pub fn new(setup: Setup) -> Self {
+    pub fn new(setup: GameSetup) -> Self {
         let first_breaker = match setup.hands {
             Hands::Two if !setup.hands.plays(setup.first_breaker) => Seat::South,
             _ => setup.first_breaker,
         };
-        let setup = Setup {
+        let setup = GameSetup {
             first_breaker,
             ..setup
         };
@@ -90,12 +90,12 @@ impl Game {
     }
 
     /// What was agreed before the first break.
-    pub fn setup(&self) -> &Setup {
+    pub fn setup(&self) -> &GameSetup {
         &self.setup
     }
 
     /// The board in play.
-    pub fn play(&self) -> &Play {
+    pub fn play(&self) -> &BoardInPlay {
         &self.play
     }
 
@@ -133,7 +133,7 @@ impl Game {
     }
 
     /// Where the game stands.
-    pub fn stage(&self) -> Stage {
+    pub fn stage(&self) -> GameStage {
         let rules = self.setup.rules;
         let score = self.score();
         match (
@@ -141,10 +141,10 @@ impl Game {
             score.match_winner(rules),
             score.game_winner(rules),
         ) {
-            (None, ..) => Stage::Playing,
-            (Some(_), Some(team), _) => Stage::MatchOver(team),
-            (Some(_), None, Some(team)) => Stage::GameOver(team),
-            (Some(won), None, None) => Stage::BoardOver(won),
+            (None, ..) => GameStage::Playing,
+            (Some(_), Some(team), _) => GameStage::MatchOver(team),
+            (Some(_), None, Some(team)) => GameStage::GameOver(team),
+            (Some(won), None, None) => GameStage::BoardOver(won),
         }
     }
 
@@ -236,7 +236,7 @@ impl Game {
         let Some(won) = self.play.won else {
             return Err(GameError::StillPlaying);
         };
-        if let Stage::MatchOver(_) = self.stage() {
+        if let GameStage::MatchOver(_) = self.stage() {
             return Err(GameError::MatchOver);
         }
         self.finished.push(won);
@@ -256,7 +256,7 @@ impl Game {
             return Err(GameError::NotInPractice);
         }
         check_coins(&coins, self.setup.set)?;
-        let mut play = Play::new(coins, self.seat());
+        let mut play = BoardInPlay::new(coins, self.seat());
         if !play.queen_on_board() {
             play.queen_covered_by = Some(self.team(self.seat()));
         }
@@ -288,7 +288,7 @@ impl Game {
             rulings.push(ruling(
                 law(Law::EXTRA_BOARD),
                 "The score is level after the last board, so one more decides.".to_owned(),
-                Effect::ExtraBoard,
+                RulingEffect::ExtraBoard,
             ));
         }
         if let Some(team) = score.game_winner(rules) {
@@ -300,7 +300,7 @@ impl Game {
                     score.points[team],
                     score.points[team.other()]
                 ),
-                Effect::GameWon(team),
+                RulingEffect::GameWon(team),
             ));
         }
         if let Some(team) = score.match_winner(rules) {
@@ -310,7 +310,7 @@ impl Game {
                     "That makes two games for {}, who wins the match.",
                     self.colour(team)
                 ),
-                Effect::MatchWon(team),
+                RulingEffect::MatchWon(team),
             ));
         }
         rulings
@@ -348,10 +348,10 @@ impl Game {
     }
 }
 
-fn break_board(setup: &Setup, board: u64, breaker: Seat) -> Play {
+fn break_board(setup: &GameSetup, board: u64, breaker: Seat) -> BoardInPlay {
     let coins = match setup.seed {
         Some(seed) => jittered_pack(setup.set, breaker, seed.wrapping_add(board)),
         None => pack(setup.set, breaker),
     };
-    Play::new(coins, breaker)
+    BoardInPlay::new(coins, breaker)
 }

@@ -1,9 +1,9 @@
 //! The text of a page: paragraphs, lists, formulas, numbers.
 
+use super::SourceLine;
 use super::formula::Formula;
 use super::inline::{self, Meaning};
-use super::source::{Source, SourceLine};
-use crate::files::FileError;
+use crate::files::{Source, all};
 
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,14 +41,11 @@ pub enum Tone {
 }
 
 /// Reads the blocks of some lines.
-///
-/// # Errors
-/// The first thing that is wrong with them.
 pub(super) fn read(
     source: &Source,
     lines: &[SourceLine],
     meaning: &Meaning,
-) -> Result<Vec<TextBlock>, FileError> {
+) -> Option<Vec<TextBlock>> {
     let mut blocks = Vec::new();
     let mut open: Option<OpenBlock> = None;
     for &(number, line) in lines {
@@ -59,12 +56,11 @@ pub(super) fn read(
         let (item, rest) = item(text);
         let ends = text.is_empty() || formula.is_some() || item.is_some();
         if let Some(done) = open.take_if(|_| ends) {
-            blocks.push(done.close(source, meaning)?);
+            blocks.push(done.close(source, meaning));
         }
         if let Some(formula) = formula {
-            let formula = Formula::read(formula);
-            let formula = formula.map_err(|message| source.fault(number, message))?;
-            blocks.push(TextBlock::Formula(formula));
+            let formula = source.accept(number, Formula::read(formula));
+            blocks.push(formula.map(TextBlock::Formula));
         } else if !text.is_empty() {
             match &mut open {
                 Some(open) => {
@@ -81,10 +77,8 @@ pub(super) fn read(
             }
         }
     }
-    if let Some(open) = open {
-        blocks.push(open.close(source, meaning)?);
-    }
-    Ok(blocks)
+    blocks.extend(open.map(|open| open.close(source, meaning)));
+    all(blocks)
 }
 
 /// A paragraph or a line of a list, being read.
@@ -95,9 +89,9 @@ struct OpenBlock {
 }
 
 impl OpenBlock {
-    fn close(self, source: &Source, meaning: &Meaning) -> Result<TextBlock, FileError> {
+    fn close(self, source: &Source, meaning: &Meaning) -> Option<TextBlock> {
         let pieces = inline::read(source, self.line, &self.text, meaning)?;
-        Ok(match self.item {
+        Some(match self.item {
             None => TextBlock::Paragraph(pieces),
             Some(number) => TextBlock::Item(number, pieces),
         })

@@ -1,9 +1,9 @@
 //! A chapter: a header and its pages.
 
-use super::header::{self, Header};
+use super::SourceLine;
+use super::header::{self, Shots};
 use super::page::ChapterPage;
-use super::source::{Source, SourceLine};
-use crate::files::FileError;
+use crate::files::{self, FileError, FileErrors, Source, all};
 
 /// Most pages of a chapter.
 const MOST_PAGES: usize = 60;
@@ -29,60 +29,29 @@ impl Chapter {
     /// Reads a chapter; its number and its id are in the name of the file.
     ///
     /// # Errors
-    /// The first thing that is wrong with the file.
-    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileError> {
-        let source = Source::new(file, bytes)?;
+    /// All that is wrong with the file.
+    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
+        let source = Source::of_bytes(file, bytes, files::LARGEST)?;
         let (number, id) = number_and_id(file).ok_or_else(|| {
             let message = "expected a file name such as 02-the-line-of-impact.md";
             FileError::of_file(file, message)
         })?;
-        let Header {
-            title,
-            about,
-            shots,
-            ends,
-        } = header::read(&source)?;
-        let lines: Vec<SourceLine> = source.lines().skip(ends - 1).collect();
-        let is_heading = |(_, text): &SourceLine| text.starts_with("# ") || *text == "#";
-        let mut pages: Vec<ChapterPage> = Vec::new();
-        let mut left = lines.as_slice();
-        while let [(number, text), rest @ ..] = left {
-            if !is_heading(&(*number, text)) {
-                if text.trim().is_empty() {
-                    left = rest;
-                    continue;
-                }
-                return Err(source.fault(*number, "expected a page: # and its title"));
-            }
-            let length = rest.iter().position(is_heading).unwrap_or(rest.len());
-            let (inside, after) = rest.split_at(length);
-            let title = text.trim_start_matches('#');
-            let page = ChapterPage::read(&source, (*number, title), inside, &shots)?;
-            if let Some(other) = pages.iter().find(|other| other.title == page.title) {
-                let message = format!(
-                    "expected a title of its own; the page at line {} has it already",
-                    other.line
-                );
-                return Err(source.fault(*number, message));
-            }
-            pages.push(page);
-            if pages.len() > MOST_PAGES {
-                let message = format!("expected at most {MOST_PAGES} pages");
-                return Err(source.fault(*number, message));
-            }
-            left = after;
+        let control = |c: char| c.is_control() && c != '\n' && c != '\r';
+        for (line, _) in source.lines().filter(|(_, line)| line.contains(control)) {
+            source.refuse::<()>(line, "expected no control characters");
         }
-        if pages.is_empty() {
-            return Err(source.fault(ends, "expected a page: # and its title, found none"));
-        }
-        Ok(Self {
-            number,
-            id: id.into(),
-            title,
-            about,
-            pages,
-            file: file.into(),
-        })
+        let made = header::read(&source).and_then(|header| {
+            let pages = pages(&source, header.ends, &header.shots?);
+            Some(Self {
+                number,
+                id: id.into(),
+                title: header.title?,
+                about: header.about?,
+                pages: pages?,
+                file: file.into(),
+            })
+        });
+        source.finish(made)
     }
 
     /// How many checkpoints it has.
@@ -98,6 +67,39 @@ impl Chapter {
             ..FileError::of_file(&self.file, message)
         }
     }
+}
+
+/// Reads the pages that begin after a header which ends before the line `first`.
+fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage>> {
+    let lines: Vec<SourceLine> = source.lines().skip(first - 1).collect();
+    let is_heading = |(_, text): &SourceLine| text.starts_with("# ") || *text == "#";
+    let start = lines.iter().position(is_heading).unwrap_or(lines.len());
+    let (before, mut left) = lines.split_at(start);
+    if let Some((line, _)) = before.iter().find(|(_, text)| !text.trim().is_empty()) {
+        source.refuse::<()>(*line, "expected a page: # and its title");
+    } else if left.is_empty() {
+        source.refuse::<()>(first, "expected a page: # and its title, found none");
+    }
+    let mut pages: Vec<Option<ChapterPage>> = Vec::new();
+    while let [(line, text), rest @ ..] = left {
+        let length = rest.iter().position(is_heading).unwrap_or(rest.len());
+        let (inside, after) = rest.split_at(length);
+        let title = text.trim_start_matches('#').trim();
+        let mut known = pages.iter().flatten();
+        if let Some(other) = known.find(|other| other.title == title) {
+            let message = format!(
+                "expected a title of its own; the page at line {} has it already",
+                other.line
+            );
+            source.refuse::<()>(*line, message);
+        }
+        if pages.len() == MOST_PAGES {
+            return source.refuse(*line, format!("expected at most {MOST_PAGES} pages"));
+        }
+        pages.push(ChapterPage::read(source, (*line, title), inside, shots));
+        left = after;
+    }
+    all(pages)
 }
 
 /// The number and the id in a path: `lessons/02-the-line-of-impact.md`.

@@ -3,10 +3,9 @@
 use super::block::{self, Inline, TextBlock};
 use super::figure::Figure;
 use super::inline::{self, Meaning};
-use super::source::{Source, SourceLine};
 use super::words::Words;
-use super::{CollisionSpec, Quantity};
-use crate::files::FileError;
+use super::{CollisionSpec, Quantity, SourceLine};
+use crate::files::{Source, all};
 use crate::physics::Collision;
 
 /// Least and most lines of a choice.
@@ -88,23 +87,19 @@ pub struct CheckpointChoice {
 
 impl Checkpoint {
     /// Reads a checkpoint: the words after its colons, and the lines up to its end.
-    ///
-    /// # Errors
-    /// The first thing that is wrong with it.
     pub(super) fn read(
         source: &Source,
         (line, words): SourceLine,
         inside: &[SourceLine],
         figure: Option<&Figure>,
         meaning: &Meaning,
-    ) -> Result<Self, FileError> {
-        let fault = |message: String| source.fault(line, message);
+    ) -> Option<Self> {
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
         let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
         let telling = telling.get(1..).unwrap_or_default();
         let texts = asking.iter().map(|(_, text)| text.trim());
         let written: Vec<_> = std::iter::once(words.trim()).chain(texts).collect();
-        let mut words = Words::of(words).map_err(fault)?;
+        let mut words = source.accept(line, Words::of(words))?;
         let name = words.first().unwrap_or_default();
         let first_choice = asking.iter().position(|(_, text)| text.starts_with("- ["));
         let (question, choices) = match name.as_str() {
@@ -112,34 +107,33 @@ impl Checkpoint {
             _ => (asking, &[][..]),
         };
         let asked = match name.as_str() {
-            "rays" => rays(figure),
-            "number" => number(&mut words, meaning),
-            "choice" => Ok(CheckpointKind::Choice(read_choices(
-                source, line, choices, meaning,
-            )?)),
-            other => Err(format!(
-                "expected :::rays, :::number or :::choice, found {other}"
-            )),
+            "rays" => source.accept(line, rays(figure)),
+            "number" => source.accept(line, number(&mut words, meaning)),
+            "choice" => read_choices(source, line, choices, meaning).map(CheckpointKind::Choice),
+            other => {
+                let message = format!("expected :::rays, :::number or :::choice, found {other}");
+                return source.refuse(line, message);
+            }
         };
-        let asked = asked.map_err(fault)?;
-        words.finish().map_err(fault)?;
-        let checkpoint = Self {
-            question: block::read(source, question, meaning)?,
-            after: block::read(source, telling, meaning)?,
-            asked,
+        // Words that are left over after one that is wrong may belong to it.
+        if asked.is_some() {
+            source.accept(line, words.finish());
+        }
+        let question = block::read(source, question, meaning);
+        let after = block::read(source, telling, meaning);
+        if question.as_ref().is_some_and(Vec::is_empty) {
+            source.refuse::<()>(line, "expected a question, found none");
+        }
+        if name == "number" && after.as_ref().is_some_and(Vec::is_empty) {
+            source.refuse::<()>(line, "expected an explanation after ---, found none");
+        }
+        Some(Self {
+            question: question?,
+            after: after?,
+            asked: asked?,
             written: written.join("\n").trim().to_owned(),
             line,
-        };
-        if checkpoint.question.is_empty() {
-            return Err(fault("expected a question, found none".into()));
-        }
-        if checkpoint.after.is_empty() && matches!(checkpoint.asked, CheckpointKind::Number { .. })
-        {
-            return Err(fault(
-                "expected an explanation after ---, found none".into(),
-            ));
-        }
-        Ok(checkpoint)
+        })
     }
 }
 
@@ -204,8 +198,9 @@ fn read_choices(
     line: usize,
     lines: &[SourceLine],
     meaning: &Meaning,
-) -> Result<Vec<CheckpointChoice>, FileError> {
+) -> Option<Vec<CheckpointChoice>> {
     let mut choices = Vec::new();
+    let mut right_ones = 0;
     let mut left = lines;
     while let [(number, first), rest @ ..] = left {
         let (right, text) = if let Some(text) = first.strip_prefix("- [x] ") {
@@ -218,7 +213,7 @@ fn read_choices(
         } else {
             let message =
                 "expected - [ ] or - [x] and a line to choose, and indented lines after it";
-            return Err(source.fault(*number, message));
+            return source.refuse(*number, message);
         };
         let length = rest
             .iter()
@@ -228,22 +223,23 @@ fn read_choices(
         let told: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
         if told.is_empty() {
             let message = "expected indented lines that are said to whoever chooses this";
-            return Err(source.fault(*number, message));
+            source.refuse::<()>(*number, message);
         }
-        choices.push(CheckpointChoice {
-            text: inline::read(source, *number, text, meaning)?,
-            why: inline::read(source, number + 1, &told.join("\n"), meaning)?,
-            right,
-        });
+        let text = inline::read(source, *number, text, meaning);
+        let why = inline::read(source, number + 1, &told.join("\n"), meaning);
+        right_ones += usize::from(right);
+        choices.push(
+            text.zip(why)
+                .map(|(text, why)| CheckpointChoice { text, why, right }),
+        );
         left = after;
     }
-    let right = choices.iter().filter(|choice| choice.right).count();
-    if !CHOICES.contains(&choices.len()) || right != 1 {
+    if !CHOICES.contains(&choices.len()) || right_ones != 1 {
         let message = format!(
-            "expected 2 to 5 choices, one of them right, found {} with {right} right",
+            "expected 2 to 5 choices, one of them right, found {} with {right_ones} right",
             choices.len()
         );
-        return Err(source.fault(line, message));
+        return source.refuse(line, message);
     }
-    Ok(choices)
+    all(choices)
 }

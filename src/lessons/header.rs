@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
 use super::CollisionSpec;
-use super::source::{FORMAT, Source, SourceLine};
 use super::words::Words;
-use crate::files::{FileError, newer};
+use crate::files::{Fields, Source, all, is_id};
+use crate::quiz::concepts::read_hit;
 
+/// The format of chapters that this program reads.
+const FORMAT: u32 = 1;
 /// What stands before and after a header.
 const FENCE: &str = "+++";
 /// Most letters of a title.
@@ -17,12 +16,11 @@ const TITLE: usize = 32;
 /// Most letters of what a chapter is about.
 const ABOUT: usize = 100;
 
-/// The header of a chapter.
-#[derive(Debug, Clone, PartialEq)]
+/// The header of a chapter; `None` for what is none.
 pub(super) struct Header {
-    pub(super) title: String,
-    pub(super) about: String,
-    pub(super) shots: Shots,
+    pub(super) title: Option<String>,
+    pub(super) about: Option<String>,
+    pub(super) shots: Option<Shots>,
     /// The first line after it.
     pub(super) ends: usize,
 }
@@ -70,157 +68,55 @@ impl Shots {
     }
 }
 
-/// Reads the header of a file.
-///
-/// # Errors
-/// The first thing that is wrong with it.
-pub(super) fn read(source: &Source) -> Result<Header, FileError> {
-    let mut lines = source.lines();
-    let first = lines.next().map(|(_, line)| line.trim_end());
-    if first != Some(FENCE) {
-        return Err(source.fault(1, "expected a header between two lines of +++"));
+/// Reads the header of a file; `None` if it has none of this format.
+pub(super) fn read(source: &Source) -> Option<Header> {
+    let mut lines = source.text().split_inclusive('\n');
+    let first = lines.next().unwrap_or_default();
+    if first.trim_end() != FENCE {
+        return source.refuse(1, "expected a header between two lines of +++");
     }
-    let inside: Vec<SourceLine> = lines
-        .take_while(|(_, line)| line.trim_end() != FENCE)
+    let is_closing = |line: &&str| line.trim_end() == FENCE;
+    let inside: Vec<_> = lines
+        .by_ref()
+        .take_while(|line| !is_closing(line))
         .collect();
+    let length: usize = inside.iter().map(|line| line.len()).sum();
     let ends = inside.len() + 2;
-    if source.text.lines().count() < ends {
-        return Err(source.fault(ends - 1, "expected +++ at the end of the header"));
+    if source.text().lines().count() < ends {
+        return source.refuse(ends - 1, "expected +++ at the end of the header");
     }
-    let text = inside
-        .iter()
-        .map(|(_, line)| *line)
-        .collect::<Vec<_>>()
-        .join("\n");
-    let tables = Tables {
-        source,
-        text: &text,
-    };
-    let document = DeTable::parse(&text).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        tables.fault(at, error.message().trim())
-    })?;
-    let mut header = Header {
-        title: String::new(),
-        about: String::new(),
-        shots: Shots::default(),
-        ends: ends + 1,
-    };
-    let mut format = None;
-    for (key, value) in document.get_ref() {
-        let at = value.span().start;
-        match key.get_ref().as_ref() {
-            "format" => format = Some((at, number(value))),
-            "title" => header.title = tables.words(value, "title", TITLE)?,
-            "about" => header.about = tables.words(value, "about", ABOUT)?,
-            "shot" => header.shots = tables.shots(value)?,
-            other => {
-                let at = key.span().start;
-                let message = format!("expected format, title, about or shot, found {other}");
-                return Err(tables.fault(at, message));
-            }
-        }
-    }
-    check_format(&tables, format)?;
-    for (name, value) in [("title", &header.title), ("about", &header.about)] {
-        if value.is_empty() {
-            return Err(source.fault(1, format!("{name}: expected a text, found nothing")));
-        }
-    }
-    Ok(header)
+    let part = source.part(first.len()..first.len() + length);
+    let known = ["format", "title", "about", "shot"];
+    let header = part.tables("a chapter", FORMAT, &known, |fields| {
+        Some(Header {
+            title: line(fields, "title", TITLE),
+            about: line(fields, "about", ABOUT),
+            shots: fields.or("shot", Shots::default(), |_| shots(fields)),
+            ends: ends + 1,
+        })
+    });
+    source.absorb(part);
+    header
 }
 
-fn check_format(tables: &Tables, format: Option<(usize, Option<f64>)>) -> Result<(), FileError> {
-    let expected = f64::from(FORMAT);
-    match format {
-        None => Err(tables
-            .source
-            .fault(1, format!("expected format = {FORMAT}, found none"))),
-        Some((_, Some(found))) if (found - expected).abs() <= 0.0 => Ok(()),
-        Some((at, Some(found))) if found > expected => {
-            Err(tables.fault(at, format!("format: {}", newer(found, FORMAT))))
-        }
-        Some((at, _)) => Err(tables.fault(at, format!("expected format = {FORMAT}"))),
-    }
+/// A text in one line.
+fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
+    let words: Vec<_> = fields.text(name, most)?.split_whitespace().collect();
+    Some(words.join(" "))
 }
 
-/// The number a value holds.
-fn number(value: &Spanned<DeValue>) -> Option<f64> {
-    match value.get_ref() {
-        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-            .ok()
-            .map(|n| n as f64),
-        DeValue::Float(float) => float.as_str().parse().ok(),
-        _ => None,
-    }
-}
-
-/// The text of the header, to find the line of a fault in.
-struct Tables<'a> {
-    source: &'a Source<'a>,
-    text: &'a str,
-}
-
-impl Tables<'_> {
-    /// A fault at a byte of the header.
-    fn fault(&self, at: usize, message: impl Into<String>) -> FileError {
-        let before = self.text.bytes().take(at).filter(|byte| *byte == b'\n');
-        self.source.fault(2 + before.count(), message)
-    }
-
-    fn words(
-        &self,
-        value: &Spanned<DeValue>,
-        name: &str,
-        most: usize,
-    ) -> Result<String, FileError> {
-        let text = value.get_ref().as_str().map(str::trim);
-        if text.is_some_and(|text| text.contains(|c: char| c.is_control() && c != '\n')) {
-            // The text of the file has none, but an escape may stand for one.
-            let message = format!("{name}: expected no control characters");
-            return Err(self.fault(value.span().start, message));
+fn shots(fields: &Fields) -> Option<Shots> {
+    let shots = fields.table("shot", &[])?;
+    let tables = shots
+        .named_tables(&CollisionSpec::field_names())?
+        .into_iter();
+    let read = tables.map(|(id, table)| {
+        let shot = read_hit(&table);
+        if !is_id(id) || id == "own" {
+            let message = "expected a name of lower-case letters, digits and hyphens";
+            return table.refuse_table(message);
         }
-        let fits = |text: &&str| (1..=most).contains(&text.chars().count());
-        match text.filter(fits).filter(|text| !text.contains('\n')) {
-            Some(text) => Ok(text.to_owned()),
-            None => {
-                let message = format!("{name}: expected one line of 1 to {most} letters");
-                Err(self.fault(value.span().start, message))
-            }
-        }
-    }
-
-    fn shots(&self, value: &Spanned<DeValue>) -> Result<Shots, FileError> {
-        let DeValue::Table(shots) = value.get_ref() else {
-            return Err(self.fault(value.span().start, "shot: expected tables [shot.NAME]"));
-        };
-        let mut read = BTreeMap::new();
-        for (name, fields) in shots {
-            let at = name.span().start;
-            let bare = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-            let id = name.get_ref().as_ref();
-            if id.is_empty() || !id.chars().all(bare) || id == "own" {
-                let message = "shot: expected a name of lower-case letters, digits and hyphens";
-                return Err(self.fault(at, message));
-            }
-            let DeValue::Table(fields) = fields.get_ref() else {
-                return Err(self.fault(at, "shot: expected a table of fields"));
-            };
-            let names = fields.keys().map(|name| name.get_ref().as_ref());
-            CollisionSpec::check_fields(names).map_err(|message| self.fault(at, message))?;
-            let mut shot = CollisionSpec::default();
-            for (field, value) in fields {
-                let at = value.span().start;
-                let written = match value.get_ref() {
-                    DeValue::Boolean(stick) => stick.to_string(),
-                    _ => number(value).map(|n| n.to_string()).unwrap_or_default(),
-                };
-                shot.set(field.get_ref(), &written)
-                    .map_err(|message| self.fault(at, message))?;
-            }
-            shot.check().map_err(|message| self.fault(at, message))?;
-            read.insert(id.to_owned(), shot);
-        }
-        Ok(Shots(read))
-    }
+        Some((id.to_owned(), shot?))
+    });
+    Some(Shots(all(read.collect())?.into_iter().collect()))
 }

@@ -5,11 +5,10 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use super::block::{Inline, Tone};
 use super::formula::Formula;
 use super::header::Shots;
-use super::source::Source;
 use super::words::Words;
 use super::written::WrittenFigure;
 use super::{CollisionSpec, Quantity};
-use crate::files::FileError;
+use crate::files::{Source, all};
 
 /// What names in a text stand for.
 pub(super) struct Meaning<'a> {
@@ -24,43 +23,42 @@ pub(super) struct Meaning<'a> {
 const STAND_IN: u32 = 0xe000;
 
 /// Reads a paragraph that begins at a line.
-///
-/// # Errors
-/// The first thing that is wrong with it.
 pub(super) fn read(
     source: &Source,
     line: usize,
     text: &str,
     meaning: &Meaning,
-) -> Result<Vec<Inline>, FileError> {
-    let mut kept: Vec<Inline> = Vec::new();
+) -> Option<Vec<Inline>> {
+    let mut kept: Vec<Option<Inline>> = Vec::new();
     let mut plain = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find(['$', '{', '}']) {
         let here = line + text[..text.len() - rest.len() + at].matches('\n').count();
-        let fault = |message: String| source.fault(here, message);
         plain.push_str(&rest[..at]);
         let opening = &rest[at..=at];
         let inside = &rest[at + 1..];
         let closing = match opening {
             "$" => "$",
             "{" => "}",
-            _ => return Err(fault("expected { before }".into())),
+            _ => return source.refuse(here, "expected { before }"),
         };
         let Some((inner, after)) = inside.split_once(closing) else {
-            return Err(fault(format!("expected {closing} after {opening}")));
+            return source.refuse(here, format!("expected {closing} after {opening}"));
         };
         let inner = inner.replace('\n', " ");
         let piece = match opening {
             "$" => Formula::read(&inner).map(Inline::Formula),
             _ => number(&inner, meaning),
         };
-        plain.push(stand_in(kept.len()).ok_or_else(|| fault("expected fewer formulas".into()))?);
-        kept.push(piece.map_err(fault)?);
+        let Some(letter) = stand_in(kept.len()) else {
+            return source.refuse(here, "expected fewer formulas");
+        };
+        plain.push(letter);
+        kept.push(source.accept(here, piece));
         rest = after;
     }
     plain.push_str(rest);
-    markdown(&plain, &kept).map_err(|message| source.fault(line, message))
+    source.accept(line, markdown(&plain, &all(kept)?))
 }
 
 fn stand_in(number: usize) -> Option<char> {

@@ -81,7 +81,7 @@ impl ChapterLibrary {
     fn add(&mut self, file: &str, bytes: &[u8]) {
         let chapter = match Chapter::read(file, bytes) {
             Ok(chapter) => chapter,
-            Err(fault) => return self.problems.push(fault),
+            Err(errors) => return self.problems.extend(errors),
         };
         match self.chapters.iter().find(|known| known.id == chapter.id) {
             None => self.chapters.push(chapter),

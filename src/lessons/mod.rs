@@ -4,8 +4,8 @@
 //! A [`Chapter`] is a header and pages; a [`ChapterPage`] has at most one [`Figure`], its
 //! text as [`TextBlock`]s and at most one [`Checkpoint`]. Everything is read and checked
 //! when a file is opened: each directive, each formula, and each number in the text,
-//! which is computed again by the engine. The first [`FileError`] leaves that file out
-//! and says file, line and what was expected. `docs/lessons.md` describes the format.
+//! which is computed again by the engine. A file with any [`FileError`] is left out; each
+//! says file, line and what was expected. `docs/lessons.md` describes the format.
 //!
 //! Nothing here draws.
 
@@ -21,7 +21,6 @@ mod header;
 mod inline;
 mod library;
 mod page;
-mod source;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -37,8 +36,10 @@ pub use figure::{Figure, FigureKind};
 pub use formula::{Formula, Node, Term};
 pub use library::ChapterLibrary;
 pub use page::ChapterPage;
-pub use source::FORMAT;
 
 pub use crate::files::FileError;
 pub use crate::physics::CollisionSpec;
 pub use crate::physics::named::{Constant, Quantity};
+
+/// A line of a file and its number, from 1.
+type SourceLine<'a> = (usize, &'a str);

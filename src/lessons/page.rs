@@ -1,12 +1,12 @@
 //! A page of a chapter.
 
+use super::SourceLine;
 use super::block::{self, TextBlock};
 use super::checkpoint::Checkpoint;
 use super::figure::Figure;
 use super::header::Shots;
 use super::inline::Meaning;
-use super::source::{Source, SourceLine};
-use crate::files::FileError;
+use crate::files::Source;
 
 /// Most letters of a page's title.
 const TITLE: usize = 40;
@@ -27,20 +27,16 @@ pub struct ChapterPage {
 }
 
 impl ChapterPage {
-    /// Reads a page: its heading and the lines up to the next one.
-    ///
-    /// # Errors
-    /// The first thing that is wrong with it.
+    /// Reads a page: its title and the lines up to the next one.
     pub(super) fn read(
         source: &Source,
         (line, title): SourceLine,
         lines: &[SourceLine],
         shots: &Shots,
-    ) -> Result<Self, FileError> {
-        let title = title.trim();
+    ) -> Option<Self> {
         if title.is_empty() || title.chars().count() > TITLE {
             let message = format!("expected a title of 1 to {TITLE} letters after #");
-            return Err(source.fault(line, message));
+            source.refuse::<()>(line, message);
         }
         let figure = figure(source, lines, shots)?;
         let meaning = Meaning {
@@ -50,69 +46,61 @@ impl ChapterPage {
         let is_checkpoint = |(_, text): &SourceLine| text.starts_with(":::");
         let start = lines.iter().position(is_checkpoint).unwrap_or(lines.len());
         let (before, asked) = lines.split_at(start);
-        let text: Vec<_> = before
-            .iter()
-            .copied()
-            .filter(|line| !is_figure(*line))
-            .collect();
+        let text = before.iter().copied().filter(|line| !is_figure(*line));
+        let text = block::read(source, &text.collect::<Vec<_>>(), &meaning);
         let checkpoint = match asked {
             [] => None,
-            [(number, words), rest @ ..] => {
-                let end = rest.iter().position(|(_, text)| text.trim_end() == ":::");
-                let Some(end) = end else {
-                    return Err(source.fault(*number, "expected ::: at the end of the checkpoint"));
-                };
-                let (inside, after) = rest.split_at(end);
-                let more = after
-                    .iter()
-                    .skip(1)
-                    .find(|(_, text)| !text.trim().is_empty());
-                if let Some((number, _)) = more {
-                    let message = "expected the next page: a checkpoint ends its page";
-                    return Err(source.fault(*number, message));
-                }
-                let head = (*number, words.trim_start_matches(':'));
-                Some(Checkpoint::read(
-                    source,
-                    head,
-                    inside,
-                    figure.as_ref(),
-                    &meaning,
-                )?)
-            }
+            [head, rest @ ..] => Some(checkpoint(source, *head, rest, figure.as_ref(), &meaning)?),
         };
-        let page = Self {
+        let text = text?;
+        if text.is_empty() && checkpoint.is_none() {
+            return source.refuse(line, "expected a text or a checkpoint on the page");
+        }
+        Some(Self {
             title: title.into(),
             figure,
-            text: block::read(source, &text, &meaning)?,
+            text,
             checkpoint,
             line,
-        };
-        if page.text.is_empty() && page.checkpoint.is_none() {
-            return Err(source.fault(line, "expected a text or a checkpoint on the page"));
-        }
-        Ok(page)
+        })
     }
+}
+
+/// Reads a checkpoint and sees that nothing comes after it.
+fn checkpoint(
+    source: &Source,
+    (line, words): SourceLine,
+    rest: &[SourceLine],
+    figure: Option<&Figure>,
+    meaning: &Meaning,
+) -> Option<Checkpoint> {
+    let end = rest.iter().position(|(_, text)| text.trim_end() == ":::");
+    let Some(end) = end else {
+        return source.refuse(line, "expected ::: at the end of the checkpoint");
+    };
+    let (inside, after) = rest.split_at(end);
+    let mut more = after.iter().skip(1);
+    if let Some((line, _)) = more.find(|(_, text)| !text.trim().is_empty()) {
+        let message = "expected the next page: a checkpoint ends its page";
+        source.refuse::<()>(*line, message);
+    }
+    let head = (line, words.trim_start_matches(':'));
+    Checkpoint::read(source, head, inside, figure, meaning)
 }
 
 fn is_figure((_, text): SourceLine) -> bool {
     text.starts_with("::") && !text.starts_with(":::")
 }
 
-fn figure(
-    source: &Source,
-    lines: &[SourceLine],
-    shots: &Shots,
-) -> Result<Option<Figure>, FileError> {
+/// The figure of a page, if it has one; `None` if that is none.
+fn figure(source: &Source, lines: &[SourceLine], shots: &Shots) -> Option<Option<Figure>> {
     let mut figures = lines.iter().copied().filter(|line| is_figure(*line));
     let Some((line, text)) = figures.next() else {
-        return Ok(None);
+        return Some(None);
     };
-    if let Some((line, _)) = figures.next() {
-        return Err(source.fault(line, "expected one figure on a page, found another"));
+    for (line, _) in figures {
+        source.refuse::<()>(line, "expected one figure on a page, found another");
     }
     let figure = Figure::read(text.trim_start_matches(':'), shots);
-    figure
-        .map(Some)
-        .map_err(|message| source.fault(line, message))
+    source.accept(line, figure).map(Some)
 }

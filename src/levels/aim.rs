@@ -1,8 +1,7 @@
 //! What a player may set before the shot of a level, and what was set.
 
-use super::fields::Fields;
-use super::quantity::{self as q, NumberSpec, Range};
-use crate::files::FileError;
+use super::quantity as q;
+use crate::files::{Fields, NumberSpec, Range, all};
 
 /// Something a player may be free to set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +38,15 @@ impl Dial {
             Self::Restitution => "restitution",
         }
     }
+
+    /// The names of all dials in a file.
+    pub(super) const FIELDS: [&str; 5] = [
+        Self::Direction.field(),
+        Self::Speed.field(),
+        Self::Place.field(),
+        Self::Mass.field(),
+        Self::Restitution.field(),
+    ];
 
     /// What one press of a key changes; every solution in the packs that come with
     /// carrom is a whole number of these away from where the level starts.
@@ -118,46 +126,41 @@ impl Adjust {
             .find_map(|(d, range)| (d == dial).then_some(range))
     }
 
-    pub(super) fn from_fields(mut fields: Fields) -> Result<Self, FileError> {
-        let mut dials = Vec::new();
-        for dial in Dial::ALL {
-            if let Some(range) = fields.range(dial.field(), dial.quantity())? {
-                dials.push((dial, range));
-            }
-        }
+    pub(super) fn from_fields(fields: &Fields) -> Option<Self> {
+        let there = Dial::ALL
+            .into_iter()
+            .filter(|dial| fields.has(dial.field()));
+        let dials = there.map(|dial| Some((dial, fields.range(dial.field(), dial.quantity())?)));
+        let dials = all(dials.collect())?;
         if dials.is_empty() {
-            let all = Dial::ALL.map(Dial::field).join(", ");
-            return Err(fields.fault(format!("expected at least one of {all}, found nothing")));
+            let any = Dial::FIELDS.join(", ");
+            return fields.refuse_table(format!("expected at least one of {any}, found nothing"));
         }
-        fields.finish()?;
-        Ok(Self(dials))
+        Some(Self(dials))
     }
 
     /// Reads a setting of the dials; those that are left out stay as in `start`.
-    pub(super) fn read_setting(
-        &self,
-        mut fields: Fields,
-        start: LevelAim,
-    ) -> Result<LevelAim, FileError> {
-        let mut aim = start;
-        for dial in Dial::ALL {
-            let Some(setting) = fields.number(dial.field(), dial.quantity())? else {
-                continue;
-            };
+    pub(super) fn read_setting(&self, fields: &Fields, start: LevelAim) -> Option<LevelAim> {
+        let there = Dial::ALL
+            .into_iter()
+            .filter(|dial| fields.has(dial.field()));
+        let settings = there.map(|dial| {
+            let name = dial.field();
+            let setting = fields.number(name, dial.quantity())?;
             let Some(range) = self.range(dial) else {
-                let expected = "expected only what [adjust] lets the player set";
-                return Err(fields.fault_at(dial.field(), expected));
+                return fields.refuse(name, "expected only what [adjust] lets the player set");
             };
             if !range.holds(setting) {
                 let message = format!(
                     "expected {} to {}, as [adjust] allows, found {setting}",
                     range.from, range.to
                 );
-                return Err(fields.fault_at(dial.field(), message));
+                return fields.refuse(name, message);
             }
-            aim = aim.with(dial, setting);
-        }
-        fields.finish()?;
-        Ok(aim)
+            Some((dial, setting))
+        });
+        let settings = all(settings.collect())?;
+        let set = |aim: LevelAim, (dial, setting)| aim.with(dial, setting);
+        Some(settings.into_iter().fold(start, set))
     }
 }

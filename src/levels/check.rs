@@ -1,7 +1,7 @@
 //! Whether a level can be won, and how hard it is.
 
 use super::aim::LevelAim;
-use super::judge::{Judgement, judge};
+use super::judge::{Judgement, judge, wins};
 use super::level::Level;
 use crate::physics::{Engine, EngineError, Shot};
 
@@ -54,7 +54,7 @@ pub fn winning_share(level: &Level, tries: u32) -> f64 {
             aim = aim.with(*dial, range.at(share));
         }
         let played = level.aimed(&aim).play_into(&mut engine, &mut shot);
-        played.is_ok() && judge(level, &shot).won()
+        played.is_ok() && wins(level, &shot)
     });
     won.count() as f64 / f64::from(tries.max(1))
 }

@@ -2,10 +2,9 @@
 
 use glam::DVec2;
 
-use super::fields::Fields;
-use super::quantity::{self as q, Range};
-use super::scene::{Scene, tidy};
-use crate::files::FileError;
+use super::quantity as q;
+use super::scene::{Scene, point, read_disc, read_discs, tidy};
+use crate::files::{Fields, Range};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
 /// One thing that has to come about; a level is won when all of its goals are met.
@@ -128,9 +127,9 @@ pub struct GoalCircle {
     pub radius: f64,
 }
 
-/// The names of the goals in a file.
+/// The kinds of goals in a file.
 #[derive(Clone, Copy)]
-enum Name {
+enum GoalKind {
     Pocket,
     Keep,
     Untouched,
@@ -148,86 +147,106 @@ enum Name {
 /// The most cushions a goal may ask for.
 const MOST_CUSHIONS: usize = 20;
 
-const NAMES: [(&str, Name); 12] = [
-    ("pocket", Name::Pocket),
-    ("keep", Name::Keep),
-    ("untouched", Name::Untouched),
-    ("hit", Name::Hit),
-    ("rest", Name::Rest),
-    ("pass", Name::Pass),
-    ("bank", Name::Bank),
-    ("cushions", Name::Cushions),
-    ("speed", Name::Speed),
-    ("turn", Name::Turn),
-    ("separation", Name::Separation),
-    ("energy", Name::Energy),
+/// What a file says of a goal of a kind.
+type KindFields = (GoalKind, &'static [&'static str]);
+
+/// The kinds of goals by their names, each with its fields.
+const KINDS: [(&str, KindFields); 12] = [
+    ("pocket", (GoalKind::Pocket, &["kind", "discs"])),
+    ("keep", (GoalKind::Keep, &["kind", "disc"])),
+    ("untouched", (GoalKind::Untouched, &["kind", "disc", "by"])),
+    ("hit", (GoalKind::Hit, &["kind", "disc", "by", "least"])),
+    ("rest", (GoalKind::Rest, &IN_CIRCLE)),
+    ("pass", (GoalKind::Pass, &IN_CIRCLE)),
+    (
+        "bank",
+        (GoalKind::Bank, &["kind", "disc", "target", "least"]),
+    ),
+    ("cushions", (GoalKind::Cushions, &["kind", "disc", "least"])),
+    ("speed", (GoalKind::Speed, &["kind", "disc", "between"])),
+    ("turn", (GoalKind::Turn, &["kind", "disc", "between_deg"])),
+    (
+        "separation",
+        (GoalKind::Separation, &["kind", "between_deg"]),
+    ),
+    (
+        "energy",
+        (GoalKind::Energy, &["kind", "disc", "between_percent"]),
+    ),
 ];
 
+/// The fields of a goal with a circle.
+const IN_CIRCLE: [&str; 4] = ["kind", "disc", "centre_mm", "radius_mm"];
+
 impl Goal {
-    pub(super) fn from_fields(mut fields: Fields, scene: &Scene) -> Result<Self, FileError> {
-        let count = scene.pieces.len();
-        let name = fields.word("kind", &NAMES)?;
-        let disc = |fields: &mut Fields| fields.disc("disc", count);
-        let between_deg = |fields: &mut Fields| {
-            let range = fields.required_range("between_deg", &q::ANGLE)?;
-            Ok(range.scaled(rad_from_deg(1.0)))
+    /// Reads a goal in a scene of so many discs.
+    pub(super) fn from_fields(fields: Fields, count: usize) -> Option<Self> {
+        let (kind, known) = fields.word("kind", &KINDS)?;
+        let fields = fields.only(known);
+        let disc_at = |name| read_disc(&fields, name, count);
+        let disc = || disc_at("disc");
+        let least = || {
+            let expected = format!("a number of cushions from 1 to {MOST_CUSHIONS}");
+            fields.whole("least", &expected, 1..=MOST_CUSHIONS)
         };
-        let goal = match name {
-            Name::Pocket => Self::Pocket {
-                discs: fields.discs("discs", count, count)?,
-            },
-            Name::Keep => Self::Keep {
-                disc: disc(&mut fields)?,
-            },
-            Name::Untouched => Self::Untouched {
-                disc: disc(&mut fields)?,
-                by: fields
-                    .has("by")
-                    .then(|| fields.disc("by", count))
-                    .transpose()?,
-            },
-            Name::Hit => Self::Hit {
-                disc: disc(&mut fields)?,
-                by: fields.disc("by", count)?,
-                least: read_optional_least(&mut fields, 0)?,
-            },
-            Name::Rest => Self::Rest {
-                disc: disc(&mut fields)?,
-                circle: GoalCircle::from_fields(&mut fields)?,
-            },
-            Name::Pass => Self::Pass {
-                disc: disc(&mut fields)?,
-                circle: GoalCircle::from_fields(&mut fields)?,
-            },
-            Name::Bank => Self::Bank {
-                disc: disc(&mut fields)?,
-                target: fields.disc("target", count)?,
-                least: read_optional_least(&mut fields, 1)?,
-            },
-            Name::Cushions => Self::Cushions {
-                disc: disc(&mut fields)?,
-                least: read_least(&mut fields)?,
-            },
-            Name::Speed => Self::Speed {
-                disc: disc(&mut fields)?,
-                range: fields.required_range("between", &q::SPEED)?,
-            },
-            Name::Turn => Self::Turn {
-                disc: disc(&mut fields)?,
-                range: between_deg(&mut fields)?,
-            },
-            Name::Separation => Self::Separation {
-                range: between_deg(&mut fields)?,
-            },
-            Name::Energy => Self::Energy {
-                disc: disc(&mut fields)?,
-                range: fields
-                    .required_range("between_percent", &q::PERCENT)?
-                    .scaled(0.01),
-            },
+        let least_or = |usual| fields.or("least", usual, |_| least());
+        let circle = || GoalCircle::from_fields(&fields);
+        let angles = || {
+            let range = fields.range("between_deg", &q::ANGLE)?;
+            Some(range.scaled(rad_from_deg(1.0)))
         };
-        fields.finish()?;
-        Ok(goal)
+        // Zipped, so that every field is read before one that is wrong ends it.
+        Some(match kind {
+            GoalKind::Pocket => Self::Pocket {
+                discs: read_discs(&fields, "discs", count, count)?,
+            },
+            GoalKind::Keep => Self::Keep { disc: disc()? },
+            GoalKind::Untouched => {
+                let by = fields.or("by", None, |by| disc_at(by).map(Some));
+                let (disc, by) = disc().zip(by)?;
+                Self::Untouched { disc, by }
+            }
+            GoalKind::Hit => {
+                let ((disc, by), least) = disc().zip(disc_at("by")).zip(least_or(0))?;
+                Self::Hit { disc, by, least }
+            }
+            GoalKind::Rest => {
+                let (disc, circle) = disc().zip(circle())?;
+                Self::Rest { disc, circle }
+            }
+            GoalKind::Pass => {
+                let (disc, circle) = disc().zip(circle())?;
+                Self::Pass { disc, circle }
+            }
+            GoalKind::Bank => {
+                let target = disc_at("target");
+                let ((disc, target), least) = disc().zip(target).zip(least_or(1))?;
+                Self::Bank {
+                    disc,
+                    target,
+                    least,
+                }
+            }
+            GoalKind::Cushions => {
+                let (disc, least) = disc().zip(least())?;
+                Self::Cushions { disc, least }
+            }
+            GoalKind::Speed => {
+                let (disc, range) = disc().zip(fields.range("between", &q::SPEED))?;
+                Self::Speed { disc, range }
+            }
+            GoalKind::Turn => {
+                let (disc, range) = disc().zip(angles())?;
+                Self::Turn { disc, range }
+            }
+            GoalKind::Separation => Self::Separation { range: angles()? },
+            GoalKind::Energy => {
+                let share = fields.range("between_percent", &q::PERCENT);
+                let (disc, share) = disc().zip(share)?;
+                let range = share.scaled(0.01);
+                Self::Energy { disc, range }
+            }
+        })
     }
 
     /// The circle that belongs on the board.
@@ -304,24 +323,6 @@ impl Goal {
     }
 }
 
-/// How many times a disc meets a cushion at least; 0 would ask for nothing.
-fn read_least(fields: &mut Fields) -> Result<usize, FileError> {
-    let expected = format!("a number of cushions from 1 to {MOST_CUSHIONS}");
-    match fields.whole("least", &expected, MOST_CUSHIONS)? {
-        0 => Err(fields.fault_at("least", format!("expected {expected}, found 0"))),
-        least => Ok(least),
-    }
-}
-
-/// As [`read_least`], or `otherwise` where the field is left out.
-fn read_optional_least(fields: &mut Fields, otherwise: usize) -> Result<usize, FileError> {
-    if fields.has("least") {
-        read_least(fields)
-    } else {
-        Ok(otherwise)
-    }
-}
-
 /// So many cushions at least, in words.
 fn cushions(least: usize) -> String {
     match least {
@@ -331,12 +332,12 @@ fn cushions(least: usize) -> String {
 }
 
 impl GoalCircle {
-    fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
-        let centre = fields.place("centre_mm", &q::COORDINATE)?;
-        let radius = fields.required_number("radius_mm", &q::RADIUS)?;
-        Ok(Self {
-            centre: DVec2::new(m_from_mm(centre.x), m_from_mm(centre.y)),
-            radius: m_from_mm(radius),
+    fn from_fields(fields: &Fields) -> Option<Self> {
+        let centre = fields.pair("centre_mm", "[x, y]", &q::COORDINATE);
+        let radius = fields.number("radius_mm", &q::RADIUS);
+        Some(Self {
+            centre: point(centre?),
+            radius: m_from_mm(radius?),
         })
     }
 

@@ -1,147 +1,143 @@
-//! Whether a shot meets the goals of a level, and how close it came: from the
-//! record of the shot alone.
+//! Whether a shot meets the goals of a level, and what came about instead: from the
+//! record of the shot alone. In words it is put by `told`.
 
 use glam::DVec2;
 
-use super::goal::{Goal, GoalCircle, between, between_deg};
+use super::goal::{Goal, GoalCircle};
 use super::level::Level;
-use super::quantity::Range;
-use super::scene::{Scene, figures, pockets, tidy};
+use super::scene::pockets;
+use crate::files::Range;
 use crate::physics::angle::angle_between;
-use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::physics::{Event, EventKind, Shot, State};
+use crate::physics::{DiscState, Event, EventKind, Shot};
 
-/// What became of a level's goals, one finding each, in their order.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Judgement(pub Vec<Finding>);
+/// What became of a level's goals, in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judgement(pub(super) Vec<Judged>);
 
 /// What became of one goal.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Finding {
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Judged {
     /// Whether it is met.
-    pub met: bool,
-    /// What happened, in words with numbers.
-    pub told: String,
+    pub(super) met: bool,
+    /// What was seen of what it asks for.
+    pub(super) seen: Seen,
+}
+
+/// What was seen of what a goal asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Seen {
+    /// It did not come about.
+    Nothing,
+    /// The disc fell into a pocket.
+    Fell,
+    /// The discs fell in this order.
+    FellInOrder(Vec<usize>),
+    /// This disc did not fall; its centre came this near to a pocket's, in metres, if
+    /// there are pockets.
+    NotFallen(usize, Option<f64>),
+    /// This disc hit it.
+    HitBy(usize),
+    /// It came about after the disc had met a cushion so many times.
+    Cushions(usize),
+    /// The disc met another than its target first.
+    OtherFirst,
+    /// The disc never came to rest.
+    NeverResting,
+    /// Where its centre was.
+    Point(DVec2),
+    /// What was measured, in the unit of the goal's range.
+    Number(f64),
+    /// It has no direction, because a disc stopped.
+    NoDirection,
 }
 
 impl Judgement {
     /// Whether all goals are met.
     pub fn won(&self) -> bool {
-        self.0.iter().all(|finding| finding.met)
+        self.0.iter().all(|judged| judged.met)
     }
 
     /// How many goals are met.
     pub fn met(&self) -> usize {
-        self.0.iter().filter(|finding| finding.met).count()
+        self.0.iter().filter(|judged| judged.met).count()
     }
 }
 
 /// Judges a shot of a level.
 pub fn judge(level: &Level, shot: &Shot) -> Judgement {
-    let scene = &level.scene;
-    let judged = level.goals.iter().map(|goal| judge_goal(goal, scene, shot));
-    Judgement(judged.collect())
+    Judgement(level.goals.iter().map(|goal| goal.judge(shot)).collect())
 }
 
-fn judge_goal(goal: &Goal, scene: &Scene, shot: &Shot) -> Finding {
-    let name = |disc: &usize| scene.name(*disc);
-    match goal {
-        Goal::Pocket { discs } => pocketed(discs, scene, shot),
-        Goal::Keep { disc } => {
-            let fell = falls(shot).any(|fallen| fallen == *disc);
-            let verb = if fell { "fell" } else { "did not fall" };
-            finding(!fell, format!("{} {verb} into a pocket", name(disc)))
-        }
-        Goal::Untouched { disc, by } => untouched(*disc, *by, scene, shot),
-        Goal::Hit { disc, by, least } => hit(*disc, *by, *least, scene, shot),
-        Goal::Rest { disc, circle } => {
-            let end = shot.at(*disc, shot.duration());
-            match end.state {
-                State::Pocketed => finding(false, format!("{} fell into a pocket", name(disc))),
-                State::Moving => finding(false, format!("{} never came to rest", name(disc))),
-                State::Resting => inside(circle, end.position, &name(disc), "came to rest"),
+/// Whether a shot of a level meets all goals.
+pub(super) fn wins(level: &Level, shot: &Shot) -> bool {
+    level.goals.iter().all(|goal| goal.judge(shot).met)
+}
+
+impl Goal {
+    fn judge(&self, shot: &Shot) -> Judged {
+        let (met, seen) = match self {
+            Self::Pocket { discs } => pocketed(discs, shot),
+            Self::Keep { disc } => match falls(shot).any(|fallen| fallen == *disc) {
+                true => (false, Seen::Fell),
+                false => (true, Seen::Nothing),
+            },
+            Self::Untouched { disc, by } => untouched(*disc, *by, shot),
+            Self::Hit { disc, by, least } => match before_meeting(*disc, *by, shot) {
+                None => (false, Seen::Nothing),
+                Some(before) => counted(cushions(*by, before), *least),
+            },
+            Self::Rest { disc, circle } => {
+                let end = shot.at(*disc, shot.duration());
+                match end.state {
+                    DiscState::Pocketed => (false, Seen::Fell),
+                    DiscState::Moving => (false, Seen::NeverResting),
+                    DiscState::Resting => inside(circle, end.position),
+                }
             }
-        }
-        Goal::Pass { disc, circle } => {
-            let nearest = nearest_on_path(shot, *disc, circle.centre);
-            inside(circle, nearest, &name(disc), "passed")
-        }
-        Goal::Bank {
-            disc,
-            target,
-            least,
-        } => banked(*disc, *target, *least, scene, shot),
-        Goal::Cushions { disc, least } => {
-            let met = cushions(*disc, shot.events());
-            finding(
-                met >= *least,
-                format!("{} met {}", name(disc), counted(met)),
-            )
-        }
-        Goal::Speed { disc, range } => measured(shot, |hit| {
-            let speed = hit.after(*disc)?.length();
-            let told = format!("{} left the hit at {} m/s", name(disc), tidy(speed));
-            Some(compared(speed, range, told, || between(range, " m/s")))
-        })
-        .unwrap_or_else(|| unhit(&name(disc))),
-        Goal::Turn { disc, range } => measured(shot, |hit| {
-            let after = hit.after(*disc)?;
-            Some(match angle_between(hit.before, after) {
-                Some(angle) => {
-                    let told = format!("{} left at {}", name(disc), degrees(angle));
-                    compared(angle, range, told, || between_deg(range))
-                }
-                None => finding(
-                    false,
-                    format!("{} stopped, so it has no direction", name(disc)),
-                ),
-            })
-        })
-        .unwrap_or_else(|| unhit(&name(disc))),
-        Goal::Separation { range } => measured(shot, |hit| {
-            let [a, b] = hit.afters;
-            Some(match angle_between(a, b) {
-                Some(angle) => {
-                    let told = format!("they went {} apart", degrees(angle));
-                    compared(angle, range, told, || between_deg(range))
-                }
-                None => finding(false, "one of the two stopped, so there is no angle".into()),
-            })
-        })
-        .unwrap_or_else(|| finding(false, "no disc was hit".into())),
-        Goal::Energy { disc, range } => measured(shot, |hit| {
-            let share = hit.energy_share(*disc, shot)?;
-            let told = format!(
-                "{} took {} % of the energy",
-                name(disc),
-                tidy(100.0 * share)
-            );
-            let wanted = || between(&range.scaled(100.0), " %");
-            Some(compared(share, range, told, wanted))
-        })
-        .unwrap_or_else(|| unhit(&name(disc))),
+            Self::Pass { disc, circle } => {
+                inside(circle, nearest_on_path(shot, *disc, circle.centre))
+            }
+            Self::Bank {
+                disc,
+                target,
+                least,
+            } => banked(*disc, *target, *least, shot),
+            Self::Cushions { disc, least } => counted(cushions(*disc, shot.events()), *least),
+            Self::Speed { disc, range } => measured(shot, range, |hit| {
+                Some(Seen::Number(hit.after(*disc)?.length()))
+            }),
+            Self::Turn { disc, range } => measured(shot, range, |hit| {
+                Some(angle(hit.before, hit.after(*disc)?))
+            }),
+            Self::Separation { range } => {
+                measured(shot, range, |hit| Some(angle(hit.afters[0], hit.afters[1])))
+            }
+            Self::Energy { disc, range } => measured(shot, range, |hit| {
+                Some(Seen::Number(hit.energy_share(*disc, shot)?))
+            }),
+        };
+        Judged { met, seen }
     }
 }
 
-fn finding(met: bool, told: String) -> Finding {
-    Finding { met, told }
+fn angle(one: DVec2, other: DVec2) -> Seen {
+    angle_between(one, other).map_or(Seen::NoDirection, Seen::Number)
 }
 
-fn unhit(name: &str) -> Finding {
-    finding(false, format!("{name} had no part in a first hit"))
+fn counted(cushions: usize, least: usize) -> (bool, Seen) {
+    (cushions >= least, Seen::Cushions(cushions))
 }
 
-/// A measured number against its bounds.
-fn compared(number: f64, range: &Range, told: String, wanted: impl Fn() -> String) -> Finding {
-    if range.holds(number) {
-        finding(true, told)
-    } else {
-        finding(false, format!("{told}, wanted {}", wanted()))
-    }
+fn inside(circle: &GoalCircle, point: DVec2) -> (bool, Seen) {
+    (circle.outside_mm(point) <= 0.0, Seen::Point(point))
 }
 
-fn degrees(angle: f64) -> String {
-    format!("{:.1}°", deg_from_rad(angle))
+/// What the first hit shows, against its bounds.
+fn measured(shot: &Shot, range: &Range, of: impl Fn(&FirstImpact) -> Option<Seen>) -> (bool, Seen) {
+    let seen = FirstImpact::of(shot).and_then(|hit| of(&hit));
+    let seen = seen.unwrap_or(Seen::Nothing);
+    let met = matches!(seen, Seen::Number(number) if range.holds(number));
+    (met, seen)
 }
 
 /// The first time two discs meet.
@@ -192,10 +188,6 @@ impl FirstImpact {
     }
 }
 
-fn measured(shot: &Shot, of: impl Fn(&FirstImpact) -> Option<Finding>) -> Option<Finding> {
-    of(&FirstImpact::of(shot)?)
-}
-
 /// The discs that fall, in order.
 fn falls(shot: &Shot) -> impl Iterator<Item = usize> + '_ {
     shot.events().iter().filter_map(|event| match event.kind {
@@ -204,37 +196,16 @@ fn falls(shot: &Shot) -> impl Iterator<Item = usize> + '_ {
     })
 }
 
-fn pocketed(discs: &[usize], scene: &Scene, shot: &Shot) -> Finding {
-    if let Some(disc) = discs
-        .iter()
-        .find(|&disc| falls(shot).all(|fallen| fallen != *disc))
-    {
+fn pocketed(discs: &[usize], shot: &Shot) -> (bool, Seen) {
+    let stayed = |disc: &&usize| falls(shot).all(|fallen| fallen != **disc);
+    if let Some(&disc) = discs.iter().find(stayed) {
         let near = pockets(shot.board())
-            .map(|hole| nearest_on_path(shot, *disc, hole).distance(hole))
+            .map(|hole| nearest_on_path(shot, disc, hole).distance(hole))
             .min_by(f64::total_cmp);
-        let name = scene.name(*disc);
-        return finding(
-            false,
-            match near {
-                Some(near) => {
-                    let short = mm_from_m(near - 0.5 * shot.board().pocket_diameter);
-                    format!(
-                        "{name} came within {} mm of a pocket",
-                        figures(short.max(0.0))
-                    )
-                }
-                None => "there are no pockets".into(),
-            },
-        );
+        return (false, Seen::NotFallen(disc, near));
     }
     let order: Vec<_> = falls(shot).filter(|disc| discs.contains(disc)).collect();
-    let names: Vec<_> = order.iter().map(|&disc| scene.name(disc)).collect();
-    let fell = format!("{} fell", names.join(", then "));
-    if order == discs {
-        finding(true, fell)
-    } else {
-        finding(false, format!("{fell}: the wrong order"))
-    }
+    (order == discs, Seen::FellInOrder(order))
 }
 
 /// The events before two discs first meet; `None` if they never do.
@@ -246,88 +217,41 @@ fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     shot.events().get(..at)
 }
 
-fn hit(disc: usize, by: usize, least: usize, scene: &Scene, shot: &Shot) -> Finding {
-    let (name, by_name) = (scene.name(disc), scene.name(by));
-    match before_meeting(disc, by, shot) {
-        None => finding(false, format!("{by_name} did not hit {name}")),
-        Some(_) if least == 0 => finding(true, format!("{by_name} hit {name}")),
-        Some(before) => {
-            let met = cushions(by, before);
-            let told = format!("{by_name} hit {name} off {}", counted(met));
-            finding(met >= least, told)
-        }
-    }
-}
-
 /// How many times a disc meets a cushion.
 fn cushions(disc: usize, events: &[Event]) -> usize {
     let met = |kind| matches!(kind, EventKind::Cushion { disc: met, .. } if met == disc);
     events.iter().filter(|event| met(event.kind)).count()
 }
 
-/// A number of cushions in words.
-fn counted(cushions: usize) -> String {
-    match cushions {
-        0 => "no cushion".into(),
-        1 => "1 cushion".into(),
-        _ => format!("{cushions} cushions"),
+fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Seen) {
+    let hit_by = match by {
+        Some(by) => before_meeting(disc, by, shot).map(|_| by),
+        None => shot.events().iter().find_map(|event| match event.kind {
+            EventKind::Impact { discs: [a, b], .. } if a == disc => Some(b),
+            EventKind::Impact { discs: [a, b], .. } if b == disc => Some(a),
+            _ => None,
+        }),
+    };
+    match hit_by {
+        Some(by) => (false, Seen::HitBy(by)),
+        None => (true, Seen::Nothing),
     }
 }
 
-fn untouched(disc: usize, by: Option<usize>, scene: &Scene, shot: &Shot) -> Finding {
-    let other = shot.events().iter().find_map(|event| match event.kind {
-        EventKind::Impact { discs: [a, b], .. } if a == disc => Some(b),
-        EventKind::Impact { discs: [a, b], .. } if b == disc => Some(a),
-        _ => None,
-    });
-    let hit = by.map_or(other.is_some(), |by| {
-        before_meeting(disc, by, shot).is_some()
-    });
-    let name = scene.name(disc);
-    match (hit, by.or(other)) {
-        (true, Some(other)) => finding(false, format!("{} hit {name}", scene.name(other))),
-        (_, _) => match by {
-            Some(by) => finding(true, format!("{} did not hit {name}", scene.name(by))),
-            None => finding(true, format!("nothing hit {name}")),
-        },
-    }
-}
-
-fn banked(disc: usize, target: usize, least: usize, scene: &Scene, shot: &Shot) -> Finding {
-    let (name, target_name) = (scene.name(disc), scene.name(target));
-    let mut cushions = 0;
-    for event in shot.events() {
-        match event.kind {
-            EventKind::Cushion { disc: met, .. } if met == disc => cushions += 1,
-            EventKind::Impact { discs, .. } if discs.contains(&disc) => {
-                return if !discs.contains(&target) {
-                    finding(false, format!("{name} met another disc first"))
-                } else if cushions == 0 {
-                    finding(false, format!("{name} met {target_name} without a cushion"))
-                } else {
-                    let told = format!("{name} met {target_name} off {}", counted(cushions));
-                    finding(cushions >= least, told)
-                };
-            }
-            _ => {}
+fn banked(disc: usize, target: usize, least: usize, shot: &Shot) -> (bool, Seen) {
+    let meets = |event: &Event| match event.kind {
+        EventKind::Impact { discs, .. } => discs.contains(&disc),
+        _ => false,
+    };
+    let Some(at) = shot.events().iter().position(meets) else {
+        return (false, Seen::Nothing);
+    };
+    let (before, from) = shot.events().split_at(at);
+    match from.first().map(|event| event.kind) {
+        Some(EventKind::Impact { discs, .. }) if discs.contains(&target) => {
+            counted(cushions(disc, before), least)
         }
-    }
-    finding(false, format!("{name} never met {target_name}"))
-}
-
-fn inside(circle: &GoalCircle, point: DVec2, name: &str, verb: &str) -> Finding {
-    let outside = circle.outside_mm(point);
-    if outside <= 0.0 {
-        let off = figures(mm_from_m(circle.centre.distance(point)));
-        finding(
-            true,
-            format!("{name} {verb} {off} mm from the middle of the circle"),
-        )
-    } else {
-        finding(
-            false,
-            format!("{name} {verb} {} mm outside the circle", figures(outside)),
-        )
+        _ => (false, Seen::OtherFirst),
     }
 }
 

@@ -3,16 +3,31 @@
 use glam::DVec2;
 
 use super::aim::{Adjust, Dial, LevelAim};
-use super::fields::Fields;
 use super::goal::Goal;
-use super::quantity::Range;
-use super::scene::{PlacedDisc, Scene, pockets, tidy};
-use super::source::read_document;
-use crate::files::FileError;
+use super::scene::{PlacedDisc, Scene, pockets, read_discs, tidy};
+use crate::files::{self, Fields, FileErrors, Range, Source, all};
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
+
+/// The format that this program reads and writes.
+pub const FORMAT: u32 = 1;
 
 /// The most goals a level may have.
 const MOST_GOALS: usize = 8;
+
+/// What stands in a file.
+pub(super) const FIELDS: [&str; 8] = [
+    "format", "level", "board", "disc", "shot", "adjust", "goal", "solution",
+];
+
+/// What stands in a file of the level itself.
+const ABOUT: [&str; 6] = [
+    "id",
+    "title",
+    "hints",
+    "explanation",
+    "say_first",
+    "unknown_mass",
+];
 
 /// A scene with a goal, what the player may set, and what there is to learn.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,8 +60,8 @@ impl Level {
     ///
     /// # Errors
     ///
-    /// The first thing that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileError> {
+    /// All that is wrong with it.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         Self::read_beside(name, bytes, &[])
     }
 
@@ -55,51 +70,56 @@ impl Level {
         name: &str,
         bytes: &[u8],
         others: &[Self],
-    ) -> Result<Self, FileError> {
-        read_document(name, bytes, |fields| Self::from_fields(fields, others))
+    ) -> Result<Self, FileErrors> {
+        let source = Source::of_bytes(name, bytes, files::LARGEST)?;
+        source.document("a level", FORMAT, &FIELDS, |fields| {
+            Self::from_fields(fields, others)
+        })
     }
 
-    pub(super) fn from_fields(fields: &mut Fields, others: &[Self]) -> Result<Self, FileError> {
-        let mut about = fields.required_table("level")?;
-        let id = read_id(&mut about)?;
-        if others.iter().any(|other| other.id == id) {
-            let message = format!("expected an id of its own, found \"{id}\" once more");
-            return Err(about.fault_at("id", message));
-        }
-        let title = about.text("title", 40)?.trim().to_owned();
-        let hints = about.texts("hints", 5, 300)?;
-        let explanation = paragraphs(about.text("explanation", 3000)?);
-        let scene = Scene::from_fields(fields)?;
-        let say_first = if about.has("say_first") {
-            about.discs("say_first", scene.pieces.len(), 2)?
-        } else {
-            Vec::new()
-        };
-        let unknown_mass = if about.has("unknown_mass") {
-            let count = scene.pieces.len();
-            about.discs("unknown_mass", count, count)?
-        } else {
-            Vec::new()
-        };
-        about.finish()?;
-        let adjust = read_adjust(fields.required_table("adjust")?, &scene)?;
+    pub(super) fn from_fields(fields: &Fields, others: &[Self]) -> Option<Self> {
+        let about = fields.table("level", &ABOUT);
+        let (scene, count) = Scene::from_fields(fields);
         let goals = fields
-            .tables("goal", MOST_GOALS)?
-            .into_iter()
-            .map(|table| Goal::from_fields(table, &scene))
-            .collect::<Result<_, _>>()?;
-        let solution = adjust.read_setting(fields.required_table("solution")?, start(&scene))?;
-        Ok(Self {
-            id,
-            title,
-            hints,
-            explanation,
-            say_first,
-            unknown_mass,
+            .tables("goal", 1..=MOST_GOALS, &[])
+            .and_then(|goals| {
+                let goals = goals.into_iter();
+                all(goals.map(|goal| Goal::from_fields(goal, count)).collect())
+            });
+        let adjust = fields.table("adjust", &Dial::FIELDS);
+        let adjust = adjust.and_then(|table| read_adjust(&table, scene.as_ref()));
+        let solution = fields.table("solution", &Dial::FIELDS);
+        let about = about?;
+        let id = about.id("id").and_then(|id| {
+            if others.iter().any(|other| other.id == id) {
+                let message = format!("expected an id of its own, found \"{id}\" once more");
+                return about.refuse("id", message);
+            }
+            Some(id)
+        });
+        let title = about.text("title", 40);
+        let hints = about.texts("hints", 1..=5, 300);
+        let explanation = about.text("explanation", 3000);
+        let discs = |name, most| {
+            about.or(name, Vec::new(), |name| {
+                read_discs(&about, name, count, most)
+            })
+        };
+        let say_first = discs("say_first", 2);
+        let unknown_mass = discs("unknown_mass", count);
+        let (scene, adjust) = (scene?, adjust?);
+        let solution = adjust.read_setting(&solution?, start(&scene));
+        Some(Self {
+            id: id?.into(),
+            title: title?.trim().into(),
+            hints: hints?,
+            explanation: paragraphs(explanation?),
+            say_first: say_first?,
+            unknown_mass: unknown_mass?,
             scene,
             adjust,
-            goals,
-            solution,
+            goals: goals?,
+            solution: solution?,
         })
     }
 
@@ -144,41 +164,29 @@ fn start(scene: &Scene) -> LevelAim {
     }
 }
 
-fn read_id(about: &mut Fields) -> Result<String, FileError> {
-    let id = about.text("id", 40)?;
-    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-    if id.chars().all(plain) {
-        Ok(id.into())
-    } else {
-        let message = format!("expected lower-case letters, digits and hyphens, found \"{id}\"");
-        Err(about.fault_at("id", message))
-    }
-}
-
 /// Reads what the player may set: it must hold what is set when the level opens,
 /// and the disc must find room wherever it may be placed.
-fn read_adjust(fields: Fields, scene: &Scene) -> Result<Adjust, FileError> {
-    let fault = fields.clone();
+fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     let adjust = Adjust::from_fields(fields)?;
+    let scene = scene?;
     let start = start(scene);
     for (dial, range) in adjust.dials() {
         // Millimetres and grams have been to SI and back.
         let setting = start.get(dial);
         if (range.nearest(setting) - setting).abs() > 1e-9 * setting.abs() {
-            return Err(fault.fault_at(
-                dial.field(),
-                format!(
-                    "expected a range that holds the {setting} the scene starts with, found {} to {}",
-                    range.from, range.to
-                ),
-            ));
+            let message = format!(
+                "expected a range that holds the {setting} the scene starts with, found {} to {}",
+                range.from, range.to
+            );
+            fields.refuse::<()>(dial.field(), message);
         }
     }
-    if let Some(range) = adjust.range(Dial::Place) {
-        check_places(scene, range.scaled(1e-3))
-            .map_err(|message| fault.fault_at(Dial::Place.field(), message))?;
+    if let Some(range) = adjust.range(Dial::Place)
+        && let Err(message) = check_places(scene, range.scaled(1e-3))
+    {
+        fields.refuse::<()>(Dial::Place.field(), message);
     }
-    Ok(adjust)
+    Some(adjust)
 }
 
 /// Whether the disc that is set off has room wherever its x, in metres, lies within

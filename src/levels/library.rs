@@ -105,7 +105,7 @@ impl LevelLibrary {
         let others = others.map_or(&[][..], |pack| &pack.levels);
         let level = match Level::read_beside(file, bytes, others) {
             Ok(level) => level,
-            Err(fault) => return self.problems.push(fault),
+            Err(errors) => return self.problems.extend(errors),
         };
         match at.and_then(|at| self.packs.get_mut(at)) {
             Some(known) => known.levels.push(level),

@@ -3,12 +3,11 @@
 //! A **scene** is a board, the discs on it and a shot, as a TOML file. A **level**
 //! is a scene with a goal, what the player may set, hints, an explanation and an
 //! aim that wins; the aim is stored so that it can be checked by playing it. Every
-//! number of a file is checked against its bounds while it is read; the first
-//! [`FileError`] ends the reading and says file, line, field and what was expected.
+//! number of a file is checked against its bounds while it is read; a [`FileError`] says
+//! file, line, field and what was expected.
 
 mod aim;
 mod check;
-mod fields;
 mod goal;
 mod judge;
 mod kind;
@@ -18,19 +17,18 @@ mod play;
 mod quantity;
 mod scene;
 mod shelf;
-mod source;
 mod stars;
+mod told;
 
-pub use crate::files::FileError;
+pub use crate::files::{FileError, Range};
 pub use aim::{Adjust, Dial, LevelAim};
 pub use check::{Trial, winning_share};
 pub use goal::{Goal, GoalCircle};
-pub use judge::{Finding, Judgement, judge};
+pub use judge::{Judgement, judge};
 pub use kind::DiscKind;
-pub use level::Level;
+pub use level::{FORMAT, Level};
 pub use library::{LevelLibrary, Pack};
-pub use quantity::{NumberSpec, Range};
 pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene, pockets};
 pub use shelf::Shelf;
-pub use source::FORMAT;
 pub use stars::{Best, FEW_SHOTS, MOST_STARS, Starred, Win};
+pub use told::Finding;

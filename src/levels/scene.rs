@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 
-use super::fields::Fields;
 use super::kind::DiscKind;
+use super::level::{self, Level};
 use super::quantity as q;
-use super::source::read_document;
-use crate::files::FileError;
+use crate::files::{self, Fields, FileErrors, Source, all};
+use crate::numbers::short;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
@@ -64,39 +64,47 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// The first thing that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileError> {
-        read_document(name, bytes, |fields| {
+    /// All that is wrong with it.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
+        let source = Source::of_bytes(name, bytes, files::LARGEST)?;
+        source.document("a scene", level::FORMAT, &[], |fields| {
             if fields.has("level") {
-                super::Level::from_fields(fields, &[]).map(|level| level.scene)
+                let fields = fields.clone().only(&level::FIELDS);
+                Level::from_fields(&fields, &[]).map(|level| level.scene)
             } else {
-                Self::from_fields(fields)
+                let fields = fields.clone().only(&["format", "board", "disc", "shot"]);
+                Self::from_fields(&fields).0
             }
         })
     }
 
-    pub(super) fn from_fields(fields: &mut Fields) -> Result<Self, FileError> {
-        let board = match fields.table("board")? {
-            Some(table) => read_board(table)?,
-            None => Board::default(),
-        };
-        let mut pieces = Vec::new();
-        for table in fields.tables("disc", MOST_DISCS)? {
-            let piece = read_piece(table, &board, &pieces)?;
-            pieces.push(piece);
+    /// The scene, and how many discs the file has, be they good or not.
+    pub(super) fn from_fields(fields: &Fields) -> (Option<Self>, usize) {
+        let board = fields.or("board", Board::default(), |_| read_board(fields));
+        let tables = fields.tables("disc", 1..=MOST_DISCS, &DISC_FIELDS);
+        let tables = tables.unwrap_or_default();
+        let mut pieces: Vec<Option<PlacedDisc>> = Vec::new();
+        for table in &tables {
+            let piece = read_piece(table);
+            let others = pieces.iter().enumerate();
+            let others = others.filter_map(|(number, other)| Some((number, other.as_ref()?)));
+            let placed = piece.zip(board).and_then(|(piece, board)| {
+                match piece.check_place(&board, others) {
+                    Ok(()) => Some(piece),
+                    Err(message) => table.refuse("at_mm", message),
+                }
+            });
+            pieces.push(placed);
         }
-        let mut table = fields.required_table("shot")?;
-        let stroke = Launch {
-            disc: table.disc("disc", pieces.len())?,
-            direction_deg: table.required_number("direction_deg", &q::DIRECTION)?,
-            speed: table.required_number("speed", &q::SPEED)?,
+        let stroke = read_launch(fields, tables.len());
+        let scene = || {
+            Some(Self {
+                board: board?,
+                pieces: all(pieces).filter(|pieces| !pieces.is_empty())?,
+                stroke: stroke?,
+            })
         };
-        table.finish()?;
-        Ok(Self {
-            board,
-            pieces,
-            stroke,
-        })
+        (scene(), tables.len())
     }
 
     /// The discs, by number.
@@ -147,58 +155,109 @@ pub fn pockets(board: &Board) -> impl Iterator<Item = DVec2> + use<> {
         .map(move |(x, y)| reach * DVec2::new(x, y))
 }
 
-fn read_board(mut fields: Fields) -> Result<Board, FileError> {
+/// The fields of a disc.
+const DISC_FIELDS: [&str; 4] = ["kind", "at_mm", "mass_g", "radius_mm"];
+
+/// The fields of a board.
+const BOARD_FIELDS: [&str; 5] = [
+    "side_mm",
+    "pocket_diameter_mm",
+    "friction",
+    "restitution",
+    "cushion_restitution",
+];
+
+fn read_board(fields: &Fields) -> Option<Board> {
+    let fields = fields.table("board", &BOARD_FIELDS)?;
     let usual = Board::default();
-    let side = fields.number("side_mm", &q::SIDE)?;
-    let pocket = fields.number("pocket_diameter_mm", &q::POCKET)?;
-    let friction = fields.number("friction", &q::FRICTION)?;
-    let restitution = fields.number("restitution", &q::RESTITUTION)?;
-    let cushion = fields.number("cushion_restitution", &q::RESTITUTION)?;
+    let length =
+        |name, usual, spec| fields.or(name, usual, |name| fields.number(name, spec).map(m_from_mm));
+    let number = |name, usual, spec| fields.or(name, usual, |name| fields.number(name, spec));
+    let side = length("side_mm", usual.side, &q::SIDE);
+    let pocket_diameter = length("pocket_diameter_mm", usual.pocket_diameter, &q::POCKET);
+    let friction = number("friction", usual.friction, &q::FRICTION);
+    let restitution = number("restitution", usual.restitution, &q::RESTITUTION);
+    let cushion_restitution = number(
+        "cushion_restitution",
+        usual.cushion_restitution,
+        &q::RESTITUTION,
+    );
     let board = Board {
-        side: side.map_or(usual.side, m_from_mm),
-        pocket_diameter: pocket.map_or(usual.pocket_diameter, m_from_mm),
-        friction: friction.unwrap_or(usual.friction),
-        restitution: restitution.unwrap_or(usual.restitution),
-        cushion_restitution: cushion.unwrap_or(usual.cushion_restitution),
+        side: side?,
+        pocket_diameter: pocket_diameter?,
+        friction: friction?,
+        restitution: restitution?,
+        cushion_restitution: cushion_restitution?,
     };
     if board.pocket_diameter > 0.5 * board.side {
-        return Err(fields.fault_at(
-            "pocket_diameter_mm",
-            format!(
-                "expected at most half the side of the board, {} mm, found {}",
-                tidy(mm_from_m(0.5 * board.side)),
-                tidy(mm_from_m(board.pocket_diameter)),
-            ),
-        ));
+        let message = format!(
+            "expected at most half the side of the board, {} mm, found {}",
+            tidy(mm_from_m(0.5 * board.side)),
+            tidy(mm_from_m(board.pocket_diameter)),
+        );
+        return fields.refuse("pocket_diameter_mm", message);
     }
-    fields.finish()?;
-    Ok(board)
+    Some(board)
 }
 
-/// Reads a disc that lies clear of the frame, the pockets and the discs before it.
-fn read_piece(
-    mut fields: Fields,
-    board: &Board,
-    others: &[PlacedDisc],
-) -> Result<PlacedDisc, FileError> {
-    let kind = fields.word("kind", &DiscKind::NAMED)?;
-    let at = fields.place("at_mm", &q::COORDINATE)?;
-    let mass = fields.number("mass_g", &q::MASS)?;
-    let radius = fields.number("radius_mm", &q::RADIUS)?;
-    let usual = kind.disc();
-    let piece = PlacedDisc {
-        kind,
+fn read_piece(fields: &Fields) -> Option<PlacedDisc> {
+    let kind = fields.word("kind", &DiscKind::NAMED);
+    let at = fields.pair("at_mm", "[x, y]", &q::COORDINATE);
+    let optional = |name, spec| fields.or(name, None, |name| fields.number(name, spec).map(Some));
+    let mass = optional("mass_g", &q::MASS);
+    let radius = optional("radius_mm", &q::RADIUS);
+    let usual = kind?.disc();
+    Some(PlacedDisc {
+        kind: kind?,
         disc: Disc {
-            mass: mass.map_or(usual.mass, kg_from_g),
-            radius: radius.map_or(usual.radius, m_from_mm),
+            mass: mass?.map_or(usual.mass, kg_from_g),
+            radius: radius?.map_or(usual.radius, m_from_mm),
         },
-        at: DVec2::new(m_from_mm(at.x), m_from_mm(at.y)),
-    };
-    piece
-        .check_place(board, others.iter().enumerate())
-        .map_err(|message| fields.fault_at("at_mm", message))?;
-    fields.finish()?;
-    Ok(piece)
+        at: point(at?),
+    })
+}
+
+/// A point given in millimetres.
+pub(super) fn point(mm: [f64; 2]) -> DVec2 {
+    DVec2::from(mm.map(m_from_mm))
+}
+
+/// Reads the shot of a scene of so many discs.
+fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
+    let fields = fields.table("shot", &["disc", "direction_deg", "speed"])?;
+    let disc = read_disc(&fields, "disc", count);
+    let direction_deg = fields.number("direction_deg", &q::DIRECTION);
+    let speed = fields.number("speed", &q::SPEED);
+    Some(Launch {
+        disc: disc?,
+        direction_deg: direction_deg?,
+        speed: speed?,
+    })
+}
+
+/// Reads the number of one of `count` discs; where there are none, that has been told.
+pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usize> {
+    let last = count.checked_sub(1)?;
+    fields.whole(name, &disc_number(last), 0..=last)
+}
+
+/// Reads a list of 1 to `most` different discs, likewise.
+pub(super) fn read_discs(
+    fields: &Fields,
+    name: &str,
+    count: usize,
+    most: usize,
+) -> Option<Vec<usize>> {
+    let disc = disc_number(count.checked_sub(1)?);
+    let expected = format!("a list of 1 to {most} different discs, {disc}");
+    fields.different(name, &expected, 1..=most, count)
+}
+
+fn disc_number(last: usize) -> String {
+    match last {
+        0 => "disc 0, the only one".into(),
+        _ => format!("a disc from 0 to {last}"),
+    }
 }
 
 impl PlacedDisc {
@@ -214,7 +273,7 @@ impl PlacedDisc {
         if out > SLACK {
             return Err(format!(
                 "expected a place inside the frame, found the disc {} mm beyond it",
-                short(out)
+                small(out)
             ));
         }
         if pockets(board).any(|hole| hole.distance(self.at) <= 0.5 * board.pocket_diameter) {
@@ -225,7 +284,7 @@ impl PlacedDisc {
         match others.find(|(_, other)| overlap(other) > SLACK) {
             Some((number, other)) => Err(format!(
                 "expected a place clear of other discs, found {} mm of overlap with disc {number}",
-                short(overlap(other))
+                small(overlap(other))
             )),
             None => Ok(()),
         }
@@ -233,7 +292,7 @@ impl PlacedDisc {
 }
 
 /// A length in millimetres with as many digits as say something.
-fn short(length: f64) -> String {
+fn small(length: f64) -> String {
     let mm = mm_from_m(length);
     if mm < 0.01 {
         format!("{mm:.1e}")
@@ -244,13 +303,7 @@ fn short(length: f64) -> String {
 
 /// A number to two decimals, without zeros at the end.
 pub(super) fn tidy(number: f64) -> String {
-    let text = format!("{number:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
-    }
+    short(number, 2)
 }
 
 /// A measured length in millimetres, to three figures but no finer than a

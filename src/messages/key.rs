@@ -45,6 +45,15 @@ pub enum Key {
 }
 
 impl Key {
+    /// The key of a text: a character stands for itself, a name for what a tape calls so.
+    pub fn parse(text: &str) -> Option<Self> {
+        let mut letters = text.chars();
+        match (letters.next(), letters.next()) {
+            (Some(c), None) if !c.is_control() => Some(Self::Char(c)),
+            _ => Self::named(text),
+        }
+    }
+
     /// The key of a name as a tape writes it (`Right`, `Space`, `Ctrl+C`, `F1`),
     /// whatever the case of its letters; `None` if there is no such key.
     pub fn named(name: &str) -> Option<Self> {
@@ -55,7 +64,7 @@ impl Key {
             "left" => Self::Left,
             "right" => Self::Right,
             "enter" => Self::Enter,
-            "escape" => Self::Escape,
+            "escape" | "esc" => Self::Escape,
             "tab" => Self::Tab,
             "shift+tab" => Self::BackTab,
             "backspace" => Self::Backspace,

@@ -1,7 +1,7 @@
 //! Searching for a stroke, which takes longer than a frame.
 
 use crate::game::Game;
-use crate::game::opponent::{Decision, Hint, Strength};
+use crate::game::opponent::{Decision, Strength, StrokeHint};
 
 /// A search to be made by the shell, beside the app if it can.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +40,7 @@ pub enum Found {
     /// The opponent's stroke.
     Stroke(Option<Decision>),
     /// The hint.
-    Hint(Option<Hint>),
+    Hint(Option<StrokeHint>),
     /// Neither: the search failed.
     Failed,
 }

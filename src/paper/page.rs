@@ -20,13 +20,13 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src dat
 /// `--faint`, `--wash` and `--accent` are the colours for a [`style`](Self::style) of
 /// one's own.
 #[derive(Debug, Clone)]
-pub struct Page {
+pub struct HtmlPage {
     title: String,
     style: &'static str,
     sheets: Vec<Markup>,
 }
 
-impl Page {
+impl HtmlPage {
     /// A document with nothing in it. The title is that of the window and becomes the
     /// name of the file when it is printed to one.
     #[must_use]
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn a_title_is_text_and_nothing_else() {
-        let page = Page::new("</title><script>alert(1)</script>").html();
+        let page = HtmlPage::new("</title><script>alert(1)</script>").html();
         assert!(page.starts_with("<!DOCTYPE html><html lang=\"en\">"));
         assert!(page.contains("<title>&lt;/title&gt;&lt;script&gt;"));
         assert!(!page.contains("<script"));
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn sheets_come_in_order() {
-        let page = Page::new("two")
+        let page = HtmlPage::new("two")
             .style(".x { color: red }")
             .sheet(html! { "first" })
             .sheet(html! { "second" })

@@ -25,7 +25,7 @@ impl Beam {
         }
     }
 
-    /// The share of hits between equal masses, at rest the one and e = 1, that
+    /// The share of hits between equal masses, the target at rest and e = 1, that
     /// scatters the striker by more than `theta1` radians: cos θ₁ on a board, cos²θ₁
     /// in space, 0 from 90° on.
     ///
@@ -36,16 +36,6 @@ impl Beam {
         }
         self.share_within(theta1.max(0.0).cos())
     }
-
-    /// The share of hits at e = 1, whatever the masses, that turns the pair by more
-    /// than `cm_angle` radians in the centre-of-mass frame: cos(Θ/2) on a board,
-    /// cos²(Θ/2) in space.
-    ///
-    /// cos²(Θ/2) = (1 + cos Θ)/2 is the part of the whole sphere that lies beyond Θ:
-    /// hard spheres in space scatter evenly over the sphere.
-    pub fn cm_share_beyond(self, cm_angle: f64) -> f64 {
-        self.share_within((cm_angle.clamp(0.0, PI) / 2.0).cos())
-    }
 }
 
 #[cfg(test)]
@@ -53,6 +43,13 @@ mod tests {
     use super::*;
     use crate::physics::{Collision, Disc, Frame};
     use glam::DVec2;
+
+    /// The share turned by more than `cm_angle` in the centre-of-mass frame, where at
+    /// e = 1 every pair of masses is turned by 180° − 2α: cos(Θ/2) on a board, cos²(Θ/2)
+    /// in space.
+    fn cm_share_beyond(beam: Beam, cm_angle: f64) -> f64 {
+        beam.share_beyond(cm_angle / 2.0)
+    }
 
     /// Counts a beam of evenly spread offsets through the collisions themselves.
     fn counted(beam: Beam, scattered: impl Fn(&Collision) -> f64, beyond: f64) -> f64 {
@@ -79,7 +76,7 @@ mod tests {
                 let theta = deg.to_radians();
                 assert!((beam.share_beyond(theta) - counted(beam, lab, theta)).abs() < 1e-4);
                 let turned = 2.0 * theta;
-                assert!((beam.cm_share_beyond(turned) - counted(beam, cm, turned)).abs() < 1e-4);
+                assert!((cm_share_beyond(beam, turned) - counted(beam, cm, turned)).abs() < 1e-4);
             }
         }
     }
@@ -92,14 +89,14 @@ mod tests {
         for beam in [Beam::Board, Beam::Space] {
             assert!((beam.share_beyond(0.0) - 1.0).abs() < 1e-15);
             assert!(beam.share_beyond(1.6) <= 0.0);
-            assert!(beam.cm_share_beyond(PI) < 1e-15);
+            assert!(cm_share_beyond(beam, PI) < 1e-15);
         }
     }
 
     #[test]
     fn hard_spheres_scatter_evenly_over_the_sphere() {
         for step in 0..18 {
-            let band = |a: f64| Beam::Space.cm_share_beyond(a.to_radians());
+            let band = |a: f64| cm_share_beyond(Beam::Space, a.to_radians());
             let (from, to) = (f64::from(step) * 10.0, f64::from(step + 1) * 10.0);
             let solid_angle = 2.0 * PI * (from.to_radians().cos() - to.to_radians().cos());
             let share = band(from) - band(to);

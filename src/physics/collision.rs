@@ -54,7 +54,7 @@ pub enum Meeting {
 
 /// What becomes of a [`Collision`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
+pub struct CollisionOutcome {
     /// How the two met.
     pub meeting: Meeting,
     /// Line of impact n, the unit vector from centre 1 to centre 2 at contact;
@@ -93,7 +93,7 @@ pub struct Outcome {
     pub energy_lost: f64,
 }
 
-impl Outcome {
+impl CollisionOutcome {
     /// Whether the discs touched, if only grazing.
     pub fn hit(&self) -> bool {
         self.meeting != Meeting::Miss
@@ -126,13 +126,13 @@ impl Collision {
     #[must_use]
     pub fn with_alpha(self, alpha: f64) -> Self {
         Self {
-            offset: self.reach() * alpha.sin(),
+            offset: self.contact_distance() * alpha.sin(),
             ..self
         }
     }
 
     /// Distance of the centres at contact, r₁ + r₂, in metres.
-    pub fn reach(&self) -> f64 {
+    pub fn contact_distance(&self) -> f64 {
         self.striker.radius + self.target.radius
     }
 
@@ -160,11 +160,11 @@ impl Collision {
     /// them; without relative motion: side by side, the target to the right.
     pub fn placed_at_contact(&self) -> (DVec2, DVec2) {
         let apart = match (self.normal(), self.relative_velocity().try_normalize()) {
-            (Some(normal), _) => self.reach() * normal,
+            (Some(normal), _) => self.contact_distance() * normal,
             (None, Some(along)) => -self.offset * along.perp(),
-            (None, None) => self.reach() * DVec2::X,
+            (None, None) => self.contact_distance() * DVec2::X,
         };
-        let share1 = self.striker.radius / self.reach();
+        let share1 = self.striker.radius / self.contact_distance();
         (-share1 * apart, (1.0 - share1) * apart)
     }
 
@@ -176,7 +176,7 @@ impl Collision {
     }
 
     /// What becomes of the two.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
             return self.unchanged(Meeting::Miss, None);
         };
@@ -191,7 +191,7 @@ impl Collision {
         let grazes = self.sine().is_some_and(|sine| cosine(sine) <= 0.0);
         match contact.resolve() {
             Some(impact) if !grazes => match self.bond {
-                Bond::Slip => Outcome {
+                Bond::Slip => CollisionOutcome {
                     impulse: impact.impulse,
                     energy_lost: impact.energy_lost,
                     ..self.after(Meeting::Hit, Some(normal), impact.v1, impact.v2)
@@ -224,12 +224,12 @@ impl Collision {
         ]
     }
 
-    fn captured(&self, normal: DVec2) -> Outcome {
+    fn captured(&self, normal: DVec2) -> CollisionOutcome {
         let shared = self.centre_of_mass_velocity();
         let relative_speed = self.relative_velocity().length();
         let pair = capture(self.striker, self.target, self.offset, relative_speed);
         let free = self.after(Meeting::Hit, Some(normal), shared, shared);
-        Outcome {
+        CollisionOutcome {
             spin: pair.spin,
             impulse: self.striker.mass * (shared - self.u1).length(),
             energy_after: free.energy_after + pair.rotation_energy,
@@ -239,16 +239,22 @@ impl Collision {
         }
     }
 
-    fn unchanged(&self, meeting: Meeting, normal: Option<DVec2>) -> Outcome {
+    fn unchanged(&self, meeting: Meeting, normal: Option<DVec2>) -> CollisionOutcome {
         self.after(meeting, normal, self.u1, self.u2)
     }
 
     /// An outcome with these velocities and nothing lost or turning.
-    fn after(&self, meeting: Meeting, normal: Option<DVec2>, v1: DVec2, v2: DVec2) -> Outcome {
+    fn after(
+        &self,
+        meeting: Meeting,
+        normal: Option<DVec2>,
+        v1: DVec2,
+        v2: DVec2,
+    ) -> CollisionOutcome {
         let energy = |a: DVec2, b: DVec2| {
             kinetic_energy(self.striker.mass, a) + kinetic_energy(self.target.mass, b)
         };
-        Outcome {
+        CollisionOutcome {
             meeting,
             normal,
             tangent: normal.map(DVec2::perp),
@@ -270,7 +276,7 @@ impl Collision {
     /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1,
     /// for b and the radii rarely add up to the last bit.
     fn sine(&self) -> Option<f64> {
-        let sine = self.offset / self.reach();
+        let sine = self.offset / self.contact_distance();
         let beyond = sine.abs() - 1.0;
         if beyond.abs() <= 4.0 * f64::EPSILON {
             Some(sine.signum())
@@ -344,7 +350,7 @@ mod tests {
         let tangent = shot.outcome().tangent.unwrap();
         assert!((tangent - DVec2::new(0.5, 0.75_f64.sqrt())).length() < 1e-15);
         close(deg(shot.alpha()), 30.0);
-        close(shot.offset, shot.reach() / 2.0);
+        close(shot.offset, shot.contact_distance() / 2.0);
     }
 
     #[test]
@@ -484,11 +490,11 @@ mod tests {
         let (centre1, centre2) = shot.placed_at_contact();
         close(centre1.length(), shot.striker.radius);
         close(centre2.length(), shot.target.radius);
-        close((centre2 - centre1).length(), shot.reach());
+        close((centre2 - centre1).length(), shot.contact_distance());
         let (before1, before2) = shot.positions_before(0.1);
         assert!((before1 + 0.1 * shot.u1 - centre1).length() < 1e-15);
         assert!((before2 + 0.1 * shot.u2 - centre2).length() < 1e-15);
-        assert!((before2 - before1).length() > shot.reach());
+        assert!((before2 - before1).length() > shot.contact_distance());
         // The offset is how far the target lies to the right of the relative path.
         let along = shot.relative_velocity().normalize();
         close((before2 - before1).perp_dot(along), shot.offset);
@@ -555,7 +561,7 @@ mod tests {
             assert!((momentum(after) - before).length() < 1e-15);
             let shot = hit.shot(0.02, 0.04).unwrap();
             for (body, v) in after.into_iter().enumerate() {
-                // Just after the contact; a turn of so little is not to be seen.
+                // Just after the contact; rotation is negligible after 1 ns.
                 let recorded = shot.at(body, 0.02 + 1e-9).velocity;
                 assert!((recorded - v).length() < 1e-5, "{bond:?} {offset}");
             }

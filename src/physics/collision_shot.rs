@@ -77,7 +77,7 @@ mod tests {
             .at(0, 0.05)
             .position
             .distance(shot.at(1, 0.05).position);
-        assert!((apart - collision.reach()).abs() < 1e-12);
+        assert!((apart - collision.contact_distance()).abs() < 1e-12);
     }
 
     #[test]

@@ -69,7 +69,7 @@ pub fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::{Disc, Outcome, RestingTarget, angle, impact::kinetic_energy};
+    use crate::physics::{CollisionOutcome, Disc, RestingTarget, angle, impact::kinetic_energy};
     use std::f64::consts::{FRAC_PI_2, PI};
 
     fn both_moving() -> Collision {
@@ -92,7 +92,7 @@ mod tests {
                 ..both_moving()
             };
             let cm = Frame::CentreOfMass.view(&lab);
-            let Outcome { v1, v2, .. } = cm.outcome();
+            let CollisionOutcome { v1, v2, .. } = cm.outcome();
             let (m1, m2) = (lab.striker.mass, lab.target.mass);
             assert!((m1 * cm.u1 + m2 * cm.u2).length() < 1e-16);
             assert!((m1 * v1 + m2 * v2).length() < 1e-16);
@@ -158,7 +158,7 @@ mod tests {
             target: Disc::from_g_mm(20.0, 15.0),
             ..both_moving()
         };
-        let Outcome {
+        let CollisionOutcome {
             v1, v2, separation, ..
         } = lab.outcome();
         assert!((v1 - lab.u2).dot(v2 - lab.u2).abs() < 1e-14);

@@ -26,11 +26,11 @@ pub mod units;
 pub mod worked;
 
 pub use board::{Board, G};
-pub use collision::{Bond, Collision, Meeting, Outcome};
+pub use collision::{Bond, Collision, CollisionOutcome, Meeting};
 pub use disc::{Disc, Motion};
 pub use engine::{Engine, EngineError, Limits, play};
 pub use frames::Frame;
 pub use resting_target::RestingTarget;
-pub use shot::{CaptureError, Event, EventKind, Leg, Sample, Shot, State};
-pub use slide::{Slide, speed_after, stopping_distance, stopping_time, time_to_cover};
-pub use spec::{CollisionSpec, FieldRange, ImpactPoint, plain};
+pub use shot::{CaptureError, DiscState, Event, EventKind, Leg, Sample, Shot};
+pub use slide::{Slide, stopping_distance, stopping_time};
+pub use spec::{CollisionSpec, FieldRange, ImpactPoint};

@@ -6,8 +6,8 @@ use super::{Board, Disc, Motion, Slide};
 
 mod capture;
 
-use capture::Capture;
 pub use capture::CaptureError;
+use capture::StuckPair;
 
 /// Something that happened during a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,7 +78,7 @@ impl EventKind {
 
 /// What a disc is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum State {
+pub enum DiscState {
     /// It moves.
     Moving,
     /// It lies still on the board.
@@ -95,7 +95,7 @@ pub struct Sample {
     /// Velocity in m/s; zero unless moving.
     pub velocity: DVec2,
     /// What it is doing.
-    pub state: State,
+    pub state: DiscState,
 }
 
 /// A stretch of a disc's way: straight, from one event of this disc to its next.
@@ -113,13 +113,13 @@ pub struct Leg {
 
 /// Where a disc takes up a new motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Turn {
+struct LegStart {
     /// When, in seconds since the start of the shot.
-    pub(super) time: f64,
+    time: f64,
     /// The motion from here on.
-    pub(super) motion: Motion,
+    motion: Motion,
     /// Whether it left the board here.
-    pub(super) pocketed: bool,
+    pocketed: bool,
 }
 
 /// The exact record of a shot.
@@ -131,10 +131,10 @@ pub(super) struct Turn {
 pub struct Shot {
     board: Board,
     discs: Vec<Disc>,
-    turns: Vec<Vec<Turn>>,
+    legs: Vec<Vec<LegStart>>,
     events: Vec<Event>,
     duration: f64,
-    capture: Option<Capture>,
+    capture: Option<StuckPair>,
 }
 
 impl Shot {
@@ -144,7 +144,7 @@ impl Shot {
         Self {
             board: Board::default(),
             discs: Vec::new(),
-            turns: Vec::new(),
+            legs: Vec::new(),
             events: Vec::new(),
             duration: 0.0,
             capture: None,
@@ -157,10 +157,10 @@ impl Shot {
         self.discs.clear();
         self.discs.extend_from_slice(discs);
         self.events.clear();
-        self.turns.resize_with(discs.len(), Vec::new);
-        for (turns, &motion) in self.turns.iter_mut().zip(start) {
-            turns.clear();
-            turns.push(Turn {
+        self.legs.resize_with(discs.len(), Vec::new);
+        for (legs, &motion) in self.legs.iter_mut().zip(start) {
+            legs.clear();
+            legs.push(LegStart {
                 time: 0.0,
                 motion,
                 pocketed: false,
@@ -170,8 +170,13 @@ impl Shot {
         self.capture = None;
     }
 
-    pub(super) fn push_turn(&mut self, disc: usize, turn: Turn) {
-        self.turns[disc].push(turn);
+    /// A disc takes up a new motion.
+    pub(super) fn push_leg(&mut self, disc: usize, time: f64, motion: Motion, pocketed: bool) {
+        self.legs[disc].push(LegStart {
+            time,
+            motion,
+            pocketed,
+        });
     }
 
     pub(super) fn push_event(&mut self, event: Event) {
@@ -205,7 +210,7 @@ impl Shot {
 
     /// How a disc started.
     pub fn start(&self, disc: usize) -> Motion {
-        self.turns[disc][0].motion
+        self.legs[disc][0].motion
     }
 
     /// Where a disc is at a time in seconds. Times before 0 count as the start,
@@ -220,28 +225,28 @@ impl Shot {
         if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time()) {
             return sample(capture.at(disc, time), false);
         }
-        let turns = &self.turns[disc];
-        let next = turns.partition_point(|turn| turn.time <= time);
-        let turn = &turns[next.saturating_sub(1)];
-        let slide = Slide::new(turn.motion, self.board.deceleration());
-        sample(slide.at(time - turn.time), turn.pocketed)
+        let legs = &self.legs[disc];
+        let next = legs.partition_point(|leg| leg.time <= time);
+        let leg = &legs[next.saturating_sub(1)];
+        let slide = Slide::new(leg.motion, self.board.deceleration());
+        sample(slide.at(time - leg.time), leg.pocketed)
     }
 
     /// The way of a disc as straight legs, for drawing its trail; none for a disc
     /// that never moves. The turning of a pair that stuck together is cut into
     /// chords of a few degrees.
     pub fn path(&self, disc: usize) -> impl Iterator<Item = Leg> + '_ {
-        let turns = &self.turns[disc];
-        let free_until = self.capture.as_ref().map_or(self.duration, Capture::time);
-        let slides = turns.iter().enumerate().filter_map(move |(i, turn)| {
-            let end = turns.get(i + 1).map_or(free_until, |next| next.time);
-            let moves = turn.motion.velocity != DVec2::ZERO && end > turn.time;
+        let legs = &self.legs[disc];
+        let free_until = self.capture.as_ref().map_or(self.duration, StuckPair::time);
+        let slides = legs.iter().enumerate().filter_map(move |(i, leg)| {
+            let end = legs.get(i + 1).map_or(free_until, |next| next.time);
+            let moves = leg.motion.velocity != DVec2::ZERO && end > leg.time;
             moves.then(|| Leg {
-                start: turn.time,
+                start: leg.time,
                 end,
-                from: turn.motion.position,
-                to: Slide::new(turn.motion, self.board.deceleration())
-                    .at(end - turn.time)
+                from: leg.motion.position,
+                to: Slide::new(leg.motion, self.board.deceleration())
+                    .at(end - leg.time)
                     .position,
             })
         });
@@ -292,11 +297,11 @@ impl Default for Shot {
 
 fn sample(motion: Motion, pocketed: bool) -> Sample {
     let state = if pocketed {
-        State::Pocketed
+        DiscState::Pocketed
     } else if motion.velocity == DVec2::ZERO {
-        State::Resting
+        DiscState::Resting
     } else {
-        State::Moving
+        DiscState::Moving
     };
     Sample {
         position: motion.position,

@@ -29,35 +29,37 @@ pub fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// Time in seconds to cover `distance` (m, at least 0): 2s / (v + √(v² − 2as)).
-///
-/// `None` if the disc stops before it gets there. This form of the root of
-/// s = v t − ½ a t² loses no digits however short the distance, and holds at a = 0.
-pub fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
-    let left = speed * speed - 2.0 * deceleration * distance;
-    if distance == 0.0 {
-        Some(0.0)
-    } else if left < 0.0 || speed <= 0.0 {
-        None
-    } else {
-        Some(2.0 * distance / (speed + left.sqrt()))
-    }
-}
-
 /// Seconds a disc takes for a way it would cover in `time` seconds at its first
-/// speed, if it loses the part `slowing` = a/v of that speed a second; `None` if it
-/// stops before. [`time_to_cover`] without the need to know distance and speed apart.
-pub(super) fn slowed(time: f64, slowing: f64) -> Option<f64> {
-    let left = 1.0 - 2.0 * slowing * time;
+/// speed, if it loses the part `relative_deceleration` = a/v of that speed a second; `None` if
+/// it stops before. This form of the root of s = v t − ½ a t² loses no digits however
+/// short the way, and holds at a = 0.
+pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
+    let left = 1.0 - 2.0 * relative_deceleration * time;
     (left >= 0.0).then(|| 2.0 * time / (1.0 + left.sqrt()))
 }
 
-/// Speed in m/s that is left after `distance` (m): √(v² − 2as).
-///
-/// `None` if the disc stops before it gets there.
-pub fn speed_after(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
-    let left = speed * speed - 2.0 * deceleration * distance;
-    (left >= 0.0).then(|| left.sqrt())
+/// When |d + w t| first comes down to `distance`, if |d|² − `distance`² = `gap` > 0:
+/// the smaller root of the quadratic, in the form that keeps its digits. `None` if it
+/// never does.
+pub(super) fn time_to_distance(d: DVec2, w: DVec2, distance: f64, gap: f64) -> Option<f64> {
+    let ahead = -d.dot(w);
+    if ahead <= 0.0 {
+        return None;
+    }
+    // All lengths times the speed: no need to draw its root.
+    let offset = d.perp_dot(w);
+    let room = distance * distance * w.length_squared() - offset * offset;
+    (room > 0.0).then(|| gap / (ahead + room.sqrt()))
+}
+
+/// Position and velocity after `time` seconds of constant acceleration.
+#[inline(always)]
+pub(super) fn parabola(start: Motion, acceleration: DVec2, time: f64) -> Motion {
+    let Motion { position, velocity } = start;
+    Motion {
+        position: position + (velocity + acceleration * (0.5 * time)) * time,
+        velocity: velocity + acceleration * time,
+    }
 }
 
 /// A disc left to itself: where it starts and what slows it.
@@ -80,10 +82,10 @@ impl Slide {
                 stopping_time: 0.0,
             };
         }
-        let slowing = -deceleration / speed;
+        let change = -deceleration / speed;
         Self {
             start,
-            acceleration: DVec2::new(slowing * x, slowing * y),
+            acceleration: DVec2::new(change * x, change * y),
             stopping_time: speed / deceleration,
         }
     }
@@ -113,10 +115,7 @@ impl Slide {
         } else if time >= self.stopping_time {
             Motion::at_rest(position + velocity * (0.5 * self.stopping_time))
         } else {
-            Motion {
-                position: position + (velocity + self.acceleration * (0.5 * time)) * time,
-                velocity: velocity + self.acceleration * time,
-            }
+            parabola(self.start, self.acceleration, time)
         }
     }
 }
@@ -137,14 +136,11 @@ mod tests {
             close(stopping_distance(v, A), 0.5 * v * stopping_time(v, A));
             for part in [0.0, 1e-9, 0.3, 0.75, 0.999_999] {
                 let s = part * stopping_distance(v, A);
-                let t = time_to_cover(s, v, A).expect("it gets there");
+                let t = slowed(s / v, A / v).expect("it gets there");
                 close(v * t - 0.5 * A * t * t, s);
-                close(speed_after(s, v, A).expect("it gets there"), v - A * t);
-                close(slowed(s / v, A / v).expect("it gets there"), t);
+                close((v * v - 2.0 * A * s).sqrt(), v - A * t);
             }
             let beyond = stopping_distance(v, A) * 1.000_001;
-            assert_eq!(time_to_cover(beyond, v, A), None);
-            assert_eq!(speed_after(beyond, v, A), None);
             assert_eq!(slowed(beyond / v, A / v), None);
         }
     }
@@ -180,7 +176,6 @@ mod tests {
         );
         assert!(slide.stopping_time().is_infinite());
         assert_eq!(slide.at(1e6).position, DVec2::new(1e6, 0.0));
-        assert_eq!(time_to_cover(3.0, 1.5, 0.0), Some(2.0));
-        assert_eq!(time_to_cover(3.0, 0.0, 0.0), None);
+        assert_eq!(slowed(2.0, 0.0), Some(2.0));
     }
 }

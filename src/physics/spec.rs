@@ -5,6 +5,7 @@ use std::fmt::Display;
 use super::angle::unit_vector;
 use super::units::{m_from_mm, rad_from_deg};
 use super::{Bond, Collision, Disc};
+use crate::numbers::typed;
 
 /// Two discs about to meet, in the units of files and of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +81,7 @@ impl FieldRange {
         if (self.least..=self.most).contains(&value) {
             return Ok(value);
         }
-        let (least, most) = (plain(self.least), plain(self.most));
+        let (least, most) = (typed(self.least), typed(self.most));
         let what = self.what;
         Err(format!(
             "expected {what} from {least} to {most}, found {found}"
@@ -121,6 +122,12 @@ impl CollisionSpec {
         FieldRange::new("target_speed", "a speed in m/s", 0.0, 20.0),
         FieldRange::new("target_deg", "a direction in degrees", -180.0, 180.0),
     ];
+
+    /// The names of the fields in files.
+    pub fn field_names() -> Vec<&'static str> {
+        let names = Self::RANGES.iter().map(|range| range.name);
+        names.chain(["stick"]).collect()
+    }
 
     /// Whether files have a field of this name.
     pub fn has(field: &str) -> bool {
@@ -228,15 +235,6 @@ impl Collision {
                 ..self
             },
         }
-    }
-}
-
-/// A number as one would type it: 90, 0.5, 1e12.
-pub fn plain(x: f64) -> String {
-    if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
     }
 }
 

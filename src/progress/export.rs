@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use unicode_width::UnicodeWidthChar;
 
 use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
+use crate::numbers;
 use crate::quiz::Confidence;
 
 /// The heads of the columns.
@@ -45,8 +46,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
                 attempt.seed.to_string(),
                 attempt.number.to_string(),
                 attempt.question.clone(),
-                attempt.answer.clone(),
-                attempt.truth.clone(),
+                tidied(&attempt.answer),
+                tidied(&attempt.truth),
                 attempt.error_deg.map(number).unwrap_or_default(),
                 number(attempt.credit),
                 if attempt.right { "yes" } else { "no" }.into(),
@@ -56,6 +57,23 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         })
         .collect();
     table(&COLUMNS, &rows)
+}
+
+/// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
+/// back as 29.999999999999996.
+fn tidied(said: &str) -> String {
+    let Ok(Value::Object(mut said)) = serde_json::from_str(said) else {
+        return said.to_owned();
+    };
+    for value in said.values_mut() {
+        let number = value.as_f64().map(numbers::tidy);
+        match number {
+            Some(x) if x.fract() == 0.0 && x.abs() < 1e15 => *value = json!(x as i64),
+            Some(x) => *value = json!(x),
+            None => {}
+        }
+    }
+    Value::Object(said).to_string()
 }
 
 /// A table of comma-separated values, as RFC 4180 has them: the heads, then the rows. A
@@ -122,7 +140,7 @@ pub fn utc(time_s: i64) -> Option<String> {
 pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String> {
     let all = All {
         summary: summary(attempts, calendar),
-        attempts: Rows(attempts),
+        attempts: AttemptRows(attempts),
     };
     serde_json::to_string(&all).map_err(|error| error.to_string())
 }
@@ -130,21 +148,21 @@ pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String>
 #[derive(Serialize)]
 struct All<'a> {
     summary: Value,
-    attempts: Rows<'a>,
+    attempts: AttemptRows<'a>,
 }
 
 /// Attempts, each made ready only when it is written: there may be very many.
-struct Rows<'a>(&'a [Attempt]);
+struct AttemptRows<'a>(&'a [Attempt]);
 
-impl Serialize for Rows<'_> {
+impl Serialize for AttemptRows<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(Row::from))
+        serializer.collect_seq(self.0.iter().map(AttemptRow::from))
     }
 }
 
 /// An attempt as it is written.
 #[derive(Serialize)]
-struct Row<'a> {
+struct AttemptRow<'a> {
     time: Option<String>,
     player: &'a str,
     family: &'a str,
@@ -161,7 +179,7 @@ struct Row<'a> {
     misconception: Option<&'a str>,
 }
 
-impl<'a> From<&'a Attempt> for Row<'a> {
+impl<'a> From<&'a Attempt> for AttemptRow<'a> {
     fn from(attempt: &'a Attempt) -> Self {
         let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
         Self {

@@ -1,4 +1,4 @@
-//! StoredFigures in words.
+//! Figures in words.
 
 /// "1 answer", "7 answers".
 pub fn answers(count: usize) -> String {

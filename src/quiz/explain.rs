@@ -1,8 +1,8 @@
 //! The one explanation after an answer: first what was wrong with it, then why the true
 //! answer is true.
 
-use super::words::{degrees, tenths};
 use super::{Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response};
+use crate::numbers::{degrees, tenths};
 
 /// An explanation, to be shown as a title over a text.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,10 +1,10 @@
 //! How a question is answered, and what the true answer is.
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 
-use super::words::millimetres;
 use super::{Measure, Ray, Rays, Response};
+use crate::numbers::millimetres;
 
 /// How a question is answered, with the true answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +51,7 @@ pub struct AimTask {
 
 impl AimTask {
     /// What becomes of the hit with this offset in metres.
-    pub fn outcome(&self, offset: f64) -> Outcome {
+    pub fn outcome(&self, offset: f64) -> CollisionOutcome {
         self.with(offset).outcome()
     }
 

@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 
-use crate::physics::units::{g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, Outcome};
+use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
+use crate::physics::{Collision, CollisionOutcome};
 
-use super::words::significant;
-use super::{Pieces, Rays, Topic, words};
+use super::{Pieces, Rays, Topic};
+use crate::numbers::{self, significant};
 
 /// How it is said where the two meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,8 +59,35 @@ impl Hit {
         }
     }
 
+    /// The same hit with another coefficient of restitution.
+    pub(super) fn with_restitution(&self, restitution: f64) -> Self {
+        Self {
+            restitution,
+            ..*self
+        }
+    }
+
+    /// The same hit at another impact angle in degrees.
+    pub(super) fn at_angle(&self, alpha_deg: f64) -> Self {
+        Self {
+            given: Placement::Angle { alpha_deg },
+            ..*self
+        }
+    }
+
+    /// The hit with the two discs exchanged, at the same impact angle.
+    pub(super) fn exchanged(&self) -> Self {
+        Self {
+            pieces: Pieces::Own {
+                striker: self.pieces.target(),
+                target: self.pieces.striker(),
+            },
+            ..self.at_angle(deg_from_rad(self.alpha()))
+        }
+    }
+
     /// What becomes of it.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> CollisionOutcome {
         self.collision().outcome()
     }
 
@@ -100,9 +127,27 @@ impl Hit {
         self.pieces.striker().mass / self.pieces.target().mass
     }
 
+    /// Whether both weigh the same.
+    pub(super) fn masses_are_equal(&self) -> bool {
+        self.mass_ratio().total_cmp(&1.0).is_eq()
+    }
+
+    /// Both masses in grams.
+    pub(super) fn masses_g(&self) -> (f64, f64) {
+        let (striker, target) = (self.pieces.striker(), self.pieces.target());
+        (g_from_kg(striker.mass), g_from_kg(target.mass))
+    }
+
+    /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."
+    pub(super) fn loss(&self) -> String {
+        let how_much = if self.restitution < 1.0 { "Some" } else { "No" };
+        let e = significant(self.restitution);
+        format!("{how_much} energy is lost: e = {e}.")
+    }
+
     /// The distance of the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
-        mm_from_m(self.collision().reach())
+        mm_from_m(self.collision().contact_distance())
     }
 
     /// What it is about: "equal masses, by offset".
@@ -132,29 +177,24 @@ impl Hit {
     /// The hit in words, without what the picture alone can tell.
     pub fn setting(&self) -> String {
         let name = self.pieces.target_name();
-        let m1 = significant(g_from_kg(self.pieces.striker().mass));
-        let m2 = significant(g_from_kg(self.pieces.target().mass));
+        let (m1, m2) = self.masses_g();
+        let [m1, m2] = [m1, m2].map(significant);
         let speed = significant(self.speed);
         let side = self.side_name();
         let place = match self.given {
             _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
             Placement::Angle { .. } => format!(
                 "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
-                words::degrees(self.alpha().abs())
+                numbers::degrees(self.alpha().abs())
             ),
             Placement::Offset { offset_mm } => format!(
                 "The {name}'s centre lies {} to the {side} of its path; the two radii \
                  make {} together.",
-                words::millimetres(offset_mm.abs()),
-                words::millimetres(self.reach_mm())
+                numbers::millimetres(offset_mm.abs()),
+                numbers::millimetres(self.reach_mm())
             ),
         };
-        let restitution = significant(self.restitution);
-        let loss = if self.restitution < 1.0 {
-            format!("Some energy is lost: e = {restitution}.")
-        } else {
-            format!("No energy is lost: e = {restitution}.")
-        };
+        let loss = self.loss();
         format!(
             "A striker of {m1} g hits a resting {name} of {m2} g at {speed} m/s. \
              {place} {loss}"

@@ -44,18 +44,30 @@ pub struct Markings {
 }
 
 impl Markings {
+    /// All figures, and nothing of where the two will meet.
+    pub const FIGURES: Self = Self {
+        offset: false,
+        angle: false,
+        figures: true,
+    };
+
     /// What a hit is given by, with all figures.
     pub const fn given(hit: &Hit) -> Self {
-        let by_angle = matches!(hit.given, Placement::Angle { .. });
+        let angle = matches!(hit.given, Placement::Angle { .. });
         Self {
-            offset: !by_angle,
-            angle: by_angle,
-            figures: true,
+            offset: !angle,
+            angle,
+            ..Self::FIGURES
         }
     }
 }
 
 impl Illustration {
+    /// A hit about to happen.
+    pub(super) const fn before(collision: Collision, shown: Markings) -> Self {
+        Self::Before { collision, shown }
+    }
+
     /// The hit that can be watched once the answer is given.
     pub const fn collision(&self) -> Option<&Collision> {
         match self {

@@ -1,7 +1,7 @@
 //! What a number that is asked for measures.
 
 use super::grade::RIGHT_DEG;
-use super::words;
+use crate::numbers;
 
 /// The furthest off that a share can be right, in percentage points.
 const MOST_SHARE: f64 = 4.0;
@@ -72,9 +72,9 @@ impl Measure {
     /// The same without its unit.
     pub fn print_bare(self, x: f64) -> String {
         match self {
-            Self::Angle => words::bare_degrees(x.to_radians()),
-            Self::Length => words::bare_millimetres(x + 0.0),
-            _ => words::significant(x + 0.0),
+            Self::Angle => numbers::bare_degrees(x.to_radians()),
+            Self::Length => numbers::bare_millimetres(x + 0.0),
+            _ => numbers::significant(x + 0.0),
         }
     }
 

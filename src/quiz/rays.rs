@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 
-use crate::physics::Outcome;
+use crate::physics::CollisionOutcome;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
-use super::words;
+use crate::numbers;
 
 /// One of the two rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -32,11 +32,11 @@ impl Ray {
         };
         match leftward {
             None => "stays still".into(),
-            Some(angle) => match words::tenths(angle.abs()) {
+            Some(angle) => match numbers::tenths(angle.abs()) {
                 0 => "straight ahead".into(),
                 1800 => "straight back".into(),
-                _ if angle > 0.0 => format!("{} left", words::degrees(angle)),
-                _ => format!("{} right", words::degrees(-angle)),
+                _ if angle > 0.0 => format!("{} left", numbers::degrees(angle)),
+                _ => format!("{} right", numbers::degrees(-angle)),
             },
         }
     }
@@ -118,8 +118,8 @@ impl Rays {
     }
 }
 
-impl From<&Outcome> for Rays {
-    fn from(outcome: &Outcome) -> Self {
+impl From<&CollisionOutcome> for Rays {
+    fn from(outcome: &CollisionOutcome) -> Self {
         Self {
             striker: outcome.theta1,
             target: outcome.theta2,

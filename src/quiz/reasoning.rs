@@ -1,9 +1,9 @@
 //! Why the two discs of a hit go where they go, on its own figures.
 
-use crate::physics::Outcome;
+use crate::physics::CollisionOutcome;
 
-use super::words::{bare_degrees, bare_millimetres, degrees, significant};
 use super::{Hit, Placement};
+use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 
 /// Why the two go where they go, on the hit's own figures.
 pub fn reasoning(hit: &Hit) -> String {
@@ -25,7 +25,7 @@ pub fn reasoning(hit: &Hit) -> String {
 }
 
 /// The striker's part, by its velocity along the line of impact and across it.
-fn striker(hit: &Hit, outcome: &Outcome) -> String {
+fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let (Some(normal), Some(tangent), Some(theta1), Some(separation)) = (
         outcome.normal,
         outcome.tangent,
@@ -59,7 +59,7 @@ fn striker(hit: &Hit, outcome: &Outcome) -> String {
     )
 }
 
-fn head_on(hit: &Hit, outcome: &Outcome) -> String {
+fn head_on(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let name = hit.pieces.target_name();
     let before = hit.collision().u1;
     let v1 = significant(outcome.v1.length());

@@ -4,6 +4,7 @@ use super::concepts::Concept;
 use super::dice::Dice;
 use super::families::{concept, where_to};
 use super::{Code, Course, CourseKind, Difficulty, Family, Question, review};
+use crate::numbers::{FNV_START, fnv1a};
 
 /// The questions of a round.
 ///
@@ -18,25 +19,9 @@ pub struct Round {
     questions: Vec<Question>,
 }
 
-/// The families of mixed rounds; those that stand here twice come twice as often.
-const MIXED: &[Family] = &[
-    Family::FromAngle,
-    Family::FromOffset,
-    Family::FromPicture,
-    Family::UnequalMasses,
-    Family::Speeds,
-    Family::Separation,
-    Family::EnergyShare,
-    Family::Restitution,
-    Family::LargestDeflection,
-    Family::Weigh,
-    Family::SlipOrStick,
-    Family::BothMoving,
-    Family::CentreOfMass,
-    Family::Rutherford,
-    Family::MakeItSo,
-    Family::Concept,
-];
+/// The families of mixed rounds: all of the first version of codes but the first, which has
+/// a course of its own. A family that is added later stands behind them.
+const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
 /// How often a question that has been asked before is drawn anew before it is asked
 /// again.
@@ -131,16 +116,12 @@ fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
     concepts.sort_by_key(|concept| concept.difficulty);
     let questions = concepts.into_iter();
     questions
-        .filter_map(|it| concept::question(it, &mut dice))
+        .map(|it| concept::question(it, &mut dice))
         .collect()
 }
 
 /// A seed of each kind of course's own, so that the quick five of a seed are not the
 /// first half of its mixed ten: the seed and the FNV-1a hash of the name.
 fn salted(id: &str, seed: u64) -> u64 {
-    let start = 0xcbf2_9ce4_8422_2325_u64;
-    let hash = id.bytes().fold(start, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    seed ^ hash
+    seed ^ fnv1a(FNV_START, id.as_bytes())
 }

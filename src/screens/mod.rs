@@ -134,7 +134,7 @@ pub enum Next {
     /// Return to the screen below.
     Back,
     /// Ask the player first; if they agree, the same is done by [`Screen::confirmed`].
-    Confirm(Question),
+    Confirm(Confirmation),
     /// A key that means the same on every screen.
     Shared(SharedAction),
     /// Leave the program.
@@ -143,7 +143,7 @@ pub enum Next {
 
 /// What is asked before something is done that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Question {
+pub struct Confirmation {
     /// The question, with what follows from a yes.
     pub text: String,
     /// What a yes is called.
@@ -152,7 +152,7 @@ pub struct Question {
     pub no: &'static str,
 }
 
-impl Question {
+impl Confirmation {
     /// A question, and what its answers are called.
     pub fn new(text: impl Into<String>, yes: &'static str, no: &'static str) -> Self {
         Self {

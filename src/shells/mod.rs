@@ -13,6 +13,7 @@ pub mod plain;
 mod search;
 pub mod tape;
 pub mod terminal;
+pub mod tour;
 
 pub use headless::Headless;
 

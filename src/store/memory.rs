@@ -14,7 +14,7 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// An empty text_store that goes by this name, whose texts have this ending.
+    /// An empty store that goes by this name, whose texts have this ending.
     pub(super) fn new(folder: &'static str, ending: &'static str) -> Self {
         Self {
             folder,

@@ -62,39 +62,22 @@ enum Clock {
     None,
 }
 
-/// The shelves of a store.
-struct Shelves<S> {
-    games: S,
-    classes: S,
-    exports: S,
-    tables: S,
-}
-
 impl Store {
     /// A store that is gone with the process.
     pub fn in_memory() -> Self {
-        let shelves = Shelves {
-            games: Memory::new("games", TEXT),
-            classes: Memory::new("classes", TEXT),
-            exports: Memory::new("exports", TEXT),
-            tables: Memory::new("exports", TABLE),
-        };
-        Self::of(shelves, Database::in_memory())
+        Self::of(Database::in_memory(), |folder, ending, _| {
+            Box::new(Memory::new(folder, ending))
+        })
     }
 
     /// A store in `folder`, which is made when it is first needed: saved games in
     /// `games`, rounds of classes in `classes`, what is exported in `exports`, all else
     /// in `progress.db`.
     pub fn in_folder(folder: &Path) -> Self {
-        let disk = |name, ending, largest| Disk::new(folder.join(name), ending, largest);
-        let shelves = Shelves {
-            games: disk("games", TEXT, SavedGame::LARGEST_FILE),
-            classes: disk("classes", TEXT, ClassRound::LARGEST_FILE),
-            exports: disk("exports", TEXT, SavedGame::LARGEST_FILE),
-            // They are written alone.
-            tables: disk("exports", TABLE, 0),
-        };
-        Self::of(shelves, Database::in_folder(folder.to_owned()))
+        let progress = Database::in_folder(folder.to_owned());
+        Self::of(progress, |name, ending, largest| {
+            Box::new(Disk::new(folder.join(name), ending, largest))
+        })
     }
 
     /// No store: there is no folder for it, and it refuses everything.
@@ -134,14 +117,22 @@ impl Store {
         self.clock = Clock::Stopped(time_s);
     }
 
-    fn of<S: TextStore + 'static>(shelves: Shelves<S>, progress: Database) -> Self {
+    /// A store of texts by the name of the folder, the ending of the names and the most
+    /// bytes of a text that is read.
+    fn of(
+        progress: Database,
+        texts: impl Fn(&'static str, &'static str, usize) -> Box<dyn TextStore>,
+    ) -> Self {
+        let games = texts("games", TEXT, SavedGame::LARGEST_FILE);
+        let classes = texts("classes", TEXT, ClassRound::LARGEST_FILE);
         Self {
-            games: OpenFiles::new(shelves.games, "game", SavedGame::read),
-            classes: OpenFiles::new(shelves.classes, "class", |name, bytes| {
+            games: OpenFiles::new(games, "game", SavedGame::read),
+            classes: OpenFiles::new(classes, "class", |name, bytes| {
                 ClassRound::read(name, bytes, &Arc::default())
             }),
-            exports: Box::new(shelves.exports),
-            tables: Box::new(shelves.tables),
+            // These are written alone.
+            exports: texts("exports", TEXT, 0),
+            tables: texts("exports", TABLE, 0),
             progress,
             clock: Clock::Computer,
             closed: false,

@@ -1,15 +1,15 @@
-//! A text_store of things that are saved again and again.
+//! Things that are saved again and again.
 
 use std::collections::BTreeMap;
 
 use super::text_store::TextStore;
-use crate::files::FileError;
+use crate::files::FileErrors;
 use crate::messages::Kept;
 
-/// A text_store of things of one kind that are saved again and again, each known by the
+/// Things of one kind that are saved again and again, each known by the
 /// ticket of whoever works on it.
 pub(super) struct OpenFiles<T> {
-    text_store: Box<dyn TextStore>,
+    texts: Box<dyn TextStore>,
     /// What names begin with.
     kind: &'static str,
     /// Makes a thing of the bytes of a file of this name.
@@ -20,7 +20,7 @@ pub(super) struct OpenFiles<T> {
 }
 
 /// Makes a thing of the bytes of a file of a name.
-type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileError> + Send>;
+type ReadBytes<T> = Box<dyn Fn(&str, &[u8]) -> Result<T, FileErrors> + Send>;
 
 /// A thing being worked on.
 struct OpenFile {
@@ -29,14 +29,14 @@ struct OpenFile {
 }
 
 impl<T> OpenFiles<T> {
-    /// A text_store of things of a kind, none of them being worked on.
+    /// The things of a kind that a store of texts holds, none of them being worked on.
     pub(super) fn new(
-        text_store: impl TextStore + 'static,
+        texts: Box<dyn TextStore>,
         kind: &'static str,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) -> Self {
         Self {
-            text_store: Box::new(text_store),
+            texts,
             kind,
             read: Box::new(read),
             open: BTreeMap::new(),
@@ -47,7 +47,7 @@ impl<T> OpenFiles<T> {
     /// Has the things made of bytes in another way from now on.
     pub(super) fn read_by(
         &mut self,
-        read: impl Fn(&str, &[u8]) -> Result<T, FileError> + Send + 'static,
+        read: impl Fn(&str, &[u8]) -> Result<T, FileErrors> + Send + 'static,
     ) {
         self.read = Box::new(read);
     }
@@ -56,18 +56,18 @@ impl<T> OpenFiles<T> {
     /// a new one if there is none, or if something else stands there now.
     pub(super) fn save(&mut self, ticket: u64, text: String) -> Result<(), String> {
         if let Some(open) = self.open.get_mut(&ticket)
-            && self.text_store.replace(&open.name, &open.text, &text)?
+            && self.texts.replace(&open.name, &open.text, &text)?
         {
             open.text = text;
             return Ok(());
         }
-        let name = self.text_store.add(self.kind, &text)?;
-        let place = self.text_store.place(&name);
+        let name = self.texts.add(self.kind, &text)?;
+        let place = self.texts.place(&name);
         if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
             self.notice = Some(format!(
                 "{} is no longer as it was saved here; another carrom may have it open. \
                  From now on this is saved in {place}.",
-                self.text_store.place(&before.name),
+                self.texts.place(&before.name),
             ));
         }
         Ok(())
@@ -80,9 +80,9 @@ impl<T> OpenFiles<T> {
 
     /// All there is, the latest first, with their ages if those mean anything.
     pub(super) fn list(&self, with_age: bool) -> Result<Vec<Kept<T>>, String> {
-        let names = self.text_store.names()?.into_iter();
+        let names = self.texts.names()?.into_iter();
         let found = names.map(|name| Kept {
-            age: with_age.then(|| self.text_store.age(&name)).flatten(),
+            age: with_age.then(|| self.texts.age(&name)).flatten(),
             content: match self.read(&name) {
                 Ok((_, thing)) => Ok(Box::new(thing)),
                 Err(fault) => Err(fault.without_file()),
@@ -102,13 +102,13 @@ impl<T> OpenFiles<T> {
 
     /// Removes the thing of a name.
     pub(super) fn remove(&mut self, name: &str) -> Result<(), String> {
-        self.text_store.remove(name)
+        self.texts.remove(name)
     }
 
     /// The text under a name, and the thing that it makes.
-    fn read(&self, name: &str) -> Result<(String, T), FileError> {
-        let bytes = self.text_store.read(name)?;
-        let thing = (self.read)(&self.text_store.place(name), &bytes)?;
+    fn read(&self, name: &str) -> Result<(String, T), FileErrors> {
+        let bytes = self.texts.read(name)?;
+        let thing = (self.read)(&self.texts.place(name), &bytes)?;
         Ok((String::from_utf8_lossy(&bytes).into_owned(), thing))
     }
 }

@@ -4,7 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::ink::{Layer, Pen, Sheet, View};
+use super::picture::{Layer, Pen, Picture, View};
 use crate::levels::pockets;
 use crate::physics::Board;
 
@@ -34,7 +34,7 @@ pub fn square(area: Rect) -> Rect {
     }
 }
 
-/// The view of a whole board on a [`square`] area. An open sheet shows as large as
+/// The view of a whole board on a [`square`] area. An open surface shows as large as
 /// a tournament board.
 pub fn view(area: Rect, board: &Board) -> View {
     let half = DVec2::splat(side(board) / 2.0);
@@ -57,39 +57,39 @@ pub fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
 }
 
 /// Draws pockets and lines.
-pub fn ground(sheet: &mut Sheet, board: &Board) {
+pub fn ground(picture: &mut Picture, board: &Board) {
     let half = side(board) / 2.0;
     let radius = board.pocket_diameter / 2.0;
     if radius <= 0.0 || !board.side.is_finite() {
         return;
     }
     for pocket in (0..4).filter_map(|corner| pocket(board, corner)) {
-        sheet.circle(pocket, radius, Role::Pocket);
+        picture.circle(pocket, radius, Role::Pocket);
     }
     // Lines belong to a board of carrom's own size; on another they scale with it.
     let scale = board.side / Board::default().side;
     for quarter in 0..4 {
-        base_lines(sheet, half, scale, f64::from(quarter));
+        base_lines(picture, half, scale, f64::from(quarter));
     }
-    sheet.circle(DVec2::ZERO, OUTER_CIRCLE * scale, Role::BoardLine);
-    if CENTRE_CIRCLE * scale > 1.5 * sheet.view().per_column() {
-        sheet.circle(DVec2::ZERO, CENTRE_CIRCLE * scale, Role::BoardLine);
+    picture.circle(DVec2::ZERO, OUTER_CIRCLE * scale, Role::BoardLine);
+    if CENTRE_CIRCLE * scale > 1.5 * picture.view().per_column() {
+        picture.circle(DVec2::ZERO, CENTRE_CIRCLE * scale, Role::BoardLine);
     }
 }
 
 /// A disc where it touches, as a dotted ring; only its middle where it is too small to
 /// be round.
-pub fn ghost(sheet: &mut Sheet, at: DVec2, radius: f64, role: Role) {
+pub fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
     let pen = Pen::new(role).on(Layer::Trail);
-    if radius > sheet.view().per_row() {
-        sheet.circle(at, radius, pen.dotted());
+    if radius > picture.view().per_row() {
+        picture.circle(at, radius, pen.dotted());
     } else {
-        sheet.dot(at, pen);
+        picture.dot(at, pen);
     }
 }
 
 /// One pair of base lines, turned by so many quarters from the bottom.
-fn base_lines(sheet: &mut Sheet, half: f64, scale: f64, quarter: f64) {
+fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let axis = DVec2::from_angle(quarter * std::f64::consts::FRAC_PI_2);
     let place = |across: f64, from_frame: f64| {
         axis.rotate(DVec2::new(across * scale, from_frame * scale - half))
@@ -98,15 +98,15 @@ fn base_lines(sheet: &mut Sheet, half: f64, scale: f64, quarter: f64) {
     let middle = BASE_FROM_FRAME + BASE_WIDTH / 2.0;
     let pen = Pen::new(Role::BoardLine);
     // Too near to each other to be told apart, the two lines become one.
-    if BASE_WIDTH * scale < 1.2 * sheet.view().per_row() {
-        sheet.line(place(-end, middle), place(end, middle), pen);
+    if BASE_WIDTH * scale < 1.2 * picture.view().per_row() {
+        picture.line(place(-end, middle), place(end, middle), pen);
         return;
     }
     for from_frame in [BASE_FROM_FRAME, BASE_FROM_FRAME + BASE_WIDTH] {
-        sheet.line(place(-end, from_frame), place(end, from_frame), pen);
+        picture.line(place(-end, from_frame), place(end, from_frame), pen);
     }
     for across in [-end, end] {
-        sheet.circle(place(across, middle), BASE_WIDTH * scale / 2.0, pen);
+        picture.circle(place(across, middle), BASE_WIDTH * scale / 2.0, pen);
     }
 }
 

@@ -24,7 +24,7 @@ impl Run {
 }
 
 /// A word: pieces that no blank parts.
-type Word = Vec<Run>;
+type FlowWord = Vec<Run>;
 
 /// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in
 /// `charset`; a number keeps its unit beside it, and a word longer than a row is
@@ -34,7 +34,7 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let mut rows = vec![Vec::new()];
     let mut used = 0;
     let words = words(runs).into_iter();
-    let words: Vec<Word> = words.map(|word| spelt(word, charset)).collect();
+    let words: Vec<FlowWord> = words.map(|word| spelt(word, charset)).collect();
     for word in held(&words, columns) {
         let width = width(&word);
         let gap = usize::from(used > 0);
@@ -62,16 +62,16 @@ pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     rows
 }
 
-fn width(word: &Word) -> usize {
+fn width(word: &FlowWord) -> usize {
     word.iter().map(|run| text::width(&run.text)).sum()
 }
 
 /// Words that belong together as one, if a row has room for it.
-fn held(words: &[Word], columns: usize) -> Vec<Word> {
-    let letters = |word: &Word| word.iter().map(|run| run.text.as_str()).collect::<String>();
+fn held(words: &[FlowWord], columns: usize) -> Vec<FlowWord> {
+    let letters = |word: &FlowWord| word.iter().map(|run| run.text.as_str()).collect::<String>();
     let letters: Vec<String> = words.iter().map(letters).collect();
     let joined = |range: Range<usize>| {
-        let mut group = Word::new();
+        let mut group = FlowWord::new();
         for word in words.get(range).unwrap_or_default() {
             if let (false, Some(first)) = (group.is_empty(), word.first()) {
                 group.push(Run::new(" ", first.role));
@@ -94,8 +94,8 @@ fn push(rows: &mut [Vec<Run>], text: &str, role: Role) {
     }
 }
 
-fn words(runs: &[Run]) -> Vec<Word> {
-    let mut words: Vec<Word> = vec![Vec::new()];
+fn words(runs: &[Run]) -> Vec<FlowWord> {
+    let mut words: Vec<FlowWord> = vec![Vec::new()];
     for run in runs {
         for (i, part) in run.text.split([' ', '\n']).enumerate() {
             if i > 0 {
@@ -113,8 +113,8 @@ fn words(runs: &[Run]) -> Vec<Word> {
 }
 
 /// A word in a charset. A degree sign of a later piece still follows its number.
-fn spelt(word: Word, charset: Charset) -> Word {
-    let mut spelt: Word = Vec::new();
+fn spelt(word: FlowWord, charset: Charset) -> FlowWord {
+    let mut spelt: FlowWord = Vec::new();
     for run in word {
         let after_number = spelt
             .last()

@@ -3,13 +3,47 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::hit::{draw_after, draw_aim, draw_setup};
-use super::tracks::draw_tracks;
+use super::hit::{Face, HitResponse, Markings, after_picture, setup_picture};
+use super::picture::Picture;
+use super::tracks::tracks_picture;
 use super::{AnswerInput, Look};
 use crate::quiz::{Form, Illustration, Question, Response};
 
-/// Draws what a question shows, with no more in it than it gives, and what is being
-/// said to it; nothing for a question of words alone.
+/// What a question shows, with no more in it than it gives, and what is being said to
+/// it; nothing for a question of words alone.
+#[must_use]
+pub fn question_picture(
+    area: Rect,
+    question: &Question,
+    input: Option<&AnswerInput>,
+) -> Option<Picture> {
+    let faces = Face::STRIKER_AND_COIN;
+    Some(match (&question.picture, &question.form) {
+        (Illustration::Before { shown, .. }, Form::Shot(aim)) => {
+            let offset = match input.and_then(AnswerInput::said) {
+                Some(Response::Shot(offset)) => offset,
+                _ => 0.0,
+            };
+            let given = Markings {
+                offset: true,
+                ..*shown
+            };
+            let saying = HitResponse::Shot(aim.into());
+            setup_picture(area, faces, &aim.with(offset), given, saying)
+        }
+        (Illustration::Before { collision, shown }, _) => {
+            let rays = input.and_then(AnswerInput::rays);
+            setup_picture(area, faces, collision, *shown, rays)
+        }
+        (Illustration::After { collision }, _) => after_picture(area, collision),
+        (Illustration::Tracks { rutherford, angles }, _) => {
+            tracks_picture(area, rutherford, *angles)
+        }
+        (Illustration::Nothing, _) => return None,
+    })
+}
+
+/// Draws the [`question_picture`], if there is one.
 pub fn draw_question(
     area: Rect,
     buf: &mut Buffer,
@@ -17,23 +51,8 @@ pub fn draw_question(
     question: &Question,
     input: Option<&AnswerInput>,
 ) {
-    match (&question.picture, &question.form) {
-        (Illustration::Before { shown, .. }, Form::Shot(aim)) => {
-            let offset = match input.and_then(AnswerInput::said) {
-                Some(Response::Shot(offset)) => offset,
-                _ => 0.0,
-            };
-            draw_aim(area, buf, look, (aim, offset), *shown);
-        }
-        (Illustration::Before { collision, shown }, _) => {
-            let rays = input.and_then(AnswerInput::rays);
-            draw_setup(area, buf, look, collision, *shown, rays);
-        }
-        (Illustration::After { collision }, _) => draw_after(area, buf, look, collision),
-        (Illustration::Tracks { rutherford, angles }, _) => {
-            draw_tracks(area, buf, look, rutherford, *angles);
-        }
-        (Illustration::Nothing, _) => {}
+    if let Some(picture) = question_picture(area, question, input) {
+        picture.draw(buf, look);
     }
 }
 

@@ -3,25 +3,24 @@
 use std::f64::consts::PI;
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::ink::{Pen, Sheet, Side, View};
-use super::{Look, Role};
+use super::Role;
+use super::picture::{LabelSide, Pen, Picture, View};
+use crate::numbers::degrees;
 use crate::physics::rutherford::Rutherford;
-use crate::quiz::words::degrees;
 
 /// Straight pieces of a way.
 const PIECES: u32 = 160;
 
 /// Draws a way and the head of an arrow where it leaves the picture; gives the tip of
 /// that and its direction, if the way is seen at all.
-pub fn draw_way(sheet: &mut Sheet, points: &[DVec2], pen: Pen) -> Option<(DVec2, DVec2)> {
-    sheet.polyline(points.iter().copied(), pen);
-    let view = *sheet.view();
+pub fn draw_way(picture: &mut Picture, points: &[DVec2], pen: Pen) -> Option<(DVec2, DVec2)> {
+    picture.curve(points.iter().copied(), pen);
+    let view = *picture.view();
     let (from, tip) = exit(points, |at| view.cell_at(*at).is_some())?;
     let direction = (tip - from).normalize_or_zero();
-    sheet.arrow(tip - direction * 6.0 * view.per_column(), tip, pen);
+    picture.arrow(tip - direction * 6.0 * view.per_column(), tip, pen);
     Some((tip, direction))
 }
 
@@ -35,22 +34,16 @@ fn exit(points: &[DVec2], shown: impl Fn(&DVec2) -> bool) -> Option<(DVec2, DVec
     steps.filter(|(_, at)| shown(at)).last()
 }
 
-/// Draws two particles that a nucleus turns by these angles in radians, one on either
-/// side, each on its exact hyperbola, with the angles written beside.
-pub fn draw_tracks(
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-    rutherford: &Rutherford,
-    angles: [f64; 2],
-) {
+/// Two particles that a nucleus turns by these angles in radians, one on either side,
+/// each on its exact hyperbola, with the angles written beside.
+pub fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
     // Head-on, or not turned at all, has no place beside another one.
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
     let offsets = angles.map(|angle| rutherford.impact_parameter(angle).unwrap_or(0.0));
     let widest = offsets[0].max(offsets[1]);
     let half = (1.9 * widest).max(1.6 * rutherford.head_on_approach);
     let view = View::fit(area, dvec2(-half, -half), dvec2(half, half));
-    let mut sheet = Sheet::new(view, look.charset);
+    let mut picture = Picture::new(view);
     // To the corners of the picture, however wide it is.
     let reach = 1.2
         * view
@@ -58,12 +51,12 @@ pub fn draw_tracks(
             .x
             .hypot(half);
     let axis = Pen::new(Role::Axis).dotted();
-    sheet.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
-    sheet.disc(DVec2::ZERO, 1e-3 * half, Role::Marble, ' ');
-    sheet.label(
+    picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
+    picture.disc(DVec2::ZERO, 1e-3 * half, Role::Marble, ' ');
+    picture.label(
         "nucleus",
         DVec2::ZERO,
-        &[Side::Right, Side::BelowRight],
+        &[LabelSide::Right, LabelSide::BelowRight],
         Role::Dim,
     );
     let roles = [Role::StrikerOut, Role::CoinOut];
@@ -73,11 +66,11 @@ pub fn draw_tracks(
         // Where the straight ways in and out cross: the angle is measured there.
         let corner = dvec2(-rutherford.head_on_approach / 2.0, offset);
         let aim = Pen::new(Role::Aim).dashed();
-        sheet.line(corner, dvec2(reach, offset), aim);
+        picture.line(corner, dvec2(reach, offset), aim);
         let turned = side * angles[i];
         let radius = 0.3 * half;
-        sheet.arc(corner, radius, 0.0, turned, Role::Arc);
-        let way = draw_way(&mut sheet, &points, Pen::new(roles[i]).bold());
+        picture.arc(corner, radius, 0.0, turned, Role::Arc);
+        let way = draw_way(&mut picture, &points, Pen::new(roles[i]).bold());
         let middle = DVec2::from_angle(turned / 2.0);
         let (anchor, towards) = match way {
             // A narrow angle is told at the end of its way.
@@ -85,7 +78,35 @@ pub fn draw_tracks(
             _ => (corner + radius * middle, middle),
         };
         let text = degrees(angles[i]);
-        sheet.label(&text, anchor, &Side::towards(towards), roles[i]);
+        picture.label(&text, anchor, &LabelSide::towards(towards), roles[i]);
     }
-    sheet.draw(buf, &look.theme);
+    picture
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::widgets::picture::Mark;
+
+    #[test]
+    fn the_nucleus_is_tiny_and_the_ways_keep_away_from_it() {
+        // 180° and 60°: the head-on particle turns at d, the other at (d/2)(1 + 1/sin 30°)
+        // = 1.5 d.
+        let gold = Rutherford::radium_c_on_gold();
+        let area = Rect::new(0, 0, 44, 18);
+        let picture = tracks_picture(area, &gold, [PI, PI / 3.0]);
+        let ways = picture.marks().iter().filter_map(|mark| match mark {
+            Mark::Curve { points, .. } => Some(points),
+            _ => None,
+        });
+        let nearest = ways.map(|points| {
+            let distances = points.iter().map(|at| at.length());
+            distances.fold(f64::INFINITY, f64::min) / gold.head_on_approach
+        });
+        let nearest: Vec<_> = nearest.collect();
+        assert_eq!(nearest.len(), 2);
+        for (found, expected) in nearest.into_iter().zip([1.0, 1.5]) {
+            assert!((found - expected).abs() < 0.01, "{found}");
+        }
+    }
 }

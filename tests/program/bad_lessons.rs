@@ -115,10 +115,12 @@ fn is_chapter_or_message(bytes: &[u8], whole: bool) -> Result<(), TestCaseError>
                 let _ = check(&chapter);
             }
         }
-        Err(fault) => {
-            let message = fault.to_string();
-            prop_assert!(message.starts_with("01-any.md:"), "{message}");
-            prop_assert!(!message.contains(char::is_control), "{message:?}");
+        Err(errors) => {
+            for error in errors {
+                let message = error.to_string();
+                prop_assert!(message.starts_with("01-any.md:"), "{message}");
+                prop_assert!(!message.contains(char::is_control), "{message:?}");
+            }
         }
     }
     Ok(())

@@ -7,7 +7,7 @@ use std::thread;
 
 use carrom::app::App;
 use carrom::game::{
-    Aids, Company, Fingerprint, Game, Hands, Player, Record, Rules, SavedGame, Setup,
+    Aids, Company, Fingerprint, Game, GameSetup, Hands, Player, Record, Rules, SavedGame,
 };
 use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Place, Settings};
@@ -21,7 +21,7 @@ use crate::folder::Folder;
 use crate::play::random_move;
 
 /// A game of so many moves.
-fn saved(setup: Setup, moves: usize, seed: u64) -> SavedGame {
+fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
     let mut chance = Pcg64::seed_from_u64(seed);
     let mut record = Record::new(setup);
     let mut game = Game::new(setup);
@@ -49,11 +49,11 @@ fn saved(setup: Setup, moves: usize, seed: u64) -> SavedGame {
     }
 }
 
-fn friendly(seed: u64) -> Setup {
-    Setup {
+fn friendly(seed: u64) -> GameSetup {
+    GameSetup {
         rules: Rules::Friendly,
         seed: Some(seed),
-        ..Setup::default()
+        ..GameSetup::default()
     }
 }
 
@@ -89,11 +89,11 @@ fn a_game_is_read_as_it_was_written_bit_for_bit() {
         (Rules::Practice, Hands::Two),
     ] {
         for seed in [None, Some(7), Some(u64::MAX)] {
-            let setup = Setup {
+            let setup = GameSetup {
                 rules,
                 hands,
                 seed,
-                ..Setup::default()
+                ..GameSetup::default()
             };
             let saved = saved(setup, 40, 5);
             let text = saved.text().unwrap();

@@ -23,14 +23,14 @@ struct Legend {
 impl Legend {
     /// The letter of a colour: that of the first role that has it.
     fn letter(&self, colour: Color) -> char {
-        let mut roles = Role::ALL.into_iter().zip(LETTERS.chars());
+        let mut roles = Role::ALL.iter().copied().zip(LETTERS.chars());
         let found = roles.find(|(role, _)| self.theme.colour(*role) == colour);
         found.map_or(MIXED, |(_, letter)| letter)
     }
 
     /// The roles and the colour that a letter stands for.
     fn meaning(&self, letter: char) -> String {
-        let roles = Role::ALL.into_iter().zip(LETTERS.chars());
+        let roles = Role::ALL.iter().copied().zip(LETTERS.chars());
         let first = roles.clone().find(|(_, other)| *other == letter);
         let colour = self.theme.colour(first.unwrap().0);
         let same = roles.filter(|(role, _)| self.theme.colour(*role) == colour);

@@ -8,7 +8,7 @@ use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{Answer, Code, Confidence, Form, Question, Rays, Response, Round, explain};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
-use carrom::widgets::{Beside, Charset};
+use carrom::widgets::{Charset, SplitLayout};
 use proptest::prelude::*;
 use ratatui::layout::Rect;
 
@@ -83,7 +83,10 @@ fn region(game: &mut Headless, area: Rect) -> String {
 
 /// The words in the panel beside the picture.
 fn panel(game: &mut Headless, (columns, rows): (u16, u16)) -> String {
-    region(game, Beside::new(Rect::new(0, 1, columns, rows - 2)).panel)
+    region(
+        game,
+        SplitLayout::new(Rect::new(0, 1, columns, rows - 2)).panel,
+    )
 }
 
 fn words(text: &str) -> String {
@@ -381,7 +384,7 @@ fn nothing_moves_but_the_hit() {
 fn layers_stay_as_the_player_set_them() {
     let mut game = plain(7);
     let drawn = |game: &mut Headless| {
-        let picture = Beside::new(Rect::new(0, 1, 80, 22)).picture;
+        let picture = SplitLayout::new(Rect::new(0, 1, 80, 22)).picture;
         region(game, picture).contains("you")
     };
     game.press("1<Enter>2<Enter><Enter><Enter>");

@@ -4,12 +4,12 @@
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::game::{Colour, Game, Move, Piece, Rules, Ruling, Stage, Strike, Team};
+use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Strike, Team};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
-use carrom::screens::{Old, Place, Settings};
+use carrom::screens::{Hosted, Place, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ const SEED: u64 = 11;
 
 fn at_the_table(options: Options, settings: Settings) -> Headless {
     let table = Table::playing(options, SEED);
-    Headless::new(App::on(Box::new(Old(table)), settings, 1), 120, 40)
+    Headless::new(App::on(Box::new(Hosted::new(table)), settings, 1), 120, 40)
 }
 
 fn still() -> Settings {
@@ -178,7 +178,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
         seen[1] |= shown.contains("queen Q to be covered");
         seen[2] |= shown.contains("queen Q with South");
         screen.press("<Enter>");
-        if let Stage::BoardOver(won) = game.stage() {
+        if let GameStage::BoardOver(won) = game.stage() {
             assert_eq!(won.winner, Team::First);
             let text = screen.screen();
             assert!(
@@ -390,8 +390,13 @@ fn leaving_a_running_game_is_asked_about_once() {
     game.press(" <Enter><Escape>");
     assert!(game.screen().contains("Leave this game?"));
     game.press("x");
+    assert!(
+        game.screen().contains("Leave this game?"),
+        "only an answer counts"
+    );
+    game.press("<Escape>");
     assert!(!game.screen().contains("Leave this game?"));
-    game.press("<Escape><Escape>");
+    game.press("<Escape>y");
     assert!(game.screen().contains("a new game"));
 }
 

@@ -49,11 +49,12 @@ const IN_ALL_VARIANTS: [&str; 17] = [
 ];
 
 /// The screenshots that are kept with their colours, at 80x24.
-const COLOURED: [(&str, &str, &str, Palette, Depth); 22] = [
+const COLOURED: [(&str, &str, &str, Palette, Depth); 25] = [
     ("home", "home", "unicode", Dark, True),
     ("home", "home-help", "ascii", Light, Ansi16),
     ("worked-shot", "say-it", "ascii", Dark, Ansi16),
     ("worked-shot", "split", "unicode", Dark, True),
+    ("worked-shot", "split", "ascii", Light, Ansi16),
     ("worked-shot", "contact", "unicode", Light, True),
     ("worked-shot", "departure", "ascii", Light, Ansi16),
     ("worked-shot", "departure", "unicode", Mono, True),
@@ -67,6 +68,8 @@ const COLOURED: [(&str, &str, &str, Palette, Depth); 22] = [
     ("foil-beam", "foil", "unicode", Dark, True),
     ("foil-particle", "nucleus", "unicode", Light, Ansi16),
     ("family-from-picture", "diagnosed", "unicode", Dark, True),
+    ("family-concept", "question", "unicode", Light, True),
+    ("quiz-right", "how-sure", "unicode", Dark, True),
     ("quiz-right", "right", "ascii", Dark, Ansi16),
     ("progress", "sure", "unicode", Dark, True),
     ("class-round", "second-vote", "unicode", Light, True),

@@ -11,7 +11,7 @@ use crate::physics::{Bond, Collision};
 /// What is undefined is `null`. Numbers are written with as many digits as it takes
 /// to read the same number back.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Answer {
+pub(super) struct SolveAnswer {
     hit: bool,
     v1: [f64; 2],
     v2: [f64; 2],
@@ -38,7 +38,7 @@ struct Turning {
     centre_v2: [f64; 2],
 }
 
-impl Answer {
+impl SolveAnswer {
     pub(super) fn of(collision: &Collision) -> Self {
         let after = collision.outcome();
         let [centre_v1, centre_v2] = collision.centres_after().map(components);

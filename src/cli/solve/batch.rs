@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use super::answer::Answer;
-use super::lines::{LONGEST, Line, Lines, Trouble};
+use super::answer::SolveAnswer;
+use super::lines::{BatchError, InputLine, LONGEST, LineReader};
 use super::problem::Problem;
 use crate::files::BYTE_ORDER_MARK;
 
@@ -30,15 +30,15 @@ impl Refusal<'_> {
 
 /// Answers every line of `input` that is not blank. A bad line is refused and the
 /// run goes on, to end with exit status 1.
-pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode, Trouble> {
-    let mut lines = Lines::new(input);
+pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode, BatchError> {
+    let mut lines = LineReader::new(input);
     let mut status = ExitCode::SUCCESS;
     let mut number = 0;
     while let Some(line) = lines.next(|| out.flush())? {
         number += 1;
         let is_first = number == 1;
         let answer = match line {
-            Line::Whole(text) => {
+            InputLine::Whole(text) => {
                 let marked = text.strip_prefix(BYTE_ORDER_MARK).filter(|_| is_first);
                 let text = marked.unwrap_or(text);
                 if text.trim_ascii().is_empty() {
@@ -46,27 +46,27 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode,
                 }
                 answer(text)
             }
-            Line::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
+            InputLine::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
         match answer {
-            Ok(answer) => answer.write_line(out).map_err(Trouble::Write)?,
+            Ok(answer) => answer.write_line(out).map_err(BatchError::Write)?,
             Err(error) => {
                 status = ExitCode::FAILURE;
                 let refusal = Refusal {
                     line: number,
                     error: &error,
                 };
-                refusal.write_line(out).map_err(Trouble::Write)?;
+                refusal.write_line(out).map_err(BatchError::Write)?;
             }
         }
     }
     Ok(status)
 }
 
-fn answer(text: &[u8]) -> Result<Answer, String> {
+fn answer(text: &[u8]) -> Result<SolveAnswer, String> {
     let problem: Problem = serde_json::from_slice(text).map_err(said)?;
     let (collision, _) = problem.collision().map_err(said)?;
-    Ok(Answer::of(&collision))
+    Ok(SolveAnswer::of(&collision))
 }
 
 /// The message of an error in plain words, kept short. JSON's own line is always 1

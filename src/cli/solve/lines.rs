@@ -8,7 +8,7 @@ use thiserror::Error;
 pub(super) const LONGEST: usize = 64 * 1024;
 
 /// A line as it was found.
-pub(super) enum Line<'a> {
+pub(super) enum InputLine<'a> {
     /// Its bytes without the line break.
     Whole(&'a [u8]),
     /// It was longer than [`LONGEST`] and was passed over.
@@ -17,7 +17,7 @@ pub(super) enum Line<'a> {
 
 /// What went wrong between the problems and the answers.
 #[derive(Debug, Error)]
-pub(super) enum Trouble {
+pub(super) enum BatchError {
     #[error("cannot read the problems")]
     Read(#[source] io::Error),
     #[error("cannot write to standard output")]
@@ -25,14 +25,14 @@ pub(super) enum Trouble {
 }
 
 /// Reads one line after another into one buffer.
-pub(super) struct Lines<R> {
+pub(super) struct LineReader<R> {
     input: R,
     line: Vec<u8>,
     /// All that has arrived is used up: the next look at the input may wait.
     may_wait: bool,
 }
 
-impl<R: BufRead> Lines<R> {
+impl<R: BufRead> LineReader<R> {
     pub(super) fn new(input: R) -> Self {
         Self {
             input,
@@ -46,17 +46,17 @@ impl<R: BufRead> Lines<R> {
     pub(super) fn next(
         &mut self,
         mut before_waiting: impl FnMut() -> io::Result<()>,
-    ) -> Result<Option<Line<'_>>, Trouble> {
+    ) -> Result<Option<InputLine<'_>>, BatchError> {
         self.line.clear();
         let mut too_long = false;
         let mut any = false;
         loop {
             if self.may_wait {
-                before_waiting().map_err(Trouble::Write)?;
+                before_waiting().map_err(BatchError::Write)?;
             }
             let arrived = match self.input.fill_buf() {
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                arrived => arrived.map_err(Trouble::Read)?,
+                arrived => arrived.map_err(BatchError::Read)?,
             };
             if arrived.is_empty() {
                 break;
@@ -79,8 +79,8 @@ impl<R: BufRead> Lines<R> {
         }
         Ok(match (any, too_long) {
             (false, _) => None,
-            (true, true) => Some(Line::TooLong),
-            (true, false) => Some(Line::Whole(&self.line)),
+            (true, true) => Some(InputLine::TooLong),
+            (true, false) => Some(InputLine::Whole(&self.line)),
         })
     }
 }

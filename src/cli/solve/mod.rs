@@ -12,19 +12,19 @@ mod text;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
-use super::{Failure, Options, plain};
+use super::{Failure, GlobalOptions, plain};
 use crate::physics::worked;
 use crate::widgets::Charset;
-use answer::Answer;
+use answer::SolveAnswer;
 pub(super) use args::Args;
-use lines::Trouble;
+use lines::BatchError;
 
 /// Room for some hundreds of answers.
 const BUFFER: usize = 1 << 16;
 
 /// Solves what the arguments say. A reader that hangs up, as `head` does, ends the
 /// work quietly; a bad line of a batch is answered as such and counts as failed work.
-pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     if args.plain {
         return plainly(args);
     }
@@ -33,12 +33,12 @@ pub(super) fn run(args: &Args, options: &Options) -> Result<ExitCode, Failure> {
         batch::run(io::stdin().lock(), &mut out)
     } else {
         let text = one(args, options)?;
-        let written = out.write_all(&text).map_err(Trouble::Write);
+        let written = out.write_all(&text).map_err(BatchError::Write);
         written.map(|()| ExitCode::SUCCESS)
     };
-    let flushed = |status| out.flush().map(|()| status).map_err(Trouble::Write);
+    let flushed = |status| out.flush().map(|()| status).map_err(BatchError::Write);
     match written.and_then(flushed) {
-        Err(Trouble::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
+        Err(BatchError::Write(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
             // What is left over has nowhere to go.
             let _ = out.into_parts();
             Ok(ExitCode::SUCCESS)
@@ -59,13 +59,13 @@ fn plainly(args: &Args) -> Result<ExitCode, Failure> {
 }
 
 /// The one problem of the arguments, answered.
-fn one(args: &Args, options: &Options) -> Result<Vec<u8>, Failure> {
+fn one(args: &Args, options: &GlobalOptions) -> Result<Vec<u8>, Failure> {
     let (collision, by_offset) = args
         .collision()
         .map_err(|fault| Failure::Input(fault.into()))?;
     if args.json {
         let mut line = Vec::new();
-        Answer::of(&collision).write_line(&mut line)?;
+        SolveAnswer::of(&collision).write_line(&mut line)?;
         return Ok(line);
     }
     let unicode = options.printed() == Charset::Unicode;

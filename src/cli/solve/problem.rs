@@ -3,7 +3,8 @@
 
 use glam::DVec2;
 
-use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint, plain};
+use crate::numbers::typed;
+use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint};
 
 /// Wide enough for dust and for planets' rings, narrow enough that nothing in the
 /// working over- or underflows.
@@ -107,7 +108,7 @@ pub(super) fn number(field: &str, value: f64) -> Result<f64, ProblemError> {
     let range = RANGES.iter().find(|range| range.name == field);
     range.map_or(Ok(value), |range| {
         range
-            .check(value, plain(value))
+            .check(value, typed(value))
             .map_err(|message| fault(field, &message))
     })
 }

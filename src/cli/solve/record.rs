@@ -11,7 +11,7 @@ use super::problem::Problem;
 
 #[derive(Debug, Clone, Copy, serde::Deserialize)]
 #[serde(field_identifier, rename_all = "snake_case")]
-enum Field {
+enum ProblemField {
     M1G,
     M2G,
     U1,
@@ -26,13 +26,13 @@ enum Field {
 
 impl<'de> Deserialize<'de> for Problem {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(Fields)
+        deserializer.deserialize_map(ProblemVisitor)
     }
 }
 
-struct Fields;
+struct ProblemVisitor;
 
-impl<'de> Visitor<'de> for Fields {
+impl<'de> Visitor<'de> for ProblemVisitor {
     type Value = Problem;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -43,16 +43,18 @@ impl<'de> Visitor<'de> for Fields {
         let mut problem = Problem::default();
         while let Some(field) = map.next_key()? {
             match field {
-                Field::M1G => set(&mut problem.m1_g, "m1_g", &mut map)?,
-                Field::M2G => set(&mut problem.m2_g, "m2_g", &mut map)?,
-                Field::U1 => set(&mut problem.u1, "u1", &mut map)?,
-                Field::U2 => set(&mut problem.u2, "u2", &mut map)?,
-                Field::AlphaDeg => set(&mut problem.alpha_deg, "alpha_deg", &mut map)?,
-                Field::OffsetMm => set(&mut problem.offset_mm, "offset_mm", &mut map)?,
-                Field::R1Mm => set(&mut problem.r1_mm, "r1_mm", &mut map)?,
-                Field::R2Mm => set(&mut problem.r2_mm, "r2_mm", &mut map)?,
-                Field::Restitution => set(&mut problem.restitution, "restitution", &mut map)?,
-                Field::Stick => set(&mut problem.stick, "stick", &mut map)?,
+                ProblemField::M1G => set(&mut problem.m1_g, "m1_g", &mut map)?,
+                ProblemField::M2G => set(&mut problem.m2_g, "m2_g", &mut map)?,
+                ProblemField::U1 => set(&mut problem.u1, "u1", &mut map)?,
+                ProblemField::U2 => set(&mut problem.u2, "u2", &mut map)?,
+                ProblemField::AlphaDeg => set(&mut problem.alpha_deg, "alpha_deg", &mut map)?,
+                ProblemField::OffsetMm => set(&mut problem.offset_mm, "offset_mm", &mut map)?,
+                ProblemField::R1Mm => set(&mut problem.r1_mm, "r1_mm", &mut map)?,
+                ProblemField::R2Mm => set(&mut problem.r2_mm, "r2_mm", &mut map)?,
+                ProblemField::Restitution => {
+                    set(&mut problem.restitution, "restitution", &mut map)?
+                }
+                ProblemField::Stick => set(&mut problem.stick, "stick", &mut map)?,
             }
         }
         Ok(problem)

@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use crate::physics::worked::{Step, ascii};
+use crate::physics::worked::{WorkedStep, ascii};
 
 /// Columns that prose is wrapped to.
 const WIDTH: usize = 78;
 
 /// The steps one below the other, numbered, in the signs the reader can see.
-pub(super) fn render(steps: &[Step], unicode: bool) -> String {
+pub(super) fn render(steps: &[WorkedStep], unicode: bool) -> String {
     let mut text = String::new();
     for (count, step) in steps.iter().enumerate() {
         if count > 0 {

@@ -43,7 +43,7 @@ mod tests;
 pub use case::{BoardEnd, Case, QueenBefore, QueenFate, TurnFate, Verdict};
 pub use ending::MOST_POINTS;
 pub use fouls::{foul, no_place};
-pub use ruling::{BoardWon, Effect, Law, Ruling};
+pub use ruling::{BoardWon, Law, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
 

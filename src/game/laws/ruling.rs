@@ -58,13 +58,13 @@ pub struct Ruling {
     /// What happened and why it counts so, in one plain sentence.
     pub text: String,
     /// What was done on the board and in the score, in that order.
-    pub effects: Vec<Effect>,
+    pub effects: Vec<RulingEffect>,
 }
 
 /// Something that a ruling changes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Effect {
+pub enum RulingEffect {
     /// A coin or the queen was put back here.
     PutBack(Coin),
     /// That many coins are still owed, for want of a pocketed one.

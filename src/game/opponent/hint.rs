@@ -5,12 +5,13 @@ use glam::DVec2;
 use super::reason::Reason;
 use super::words::{self, Teller, pocket_seen_from};
 use crate::game::{BaseLines, Piece};
+use crate::numbers::capital;
 use crate::physics::Motion;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
 /// The best stroke that was found for the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hint {
+pub struct StrokeHint {
     /// The stroke, if it is struck exactly so.
     pub stroke: Motion,
     /// What it does.
@@ -20,7 +21,7 @@ pub struct Hint {
     pub fouls: bool,
 }
 
-impl Hint {
+impl StrokeHint {
     /// How far to the player's right of the middle the striker stands, in metres.
     pub fn along(&self) -> f64 {
         self.reason.seat.turn_back(self.stroke.position).x
@@ -74,7 +75,7 @@ impl Hint {
         };
         let aim = deg_from_rad(self.direction());
         let speed = self.stroke.velocity.length();
-        let why = words::capital(&words::met(&self.reason.story, Teller::You));
+        let why = capital(&words::met(&self.reason.story, Teller::You));
         let warning = if self.fouls {
             "Mind: the striker will fall too. No stroke without that was found."
         } else {

@@ -36,9 +36,9 @@ mod words;
 mod worth;
 
 pub use hand::{FASTEST, Hand, Slip};
-pub use hint::Hint;
+pub use hint::StrokeHint;
 pub use reason::Reason;
-pub use story::{Chance, Fall, FirstHit, Story};
+pub use story::{Chance, Fall, FirstContact, Story};
 pub use strength::Strength;
 pub use words::pocket_seen_from;
 
@@ -48,7 +48,7 @@ use rand_pcg::Pcg64;
 use super::Game;
 use crate::physics::{Board, Motion};
 use rehearsal::Rehearsal;
-use search::{Choice, Search};
+use search::{Candidate, Search};
 use strength::Skill;
 use worth::Judge;
 
@@ -102,7 +102,7 @@ pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Optio
 /// Place, direction and speed are on the [steps](super::steps) in which a player sets
 /// them, and struck exactly so the striker does not fall, wherever there is such a
 /// stroke.
-pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<Hint> {
+pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<StrokeHint> {
     let all = Skill {
         hand: Strength::Club.hand(),
         on_steps: true,
@@ -120,14 +120,14 @@ pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<Hint> {
         reason.chance.works_mostly() && reason.story.is_plain_cut() && !choice.fouls
     });
     let (choice, reason) = plain.or_else(|| seek(game, board, all, seed))?;
-    Some(Hint {
+    Some(StrokeHint {
         stroke: choice.motion,
         reason,
         fouls: choice.fouls,
     })
 }
 
-fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Choice, Reason)> {
+fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
     if game.play().won().is_some() {
         return None;
     }

@@ -8,7 +8,9 @@ use rand_pcg::Pcg64;
 
 use super::hand::{FASTEST, Slip};
 use super::rehearsal::Rehearsal;
-use super::shots::{Aim, Course, combinations, kicks, knocks, off_a_cushion, straight, strikes};
+use super::shots::{
+    PocketPath, ProposedStroke, combinations, kicks, knocks, off_a_cushion, straight, strikes,
+};
 use super::sight::Sight;
 use super::story::Chance;
 use super::strength::Skill;
@@ -29,7 +31,7 @@ const KNOCK: Range<f64> = 0.6..3.0;
 
 /// A stroke, what it promises, and how often it brought a piece down.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Choice {
+pub(super) struct Candidate {
     pub(super) motion: Motion,
     worth: f64,
     pub(super) chance: Chance,
@@ -51,7 +53,7 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// The best stroke from a legal place; `None` if coins bar them all.
-    pub(super) fn best(&mut self) -> Option<Choice> {
+    pub(super) fn best(&mut self) -> Option<Candidate> {
         let places = self.places();
         let resort = Motion {
             position: *places.first()?,
@@ -62,7 +64,7 @@ impl<'a> Search<'a> {
         if self.skill.on_steps && choices.iter().any(|choice| !choice.fouls) {
             choices.retain(|choice| !choice.fouls);
         }
-        Some(self.finalist(&choices).unwrap_or(Choice {
+        Some(self.finalist(&choices).unwrap_or(Candidate {
             motion: resort,
             worth: f64::NEG_INFINITY,
             chance: Chance::default(),
@@ -92,7 +94,7 @@ impl<'a> Search<'a> {
     }
 
     /// Every stroke that geometry proposes, tried once as it is meant.
-    fn first_look(&mut self, places: &[DVec2]) -> Vec<Choice> {
+    fn first_look(&mut self, places: &[DVec2]) -> Vec<Candidate> {
         let mut proposed: Vec<(Motion, f64)> = Vec::new();
         for aim in self.aims(places) {
             let speeds = self.skill.speeds.iter();
@@ -115,11 +117,11 @@ impl<'a> Search<'a> {
     }
 
     /// The aims that forgive most, the most forgiving first.
-    fn aims(&self, places: &[DVec2]) -> Vec<Aim> {
+    fn aims(&self, places: &[DVec2]) -> Vec<ProposedStroke> {
         let sight = self.sight();
         let mut aims = Vec::new();
         for course in self.courses(&sight) {
-            let mut own: Vec<Aim> = strikes(&sight, &course, places).collect();
+            let mut own: Vec<ProposedStroke> = strikes(&sight, &course, places).collect();
             own.extend(strikes(
                 &sight,
                 &course,
@@ -133,7 +135,7 @@ impl<'a> Search<'a> {
         most_forgiving(aims, self.skill.aims)
     }
 
-    fn courses(&self, sight: &Sight) -> Vec<Course> {
+    fn courses(&self, sight: &Sight) -> Vec<PocketPath> {
         let coins = self.game.coins().iter().enumerate();
         let wanted = coins.filter(|(_, coin)| wants(self.game, coin.piece));
         let mut courses = Vec::new();
@@ -146,7 +148,7 @@ impl<'a> Search<'a> {
         if self.skill.combinations {
             courses.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
             let driven = courses.iter().take(DRIVEN);
-            let driving: Vec<Course> = driven.flat_map(|c| combinations(sight, c)).collect();
+            let driving: Vec<PocketPath> = driven.flat_map(|c| combinations(sight, c)).collect();
             courses.extend(driving);
         }
         courses
@@ -154,7 +156,7 @@ impl<'a> Search<'a> {
 
     /// The place from which a course is a full, straight hit, or the legal one
     /// nearest to it.
-    fn straight_place(&self, course: &Course) -> Option<DVec2> {
+    fn straight_place(&self, course: &PocketPath) -> Option<DVec2> {
         let lines = self.lines();
         let seat = self.game.seat();
         let coin = seat.turn_back(self.game.coins().get(course.coin)?.at);
@@ -171,7 +173,7 @@ impl<'a> Search<'a> {
 
     /// The best of the choices, which come best first, if the hand is unsteady: the
     /// same slips for all, so that they differ by what they are and not by luck.
-    fn finalist(&mut self, choices: &[Choice]) -> Option<Choice> {
+    fn finalist(&mut self, choices: &[Candidate]) -> Option<Candidate> {
         let count = self.skill.slips;
         let mut slips: Vec<Slip> = (0..count)
             .map(|_| self.skill.hand.slip(&mut self.chance))
@@ -194,7 +196,7 @@ impl<'a> Search<'a> {
                 push: 0.5 * (self.chance.random::<f64>() - 0.4),
             };
             let changed = self.tried(change.applied_to(best.motion), best.allowance, &slips);
-            let is_better = |changed: &Choice| {
+            let is_better = |changed: &Candidate| {
                 changed.worth > best.worth && !(self.skill.on_steps && changed.fouls)
             };
             if let Some(better) = changed.filter(is_better) {
@@ -205,7 +207,7 @@ impl<'a> Search<'a> {
     }
 
     /// A stroke as often as there are slips, and what it is worth on average.
-    fn tried(&mut self, motion: Motion, allowance: f64, slips: &[Slip]) -> Option<Choice> {
+    fn tried(&mut self, motion: Motion, allowance: f64, slips: &[Slip]) -> Option<Candidate> {
         let motion = if self.skill.on_steps {
             on_steps(motion, self.game.seat())?
         } else {
@@ -220,7 +222,7 @@ impl<'a> Search<'a> {
             chance.count(tried.pocketed);
             fouls |= tried.fouled && *slip == Slip::default();
         }
-        (chance.of > 0).then(|| Choice {
+        (chance.of > 0).then(|| Candidate {
             motion,
             worth: sum / f64::from(chance.of),
             chance,
@@ -238,7 +240,7 @@ impl<'a> Search<'a> {
     }
 }
 
-fn most_forgiving(mut aims: Vec<Aim>, count: usize) -> Vec<Aim> {
+fn most_forgiving(mut aims: Vec<ProposedStroke>, count: usize) -> Vec<ProposedStroke> {
     aims.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
     aims.truncate(count);
     aims

@@ -34,7 +34,7 @@ impl Chance {
 
 /// The first meeting of the striker with a coin, which is at rest until then.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct FirstHit {
+pub struct FirstContact {
     /// The coin it met, by its place in [`Game::coins`].
     pub coin: usize,
     /// What that is.
@@ -72,7 +72,7 @@ pub struct Fall {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Story {
     /// The first meeting; `None` if the striker touched nothing.
-    pub first_hit: Option<FirstHit>,
+    pub first_hit: Option<FirstContact>,
     /// The first wanted piece that fell, if any did.
     pub fall: Option<Fall>,
     /// Wanted pieces that fell after it.
@@ -106,7 +106,7 @@ fn piece(game: &Game, disc: usize) -> Option<Piece> {
     }
 }
 
-fn first_hit(game: &Game, shot: &Shot) -> Option<FirstHit> {
+fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
     let mut cushions = 0_u8;
     for event in shot.events() {
         match event.kind {
@@ -124,7 +124,7 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstHit> {
                 };
                 let reach = shot.discs().first()?.radius + shot.discs().get(disc)?.radius;
                 let along = u1.try_normalize()?;
-                return Some(FirstHit {
+                return Some(FirstContact {
                     coin: disc.checked_sub(1)?,
                     piece: piece(game, disc)?,
                     cushions,

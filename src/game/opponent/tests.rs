@@ -8,17 +8,17 @@ use super::{FASTEST, Strength, hint, think};
 use crate::game::laws::Rules;
 use crate::game::pack::pack;
 use crate::game::steps::on_steps;
-use crate::game::{Coin, Game, Hands, Piece, PieceSet, Seat, Setup, Stroke, Team};
+use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Stroke, Team};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
 /// A board in play with some of its coins scattered anywhere on it.
 fn scattered(seed: u64) -> Game {
     let mut chance = Pcg64::seed_from_u64(seed);
-    let setup = Setup {
+    let setup = GameSetup {
         rules: [Rules::Tournament, Rules::Friendly, Rules::Practice][(seed % 3) as usize],
         hands: [Hands::Two, Hands::Four][(seed / 3 % 2) as usize],
         set: [PieceSet::Tournament, PieceSet::EqualMass][(seed / 6 % 2) as usize],
-        ..Setup::default()
+        ..GameSetup::default()
     };
     let mut game = Game::new(setup);
     let reach = Board::default().side / 2.0 - setup.set.coin_radius();
@@ -89,7 +89,7 @@ fn the_same_seed_gives_the_same_decision_and_another_another() {
 fn it_breaks_the_pack() {
     let board = Board::default();
     for strength in Strength::ALL {
-        let mut game = Game::new(Setup::default());
+        let mut game = Game::new(GameSetup::default());
         let decision = think(&game, &board, strength, 2).unwrap();
         assert!(decision.reason.breaking && decision.reason.story.first_hit.is_some());
         apply(&mut game, decision.meant);
@@ -207,10 +207,10 @@ fn an_expert_beats_a_player_that_shoots_at_random() {
     let board = Board::default();
     for seed in 0..4 {
         let mut chance = Pcg64::seed_from_u64(seed);
-        let mut game = Game::new(Setup {
+        let mut game = Game::new(GameSetup {
             seed: Some(seed),
             first_breaker: [Seat::South, Seat::North][(seed % 2) as usize],
-            ..Setup::default()
+            ..GameSetup::default()
         });
         for _ in 0..300 {
             let striker = if game.team(game.seat()) == Team::First {

@@ -34,11 +34,11 @@ pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::game::{Setup, Team};
+    use crate::game::{GameSetup, Team};
 
     #[test]
     fn own_coins_but_not_the_last_before_the_queen() {
-        let mut game = Game::new(Setup::default());
+        let mut game = Game::new(GameSetup::default());
         assert!(wants(&game, Piece::White));
         assert!(!wants(&game, Piece::Black));
         assert!(!wants(&game, Piece::Queen), "an own coin first (65)");

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 
 use super::hand::Slip;
-use super::story::{Chance, Fall, FirstHit, Story};
+use super::story::{Chance, Fall, FirstContact, Story};
 use crate::game::{Piece, Seat};
+use crate::numbers::capital;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
 /// Below this angle, in radians (1.5°), a hit is called full and a way straight.
@@ -139,7 +140,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     format!("{before}{leaves} {} striker {striker}.", capital(my))
 }
 
-fn is_full(hit: &FirstHit) -> bool {
+fn is_full(hit: &FirstContact) -> bool {
     hit.alpha.abs() < FULL
 }
 
@@ -176,14 +177,6 @@ pub(super) fn slipped(slip: Slip) -> String {
     }
 }
 
-/// The same with a capital letter first.
-pub(super) fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
-}
-
 fn side(left: bool) -> &'static str {
     if left { "left" } else { "right" }
 }
@@ -204,7 +197,7 @@ mod tests {
 
     use super::*;
     use crate::game::laws::Rules;
-    use crate::game::{Coin, Game, PieceSet, Setup};
+    use crate::game::{Coin, Game, GameSetup, PieceSet};
     use crate::physics::units::rad_from_deg;
     use crate::physics::{Board, Limits, Motion, play};
 
@@ -216,10 +209,10 @@ mod tests {
     }
 
     fn told(coins: &[Coin], set: PieceSet, striker: Motion) -> String {
-        let mut game = Game::new(Setup {
+        let mut game = Game::new(GameSetup {
             rules: Rules::Practice,
             set,
-            ..Setup::default()
+            ..GameSetup::default()
         });
         game.lay_out(coins.to_vec()).unwrap();
         let (discs, motions) = game.discs(striker);

@@ -5,6 +5,7 @@ use std::fmt;
 use crate::game::pieces::Piece;
 use crate::game::seat::{Seat, Team};
 use crate::game::table::Game;
+use crate::numbers::{FNV_START, fnv1a};
 
 /// A number that differs between games that differ in a single bit, but for one
 /// chance in 10¹⁹: what lies where, the turn, the dues, the queen, the score.
@@ -17,7 +18,7 @@ pub struct Fingerprint(u64);
 impl Fingerprint {
     /// That of a game.
     pub fn of(game: &Game) -> Self {
-        let mut hash = Self(0xcbf2_9ce4_8422_2325);
+        let mut hash = Self(FNV_START);
         for coin in game.coins() {
             hash.take(&[match coin.piece {
                 Piece::Striker => 0,
@@ -64,9 +65,7 @@ impl Fingerprint {
     }
 
     fn take(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-        }
+        self.0 = fnv1a(self.0, bytes);
     }
 }
 

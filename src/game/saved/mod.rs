@@ -14,7 +14,7 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 use super::table::Game;
-use crate::files::FileError;
+use crate::files::FileErrors;
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -41,10 +41,9 @@ impl SavedGame {
     /// stands for the file in messages.
     ///
     /// # Errors
-    /// The first thing that is wrong with it: that it is no such file, or a newer
-    /// one; that one of its moves cannot be made; that it does not lead where it
-    /// says.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileError> {
+    /// All that is wrong with it: that it is no such file, or a newer one; that one of
+    /// its moves cannot be made; that it does not lead where it says.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         read::read(name, bytes)
     }
 

@@ -1,64 +1,56 @@
 //! Reads a game from a file, and believes nothing of it.
 
-use serde::Deserialize;
-use toml::Spanned;
-
 use super::company::Players;
-use super::{Aids, Company, FORMAT, Fingerprint, SavedGame, is_player_name};
-use crate::files::{FileError, Source};
-use crate::game::opponent::Strength;
-use crate::game::record::{Move, Record};
-use crate::game::table::{Game, Setup};
+use super::{Company, FORMAT, Fingerprint, SavedGame, is_player_name};
+use crate::files::{Fields, FileErrors, Source};
+use crate::game::record::Record;
+use crate::game::table::Game;
 
-/// A file of the present format.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    #[serde(rename = "format")]
-    _format: u32,
-    player: Spanned<String>,
-    players: Players,
-    computer: Strength,
-    call: bool,
-    aids: Aids,
-    setup: Setup,
-    moves: Vec<Spanned<Move>>,
-    end: Spanned<String>,
+/// What stands in a file.
+const FIELDS: [&str; 9] = [
+    "format", "player", "players", "computer", "call", "aids", "setup", "moves", "end",
+];
+
+pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), FileErrors> {
+    let source = Source::of_bytes(name, bytes, SavedGame::LARGEST_FILE)?;
+    source.document("a saved game", FORMAT, &FIELDS, from_fields)
 }
 
-pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), FileError> {
-    let source = Source::of_bytes(name, bytes, SavedGame::LARGEST_FILE)?;
-    let file: File = source.tables("a saved game", FORMAT)?;
-    if !is_player_name(file.player.get_ref()) {
-        let message = "expected a name of 1 to 40 visible letters";
-        return Err(source.fault(file.player.span().start, "player", message));
-    }
-    let Some(end) = Fingerprint::parse(file.end.get_ref()) else {
-        let message = "expected a fingerprint of 16 hexadecimal digits";
-        return Err(source.fault(file.end.span().start, "end", message));
+fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
+    let player = fields.text_as("player", |name| match is_player_name(name) {
+        true => Ok(name.to_owned()),
+        false => Err("expected a name of 1 to 40 visible letters".into()),
+    });
+    let players = fields.parsed::<Players>("players", "who plays from each seat");
+    let strength = fields.parsed("computer", "how strong the computer is");
+    let call = fields.parsed("call", "true or false");
+    let aids = fields.parsed("aids", "which helps are drawn");
+    let setup = fields.parsed("setup", "what was agreed before the first break");
+    let moves = fields.all_parsed("moves", "a list of moves");
+    let end = fields.text_as("end", |end| {
+        let expected = "expected a fingerprint of 16 hexadecimal digits";
+        Fingerprint::parse(end).ok_or_else(|| expected.into())
+    });
+    let record = Record::of(setup?, moves?);
+    let game = match record.replay() {
+        Ok(game) => game,
+        Err(error) => return fields.refuse_item("moves", error.number - 1, error.to_string()),
     };
-    let places: Vec<_> = file.moves.iter().map(|made| made.span().start).collect();
-    let moves = file.moves.into_iter().map(Spanned::into_inner).collect();
-    let record = Record::of(file.setup, moves);
-    let game = record.replay().map_err(|error| {
-        let at = places.get(error.number - 1).copied().unwrap_or_default();
-        source.fault(at, "moves", error.to_string())
-    })?;
-    let found = Fingerprint::of(&game);
+    let (end, found) = (end?, Fingerprint::of(&game));
     if found != end {
         let message = format!("expected the moves to lead to {end}, but they lead to {found}");
-        return Err(source.fault(file.end.span().start, "end", message));
+        return fields.refuse("end", message);
     }
     let saved = SavedGame {
-        player: file.player.into_inner(),
+        player: player?,
         company: Company {
-            players: file.players.into(),
-            strength: file.computer,
-            call: file.call,
-            aids: file.aids,
+            players: players?.into(),
+            strength: strength?,
+            call: call?,
+            aids: aids?,
         },
         record,
         end,
     };
-    Ok((saved, game))
+    Some((saved, game))
 }

@@ -4,7 +4,7 @@ use maud::{Markup, Render, html};
 
 use super::rows::{Cut, of};
 use super::{Report, ReportPicture};
-use crate::paper::{Page, clean};
+use crate::paper::{HtmlPage, clean};
 use crate::progress::words::{angles, degrees, percent};
 use crate::progress::{LATELY, Mastery, Trend};
 
@@ -28,7 +28,7 @@ pub(super) fn document(report: &Report) -> String {
         footer { (report.origin()) }
     };
     let body = html! { div.report { (body) } };
-    Page::new(&title)
+    HtmlPage::new(&title)
         .style(include_str!("report.css"))
         .sheet(body)
         .html()

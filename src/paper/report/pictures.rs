@@ -1,23 +1,26 @@
 //! The pictures of the report.
 
 use glam::{DVec2, dvec2};
+use ratatui::layout::Rect;
 
 use super::Report;
-use crate::paper::{Anchor, Chart, Ink, Mark, Stroke, Svg};
-use crate::progress::{Calibrated, calibration_over_time, calibration_words, smoothed_errors_deg};
-use crate::quiz::{Confidence, RIGHT_DEG};
-use crate::widgets::plot::Axis;
+use crate::paper::{LOOK, svg};
+use crate::progress::{Calibrated, calibration_words};
+use crate::quiz::RIGHT_DEG;
+use crate::widgets::Role;
+use crate::widgets::picture::{self, Pen, View};
+use crate::widgets::plot::{REACH, errors_picture, sureness_picture};
+use crate::widgets::svg::Svg;
 
-/// How many answers the line of errors takes the mean of.
-const REACH: usize = 5;
 /// How many answers of one confidence a share is taken of, at least.
 const SHARED: usize = 10;
 /// Of how many parts of all answers a share is taken, where those are more.
 const GROUPS: usize = 40;
-/// More answers than this are drawn as means of groups.
-const MOST_MARKS: usize = 120;
-/// Least distance of two labels.
-const APART: f64 = 12.0;
+/// Columns and rows of a picture over the whole width, and of one beside another.
+const WIDE: Rect = Rect::new(0, 0, 60, 14);
+const NARROW: Rect = Rect::new(0, 0, 40, 14);
+/// What fills the range that is hoped for.
+const WASH: Pen = Pen::new(Role::Border).aged(0.8);
 
 /// A picture of the report.
 #[derive(Debug, Clone)]
@@ -41,71 +44,18 @@ pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
 /// The error of each answer and the mean of the last few; of many answers, the means of
 /// groups of them.
 fn errors(report: &Report) -> Option<ReportPicture> {
-    let errors = smoothed_errors_deg(report.attempts, REACH);
-    let (first, last) = (errors.first()?, errors.last()?);
-    let group = errors.len().div_ceil(MOST_MARKS);
-    let line: Vec<DVec2> = match group {
-        1 => errors
-            .iter()
-            .map(|(number, _, mean)| at(*number, *mean))
-            .collect(),
-        _ => errors
-            .chunks(group)
-            .filter_map(|group| {
-                let sum: f64 = group.iter().map(|(_, error, _)| error).sum();
-                let (number, ..) = group.get(group.len() / 2)?;
-                Some(at(*number, sum / group.len() as f64))
-            })
-            .collect(),
-    };
-    let highest = match group {
-        1 => errors
-            .iter()
-            .map(|(_, error, _)| *error)
-            .fold(0.0, f64::max),
-        _ => line.iter().map(|point| point.y).fold(0.0, f64::max),
-    };
-    let top = (10.0 * (highest / 10.0).floor() + 10.0).clamp(20.0, 180.0);
-    let (from, to) = (first.0 as f64, (last.0 as f64).max(first.0 as f64 + 9.0));
-    let words = format!(
-        "Angle error in degrees of {} answers in the order in which they were given",
-        errors.len()
-    );
-    let x = Axis::linear("answer", from - 0.5, to + 0.5);
-    let mut chart = Chart::new(
-        &words,
-        410.0,
-        176.0,
-        x,
-        Axis::linear("off by (°)", 0.0, top),
-    );
-    chart.band(0.0, RIGHT_DEG, Ink::Wash);
-    chart.curve(line.iter().copied(), Stroke::new(Ink::Accent).wide(2.0));
-    if group == 1 {
-        for (number, error, _) in &errors {
-            let right = report.attempts.get(number - 1).is_some_and(|it| it.right);
-            let (mark, ink) = if right {
-                (Mark::Dot, Ink::Accent)
-            } else {
-                (Mark::Ring, Ink::Dim)
-            };
-            chart.mark(at(*number, *error), mark, ink);
-        }
-    }
+    let (picture, group) = errors_picture(report.attempts, usize::MAX, WIDE, LOOK)?;
+    let words = "Angle error in degrees of the answers in the order in which they were given";
     let legend = match group {
-        1 => format!("Dots are right, rings not yet; the line is the mean of {REACH}."),
+        1 => format!("Dots are right, crosses not yet; the line is the mean of {REACH}."),
         _ => format!("The line is the mean of each {group} answers; right is within {RIGHT_DEG}°."),
     };
     Some(ReportPicture {
         name: "errors",
         title: "How far off, over time",
         legend,
-        svg: chart.picture(),
+        svg: svg(words, &picture),
     })
-}
-
-fn at(number: usize, y: f64) -> DVec2 {
-    dvec2(number as f64, y)
 }
 
 /// Of each confidence the share that was right, on the range for which it pays.
@@ -114,76 +64,54 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
     if !report.calibration.iter().any(said) {
         return None;
     }
-    const WIDTH: f64 = 262.0;
-    const ROW: f64 = 42.0;
-    let (left, right) = (58.0, WIDTH - 14.0);
-    let mut svg = Svg::new(
-        "Share of right answers of each confidence, beside the range it is for",
-        WIDTH,
-        176.0,
-    );
-    let x = |share: f64| left + share * (right - left);
-    let bottom = 3.0 * ROW + 12.0;
+    let rows = report.calibration.len() as f64;
+    let paper = Rect {
+        x: 9,
+        width: NARROW.width - 11,
+        height: NARROW.height - 3,
+        ..NARROW
+    };
+    let view = View::stretch(paper, DVec2::ZERO, dvec2(100.0, rows));
+    let mut picture = picture::Picture::new(view).within(NARROW);
+    let below = |rows: f64| -rows * view.per_row();
     for percent in [0, 50, 80, 100] {
-        let at = x(f64::from(percent) / 100.0);
-        svg.line(
-            dvec2(at, 8.0),
-            dvec2(at, bottom),
-            Stroke::new(Ink::Faint).wide(0.6),
-        );
-        let text = format!("{percent}");
-        svg.label(&text, dvec2(at, bottom + 10.0), Anchor::Middle, Ink::Dim);
+        let x = f64::from(percent);
+        picture.line(dvec2(x, 0.0), dvec2(x, rows), Role::BoardLine);
+        picture.text(dvec2(x, below(1.0)), percent.to_string(), Role::Dim);
     }
-    svg.label(
-        "right (%)",
-        dvec2(x(0.25), bottom + 28.0),
-        Anchor::Middle,
-        Ink::Dim,
-    );
-    svg.rectangle(
-        dvec2(x(0.56), bottom + 23.0),
-        dvec2(x(0.64), bottom + 33.0),
-        Ink::Wash,
-    );
-    svg.label(
-        "honest range",
-        dvec2(x(0.67), bottom + 28.0),
-        Anchor::Start,
-        Ink::Dim,
-    );
-    for (row, it) in report.calibration.iter().rev().enumerate() {
-        let y = 8.0 + ROW * (row as f64 + 0.5);
+    picture.text(dvec2(25.0, below(2.2)), "right (%)", Role::Dim);
+    picture.fill(dvec2(55.0, below(2.5)), dvec2(63.0, below(1.9)), WASH);
+    picture.text(dvec2(84.0, below(2.2)), "honest range", Role::Dim);
+    for (row, it) in report.calibration.iter().enumerate() {
+        let y = row as f64 + 0.5;
         let (from, to) = Calibrated::honest(it.confidence);
-        svg.rectangle(dvec2(x(from), y - 13.0), dvec2(x(to), y + 13.0), Ink::Wash);
-        svg.label(
-            it.confidence.name(),
-            dvec2(0.0, y),
-            Anchor::Start,
-            Ink::Text,
+        picture.fill(
+            dvec2(100.0 * from, y - 0.3),
+            dvec2(100.0 * to, y + 0.3),
+            WASH,
         );
+        let name = dvec2(-5.0 * view.per_column(), y);
+        picture.text(name, it.confidence.name(), Role::Text);
         let Some(share) = it.tally.share_right() else {
-            svg.label("none yet", dvec2(x(0.5), y), Anchor::Middle, Ink::Dim);
+            picture.text(dvec2(50.0, y), "none yet", Role::Dim);
             continue;
         };
-        svg.line(
-            dvec2(x(0.0), y),
-            dvec2(x(share), y),
-            Stroke::new(Ink::Accent).wide(2.0),
-        );
-        svg.circle(dvec2(x(share), y), 4.5, Some(Ink::Accent), None);
+        let end = dvec2(100.0 * share, y);
+        let pen = Pen::new(Role::StrikerOut).bold();
+        picture.line(dvec2(0.0, y), end, pen);
+        picture.text(end, "●", Role::StrikerOut);
         let counted = format!("{} of {}", it.tally.right, it.tally.attempts);
-        let (anchor, off) = if share > 0.6 {
-            (Anchor::End, -10.0)
-        } else {
-            (Anchor::Start, 10.0)
-        };
-        svg.label(&counted, dvec2(x(share) + off, y - 9.0), anchor, Ink::Text);
+        // SplitLayout the dot, where there is room.
+        let aside = (0.5 * counted.len() as f64 + 1.0) * view.per_column();
+        let x = end.x + if share > 0.6 { -aside } else { aside };
+        picture.text(dvec2(x, y + 0.2), counted, Role::Text);
     }
+    let words = "Share of right answers of each confidence, beside the range it is for";
     Some(ReportPicture {
         name: "calibration",
         title: "How sure, and how right",
         legend: calibration_words(&report.calibration).into(),
-        svg,
+        svg: svg(words, &picture),
     })
 }
 
@@ -191,53 +119,8 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
 fn over_time(report: &Report) -> Option<ReportPicture> {
     // Of many answers, the share of more of them: the line shall not tremble.
     let reach = SHARED.max(report.attempts.len() / GROUPS / 10 * 10);
-    let shares = calibration_over_time(report.attempts, reach);
-    let points = || shares.iter().flatten();
-    let first = points().map(|(number, _)| *number).min()? as f64;
-    let last = points().map(|(number, _)| *number).max()? as f64;
+    let picture = sureness_picture(report.attempts, usize::MAX, reach, NARROW, LOOK)?;
     let words = "Share of right answers among the last few of each confidence, over time";
-    let x = Axis::linear("answer", first - 0.5, last.max(first + 9.0) + 0.5);
-    let y = Axis::linear("right (%)", 0.0, 100.0).every(50.0);
-    // Room for the names at the end of the lines.
-    let mut chart = Chart::with_room(words, 262.0, 176.0, 58.0, x, y);
-    chart.band(50.0, 80.0, Ink::Wash);
-    chart.level(50.0, Stroke::new(Ink::Faint));
-    chart.level(80.0, Stroke::new(Ink::Faint));
-    let mut names = Vec::new();
-    for (confidence, shares) in Confidence::ALL.into_iter().zip(&shares) {
-        let stroke = match confidence {
-            Confidence::Sure => Stroke::new(Ink::Accent).wide(2.2),
-            Confidence::ThinkSo => Stroke::new(Ink::Text).wide(1.5).dashed(),
-            Confidence::Guess => Stroke::new(Ink::Dim).wide(1.5).dotted(),
-        };
-        let step = shares.len().div_ceil(MOST_MARKS).max(1);
-        // Thinned from the end, so that the last one is always there.
-        let mut line: Vec<_> = shares.iter().rev().step_by(step).collect();
-        line.reverse();
-        let line: Vec<_> = line
-            .iter()
-            .map(|(n, share)| at(*n, 100.0 * share))
-            .collect();
-        if let ([only], Some(_)) = (line.as_slice(), shares.last()) {
-            chart.mark(*only, Mark::Dot, Ink::Accent);
-        }
-        chart.curve(line.iter().copied(), stroke);
-        if let Some(end) = line.last() {
-            names.push((*end, confidence.name()));
-        }
-    }
-    // Names keep their distance, from the lowest line up.
-    names.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
-    let mut lowest = f64::INFINITY;
-    for (end, name) in names {
-        let Some(height) = chart.height(end.y) else {
-            continue;
-        };
-        let wanted = height.min(lowest - APART);
-        lowest = wanted;
-        let off = dvec2(6.0, wanted - height);
-        chart.label(name, end, off, Anchor::Start, Ink::Text);
-    }
     Some(ReportPicture {
         name: "calibration-over-time",
         title: "How sure, and how right, over time",
@@ -245,6 +128,6 @@ fn over_time(report: &Report) -> Option<ReportPicture> {
             "Right of the last {reach} answers of each. Honest is: sure above 80, think so \
              from 50 to 80, guess below."
         ),
-        svg: chart.picture(),
+        svg: svg(words, &picture),
     })
 }

@@ -3,16 +3,18 @@
 use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
-use crate::paper::{Page, Svg};
+use crate::numbers;
+use crate::paper::HtmlPage;
 use crate::quiz::{Confidence, Form, Measure, Question, letter};
+use crate::widgets::svg::Svg;
 
 /// The widest picture that stands beside its question: 96 mm.
 const BESIDE: f64 = 363.0;
 
 /// A document of these sheets.
 pub(super) fn document<const N: usize>(title: &str, sheets: [Markup; N]) -> String {
-    let page = Page::new(title).style(include_str!("worksheet.css"));
-    sheets.into_iter().fold(page, Page::sheet).html()
+    let page = HtmlPage::new(title).style(include_str!("worksheet.css"));
+    sheets.into_iter().fold(page, HtmlPage::sheet).html()
 }
 
 /// The head of a sheet: what it is, and how to open it on a screen.
@@ -54,7 +56,7 @@ pub(super) fn questions(worksheet: &Worksheet) -> Markup {
 
 fn one(number: usize, question: &Question) -> Markup {
     let picture = pictures::of_question(question);
-    let is_wide = picture.as_ref().is_some_and(|it| it.size().x > BESIDE);
+    let is_wide = picture.as_ref().is_some_and(|it| it.size()[0] > BESIDE);
     html! {
         article.question.wide[is_wide] {
             h2 { (number) }
@@ -88,7 +90,7 @@ fn room(form: &Form) -> Markup {
             table.rays {
                 @for name in ["striker", target] {
                     tr {
-                        td { (words::capital(name)) }
+                        td { (numbers::capital(name)) }
                         td { (blank("°")) }
                         @for way in ["left", "right", "stays still"] { td { (ticked(way)) } }
                     }

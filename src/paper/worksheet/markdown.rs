@@ -1,6 +1,7 @@
 //! Sheet and key in Markdown.
 
 use super::{Worksheet, pictures, words};
+use crate::numbers;
 use crate::paper::Markdown;
 use crate::quiz::{Confidence, Form, Measure, letter};
 
@@ -46,7 +47,7 @@ pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
 fn room(document: &mut Markdown, form: &Form) {
     match form {
         Form::Rays { target, .. } => document.list(["striker", target].map(|name| {
-            let name = words::capital(name);
+            let name = numbers::capital(name);
             format!("{name}: {BLANK}° {BOX} left {BOX} right {BOX} stays still")
         })),
         Form::Number { quantity, .. } => {

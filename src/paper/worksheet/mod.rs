@@ -11,7 +11,7 @@ mod words;
 
 use crate::quiz::Round;
 
-pub use pictures::Picture;
+pub use pictures::WorksheetPicture;
 
 use super::clean;
 
@@ -77,7 +77,7 @@ impl<'a> Worksheet<'a> {
 
     /// All pictures of the documents in Markdown.
     #[must_use]
-    pub fn pictures(&self) -> Vec<Picture> {
+    pub fn pictures(&self) -> Vec<WorksheetPicture> {
         pictures::all(self.round)
     }
 

@@ -1,18 +1,24 @@
 //! What is drawn beside a question, and beside its answer.
 
-use crate::paper::{After, Shown, Svg, aim_picture, hit_picture, seen_picture, tracks_picture};
+use ratatui::layout::Rect;
+
+use crate::paper::svg;
+use crate::physics::Collision;
 use crate::quiz::{self, Form, Question, Round};
+use crate::widgets::hit::{Overlay, Overlays, Watch, protractor_picture, scale_picture};
+use crate::widgets::question_picture;
+use crate::widgets::svg::Svg;
 
 /// A picture with the name of its file.
 #[derive(Debug)]
-pub struct Picture {
+pub struct WorksheetPicture {
     /// What the file is called, without what follows the dot: "question-01".
     pub name: String,
     /// The picture.
     pub svg: Svg,
 }
 
-impl Picture {
+impl WorksheetPicture {
     /// Whether a file of this name is a picture of some worksheet: `answer-07.svg`.
     #[must_use]
     pub fn is_file_name(name: &str) -> bool {
@@ -25,6 +31,9 @@ impl Picture {
 const QUESTION: &str = "question-";
 const ANSWER: &str = "answer-";
 
+/// Columns and rows of a picture that nothing is drawn into.
+const AREA: Rect = Rect::new(0, 0, 44, 18);
+
 /// The name of the picture of the question of this number, counted from 1.
 pub(super) fn question_name(number: usize) -> String {
     format!("{QUESTION}{number:02}")
@@ -35,10 +44,10 @@ pub(super) fn answer_name(number: usize) -> String {
     format!("{ANSWER}{number:02}")
 }
 
-pub(super) fn all(round: &Round) -> Vec<Picture> {
+pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
     let mut all = Vec::new();
     for (number, question) in (1..).zip(round.questions()) {
-        let picture = |name, svg| Picture { name, svg };
+        let picture = |name, svg| WorksheetPicture { name, svg };
         all.extend(of_question(question).map(|svg| picture(question_name(number), svg)));
         all.extend(of_answer(question).map(|svg| picture(answer_name(number), svg)));
     }
@@ -48,30 +57,31 @@ pub(super) fn all(round: &Round) -> Vec<Picture> {
 /// What is seen beside a question, and no more than that; a protractor to draw in where
 /// both ways are asked for, a scale where an offset is.
 pub(super) fn of_question(question: &Question) -> Option<Svg> {
-    match (&question.picture, &question.form) {
-        (quiz::Illustration::Before { .. }, Form::Shot(aim)) => Some(aim_picture(aim)),
-        (quiz::Illustration::Before { collision, shown }, form) => {
-            let after = match form {
-                Form::Rays { .. } => After::Space,
-                _ => After::Nothing,
-            };
-            let shown = Shown {
-                offset: shown.offset,
-                angle: shown.angle,
-                line_of_impact: false,
-                masses: false,
-                numbers: shown.figures,
-                speeds: shown.figures,
-                after,
-            };
-            Some(hit_picture(collision, &shown))
+    let picture = match (&question.picture, &question.form) {
+        (quiz::Illustration::Before { .. }, Form::Shot(aim)) => scale_picture(aim),
+        (quiz::Illustration::Before { collision, shown }, Form::Rays { .. }) => {
+            protractor_picture(collision, *shown)
         }
-        (quiz::Illustration::After { collision }, _) => Some(seen_picture(collision)),
-        (quiz::Illustration::Tracks { rutherford, angles }, _) => {
-            Some(tracks_picture(rutherford, *angles))
+        _ => question_picture(AREA, question, None)?,
+    };
+    let words = match (&question.picture, &question.form) {
+        (quiz::Illustration::Tracks { .. }, _) => {
+            "Two particles pass a nucleus, each turned by an angle".into()
         }
-        (quiz::Illustration::Nothing, _) => None,
-    }
+        (_, Form::Shot(_)) => "A striker on its way to a disc at rest, a scale of offsets across \
+             the way, and where one of the two is to go, seen from above"
+            .into(),
+        (quiz::Illustration::Before { collision, .. }, Form::Rays { .. }) => {
+            let protractor = ", with an empty protractor for where both go";
+            words(collision, protractor)
+        }
+        (quiz::Illustration::After { collision }, _) => words(collision, ", and both go on"),
+        _ => question
+            .picture
+            .collision()
+            .map_or(String::new(), |collision| words(collision, "")),
+    };
+    Some(svg(&words, &picture))
 }
 
 /// The hit of a question as it really goes, with all its figures.
@@ -80,15 +90,27 @@ pub(super) fn of_answer(question: &Question) -> Option<Svg> {
         Form::Shot(aim) => aim.with(aim.offset),
         _ => *question.picture.collision()?,
     };
-    let shown = Shown {
-        // It is given in the question, or said in the answer.
-        offset: false,
-        angle: true,
-        line_of_impact: false,
-        masses: true,
-        numbers: true,
-        speeds: true,
-        after: After::Departures,
+    let mut layers = Overlays::default();
+    for layer in [Overlay::Triangle, Overlay::Trails] {
+        layers.toggle(layer);
+    }
+    let watch = Watch::new(collision, None, true)
+        .with_layers(layers)
+        .with_measures();
+    let words = words(&collision, ", and both go on");
+    Some(svg(&words, &watch.picture(AREA)))
+}
+
+/// What is to be seen, without giving away what is not shown.
+fn words(collision: &Collision, after: &str) -> String {
+    let meets = match collision.alpha() {
+        Some(_) => "A striker meets",
+        None => "A striker passes",
     };
-    Some(hit_picture(&collision, &shown))
+    let target = if collision.u2.length() > 0.0 {
+        "another moving disc"
+    } else {
+        "a disc at rest"
+    };
+    format!("{meets} {target}{after}, seen from above")
 }

@@ -58,15 +58,6 @@ pub(super) fn task(question: &Question) -> Option<&'static str> {
     }
 }
 
-/// The name of what is struck, with a capital.
-pub(super) fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
-    }
-}
-
 /// The true answer in words, a choice with its letter.
 pub(super) fn truth(question: &Question) -> String {
     said(question, &question.form.truth())

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::super::slide::parabola;
 use super::super::{Disc, Motion};
 
 /// What the engine holds of each disc, one array a quantity so that a pass over all
@@ -22,7 +23,7 @@ pub(super) struct Bodies {
     pub(super) radius: Vec<f64>,
     pub(super) mass: Vec<f64>,
     /// The part of its first speed a disc loses each second of its slide, a/v.
-    pub(super) slowing: Vec<f64>,
+    pub(super) relative_deceleration: Vec<f64>,
     pub(super) moving: Vec<bool>,
     /// Counts the slides of a disc, so that a forecast can tell that it is out of date.
     pub(super) version: Vec<u32>,
@@ -38,7 +39,7 @@ impl Bodies {
             &mut self.ax,
             &mut self.ay,
             &mut self.since,
-            &mut self.slowing,
+            &mut self.relative_deceleration,
         ] {
             array.clear();
             array.resize(discs.len(), 0.0);
@@ -64,7 +65,7 @@ impl Bodies {
     pub(super) fn launch(&mut self, i: usize, now: f64, motion: Motion, deceleration: f64) {
         let Motion { position, velocity } = motion;
         let speed = velocity.length();
-        let slowing = if speed > 0.0 {
+        let relative_deceleration = if speed > 0.0 {
             deceleration / speed
         } else {
             0.0
@@ -73,15 +74,15 @@ impl Bodies {
         self.y[i] = position.y;
         self.vx[i] = velocity.x;
         self.vy[i] = velocity.y;
-        self.ax[i] = -slowing * velocity.x;
-        self.ay[i] = -slowing * velocity.y;
+        self.ax[i] = -relative_deceleration * velocity.x;
+        self.ay[i] = -relative_deceleration * velocity.y;
         self.since[i] = now;
-        self.slowing[i] = slowing;
+        self.relative_deceleration[i] = relative_deceleration;
         self.moving[i] = speed > 0.0;
         self.version[i] = self.version[i].wrapping_add(1);
     }
 
-    /// Takes a disc off the board: far beyond the reach of any other, each in a
+    /// Takes a disc off the board: far beyond the contact_distance of any other, each in a
     /// place of its own.
     pub(super) fn remove(&mut self, i: usize) {
         let away = DVec2::new(1e9 * (i + 1) as f64, 1e9);
@@ -89,6 +90,7 @@ impl Bodies {
     }
 
     /// How a disc's slide began.
+    #[inline(always)]
     pub(super) fn start(&self, i: usize) -> Motion {
         Motion {
             position: DVec2::new(self.x[i], self.y[i]),
@@ -99,17 +101,10 @@ impl Bodies {
     /// Motion of a disc at a time not beyond its stop.
     #[inline(always)]
     pub(super) fn at(&self, i: usize, time: f64) -> Motion {
-        let t = time - self.since[i];
-        let half = 0.5 * t;
-        Motion {
-            position: DVec2::new(
-                self.x[i] + (self.vx[i] + self.ax[i] * half) * t,
-                self.y[i] + (self.vy[i] + self.ay[i] * half) * t,
-            ),
-            velocity: DVec2::new(self.vx[i] + self.ax[i] * t, self.vy[i] + self.ay[i] * t),
-        }
+        parabola(self.start(i), self.acceleration(i), time - self.since[i])
     }
 
+    #[inline(always)]
     pub(super) fn acceleration(&self, i: usize) -> DVec2 {
         DVec2::new(self.ax[i], self.ay[i])
     }

@@ -23,8 +23,8 @@ pub(super) fn check(
     }
     for (i, (disc, motion)) in discs.iter().zip(start).enumerate() {
         check_disc(i, disc, motion)?;
-        let reach = motion.position.abs().max_element() + disc.radius;
-        let beyond = reach - 0.5 * board.side;
+        let outermost = motion.position.abs().max_element() + disc.radius;
+        let beyond = outermost - 0.5 * board.side;
         if beyond > ROUNDING {
             return Err(EngineError::OffBoard {
                 disc: i,
@@ -117,13 +117,13 @@ fn check_pair(
     second: usize,
 ) -> Result<(), EngineError> {
     let apart = start[second].position - start[first].position;
-    let reach = discs[first].radius + discs[second].radius;
-    let least = reach - ROUNDING;
+    let contact_distance = discs[first].radius + discs[second].radius;
+    let least = contact_distance - ROUNDING;
     if apart.length_squared() < least * least {
         return Err(EngineError::Overlap {
             first,
             second,
-            depth_mm: (reach - apart.length()) * 1000.0,
+            depth_mm: (contact_distance - apart.length()) * 1000.0,
         });
     }
     Ok(())

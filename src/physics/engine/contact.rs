@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::super::slide::slowed;
+use super::super::slide::{slowed, time_to_distance};
 use super::bodies::Bodies;
 use super::quartic::first_root;
 
@@ -17,7 +17,7 @@ pub(super) const PRESS: f64 = 3e-10;
 
 /// A touching pair that slows down and closes in no faster than this (m/s) is left to
 /// press, or to stop: discs that hand on ever less to one another come to an end here.
-const GENTLE: f64 = 1e-6;
+const PRESSING_SPEED: f64 = 1e-6;
 
 /// No pair may come deeper than this, in metres.
 const DEEPEST: f64 = 9e-10;
@@ -33,15 +33,15 @@ pub(super) fn contact(bodies: &Bodies, i: usize, k: usize, now: f64, end: f64) -
         d: at_k.position - at_i.position,
         w: at_k.velocity - at_i.velocity,
         a: bodies.acceleration(k) - bodies.acceleration(i),
-        reach: bodies.radius[i] + bodies.radius[k],
+        contact_distance: bodies.radius[i] + bodies.radius[k],
     };
-    let gap = pair.d.length_squared() - pair.reach * pair.reach;
-    let time = if gap <= 2.0 * pair.reach * TOUCHING {
+    let gap = pair.d.length_squared() - pair.contact_distance * pair.contact_distance;
+    let time = if gap <= 2.0 * pair.contact_distance * TOUCHING {
         let speed = at_i.velocity.length() + at_k.velocity.length();
         pair.touching(gap, speed, end)
     } else if !bodies.moving[k] || !bodies.moving[i] {
         // Seen from the one at rest, the other goes straight.
-        straight(pair.d, pair.w, pair.a, pair.reach, gap)
+        straight(pair.d, pair.w, pair.a, pair.contact_distance, gap)
     } else {
         pair.apart(gap, end)
     };
@@ -54,7 +54,7 @@ struct Pair {
     w: DVec2,
     a: DVec2,
     /// Sum of the radii.
-    reach: f64,
+    contact_distance: f64,
 }
 
 impl Pair {
@@ -71,7 +71,7 @@ impl Pair {
     /// A pair with room between them: |d|² − reach² = `gap` > 0.
     fn apart(&self, gap: f64, end: f64) -> Option<f64> {
         if self.a == DVec2::ZERO {
-            straight(self.d, self.w, self.a, self.reach, gap)
+            straight(self.d, self.w, self.a, self.contact_distance, gap)
         } else {
             self.curved(gap, end)
         }
@@ -80,15 +80,15 @@ impl Pair {
     /// A pair in contact but for rounding. `speed` is the sum of the discs' speeds.
     #[cold]
     fn touching(&self, gap: f64, speed: f64, end: f64) -> Option<f64> {
-        let parting = self.d.dot(self.w) / self.reach;
-        let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.reach;
+        let parting = self.d.dot(self.w) / self.contact_distance;
+        let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.contact_distance;
         // A pair that starts pressing from rest passes PRESS with twice this speed: an
         // impact there sends it apart fast enough not to be taken for gentle again.
-        let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= GENTLE;
+        let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= PRESSING_SPEED;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {
             let distance = self.d.length();
-            let bottom = (distance - PRESS).max(self.reach - DEEPEST);
+            let bottom = (distance - PRESS).max(self.contact_distance - DEEPEST);
             let room = (distance - bottom) * (distance + bottom);
             if !slides {
                 return None;
@@ -125,20 +125,10 @@ impl Pair {
     }
 }
 
-/// Time until d + w t + ½ a t² comes down to the length `reach`, if a is against w or
-/// zero: the path is straight, so the way to go comes from a triangle and the time
-/// from s = v t − ½ a t². `gap` is |d|² − reach² > 0.
-fn straight(d: DVec2, w: DVec2, a: DVec2, reach: f64, gap: f64) -> Option<f64> {
-    let ahead = -d.dot(w);
-    if ahead <= 0.0 {
-        return None;
-    }
-    // All lengths times the speed: no need to draw its root.
-    let speed2 = w.length_squared();
-    let offset = d.perp_dot(w);
-    let room = reach * reach * speed2 - offset * offset;
-    if room <= 0.0 {
-        return None;
-    }
-    slowed(gap / (ahead + room.sqrt()), -a.dot(w) / speed2)
+/// Time until |d + w t + ½ a t²| comes down to `distance`, if a is against w or zero:
+/// the path is straight, so the way to go comes from a triangle and the time from
+/// s = v t − ½ a t². `gap` is |d|² − distance² > 0.
+fn straight(d: DVec2, w: DVec2, a: DVec2, distance: f64, gap: f64) -> Option<f64> {
+    let time = time_to_distance(d, w, distance, gap)?;
+    slowed(time, -a.dot(w) / w.length_squared())
 }

@@ -5,7 +5,7 @@
 //! only, and is made anew when the disc passes into another cell.
 
 use super::super::{Board, Disc, Motion};
-use super::frame::Side;
+use super::frame::FrameSide;
 
 /// From this many discs on a grid is quicker than looking at all pairs.
 pub(super) const WORTHWHILE: usize = 48;
@@ -15,7 +15,7 @@ pub(super) const WORTHWHILE: usize = 48;
 pub(super) struct Grid {
     /// Cells along a side; 0 if there is no grid.
     columns: usize,
-    /// Side of a cell in metres.
+    /// FrameSide of a cell in metres.
     size: f64,
     /// Half the side of the board.
     half: f64,
@@ -69,7 +69,7 @@ impl Grid {
 
     /// Seconds from the start of a slide, at its first speed, until the disc leaves
     /// its cell, and on which side; never for one that leaves it for the cushion.
-    pub(super) fn leaves(&self, i: usize, start: Motion) -> (f64, Side) {
+    pub(super) fn leaves(&self, i: usize, start: Motion) -> (f64, FrameSide) {
         let to = |place: f64, speed: f64, cell: usize| {
             let edge = if speed > 0.0 && cell + 1 < self.columns {
                 cell + 1
@@ -86,21 +86,21 @@ impl Grid {
         let x = to(position.x, velocity.x, column);
         let y = to(position.y, velocity.y, row);
         if x <= y {
-            (x, Side::across(velocity.x))
+            (x, FrameSide::horizontal(velocity.x))
         } else {
-            (y, Side::upright(velocity.y))
+            (y, FrameSide::vertical(velocity.y))
         }
     }
 
     /// Moves a disc into the next cell on a side.
-    pub(super) fn cross(&mut self, i: usize, side: Side) {
+    pub(super) fn cross(&mut self, i: usize, side: FrameSide) {
         self.remove(i);
         let (column, row) = self.places[i];
         let place = match side {
-            Side::Left => (column - 1, row),
-            Side::Right => (column + 1, row),
-            Side::Bottom => (column, row - 1),
-            Side::Top => (column, row + 1),
+            FrameSide::Left => (column - 1, row),
+            FrameSide::Right => (column + 1, row),
+            FrameSide::Bottom => (column, row - 1),
+            FrameSide::Top => (column, row + 1),
         };
         self.places[i] = place;
         self.cells[place.1 * self.columns + place.0].push(i);

@@ -7,11 +7,10 @@ use super::super::impact::Contact;
 use super::super::shot::EventKind;
 use super::contact::{TOUCHING, contact};
 use super::impulse::{Touch, simultaneous};
-use super::play::Play;
-use super::record::Record;
+use super::play::ShotInPlay;
 use super::schedule::SAME_TIME;
 
-impl<R: Record> Play<'_, R> {
+impl ShotInPlay<'_> {
     /// Resolves the contact of two discs, with all others at the same instant that
     /// share a disc with it.
     pub(super) fn impact(&mut self, i: usize, k: usize, time: f64) {

@@ -5,6 +5,10 @@
 //! its own approach speed turned around with its own e, all at once, and none may
 //! pull: a linear complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never
 //! rises: it changes by −½ Σ (1−e) J w.
+//!
+//! Such problems: R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear Complementarity
+//! Problem* (1992); this one for several impacts at once: F. Pfeiffer and C. Glocker,
+//! *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8.
 
 use glam::DVec2;
 

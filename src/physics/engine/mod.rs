@@ -10,6 +10,7 @@
 //! machine and every build plays the same shot bit for bit.
 
 mod bodies;
+mod broad_phase;
 mod check;
 mod contact;
 mod error;
@@ -19,9 +20,7 @@ mod impacts;
 mod impulse;
 mod play;
 mod quartic;
-mod record;
 mod schedule;
-mod screen;
 
 #[cfg(test)]
 mod tests;
@@ -31,7 +30,7 @@ pub use error::EngineError;
 use super::{Board, Disc, Motion, Shot};
 use bodies::Bodies;
 use grid::Grid;
-use play::{Play, Scratch};
+use play::{Scratch, ShotInPlay};
 use schedule::Schedule;
 
 /// How far to play a shot.
@@ -109,14 +108,14 @@ impl Engine {
         self.bodies.begin(discs, start, deceleration);
         self.schedule.begin(discs.len());
         self.grid.begin(board, discs, start);
-        let duration = Play {
+        let duration = ShotInPlay {
             board,
             limits,
             bodies: &mut self.bodies,
             schedule: &mut self.schedule,
             grid: &mut self.grid,
             scratch: &mut self.scratch,
-            record: shot,
+            shot,
             deceleration,
             events: 0,
         }

@@ -4,41 +4,40 @@ use glam::DVec2;
 
 use super::super::shot::{Event, EventKind};
 use super::super::slide::slowed;
-use super::super::{Board, Motion};
+use super::super::{Board, Motion, Shot};
 use super::bodies::Bodies;
 use super::contact::contact;
-use super::frame::{End, Side, end};
+use super::frame::{FrameSide, SlideEnd, end};
 use super::grid::Grid;
-use super::record::Record;
 use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::{EngineError, Limits};
 
 /// On a board with friction discs that approach slower than this (m/s) part again as
 /// fast as they came, whatever e is: otherwise they could meet infinitely often
 /// before friction stops them.
-const GENTLE: f64 = 2e-3;
+const ELASTIC_BELOW: f64 = 2e-3;
 
 /// Working memory of the search for partners.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Scratch {
-    margins: Vec<f64>,
+    clearances: Vec<f64>,
     near: Vec<usize>,
 }
 
-/// One shot under way.
-pub(super) struct Play<'a, R> {
+/// One shot that is being played.
+pub(super) struct ShotInPlay<'a> {
     pub(super) board: &'a Board,
     pub(super) limits: Limits,
     pub(super) bodies: &'a mut Bodies,
     pub(super) schedule: &'a mut Schedule,
     pub(super) grid: &'a mut Grid,
     pub(super) scratch: &'a mut Scratch,
-    pub(super) record: &'a mut R,
+    pub(super) shot: &'a mut Shot,
     pub(super) deceleration: f64,
     pub(super) events: usize,
 }
 
-impl<R: Record> Play<'_, R> {
+impl ShotInPlay<'_> {
     /// Plays the shot and returns how long it took, in seconds.
     pub(super) fn run(mut self) -> Result<f64, EngineError> {
         self.set_off();
@@ -99,12 +98,17 @@ impl<R: Record> Play<'_, R> {
     fn forecast_alone(&mut self, i: usize) {
         let since = self.bodies.since[i];
         let start = self.bodies.start(i);
-        let slowing = self.bodies.slowing[i];
-        let (mut time, mut end) = end(self.board, self.bodies.radius[i], start, slowing);
+        let relative_deceleration = self.bodies.relative_deceleration[i];
+        let (mut time, mut end) = end(
+            self.board,
+            self.bodies.radius[i],
+            start,
+            relative_deceleration,
+        );
         if self.bodies.moving[i] && self.grid.is_laid() {
             let (leaves, side) = self.grid.leaves(i, start);
-            if let Some(leaves) = slowed(leaves, slowing).filter(|&t| t < time) {
-                (time, end) = (leaves, End::Cell(side));
+            if let Some(leaves) = slowed(leaves, relative_deceleration).filter(|&t| t < time) {
+                (time, end) = (leaves, SlideEnd::Cell(side));
             }
         }
         self.schedule.set(i, since + time, Forecast::Alone(end));
@@ -117,15 +121,16 @@ impl<R: Record> Play<'_, R> {
             self.grid.near(i, &mut self.scratch.near);
             for n in 0..self.scratch.near.len() {
                 let k = self.scratch.near[n];
-                if self.bodies.margin(&seeker, k, self.schedule.time(k)) <= 0.0 {
+                if self.bodies.clearance(&seeker, k, self.schedule.time(k)) <= 0.0 {
                     self.forecast_meeting(i, k, now);
                 }
             }
         } else {
-            let margins = &mut self.scratch.margins;
-            self.bodies.margins(&seeker, self.schedule.times(), margins);
+            let clearances = &mut self.scratch.clearances;
+            self.bodies
+                .clearances(&seeker, self.schedule.times(), clearances);
             for k in 0..self.bodies.len() {
-                if self.scratch.margins[k] <= 0.0 {
+                if self.scratch.clearances[k] <= 0.0 {
                     self.forecast_meeting(i, k, now);
                 }
             }
@@ -153,16 +158,16 @@ impl<R: Record> Play<'_, R> {
     }
 
     /// Ends a slide that no other disc interfered with.
-    fn finish(&mut self, i: usize, time: f64, end: End) {
+    fn finish(&mut self, i: usize, time: f64, end: SlideEnd) {
         let now = self.bodies.at(i, time);
         match end {
-            End::Never => return,
-            End::Cell(side) => self.grid.cross(i, side),
-            End::Stop => self.release(i, time, Motion::at_rest(now.position)),
-            End::Cushion(side) => self.cushion(i, time, now, side),
-            End::Pocket(corner) => {
+            SlideEnd::Never => return,
+            SlideEnd::Cell(side) => self.grid.cross(i, side),
+            SlideEnd::Stop => self.release(i, time, Motion::at_rest(now.position)),
+            SlideEnd::Cushion(side) => self.cushion(i, time, now, side),
+            SlideEnd::Pocket(corner) => {
                 let place = Motion::at_rest(now.position);
-                self.record.turn(i, time, place, true);
+                self.shot.push_leg(i, time, place, true);
                 self.event(time, EventKind::Pocket { disc: i, corner });
                 self.bodies.remove(i);
                 self.grid.remove(i);
@@ -172,16 +177,16 @@ impl<R: Record> Play<'_, R> {
         self.forecast(&[i], time);
     }
 
-    fn cushion(&mut self, i: usize, time: f64, now: Motion, side: Side) {
+    fn cushion(&mut self, i: usize, time: f64, now: Motion, side: FrameSide) {
         let wall = 0.5 * self.board.side - self.bodies.radius[i];
         let mut after = now;
         let (place, speed) = match side {
-            Side::Left | Side::Right => (&mut after.position.x, &mut after.velocity.x),
-            Side::Bottom | Side::Top => (&mut after.position.y, &mut after.velocity.y),
+            FrameSide::Left | FrameSide::Right => (&mut after.position.x, &mut after.velocity.x),
+            FrameSide::Bottom | FrameSide::Top => (&mut after.position.y, &mut after.velocity.y),
         };
         *place = match side {
-            Side::Left | Side::Bottom => -wall,
-            Side::Right | Side::Top => wall,
+            FrameSide::Left | FrameSide::Bottom => -wall,
+            FrameSide::Right | FrameSide::Top => wall,
         };
         *speed *= -self.restitution(self.board.cushion_restitution, speed.abs());
         self.event(
@@ -198,7 +203,7 @@ impl<R: Record> Play<'_, R> {
 
     /// The restitution at a speed of approach in m/s.
     pub(super) fn restitution(&self, board: f64, approach: f64) -> f64 {
-        if self.deceleration > 0.0 && approach < GENTLE {
+        if self.deceleration > 0.0 && approach < ELASTIC_BELOW {
             1.0
         } else {
             board
@@ -209,14 +214,14 @@ impl<R: Record> Play<'_, R> {
     pub(super) fn release(&mut self, disc: usize, time: f64, motion: Motion) {
         let moved = self.bodies.moving[disc];
         self.bodies.launch(disc, time, motion, self.deceleration);
-        self.record.turn(disc, time, motion, false);
+        self.shot.push_leg(disc, time, motion, false);
         if moved && motion.velocity == DVec2::ZERO {
             self.event(time, EventKind::Rest { disc });
         }
     }
 
     pub(super) fn event(&mut self, time: f64, kind: EventKind) {
-        self.record.event(Event { time, kind });
+        self.shot.push_event(Event { time, kind });
         self.events += 1;
     }
 }

@@ -9,7 +9,8 @@ const DEPTH: u32 = 50;
 ///
 /// In Bernstein form on an interval the polynomial lies within the hull of its
 /// coefficients: all positive means no root there, one change of sign means exactly
-/// one root. Otherwise the interval is halved and the left half searched first, so
+/// one root (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)
+/// 112). Otherwise the interval is halved and the left half searched first, so
 /// no root is passed over. A double root (a graze) counts as no root.
 pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
     // On the unit interval.
@@ -162,18 +163,18 @@ mod tests {
             let size = rng.random_range(least..most);
             (size * angle.cos(), size * angle.sin())
         };
-        let reach = 0.0318;
-        let d = vector(reach, 0.4);
+        let contact_distance = 0.0318;
+        let d = vector(contact_distance, 0.4);
         let (u, v) = (vector(0.01, 4.0), vector(0.01, 4.0));
         let slowed = |(x, y): (f64, f64)| {
-            let slowing = -1.1768 / (x * x + y * y).sqrt();
-            (slowing * x, slowing * y)
+            let relative_deceleration = -1.1768 / (x * x + y * y).sqrt();
+            (relative_deceleration * x, relative_deceleration * y)
         };
         let minus = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0, a.1 - b.1);
         let dot = |a: (f64, f64), b: (f64, f64)| a.0 * b.0 + a.1 * b.1;
         let (w, a) = (minus(v, u), minus(slowed(v), slowed(u)));
         [
-            dot(d, d) - reach * reach,
+            dot(d, d) - contact_distance * contact_distance,
             2.0 * dot(d, w),
             dot(w, w) + dot(d, a),
             dot(w, a),

@@ -1,6 +1,6 @@
 //! What comes next: one forecast a disc.
 
-use super::frame::End;
+use super::frame::SlideEnd;
 
 /// Contacts on shared discs within this many seconds are one event: a symmetric
 /// break reaches both sides at times that differ only by rounding.
@@ -14,7 +14,7 @@ const BLOCK: usize = 32;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Forecast {
     /// Its slide ends by itself.
-    Alone(End),
+    Alone(SlideEnd),
     /// It meets a partner that is still on the slide of this version.
     Meet { partner: usize, version: u32 },
 }
@@ -40,7 +40,8 @@ impl Schedule {
         self.earliest.clear();
         self.earliest.resize(blocks, None);
         self.forecasts.clear();
-        self.forecasts.resize(discs, Forecast::Alone(End::Never));
+        self.forecasts
+            .resize(discs, Forecast::Alone(SlideEnd::Never));
     }
 
     pub(super) fn set(&mut self, disc: usize, time: f64, forecast: Forecast) {

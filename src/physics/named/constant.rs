@@ -6,7 +6,7 @@ use super::super::units::rad_from_deg;
 
 /// What a [`Constant`] is computed from, in the units of files.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Fields {
+struct ConstantFields {
     angle_deg: f64,
     to_deg: f64,
     z: f64,
@@ -14,7 +14,7 @@ struct Fields {
     thickness_um: f64,
 }
 
-impl Default for Fields {
+impl Default for ConstantFields {
     /// α particles of radium C on Geiger and Marsden's gold foil of 1913.
     fn default() -> Self {
         Self {
@@ -27,7 +27,7 @@ impl Default for Fields {
     }
 }
 
-impl Fields {
+impl ConstantFields {
     fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         let (slot, least, most) = match field {
             "angle_deg" => (&mut self.angle_deg, 0.001, 180.0),
@@ -68,10 +68,10 @@ impl Fields {
 const SCREEN: f64 = 1e-6 / 1e-4;
 
 /// How a number follows from its fields.
-type Formula = fn(&Fields) -> Option<f64>;
+type ConstantFormula = fn(&ConstantFields) -> Option<f64>;
 
 /// Names and how each is computed.
-const ALL: [(&str, Formula); 9] = [
+const ALL: [(&str, ConstantFormula); 9] = [
     ("board_share", |f| Some(Beam::Board.share_beyond(f.angle()))),
     ("space_share", |f| Some(Beam::Space.share_beyond(f.angle()))),
     ("rutherford_d_fm", |f| {
@@ -99,8 +99,8 @@ const ALL: [(&str, Formula); 9] = [
 /// A number that follows from no collision.
 #[derive(Debug, Clone, Copy)]
 pub struct Constant {
-    of: Formula,
-    fields: Fields,
+    of: ConstantFormula,
+    fields: ConstantFields,
 }
 
 impl Constant {
@@ -109,7 +109,7 @@ impl Constant {
         let (_, of) = ALL.into_iter().find(|(known, _)| *known == name)?;
         Some(Self {
             of,
-            fields: Fields::default(),
+            fields: ConstantFields::default(),
         })
     }
 

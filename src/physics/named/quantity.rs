@@ -5,7 +5,8 @@ use glam::DVec2;
 use super::super::frames::cm_scattering_angle;
 use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
 use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
-use super::super::{Bond, Collision, Frame, Outcome, RestingTarget};
+use super::super::{Bond, Collision, CollisionOutcome, Frame, RestingTarget};
+use crate::numbers::{fixed, true_minus};
 
 /// A number that follows from a collision.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +19,7 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Decimals it is shown with where nobody says how many.
     pub decimals: usize,
-    of: fn(&Collision, &Outcome) -> Option<f64>,
+    of: fn(&Collision, &CollisionOutcome) -> Option<f64>,
 }
 
 /// The same by name.
@@ -33,7 +34,7 @@ const fn quantity(
     symbol: &'static str,
     unit: &'static str,
     decimals: usize,
-    of: fn(&Collision, &Outcome) -> Option<f64>,
+    of: fn(&Collision, &CollisionOutcome) -> Option<f64>,
 ) -> Quantity {
     Quantity {
         name,
@@ -93,10 +94,10 @@ impl Quantity {
         }),
         quantity("offset_mm", "b", "mm", 1, |c, _| Some(mm_from_m(c.offset))),
         quantity("reach_mm", "r₁ + r₂", "mm", 1, |c, _| {
-            Some(mm_from_m(c.reach()))
+            Some(mm_from_m(c.contact_distance()))
         }),
         quantity("offset_share", "b/(r₁ + r₂)", "", 3, |c, _| {
-            Some(c.offset / c.reach())
+            Some(c.offset / c.contact_distance())
         }),
         quantity("mass_ratio", "m₁/m₂", "", 2, |c, _| {
             Some(c.striker.mass / c.target.mass)
@@ -215,13 +216,7 @@ impl Quantity {
     pub fn shown(&self, collision: &Collision) -> String {
         self.of(collision).map_or_else(
             || "undefined".into(),
-            |value| {
-                let text = format!("{value:.*}", self.decimals);
-                // What rounds to nothing has no sign.
-                let nothing = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
-                let text = if nothing { text.replace('-', "") } else { text };
-                text.replace('-', "−")
-            },
+            |value| true_minus(&fixed(value, self.decimals)),
         )
     }
 }

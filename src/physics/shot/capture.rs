@@ -8,9 +8,9 @@
 use glam::DVec2;
 use thiserror::Error;
 
-use super::super::capture::moment_of_inertia;
-use super::super::impact::reduced_mass;
-use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot, Turn};
+use super::super::capture::capture;
+use super::super::slide::time_to_distance;
+use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot};
 
 /// Why two discs cannot be set off to stick.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -33,7 +33,7 @@ pub enum CaptureError {
 
 /// Two discs stuck together, turning about their centre of mass without friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Capture {
+pub(super) struct StuckPair {
     time: f64,
     centre: DVec2,
     velocity: DVec2,
@@ -44,23 +44,24 @@ pub(super) struct Capture {
     energy: f64,
 }
 
-impl Capture {
+impl StuckPair {
     /// The pair formed at `time` by two discs that touch.
     fn new(time: f64, discs: &[Disc; 2], at: &[Motion; 2]) -> Self {
         let [m1, m2] = discs.map(|disc| disc.mass);
         let total = m1 + m2;
         let apart = at[1].position - at[0].position;
-        let relative = at[1].velocity - at[0].velocity;
+        let closing = at[0].velocity - at[1].velocity;
         let velocity = (at[0].velocity * m1 + at[1].velocity * m2) / total;
-        let inertia = moment_of_inertia(discs[0], discs[1]);
-        let omega = reduced_mass(m1, m2) * apart.perp_dot(relative) / inertia;
+        let speed = closing.length();
+        let turning = capture(discs[0], discs[1], apart.perp_dot(closing) / speed, speed);
         Self {
             time,
             centre: (at[0].position * m1 + at[1].position * m2) / total,
             velocity,
             arms: [apart * (-m2 / total), apart * (m1 / total)],
-            omega,
-            energy: 0.5 * total * velocity.length_squared() + 0.5 * inertia * omega * omega,
+            // A capture's spin counts clockwise.
+            omega: -turning.spin,
+            energy: 0.5 * total * velocity.length_squared() + turning.rotation_energy,
         }
     }
 
@@ -130,34 +131,28 @@ impl Shot {
         if !(duration.is_finite() && duration >= 0.0) {
             return Err(CaptureError::Duration);
         }
-        let reach = discs[0].radius + discs[1].radius;
+        let touching = discs[0].radius + discs[1].radius;
         let apart = start[1].position - start[0].position;
-        if apart.length() < reach * (1.0 - 1e-9) {
+        if apart.length() < touching * (1.0 - 1e-9) {
             return Err(CaptureError::Overlap);
         }
         let mut shot = Self::new();
         shot.begin(&Board::open(0.0), &discs, &start);
         shot.end(duration);
         let relative = start[1].velocity - start[0].velocity;
-        if let Some(time) = meeting_time(apart, relative, reach).filter(|&t| t <= duration) {
+        let gap = (apart.length_squared() - touching * touching).max(0.0);
+        let meeting = time_to_distance(apart, relative, touching, gap);
+        if let Some(time) = meeting.filter(|&t| t <= duration) {
             let met = start.map(|motion| Motion {
                 position: motion.position + motion.velocity * time,
                 velocity: motion.velocity,
             });
-            let pair = Capture::new(time, &discs, &met);
+            let pair = StuckPair::new(time, &discs, &met);
             let after = [pair.at(0, time), pair.at(1, time)];
             for (disc, motion) in after.into_iter().enumerate() {
-                let pocketed = false;
-                shot.push_turn(
-                    disc,
-                    Turn {
-                        time,
-                        motion,
-                        pocketed,
-                    },
-                );
+                shot.push_leg(disc, time, motion, false);
             }
-            shot.push_event(Event {
+            shot.events.push(Event {
                 time,
                 kind: EventKind::Impact {
                     discs: [0, 1],
@@ -170,20 +165,6 @@ impl Shot {
         }
         Ok(shot)
     }
-}
-
-/// When |d + w t| first comes down to `reach`: the smaller root of the quadratic,
-/// in the form that keeps its digits. `None` for a miss.
-fn meeting_time(apart: DVec2, relative: DVec2, reach: f64) -> Option<f64> {
-    let closing = -apart.dot(relative);
-    let speed = relative.length();
-    let offset = apart.perp_dot(relative) / speed;
-    let gap = (apart.length_squared() - reach * reach).max(0.0);
-    if closing <= 0.0 || offset.abs() >= reach {
-        return None;
-    }
-    let depth = ((reach - offset) * (reach + offset)).sqrt();
-    Some(gap / (closing + speed * depth))
 }
 
 #[cfg(test)]

@@ -17,12 +17,12 @@ pub use number::number;
 use glam::DVec2;
 
 use super::units::{g_from_kg, mm_from_m};
-use super::{Bond, Collision, Meeting, Outcome};
+use super::{Bond, Collision, CollisionOutcome, Meeting};
 use number::{beside, degrees, vector};
 
 /// One step of a worked solution.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Step {
+pub struct WorkedStep {
     /// What is done.
     pub title: &'static str,
     /// Why it may be done, or what it means, in a sentence or two; may be empty.
@@ -34,7 +34,7 @@ pub struct Step {
 
 /// The whole solution: what is known, the working, a check and the result in words. The
 /// problem gives the impact angle or, `by_offset`, the offset and both radii.
-pub fn steps(collision: &Collision, by_offset: bool) -> Vec<Step> {
+pub fn steps(collision: &Collision, by_offset: bool) -> Vec<WorkedStep> {
     let outcome = collision.outcome();
     let mut steps = vec![knowns(collision, by_offset)];
     if by_offset {
@@ -51,7 +51,7 @@ pub fn steps(collision: &Collision, by_offset: bool) -> Vec<Step> {
         });
         steps.push(check(collision, &outcome));
     }
-    steps.push(Step {
+    steps.push(WorkedStep {
         title: "In words",
         why: words::result(collision, &outcome),
         lines: Vec::new(),
@@ -59,7 +59,7 @@ pub fn steps(collision: &Collision, by_offset: bool) -> Vec<Step> {
     steps
 }
 
-fn knowns(c: &Collision, by_offset: bool) -> Step {
+fn knowns(c: &Collision, by_offset: bool) -> WorkedStep {
     let body = |name: &str, sub: char, mass: f64, u: DVec2| {
         let velocity = if u.length() > 0.0 {
             format!(
@@ -89,7 +89,7 @@ fn knowns(c: &Collision, by_offset: bool) -> Step {
         Bond::Slip => format!("restitution  e = {}, smooth discs", number(c.restitution)),
         Bond::Stick => "the discs stick where they touch".to_owned(),
     });
-    Step {
+    WorkedStep {
         title: "What we know",
         why: "The impact angle α runs from the striker's motion, as the target sees it, to \
               the line of impact n through both centres. It is positive when the target's \
@@ -99,8 +99,8 @@ fn knowns(c: &Collision, by_offset: bool) -> Step {
     }
 }
 
-fn where_they_meet(c: &Collision) -> Step {
-    let reach = c.reach();
+fn where_they_meet(c: &Collision) -> WorkedStep {
+    let reach = c.contact_distance();
     let mut lines = vec![format!(
         "r₁ + r₂ = {} + {} = {} mm",
         mm(c.striker.radius),
@@ -122,7 +122,7 @@ fn where_they_meet(c: &Collision) -> Step {
         ),
         None => "u₁ = u₂: neither comes nearer to the other".to_owned(),
     });
-    Step {
+    WorkedStep {
         title: "Do they meet, and how squarely?",
         why: "When the discs touch, their centres are r₁ + r₂ apart, and the offset b is the \
               side opposite α in the right-angled triangle with that hypotenuse."
@@ -132,7 +132,7 @@ fn where_they_meet(c: &Collision) -> Step {
 }
 
 /// Speeds and angles after a hit.
-fn directions(c: &Collision, after: &Outcome) -> Step {
+fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let mut lines = vec![
         angle_line(
             "θ₁",
@@ -155,7 +155,7 @@ fn directions(c: &Collision, after: &Outcome) -> Step {
         Some(angle) => format!("separation, from v₁ to v₂: {}", degrees(angle)),
         None => "separation: undefined, for a disc at rest has no direction".to_owned(),
     });
-    Step {
+    WorkedStep {
         title: "Read off the angles",
         why: "Both are measured from the striker's old direction u₁: θ₁ to where the striker \
               goes, θ₂ to where the target goes."
@@ -201,7 +201,7 @@ fn angle_line(
     }
 }
 
-fn check(c: &Collision, after: &Outcome) -> Step {
+fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let (m1, m2) = (g_from_kg(c.striker.mass), g_from_kg(c.target.mass));
     let scale = m1 * c.u1.length() + m2 * c.u2.length();
     let before_p = m1 * c.u1 + m2 * c.u2;
@@ -250,7 +250,7 @@ fn check(c: &Collision, after: &Outcome) -> Step {
             number(100.0 * share)
         ));
     }
-    Step {
+    WorkedStep {
         title: "Check",
         why: if lost {
             "Momentum must balance in every collision. Energy need not: what is missing has \
@@ -277,8 +277,8 @@ mod tests {
     use crate::physics::Disc;
     use proptest::prelude::*;
 
-    fn whole_text(steps: &[Step]) -> String {
-        let part = |s: &Step| format!("{}\n{}\n{}\n", s.title, s.why, s.lines.join("\n"));
+    fn whole_text(steps: &[WorkedStep]) -> String {
+        let part = |s: &WorkedStep| format!("{}\n{}\n{}\n", s.title, s.why, s.lines.join("\n"));
         steps.iter().map(part).collect()
     }
 
@@ -308,7 +308,7 @@ mod tests {
                 bond: if stick { Bond::Stick } else { Bond::Slip },
                 ..Collision::at_offset(disc(masses.0, radii.0), disc(masses.1, radii.1), DVec2::new(a, b), 0.0)
             };
-            let offset = share * hit.reach();
+            let offset = share * hit.contact_distance();
             let text = whole_text(&steps(&Collision { offset, ..hit }, by_offset));
             for never in ["NaN", "inf"] {
                 prop_assert!(!text.contains(never), "{}", text);

@@ -1,12 +1,12 @@
 //! The working for smooth discs: split, resolve along n, keep across, put together.
 
 use super::number::{beside, factor, number, vector};
-use super::{Step, grams};
+use super::{WorkedStep, grams};
 use crate::physics::units::g_from_kg;
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 use glam::DVec2;
 
-pub(super) fn steps(c: &Collision, after: &Outcome) -> Vec<Step> {
+pub(super) fn steps(c: &Collision, after: &CollisionOutcome) -> Vec<WorkedStep> {
     let (Some(n), Some(t)) = (after.normal, after.tangent) else {
         return Vec::new();
     };
@@ -22,7 +22,7 @@ fn speed_scale(c: &Collision) -> f64 {
     c.u1.length() + c.u2.length()
 }
 
-fn split(c: &Collision, n: DVec2, t: DVec2) -> Step {
+fn split(c: &Collision, n: DVec2, t: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
     let part = |name: &str, u: DVec2, axis: char, unit: DVec2| {
         format!(
@@ -42,7 +42,7 @@ fn split(c: &Collision, n: DVec2, t: DVec2) -> Step {
     } else {
         ("", "")
     };
-    Step {
+    WorkedStep {
         title: "Split each velocity along n and across it",
         why: format!(
             "Smooth discs can push on each other only along the line through their centres. \
@@ -65,7 +65,7 @@ fn split(c: &Collision, n: DVec2, t: DVec2) -> Step {
     }
 }
 
-fn along(c: &Collision, after: &Outcome, n: DVec2) -> Step {
+fn along(c: &Collision, after: &CollisionOutcome, n: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
     let (m1, m2) = (grams(c.striker.mass), grams(c.target.mass));
     let total = number(g_from_kg(c.striker.mass + c.target.mass));
@@ -73,7 +73,7 @@ fn along(c: &Collision, after: &Outcome, n: DVec2) -> Step {
     let lively = number(1.0 + c.restitution);
     let (u1n, u2n) = (c.u1.dot(n), c.u2.dot(n));
     let (f1, f2) = (factor(u1n, scale), factor(u2n, scale));
-    Step {
+    WorkedStep {
         title: "Along n: a head-on collision in one dimension",
         why: "Momentum along n is kept, and restitution says how fast the two part along n: \
               e times as fast as they came together. Solved for the two speeds:"
@@ -97,17 +97,17 @@ fn along(c: &Collision, after: &Outcome, n: DVec2) -> Step {
     }
 }
 
-fn across(c: &Collision, t: DVec2) -> Step {
+fn across(c: &Collision, t: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
     let line = |sub: char, u: DVec2| format!("v{sub}ₜ = u{sub}ₜ = {} m/s", beside(u.dot(t), scale));
-    Step {
+    WorkedStep {
         title: "Across: nothing changes",
         why: "No force acts along t, so each disc keeps that part of its velocity.".to_owned(),
         lines: vec![line('₁', c.u1), line('₂', c.u2)],
     }
 }
 
-fn together(c: &Collision, after: &Outcome, n: DVec2, t: DVec2) -> Step {
+fn together(c: &Collision, after: &CollisionOutcome, n: DVec2, t: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
     let body = |sub: char, v: DVec2| {
         [
@@ -120,7 +120,7 @@ fn together(c: &Collision, after: &Outcome, n: DVec2, t: DVec2) -> Step {
             ),
         ]
     };
-    Step {
+    WorkedStep {
         title: "Put the parts together",
         why: "n and t stand at right angles, so the speeds follow from Pythagoras.".to_owned(),
         lines: [body('₁', after.v1), body('₂', after.v2)].concat(),

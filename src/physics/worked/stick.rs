@@ -2,21 +2,21 @@
 //! turn about it.
 
 use super::number::{beside, number, vector};
-use super::{Step, angle_line, grams, mm};
+use super::{WorkedStep, angle_line, grams, mm};
 use crate::physics::capture::moment_of_inertia;
 use crate::physics::impact::reduced_mass;
 use crate::physics::units::g_from_kg;
-use crate::physics::{Collision, Outcome};
+use crate::physics::{Collision, CollisionOutcome};
 
-pub(super) fn steps(c: &Collision, after: &Outcome) -> Vec<Step> {
+pub(super) fn steps(c: &Collision, after: &CollisionOutcome) -> Vec<WorkedStep> {
     vec![centre_of_mass(c, after), turning(c, after)]
 }
 
-fn centre_of_mass(c: &Collision, after: &Outcome) -> Step {
+fn centre_of_mass(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let scale = c.u1.length() + c.u2.length();
     let (m1, m2) = (grams(c.striker.mass), grams(c.target.mass));
     let total = number(g_from_kg(c.striker.mass + c.target.mass));
-    Step {
+    WorkedStep {
         title: "The centre of mass",
         why: "Stuck together the two are one body. Its centre of mass takes all the momentum \
               along; there is nothing to split."
@@ -33,7 +33,7 @@ fn centre_of_mass(c: &Collision, after: &Outcome) -> Step {
     }
 }
 
-fn turning(c: &Collision, after: &Outcome) -> Step {
+fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let (m1, m2) = (c.striker.mass, c.target.mass);
     let mu = reduced_mass(m1, m2);
     let speed = c.relative_velocity().length();
@@ -69,7 +69,7 @@ fn turning(c: &Collision, after: &Outcome) -> Step {
             ));
         }
     }
-    Step {
+    WorkedStep {
         title: "And a turn",
         why: "The striker comes in beside the common centre of mass, so there is angular \
               momentum too, μ b w with μ = m₁m₂ / (m₁ + m₂) and w the relative speed. It is \
@@ -81,9 +81,9 @@ fn turning(c: &Collision, after: &Outcome) -> Step {
 }
 
 /// Where the pair goes, for the two stay together.
-pub(super) fn direction(c: &Collision, after: &Outcome) -> Step {
+pub(super) fn direction(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let (left, right) = ("anticlockwise", "clockwise");
-    Step {
+    WorkedStep {
         title: "Read off the direction",
         why: "It is that of the centre of mass, measured from the striker's old direction u₁. \
               The two stay together, so there is no angle between them."

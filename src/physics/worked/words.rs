@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use super::number::{beside, degrees, number};
-use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 
 /// How near to 90° the working calls square.
 const SQUARE: f64 = 1e-9;
 
-pub(super) fn result(c: &Collision, after: &Outcome) -> String {
+pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {
     match after.meeting {
         Meeting::Miss if c.relative_velocity().length() <= 0.0 => {
             "Both move alike, so they never meet and nothing changes.".to_owned()
@@ -24,7 +24,7 @@ pub(super) fn result(c: &Collision, after: &Outcome) -> String {
     }
 }
 
-fn stuck(after: &Outcome) -> String {
+fn stuck(after: &CollisionOutcome) -> String {
     let speed = after.v1.length();
     let going = if speed > 0.0 {
         format!("goes on at {} m/s", number(speed))
@@ -43,7 +43,7 @@ fn stuck(after: &Outcome) -> String {
     format!("The two stay together: their centre of mass {going}{turning}.")
 }
 
-fn target(c: &Collision, after: &Outcome) -> String {
+fn target(c: &Collision, after: &CollisionOutcome) -> String {
     let speed = number(after.v2.length());
     match after.theta2 {
         _ if after.v2.length() <= 0.0 => "The target is brought to rest.".to_owned(),
@@ -60,7 +60,7 @@ fn target(c: &Collision, after: &Outcome) -> String {
     }
 }
 
-fn striker(c: &Collision, after: &Outcome) -> String {
+fn striker(c: &Collision, after: &CollisionOutcome) -> String {
     let speed = number(after.v1.length());
     match after.theta1 {
         _ if after.v1.length() <= 0.0 => {
@@ -94,7 +94,7 @@ fn course(angle: f64, positive: &str, negative: &str, whose: &str) -> String {
 }
 
 /// The angle between the two departures, and what it says about the masses.
-fn parting(c: &Collision, after: &Outcome) -> String {
+fn parting(c: &Collision, after: &CollisionOutcome) -> String {
     let Some(separation) = after.separation else {
         return String::new();
     };

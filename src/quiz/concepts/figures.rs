@@ -1,5 +1,6 @@
 //! The figures of a text, filled in from the question's own hit.
 
+use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;
 use crate::physics::named::{Constant, Quantity};
 
@@ -51,9 +52,9 @@ fn figure(asked: &str, hit: Option<CollisionSpec>) -> Result<String, String> {
     };
     let value = value.ok_or_else(|| format!("expected a figure, but {name} is undefined here"))?;
     Ok(if percent {
-        shown(100.0 * value, PERCENT_DECIMALS) + " %"
+        with_unit(&true_minus(&short(100.0 * value, PERCENT_DECIMALS)), "%")
     } else {
-        shown(value, decimals)
+        true_minus(&short(value, decimals))
     })
 }
 
@@ -78,19 +79,6 @@ fn of_hit(
     }
     shot.check()?;
     Ok((quantity.of(&shot.collision()), quantity.decimals))
-}
-
-/// A figure with at most so many decimals: "3.46", "0.5", "60".
-fn shown(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let short = match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.'),
-        false => &text,
-    };
-    match short {
-        "-0" => "0".into(),
-        short => short.replace('-', "−"),
-    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{Concept, read, with_id};
-use crate::files::{self, FileError, escape_control};
+use crate::files::{self, FileError, FileErrors, escape_control};
 
 /// How the names of files of questions end.
 const ENDING: &str = "toml";
@@ -29,9 +29,9 @@ impl Library {
                 concepts,
                 problems: Vec::new(),
             },
-            Err(fault) => Self {
+            Err(errors) => Self {
                 concepts: Vec::new(),
-                problems: vec![fault],
+                problems: errors.into_iter().collect(),
             },
         }
     }
@@ -50,20 +50,22 @@ impl Library {
         let subject = path.file_stem().map(|stem| stem.to_string_lossy());
         let subject = escape_control(&subject.unwrap_or_default(), LONGEST_SUBJECT);
         let name = path.display().to_string();
-        let added =
-            files::read(path, files::LARGEST).and_then(|bytes| self.add(&subject, &name, &bytes));
-        self.problems.extend(added.err());
+        let added = match files::read(path, files::LARGEST) {
+            Ok(bytes) => self.add(&subject, &name, &bytes),
+            Err(error) => Err(error.into()),
+        };
+        self.problems.extend(added.err().into_iter().flatten());
     }
 
     /// Adds the questions of a file if all of them are good.
-    fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileError> {
+    fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileErrors> {
         let mut fresh = Vec::new();
         read::file(subject, name, bytes, &mut fresh)?;
         for concept in &fresh {
             let known = self.concepts.iter().find(|known| known.id == concept.id);
             if let Some(known) = known.or_else(|| with_id(&concept.id)) {
                 let message = format!("expected an id of its own; {} has it already", known.file);
-                return Err(concept.fault("id", message));
+                return Err(concept.fault("id", message).into());
             }
         }
         self.concepts.extend(fresh);

@@ -18,11 +18,12 @@ use std::sync::LazyLock;
 use include_dir::{Dir, include_dir};
 
 use super::{Difficulty, Misconception, Topic};
-use crate::files::FileError;
+use crate::files::{FileError, FileErrors};
 use crate::physics::Collision;
 
 pub use check::check;
 pub use library::Library;
+pub(crate) use read::read_hit;
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/concepts");
 
@@ -72,14 +73,14 @@ pub struct Wrong {
 
 /// One of the choices of a question.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Choice<'a> {
+pub enum ConceptChoice<'a> {
     /// The right one.
     Right(&'a str),
     /// A wrong one.
     Wrong(&'a Wrong),
 }
 
-impl<'a> Choice<'a> {
+impl<'a> ConceptChoice<'a> {
     /// What it says.
     pub fn text(self) -> &'a str {
         match self {
@@ -117,10 +118,10 @@ impl Concept {
 
     /// All choices. Those of an [ordered](Self::ordered) question stand as they are to
     /// be shown; of any other the right one is first, and they have to be shuffled.
-    pub fn choices(&self) -> Vec<Choice<'_>> {
-        let mut choices: Vec<_> = self.wrongs.iter().map(Choice::Wrong).collect();
+    pub fn choices(&self) -> Vec<ConceptChoice<'_>> {
+        let mut choices: Vec<_> = self.wrongs.iter().map(ConceptChoice::Wrong).collect();
         let place = self.before_right.min(choices.len());
-        choices.insert(place, Choice::Right(&self.right));
+        choices.insert(place, ConceptChoice::Right(&self.right));
         choices
     }
 }
@@ -143,8 +144,8 @@ pub fn with_id(id: &str) -> Option<&'static Concept> {
 /// Reads the files in the program.
 ///
 /// # Errors
-/// The first thing that is wrong with them.
-fn embedded() -> Result<Vec<Concept>, FileError> {
+/// All that is wrong with the first file with which anything is.
+fn embedded() -> Result<Vec<Concept>, FileErrors> {
     let mut files: Vec<_> = FILES.files().collect();
     files.sort_by_key(|file| file.path());
     let mut concepts: Vec<Concept> = Vec::new();
@@ -154,10 +155,10 @@ fn embedded() -> Result<Vec<Concept>, FileError> {
         match name.strip_suffix(".toml") {
             Some(subject) => read::file(subject, &name, file.contents(), &mut concepts)?,
             None if name == ORDER => order = String::from_utf8_lossy(file.contents()).into(),
-            None => return Err(FileError::of_file(&name, "expected a file NAME.toml")),
+            None => return Err(FileError::of_file(&name, "expected a file NAME.toml").into()),
         }
     }
-    in_order(concepts, &order)
+    Ok(in_order(concepts, &order)?)
 }
 
 /// The questions as `order` lists their ids, one a line.

@@ -222,33 +222,37 @@ fn faults_name_line_and_field() {
         (
             "\"easy\"",
             "\"soft\"",
-            "my.toml:4: difficulty: unknown variant `soft`",
+            "my.toml:4: item.difficulty: expected one of easy, middle, hard, found the text \"soft\"",
         ),
         (
             "why =",
             "because =",
-            "my.toml:7: because: unknown field `because`",
+            "my.toml:7: item.because: unknown field; expected one of id, difficulty, ask, right, right_place, why, wrong, hit",
         ),
-        ("ask = \"Which?\"\n", "", "missing field `ask`"),
+        (
+            "ask = \"Which?\"\n",
+            "",
+            "my.toml:2: item.ask: expected text, found nothing",
+        ),
         (
             "{theta1_deg}",
             "{theta3}",
-            "my.toml:6: right: expected the name of a number",
+            "my.toml:6: item.right: expected the name of a number",
         ),
         (
             "{theta1_deg}",
             "{theta1_deg",
-            "my.toml:6: right: expected } after {",
+            "my.toml:6: item.right: expected } after {",
         ),
         (
             "alpha_deg = 30",
             "alpha_deg = 99",
-            "my.toml:8: hit: alpha_deg: expected",
+            "my.toml:8: item.hit.alpha_deg: expected an impact angle in degrees from -90 to 90, found 99",
         ),
         (
             "alpha_deg = 30",
             "alpha = 30",
-            "my.toml:8: hit: expected a field of a shot",
+            "my.toml:8: item.hit.alpha: unknown field; expected one of m1_g, ",
         ),
         (
             "alpha_deg = 30",
@@ -258,7 +262,7 @@ fn faults_name_line_and_field() {
         (
             "alpha_deg = 30",
             "alpha_deg = \"x\"",
-            "expected a number, true or false",
+            "my.toml:8: item.hit.alpha_deg: expected an impact angle in degrees from -90 to 90, found x",
         ),
         (
             "\"30°\"",
@@ -273,27 +277,27 @@ fn faults_name_line_and_field() {
         (
             "\"Because.\"",
             "\"\"",
-            "my.toml:7: why: expected printable text of 1 to 320",
+            "my.toml:7: item.why: expected text of 1 to 320 printable characters, found 0",
         ),
         (
             "copied-angle",
             "copied",
-            "my.toml:11: misconception: expected the id of a misconception, found copied",
+            "my.toml:11: item.wrong.misconception: expected the id of a misconception, found copied",
         ),
         (
             "\"one\"",
             "\"One\"",
-            "my.toml:3: id: expected 1 to 40 lower-case",
+            "my.toml:3: item.id: expected 1 to 40 lower-case",
         ),
         (
             "right =",
             "right_place = 4\nright =",
-            "right_place: expected a place from 1 to 3",
+            "item.right_place: expected a place from 1 to 3, found 4",
         ),
         (
             "[[item.wrong]]\nchoice = \"45°\"\nsays = \"No.\"\n",
             "",
-            "wrong: expected 2 or 3 tables [[item.wrong]], found 1",
+            "item.wrong: expected 2 to 3 tables [[wrong]], found a list of 1",
         ),
     ] {
         let found = fault_of(old, new);

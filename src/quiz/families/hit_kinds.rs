@@ -4,15 +4,15 @@ use std::sync::OnceLock;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use crate::numbers::tenths;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
 use crate::quiz::question::MIN_SEPARATION;
-use crate::quiz::words::tenths;
 use crate::quiz::{Difficulty, Hit, Pieces, Placement, RIGHT_DEG, Rays};
 
 /// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(super) enum HitKind {
     /// Equal masses, α given.
     EqualAngle,
     /// Equal masses, offset given.
@@ -37,19 +37,23 @@ pub enum Kind {
 impl Difficulty {
     /// The kinds that a round asks at this difficulty, each as often as it stands
     /// here.
-    pub(super) const fn kinds(self) -> &'static [Kind] {
+    pub(super) const fn kinds(self) -> &'static [HitKind] {
         match self {
-            Self::Easy => &[Kind::EqualAngle, Kind::EqualAngle, Kind::EqualOffset],
+            Self::Easy => &[
+                HitKind::EqualAngle,
+                HitKind::EqualAngle,
+                HitKind::EqualOffset,
+            ],
             Self::Middle => &[
-                Kind::TournamentAngle,
-                Kind::MarblesAngle,
-                Kind::LossyAngle,
-                Kind::HeadOn,
+                HitKind::TournamentAngle,
+                HitKind::MarblesAngle,
+                HitKind::LossyAngle,
+                HitKind::HeadOn,
             ],
             Self::Hard => &[
-                Kind::TournamentOffset,
-                Kind::MarblesOffset,
-                Kind::LossyMarbles,
+                HitKind::TournamentOffset,
+                HitKind::MarblesOffset,
+                HitKind::LossyMarbles,
             ],
         }
     }
@@ -64,15 +68,16 @@ impl Difficulty {
     }
 }
 
-impl Kind {
+impl HitKind {
     /// How many kinds there are.
     const COUNT: usize = 1 + Self::LossyMarbles as usize;
 
     /// All hits of this kind that are good to ask, in a fixed order, with the
     /// target on the right and the striker moving to the right at 1 m/s. They are looked
     /// for once, for it takes thousands of hits to find them.
-    pub fn candidates(self) -> &'static [Hit] {
-        static FOUND: [OnceLock<Vec<Hit>>; Kind::COUNT] = [const { OnceLock::new() }; Kind::COUNT];
+    pub(super) fn candidates(self) -> &'static [Hit] {
+        static FOUND: [OnceLock<Vec<Hit>>; HitKind::COUNT] =
+            [const { OnceLock::new() }; HitKind::COUNT];
         FOUND[self as usize].get_or_init(|| self.find())
     }
 
@@ -119,7 +124,12 @@ impl Kind {
 
     /// Draws a hit of this kind, none of `asked` again; `None` only if all have
     /// been asked.
-    pub fn draw(self, difficulty: Difficulty, asked: &[Hit], dice: &mut Dice) -> Option<Hit> {
+    pub(super) fn draw(
+        self,
+        difficulty: Difficulty,
+        asked: &[Hit],
+        dice: &mut Dice,
+    ) -> Option<Hit> {
         let fresh: Vec<Hit> = self
             .candidates()
             .iter()
@@ -219,22 +229,22 @@ fn adds_up(hit: &Hit) -> bool {
 mod tests {
     use super::*;
 
-    const KINDS: [Kind; Kind::COUNT] = [
-        Kind::EqualAngle,
-        Kind::EqualOffset,
-        Kind::TournamentAngle,
-        Kind::MarblesAngle,
-        Kind::LossyAngle,
-        Kind::HeadOn,
-        Kind::TournamentOffset,
-        Kind::MarblesOffset,
-        Kind::LossyMarbles,
+    const KINDS: [HitKind; HitKind::COUNT] = [
+        HitKind::EqualAngle,
+        HitKind::EqualOffset,
+        HitKind::TournamentAngle,
+        HitKind::MarblesAngle,
+        HitKind::LossyAngle,
+        HitKind::HeadOn,
+        HitKind::TournamentOffset,
+        HitKind::MarblesOffset,
+        HitKind::LossyMarbles,
     ];
 
     #[test]
     fn every_kind_has_hits_enough() {
         for kind in KINDS {
-            let least = if kind == Kind::HeadOn { 3 } else { 8 };
+            let least = if kind == HitKind::HeadOn { 3 } else { 8 };
             let n = kind.candidates().len();
             assert!(n >= least, "{kind:?}: {n}");
         }

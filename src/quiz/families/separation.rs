@@ -3,17 +3,16 @@
 
 use std::cmp::Ordering;
 
-use super::setting::{
-    Asked, Setting, about, more, number, pair, told, unmarked, wrong, wrong_choices,
-};
+use super::draft::Draft;
+use super::hit_draws::{HitDraws, NO_LOSS, UNEQUAL, pair, unmarked};
+use crate::numbers::{degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
 use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
 };
-use crate::quiz::words::{degrees, significant};
-use crate::quiz::{Difficulty, Family, Form, Hit, Measure, Pieces, Placement, Question, reasoning};
+use crate::quiz::{Difficulty, Hit, Measure, Question, reasoning};
 
 /// The choices, in their natural order.
 const CORNERS: [&str; 3] = ["more than 90°", "exactly 90°", "less than 90°"];
@@ -22,9 +21,9 @@ const EXACTLY: usize = 1;
 const LESS: usize = 2;
 
 /// Masses in grams and e in tenths: m₁, m₂, e.
-type Figures = (u32, u32, u32);
+type MassesAndLoss = (u32, u32, u32);
 
-const LOSSLESS_PAIRS: [Figures; 9] = [
+const LOSSLESS_PAIRS: [MassesAndLoss; 9] = [
     (15, 15, 10),
     (18, 18, 10),
     (20, 20, 10),
@@ -37,7 +36,7 @@ const LOSSLESS_PAIRS: [Figures; 9] = [
 ];
 
 /// Far from m₁ = e m₂.
-const LOSSY_PAIRS: [Figures; 8] = [
+const LOSSY_PAIRS: [MassesAndLoss; 8] = [
     (15, 15, 5),
     (15, 15, 8),
     (20, 20, 6),
@@ -49,7 +48,7 @@ const LOSSY_PAIRS: [Figures; 8] = [
 ];
 
 /// A lighter striker, at m₁ = e m₂ and to both sides of it.
-const NEAR_SQUARE: [Figures; 12] = [
+const NEAR_SQUARE: [MassesAndLoss; 12] = [
     (10, 20, 5),
     (10, 20, 8),
     (10, 20, 3),
@@ -65,14 +64,15 @@ const NEAR_SQUARE: [Figures; 12] = [
 ];
 
 /// Draws a question.
-pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    match difficulty {
+pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let draft = match difficulty {
         Difficulty::Easy => corner(&LOSSLESS_PAIRS, difficulty, dice),
         Difficulty::Middle if dice.coin() => corner(&LOSSY_PAIRS, difficulty, dice),
-        Difficulty::Middle => how_wide(&[1.0], difficulty, dice),
+        Difficulty::Middle => how_wide(NO_LOSS, difficulty, dice),
         Difficulty::Hard if dice.coin() => corner(&NEAR_SQUARE, difficulty, dice),
         Difficulty::Hard => how_wide(&[0.4, 0.5, 0.6, 0.8], difficulty, dice),
-    }
+    };
+    draft.map(Draft::finish)
 }
 
 /// The corner of a hit: the lighter the striker against e times the target, the wider.
@@ -85,40 +85,14 @@ fn compared(striker: u32, target: u32) -> usize {
 }
 
 /// More, exactly or less than 90°.
-fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> Option<Draft> {
     let &(m1_g, m2_g, e_tenths) = dice.pick(pairs)?;
-    let pieces = pair(m1_g, m2_g);
-    let setting = Setting {
-        pieces: &[pieces],
-        fives_deg: 20..=70,
-        restitutions: &[f64::from(e_tenths) / 10.0],
-    };
-    let hit = setting.draw(difficulty, dice)?;
+    let pieces = [pair(m1_g, m2_g)];
+    let restitutions = [f64::from(e_tenths) / 10.0];
+    let hit = HitDraws::new(&pieces, 20..=70, &restitutions).draw(difficulty, dice)?;
     let right = compared(10 * m1_g, e_tenths * m2_g);
     let lossy = e_tenths < 10;
     let (m1, m2) = (f64::from(m1_g), f64::from(m2_g));
-    let [m1_words, m2_words] = [m1, m2].map(significant);
-    let e = significant(hit.restitution);
-    let loss = if lossy {
-        format!("Some energy is lost: e = {e}.")
-    } else {
-        format!("No energy is lost: e = {e}.")
-    };
-    let text = format!(
-        "A smooth striker of {m1_words} g hits a resting coin of {m2_words} g off-centre at {} \
-         m/s. {loss}",
-        significant(hit.speed)
-    );
-    let mut chosen = Vec::new();
-    if lossy && right == EXACTLY {
-        chosen.push((
-            &LOSS_FORBIDS_SQUARE,
-            LESS,
-            "You took it that loss always closes the right angle. It moves it to another pair of \
-             masses."
-                .into(),
-        ));
-    }
     let not_here = if m1_g == m2_g {
         "Equal masses part at a right angle if no energy is lost. Here some is."
     } else if lossy {
@@ -127,62 +101,57 @@ fn corner(pairs: &[Figures], difficulty: Difficulty, dice: &mut Dice) -> Option<
     } else {
         "The right angle without loss is that of equal masses. Here they differ."
     };
-    chosen.push((&ALWAYS_SQUARE, EXACTLY, not_here.into()));
-    if lossy {
-        chosen.push((
-            &LOSSLESS,
-            compared(m1_g, m2_g),
-            "That is so without loss. Loss closes the corner, the more the more is lost.".into(),
-        ));
-    }
-    if right == EXACTLY {
-        chosen.extend([
-            (
-                &SPEED_OPENS_ANGLE,
-                MORE,
-                "Does a hard hit drive them wider apart? Speed alone changes no angle.".into(),
-            ),
-            (
-                &PUSHED_AHEAD,
-                LESS,
-                "Does the striker push the coin along with it? A smooth rim pushes along the line \
-                 of impact alone."
-                    .into(),
-            ),
-        ]);
+    let text = format!(
+        "A smooth striker of {} g hits a resting coin of {} g off-centre at {} m/s. {}",
+        significant(m1),
+        significant(m2),
+        significant(hit.speed),
+        hit.loss()
+    );
+    let topic = if lossy {
+        "corner-with-loss"
     } else {
-        chosen.push((
-            &UPSIDE_DOWN,
-            LESS - right,
-            "You had it the other way round: a heavier striker follows the coin, a lighter one \
-             bounces off."
-                .into(),
-        ));
+        "corner-without-loss"
+    };
+    let mut draft = Draft::told(&hit, text, unmarked(&hit))
+        .ask(topic, "How large is the angle between their ways out?")
+        .options(CORNERS, right);
+    if lossy && right == EXACTLY {
+        draft = draft.chooses(&LOSS_FORBIDS_SQUARE, LESS).says(
+            "You took it that loss always closes the right angle. It moves it to another pair of \
+             masses.",
+        );
     }
-    let form = Form::Choice {
-        options: CORNERS.map(str::to_owned).into(),
-        right,
+    draft = draft.chooses(&ALWAYS_SQUARE, EXACTLY).says(not_here);
+    if lossy {
+        draft = draft
+            .chooses(&LOSSLESS, compared(m1_g, m2_g))
+            .says("That is so without loss. Loss closes the corner, the more the more is lost.");
+    }
+    draft = if right == EXACTLY {
+        draft
+            .chooses(&SPEED_OPENS_ANGLE, MORE)
+            .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
+            .chooses(&PUSHED_AHEAD, LESS)
+            .says(
+                "Does the striker push the coin along with it? A smooth rim pushes along the line \
+                 of impact alone.",
+            )
+    } else {
+        draft
+            .chooses(&UPSIDE_DOWN, LESS - right)
+            .says(FOLLOWS_OR_BOUNCES)
     };
-    let asked = Asked {
-        family: Family::Separation,
-        difficulty,
-        topic: if lossy {
-            "corner-with-loss".into()
-        } else {
-            "corner-without-loss".into()
-        },
-        ask: "How large is the angle between their ways out?".into(),
-        form,
-        beliefs: wrong_choices(right, chosen),
-        why: if lossy {
-            lossy_corner(right, hit.restitution * m2, m1)
-        } else {
-            lossless_corner(right).into()
-        },
-        more: more([]),
-    };
-    Some(told(&hit, &text, unmarked(&hit), asked))
+    Some(draft.why(if lossy {
+        lossy_corner(right, hit.restitution * m2, m1)
+    } else {
+        lossless_corner(right).into()
+    }))
 }
+
+/// Of whoever has the masses upside down.
+pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the other way round: a heavier striker \
+                                             follows the coin, a lighter one bounces off.";
 
 const fn lossless_corner(right: usize) -> &'static str {
     match right {
@@ -203,100 +172,53 @@ const fn lossless_corner(right: usize) -> &'static str {
 
 fn lossy_corner(right: usize, lossy_target_g: f64, striker_g: f64) -> String {
     let (sign, follows) = match right {
-        MORE => ("less", "bounces back: more than 90°"),
-        EXACTLY => ("just as much", "stops: exactly 90°"),
-        _ => ("more", "goes on: less than 90°"),
+        MORE => ("less than", "bounces back: more than 90°"),
+        EXACTLY => ("just as much as", "stops: exactly 90°"),
+        _ => ("more than", "goes on: less than 90°"),
     };
     format!(
-        "Compare m₁ with e m₂, for along the line m₁ - e m₂ decides. {} g is {sign}{} {} g, so \
+        "Compare m₁ with e m₂, for along the line m₁ - e m₂ decides. {} g is {sign} {} g, so \
          there the striker {follows}, at any offset.",
         significant(striker_g),
-        if right == EXACTLY { " as" } else { " than" },
         significant(lossy_target_g)
     )
 }
 
 /// How many degrees, with unequal masses.
-fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let setting = Setting {
-        pieces: &[Pieces::Tournament, Pieces::Marbles],
-        fives_deg: 15..=75,
-        restitutions,
-    };
-    let hit = setting.draw(difficulty, dice)?;
-    let name = hit.pieces.target_name();
+fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Draft> {
+    let hit = HitDraws::new(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
     let alpha = hit.alpha().abs();
     let wide = |hit: &Hit| hit.outcome().separation.map(deg_from_rad);
-    let form = Form::Number {
-        quantity: Measure::Angle,
-        truth: wide(&hit)?,
-    };
-    let exchanged = Hit {
-        pieces: Pieces::Own {
-            striker: hit.pieces.target(),
-            target: hit.pieces.striker(),
-        },
-        given: Placement::Angle {
-            alpha_deg: deg_from_rad(hit.alpha()),
-        },
-        ..hit
-    };
-    let lossless = Hit {
-        restitution: 1.0,
-        ..hit
-    };
     let heavy = hit.mass_ratio() > 1.0;
-    let beliefs = wrong(
-        &form,
-        [
-            number(
-                &ALWAYS_SQUARE,
-                90.0,
-                "You opened a right angle. It takes m₁ = e m₂: without loss, equal masses.".into(),
-            ),
-            number(
-                &COPIED_ANGLE,
-                2.0 * deg_from_rad(alpha),
-                format!(
-                    "You took twice {}. But only the {name} leaves at the impact angle.",
-                    degrees(alpha)
-                ),
-            ),
-            heavy.then_some(()).and_then(|()| {
-                number(
-                    &HEAVY_UNMOVED,
-                    deg_from_rad(alpha),
-                    "You sent the striker straight on. It is heavier, yet it is turned.".into(),
-                )
-            }),
-            number(
-                &UPSIDE_DOWN,
-                wide(&exchanged)?,
-                "That is so with the two masses exchanged.".into(),
-            ),
-            number(
-                &LOSSLESS,
-                wide(&lossless)?,
-                format!(
-                    "That is the angle without loss. Here e = {}.",
-                    significant(hit.restitution)
-                ),
-            ),
-        ],
-    );
-    let asked = Asked {
-        family: Family::Separation,
-        difficulty,
-        topic: if heavy {
-            "corner-heavier-striker".into()
-        } else {
-            "corner-lighter-striker".into()
-        },
-        ask: "How many degrees apart do they leave?".into(),
-        form,
-        beliefs,
-        why: reasoning(&hit),
-        more: more([]),
+    let topic = if heavy {
+        "corner-heavier-striker"
+    } else {
+        "corner-lighter-striker"
     };
-    Some(about(&hit, asked))
+    let draft = Draft::about(&hit)
+        .ask(topic, "How many degrees apart do they leave?")
+        .number(Measure::Angle, wide(&hit)?)
+        .wrong(&ALWAYS_SQUARE, 90.0)
+        .says("You opened a right angle. It takes m₁ = e m₂: without loss, equal masses.")
+        .wrong(&COPIED_ANGLE, 2.0 * deg_from_rad(alpha))
+        .says(twice_alpha(alpha, hit.pieces.target_name()))
+        .wrong(&HEAVY_UNMOVED, heavy.then_some(deg_from_rad(alpha)))
+        .says("You sent the striker straight on. It is heavier, yet it is turned.")
+        .wrong(&UPSIDE_DOWN, wide(&hit.exchanged()))
+        .says("That is so with the two masses exchanged.")
+        .wrong(&LOSSLESS, wide(&hit.with_restitution(1.0)))
+        .says(format!(
+            "That is the angle without loss. Here e = {}.",
+            significant(hit.restitution)
+        ))
+        .why(reasoning(&hit));
+    Some(draft)
+}
+
+/// Of whoever takes twice the impact angle for the corner.
+pub(super) fn twice_alpha(alpha: f64, name: &str) -> String {
+    format!(
+        "You took twice {}. But only the {name} leaves at the impact angle.",
+        degrees(alpha)
+    )
 }

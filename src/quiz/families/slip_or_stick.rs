@@ -1,13 +1,8 @@
 //! Slipping, e = 0 with smooth rims, against sticking: how the two go on.
 
-use std::collections::BTreeMap;
-
-use serde_json::json;
-
-use super::choices::{Choice, Choices, shuffled};
-use super::in_short::in_short;
-use super::setting::{Setting, more, number, wrong};
-use super::where_to::figures;
+use super::draft::Draft;
+use super::hit_draws::{EQUAL, HitDraws, UNEQUAL, in_short};
+use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::physics::{Bond, Collision};
 use crate::quiz::dice::Dice;
@@ -15,12 +10,7 @@ use crate::quiz::misconceptions::catalogue::{
     GRIP_IGNORED, GRIP_STOPS_ALL, HALFWAY_CENTRE, MOMENTUM_LOST, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
-use crate::quiz::words::{bare_degrees, degrees, significant};
-use crate::quiz::{
-    Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Pieces, Question,
-};
-
-const UNEQUAL: [Pieces; 2] = [Pieces::Tournament, Pieces::Marbles];
+use crate::quiz::{Difficulty, Hit, Illustration, Markings, Measure, Question};
 
 /// What the rims do.
 #[derive(Clone, Copy, PartialEq)]
@@ -34,73 +24,74 @@ enum Rims {
 }
 
 impl Rims {
-    const fn id(self) -> &'static str {
-        match self {
-            Self::Lossless => "lossless",
-            Self::Slip => "slip",
-            Self::Stick => "stick",
+    /// The hit with these rims.
+    fn collision(self, hit: &Hit) -> Collision {
+        Collision {
+            restitution: if self == Self::Lossless { 1.0 } else { 0.0 },
+            bond: if self == Self::Stick {
+                Bond::Stick
+            } else {
+                Bond::Slip
+            },
+            ..hit.collision()
         }
     }
 
-    const fn words(self) -> &'static str {
-        match self {
-            Self::Lossless => "The rims are smooth and no energy is lost: e = 1.",
-            Self::Slip => "The rims are smooth and nothing springs back: e = 0.",
-            Self::Stick => "The rims are sticky and hold fast where they touch.",
-        }
-    }
-}
-
-/// What a number is asked for.
-#[derive(Clone, Copy, PartialEq)]
-enum Sought {
-    /// The angle at which the two slip apart.
-    Parting,
-    /// How fast the striker slips on.
-    StrikerSpeed,
-    /// How fast the stuck pair goes on.
-    PairSpeed,
-    /// The share of the energy that is lost as they slip.
-    Loss,
-}
-
-impl Sought {
-    const fn id(self) -> &'static str {
-        match self {
-            Self::Parting => "separation",
-            Self::StrikerSpeed => "striker-speed",
-            Self::PairSpeed => "pair-speed",
-            Self::Loss => "energy-lost",
-        }
+    /// A question about a hit with these rims.
+    fn ask(self, hit: &Hit, asked: &'static str, text: &str) -> Draft {
+        let (id, topic, words) = match self {
+            Self::Lossless => (
+                "lossless",
+                "smooth-no-loss",
+                "The rims are smooth and no energy is lost: e = 1.",
+            ),
+            Self::Slip => (
+                "slip",
+                "smooth-no-spring",
+                "The rims are smooth and nothing springs back: e = 0.",
+            ),
+            Self::Stick => (
+                "stick",
+                "sticking",
+                "The rims are sticky and hold fast where they touch.",
+            ),
+        };
+        let shown = Markings {
+            angle: true,
+            ..Markings::FIGURES
+        };
+        let picture = Illustration::before(self.collision(hit), shown);
+        Draft::told(hit, format!("{} {words}", in_short(hit)), picture)
+            .ask(topic, text)
+            .figure("rims", id)
+            .figure("asked", asked)
     }
 }
 
 /// Draws a question.
-pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    use Sought::{Loss, PairSpeed, Parting, StrikerSpeed};
-    let (pieces, sought): (&[Pieces], &[Sought]) = match difficulty {
-        Difficulty::Easy => (&[Pieces::Equal], &[]),
-        Difficulty::Middle => (&[Pieces::Equal], &[Parting, StrikerSpeed, PairSpeed]),
-        Difficulty::Hard => (&UNEQUAL, &[Parting, StrikerSpeed, PairSpeed, Loss]),
+pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let by_number: [fn(&Hit) -> Option<Draft>; 4] = [parting, striker_speed, pair_speed, loss];
+    let (pieces, asks) = match difficulty {
+        Difficulty::Easy => (EQUAL, 0),
+        Difficulty::Middle => (EQUAL, 3),
+        Difficulty::Hard => (UNEQUAL, 4),
     };
-    let setting = Setting {
-        pieces,
-        fives_deg: 20..=70,
-        restitutions: &[0.0],
+    let hit = HitDraws::new(pieces, 20..=70, &[0.0]).draw(difficulty, dice)?;
+    let draft = match dice.pick(&by_number[..asks]) {
+        Some(ask) => ask(&hit),
+        None => by_choice(&hit, dice),
     };
-    let hit = setting.draw(difficulty, dice)?;
-    match dice.pick(sought) {
-        Some(sought) => Some(by_number(&hit, *sought, difficulty)),
-        None => by_choice(&hit, difficulty, dice),
-    }
+    draft.map(Draft::finish)
 }
 
 /// How do they go on? Equal masses.
-fn by_choice(hit: &Hit, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Draft> {
     const SQUARE: &str = "They part at exactly 90°";
     const NARROW: &str = "They part at less than 90°";
     const MOVING: &str = "They stay together and move on";
     const STILL: &str = "They stay together, at rest";
+    const BOUNCED: &str =
+        "You let them part as if nothing were lost. Here nothing throws them apart.";
     let rims = *dice.pick(&[
         Rims::Slip,
         Rims::Slip,
@@ -108,321 +99,197 @@ fn by_choice(hit: &Hit, difficulty: Difficulty, dice: &mut Dice) -> Option<Quest
         Rims::Stick,
         Rims::Lossless,
     ])?;
-    let hit = &Hit {
-        restitution: if rims == Rims::Lossless { 1.0 } else { 0.0 },
-        ..*hit
-    };
-    let outcome = collision(hit, rims).outcome();
+    let hit = &hit.with_restitution(if rims == Rims::Lossless { 1.0 } else { 0.0 });
+    let outcome = rims.collision(hit).outcome();
     let across = significant(hit.speed * hit.alpha().abs().sin());
-    let bounced = "You let them part as if nothing were lost. Here nothing throws them apart.";
-    let still = Choice::of(
-        &MOMENTUM_LOST,
-        STILL,
-        "You let all motion go. Energy can be lost, but momentum cannot: the two carry it on.",
-    );
-    let (choices, why) = match rims {
-        Rims::Lossless => (
-            vec![
-                Choice::right(SQUARE),
-                Choice::wrong(
-                    NARROW,
-                    "You let some of the bounce be lost. With e = 1 all of it comes back.",
-                ),
-                Choice::of(
-                    &GRIP_STOPS_ALL,
-                    MOVING,
-                    "You let them stick. But smooth rims cannot hold each other.",
-                ),
-                still,
-            ],
-            format!(
+    let draft = rims.ask(hit, "picture", "How do the two go on?");
+    let draft = match rims {
+        Rims::Lossless => draft
+            .right(SQUARE)
+            .choice(None, NARROW)
+            .says("You let some of the bounce be lost. With e = 1 all of it comes back.")
+            .choice(&GRIP_STOPS_ALL, MOVING)
+            .says("You let them stick. But smooth rims cannot hold each other.")
+            .why(format!(
                 "Along the line of impact the coin takes all that the striker had. Across it the \
                  striker keeps its {across} m/s: a corner of 90°."
-            ),
-        ),
-        Rims::Slip => (
-            vec![
-                Choice::of(&LOSSLESS, SQUARE, bounced),
-                Choice::right(NARROW),
-                Choice::of(
-                    &GRIP_STOPS_ALL,
-                    MOVING,
-                    "You let them stick. But smooth rims do not grip: across the line of impact \
-                     nothing is stopped.",
-                ),
-                still,
-            ],
-            format!(
+            )),
+        Rims::Slip => draft
+            .choice(&LOSSLESS, SQUARE)
+            .says(BOUNCED)
+            .right(NARROW)
+            .choice(&GRIP_STOPS_ALL, MOVING)
+            .says(
+                "You let them stick. But smooth rims do not grip: across the line of impact \
+                 nothing is stopped.",
+            )
+            .why(format!(
                 "Along the line of impact both go on alike. Across it the striker keeps its \
                  {across} m/s and slides off: they part at {}.",
                 degrees(outcome.separation?)
-            ),
-        ),
-        Rims::Stick => (
-            vec![
-                Choice::of(&LOSSLESS, SQUARE, bounced),
-                Choice::of(
-                    &GRIP_IGNORED,
-                    NARROW,
-                    "You let them slip along each other. So it would be with smooth rims and \
-                     e = 0; these hold fast.",
-                ),
-                Choice::right(MOVING),
-                still,
-            ],
-            format!(
+            )),
+        Rims::Stick => draft
+            .choice(&LOSSLESS, SQUARE)
+            .says(BOUNCED)
+            .choice(&GRIP_IGNORED, NARROW)
+            .says(
+                "You let them slip along each other. So it would be with smooth rims and e = 0; \
+                 these hold fast.",
+            )
+            .right(MOVING)
+            .why(format!(
                 "Stuck together they go on with their centre of mass, at {} m/s. Off-centre, the \
                  pair also turns.",
                 significant(outcome.v1.length())
-            ),
-        ),
+            )),
     };
-    let answers = shuffled(choices, dice)?;
-    let asked = Asked {
-        sought: "picture",
-        text: "How do the two go on?",
-        answers,
-        why,
-    };
-    Some(question(hit, rims, difficulty, asked))
-}
-
-/// One number of how they go on.
-fn by_number(hit: &Hit, sought: Sought, difficulty: Difficulty) -> Question {
-    let name = hit.pieces.target_name();
-    let (u, alpha) = (hit.speed, hit.alpha().abs());
-    let (m1, m2) = (hit.pieces.striker().mass, hit.pieces.target().mass);
-    let share = m1 / (m1 + m2);
-    let (along, across) = (u * alpha.cos(), u * alpha.sin());
-    let unequal = m1.total_cmp(&m2).is_ne();
-    let slip = collision(hit, Rims::Slip).outcome();
-    let lossless = collision(hit, Rims::Lossless).outcome();
-    let angle = |angle: Option<f64>| angle.map_or(f64::NAN, deg_from_rad);
-    let shared = format!(
-        "Along the line of impact the two go on alike, with {} m/s.",
-        significant(share * along)
+    let draft = draft.choice(&MOMENTUM_LOST, STILL).says(
+        "You let all motion go. Energy can be lost, but momentum cannot: the two carry it on.",
     );
-    let (quantity, truth, beliefs, why) = match sought {
-        Sought::Parting => (
-            Measure::Angle,
-            angle(slip.separation),
-            vec![
-                number(
-                    &GRIP_STOPS_ALL,
-                    0.0,
-                    "You let them stick. Smooth rims do not grip: the striker slides off.".into(),
-                ),
-                number(
-                    &LOSSLESS,
-                    angle(lossless.separation),
-                    "That is the angle without loss. With e = 0 nothing springs back along the \
-                     line of impact."
-                        .into(),
-                ),
-                number(
-                    &ALWAYS_SQUARE,
-                    90.0,
-                    "You took 90°. That is for equal masses without loss.".into(),
-                ),
-            ],
-            format!(
-                "{shared} Across it the striker keeps {} m/s, the {name} has none: the tangent \
-                 of the angle is {} / {}.",
-                significant(across),
-                significant(across),
-                significant(share * along)
-            ),
-        ),
-        Sought::StrikerSpeed => (
+    Some(draft.shuffled(dice))
+}
+
+/// The striker's share of the masses, which is the share of its speed that the two have in
+/// common.
+fn share(hit: &Hit) -> f64 {
+    let (m1, m2) = hit.masses_g();
+    m1 / (m1 + m2)
+}
+
+/// The striker's speed along the line of impact and across it.
+fn parts(hit: &Hit) -> (f64, f64) {
+    let (sin, cos) = hit.alpha().abs().sin_cos();
+    (hit.speed * cos, hit.speed * sin)
+}
+
+fn shared(hit: &Hit) -> String {
+    format!(
+        "Along the line of impact the two go on alike, with {} m/s.",
+        significant(share(hit) * parts(hit).0)
+    )
+}
+
+/// The angle at which the two slip apart.
+fn parting(hit: &Hit) -> Option<Draft> {
+    let name = hit.pieces.target_name();
+    let (along, across) = parts(hit);
+    let separation = |rims: Rims| rims.collision(hit).outcome().separation.map(deg_from_rad);
+    let draft = Rims::Slip
+        .ask(hit, "separation", "At what angle do they part?")
+        .number(Measure::Angle, separation(Rims::Slip)?)
+        .wrong(&GRIP_STOPS_ALL, 0.0)
+        .says("You let them stick. Smooth rims do not grip: the striker slides off.")
+        .wrong(&LOSSLESS, separation(Rims::Lossless))
+        .says(
+            "That is the angle without loss. With e = 0 nothing springs back along the line of \
+             impact.",
+        )
+        .wrong(&ALWAYS_SQUARE, 90.0)
+        .says("You took 90°. That is for equal masses without loss.")
+        .why(format!(
+            "{} Across it the striker keeps {across} m/s, the {name} has none: the tangent of the \
+             angle is {across} / {}.",
+            shared(hit),
+            significant(share(hit) * along),
+            across = significant(across),
+        ));
+    Some(draft)
+}
+
+/// How fast the striker slips on.
+fn striker_speed(hit: &Hit) -> Option<Draft> {
+    let (_, across) = parts(hit);
+    let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
+    let draft = Rims::Slip
+        .ask(hit, "striker-speed", "How fast does the striker go on?")
+        .number(Measure::Speed, speed(Rims::Slip))
+        .wrong(&GRIP_STOPS_ALL, speed(Rims::Stick))
+        .says(
+            "You let them stick and share all the speed. Across the line of impact smooth rims \
+             share nothing.",
+        )
+        .wrong(&LOSSLESS, speed(Rims::Lossless))
+        .says(
+            "That is the speed without loss. With e = 0 the two stay level along the line of \
+             impact.",
+        )
+        .wrong(&MOMENTUM_LOST, (!hit.masses_are_equal()).then_some(across))
+        .says(
+            "You let all that was along the line of impact be lost. But momentum stays: the two \
+             share it.",
+        )
+        .why(format!(
+            "{} Across it the striker keeps {} sin {} = {} m/s. Those two are square to each \
+             other and make {} m/s.",
+            shared(hit),
+            significant(hit.speed),
+            bare_degrees(hit.alpha().abs()),
+            significant(across),
+            significant(speed(Rims::Slip))
+        ));
+    Some(draft)
+}
+
+/// How fast the stuck pair goes on.
+fn pair_speed(hit: &Hit) -> Option<Draft> {
+    let (u, share) = (hit.speed, share(hit));
+    let draft = Rims::Stick
+        .ask(hit, "pair-speed", "How fast does the pair go on?")
+        .number(
             Measure::Speed,
-            slip.v1.length(),
-            vec![
-                number(
-                    &GRIP_STOPS_ALL,
-                    share * u,
-                    "You let them stick and share all the speed. Across the line of impact \
-                     smooth rims share nothing."
-                        .into(),
-                ),
-                number(
-                    &LOSSLESS,
-                    lossless.v1.length(),
-                    "That is the speed without loss. With e = 0 the two stay level along the \
-                     line of impact."
-                        .into(),
-                ),
-                unequal.then_some(()).and_then(|()| {
-                    number(
-                        &MOMENTUM_LOST,
-                        across,
-                        "You let all that was along the line of impact be lost. But momentum \
-                         stays: the two share it."
-                            .into(),
-                    )
-                }),
-            ],
-            format!(
-                "{shared} Across it the striker keeps {} sin {} = {} m/s. Those two are square \
-                 to each other and make {} m/s.",
-                significant(u),
-                bare_degrees(alpha),
-                significant(across),
-                significant(slip.v1.length())
-            ),
-        ),
-        Sought::PairSpeed => (
-            Measure::Speed,
-            collision(hit, Rims::Stick).outcome().v1.length(),
-            vec![
-                number(
-                    &GRIP_IGNORED,
-                    share * along,
-                    "You shared only the part along the line of impact. Sticky rims take the \
-                     part across along, too."
-                        .into(),
-                ),
-                number(
-                    &LOSSLESS,
-                    u * share.sqrt(),
-                    "You kept the energy of motion. Sticking costs energy; what stays is the \
-                     momentum."
-                        .into(),
-                ),
-                unequal.then_some(()).and_then(|()| {
-                    number(
-                        &HALFWAY_CENTRE,
-                        u / 2.0,
-                        "You took half the speed. That is for equal masses.".into(),
-                    )
-                }),
-                number(
-                    &UPSIDE_DOWN,
-                    u * (1.0 - share),
-                    "You had the masses the other way round: a heavier striker is slowed less."
-                        .into(),
-                ),
-            ],
-            format!(
-                "Stuck together they go on with their centre of mass: \
-                 m₁ / (m₁ + m₂) = {} times {} m/s, wherever they touch.",
-                significant(share),
-                significant(u)
-            ),
-        ),
-        Sought::Loss => (
+            Rims::Stick.collision(hit).outcome().v1.length(),
+        )
+        .wrong(&GRIP_IGNORED, share * parts(hit).0)
+        .says(
+            "You shared only the part along the line of impact. Sticky rims take the part across \
+             along, too.",
+        )
+        .wrong(&LOSSLESS, u * share.sqrt())
+        .says("You kept the energy of motion. Sticking costs energy; what stays is the momentum.")
+        .wrong(
+            &HALFWAY_CENTRE,
+            (!hit.masses_are_equal()).then_some(u / 2.0),
+        )
+        .says("You took half the speed. That is for equal masses.")
+        .wrong(&UPSIDE_DOWN, u * (1.0 - share))
+        .says("You had the masses the other way round: a heavier striker is slowed less.")
+        .why(format!(
+            "Stuck together they go on with their centre of mass: m₁ / (m₁ + m₂) = {} times {} \
+             m/s, wherever they touch.",
+            significant(share),
+            significant(u)
+        ));
+    Some(draft)
+}
+
+/// The share of the energy that is lost as they slip.
+fn loss(hit: &Hit) -> Option<Draft> {
+    let (sin, cos) = hit.alpha().abs().sin_cos();
+    let (share, at_stake) = (share(hit), cos.powi(2));
+    let outcome = Rims::Slip.collision(hit).outcome();
+    let draft = Rims::Slip
+        .ask(hit, "energy-lost", "What share of the energy is lost?")
+        .number(
             Measure::Share,
-            100.0 * slip.energy_lost / slip.energy_before,
-            vec![
-                number(
-                    &GRIP_STOPS_ALL,
-                    100.0 * (1.0 - share),
-                    "You let them go on as one. But across the line of impact smooth \
-                     rims stop nothing."
-                        .into(),
-                ),
-                number(
-                    &MOMENTUM_LOST,
-                    100.0 * alpha.cos().powi(2),
-                    "You let all that was along the line of impact be lost. But momentum stays, \
-                     and some energy with it."
-                        .into(),
-                ),
-                number(
-                    &UPSIDE_DOWN,
-                    100.0 * share * alpha.cos().powi(2),
-                    "You had the masses the other way round: against a heavier target more is \
-                     lost."
-                        .into(),
-                ),
-                number(
-                    &SINE_COSINE,
-                    100.0 * (1.0 - share) * alpha.sin().powi(2),
-                    "You took the sine for the cosine. A graze loses least, a head-on hit most."
-                        .into(),
-                ),
-            ],
-            format!(
-                "Only the part along the line of impact is at stake: cos² {} = {} of the energy. \
-                 Of that, m₂ / (m₁ + m₂) = {} is lost.",
-                bare_degrees(alpha),
-                significant(alpha.cos().powi(2)),
-                significant(1.0 - share)
-            ),
-        ),
-    };
-    let form = Form::Number { quantity, truth };
-    let text = match sought {
-        Sought::Parting => "At what angle do they part?",
-        Sought::StrikerSpeed => "How fast does the striker go on?",
-        Sought::PairSpeed => "How fast does the pair go on?",
-        Sought::Loss => "What share of the energy is lost?",
-    };
-    let rims = match sought {
-        Sought::PairSpeed => Rims::Stick,
-        _ => Rims::Slip,
-    };
-    let asked = Asked {
-        sought: sought.id(),
-        text,
-        answers: Choices {
-            beliefs: wrong(&form, beliefs),
-            form,
-            replies: BTreeMap::new(),
-        },
-        why,
-    };
-    question(hit, rims, difficulty, asked)
-}
-
-/// The hit with these rims.
-fn collision(hit: &Hit, rims: Rims) -> Collision {
-    let (restitution, bond) = match rims {
-        Rims::Lossless => (1.0, Bond::Slip),
-        Rims::Slip => (0.0, Bond::Slip),
-        Rims::Stick => (0.0, Bond::Stick),
-    };
-    Collision {
-        restitution,
-        bond,
-        ..hit.collision()
-    }
-}
-
-/// What is asked about a hit.
-struct Asked {
-    sought: &'static str,
-    text: &'static str,
-    answers: Choices,
-    why: String,
-}
-
-fn question(hit: &Hit, rims: Rims, difficulty: Difficulty, asked: Asked) -> Question {
-    let mut figures = figures(hit);
-    figures.extend(more([
-        ("rims", json!(rims.id())),
-        ("asked", json!(asked.sought)),
-    ]));
-    Question {
-        family: Family::SlipOrStick,
-        difficulty,
-        topic: match rims {
-            Rims::Lossless => "smooth-no-loss".into(),
-            Rims::Slip => "smooth-no-spring".into(),
-            Rims::Stick => "sticking".into(),
-        },
-        text: format!("{} {} {}", in_short(hit), rims.words(), asked.text),
-        picture: Illustration::Before {
-            collision: collision(hit, rims),
-            shown: Markings {
-                offset: false,
-                angle: true,
-                figures: true,
-            },
-        },
-        form: asked.answers.form,
-        beliefs: asked.answers.beliefs,
-        replies: asked.answers.replies,
-        why: asked.why,
-        figures,
-    }
+            100.0 * outcome.energy_lost / outcome.energy_before,
+        )
+        .wrong(&GRIP_STOPS_ALL, 100.0 * (1.0 - share))
+        .says("You let them go on as one. But across the line of impact smooth rims stop nothing.")
+        .wrong(&MOMENTUM_LOST, 100.0 * at_stake)
+        .says(
+            "You let all that was along the line of impact be lost. But momentum stays, and some \
+             energy with it.",
+        )
+        .wrong(&UPSIDE_DOWN, 100.0 * share * at_stake)
+        .says("You had the masses the other way round: against a heavier target more is lost.")
+        .wrong(&SINE_COSINE, 100.0 * (1.0 - share) * sin.powi(2))
+        .says("You took the sine for the cosine. A graze loses least, a head-on hit most.")
+        .why(format!(
+            "Only the part along the line of impact is at stake: cos² {} = {} of the energy. Of \
+             that, m₂ / (m₁ + m₂) = {} is lost.",
+            bare_degrees(hit.alpha().abs()),
+            significant(at_stake),
+            significant(1.0 - share)
+        ));
+    Some(draft)
 }

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::hit_kinds::Kind;
-use crate::physics::units::{g_from_kg, mm_from_m};
+use super::hit_kinds::HitKind;
+use crate::physics::units::mm_from_m;
 use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
 use crate::quiz::{
@@ -14,7 +14,7 @@ use crate::quiz::{
 };
 
 /// How many hits a round of this family has.
-pub const LENGTH: usize = 10;
+pub(crate) const LENGTH: usize = 10;
 
 /// The ten hits of a seed, mixed in kind and rising in difficulty.
 ///
@@ -39,36 +39,81 @@ pub fn hits(seed: u64) -> Vec<(Difficulty, Hit)> {
 }
 
 /// Any question of this family.
-pub(in crate::quiz) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    of_kinds(Family::WhereTo, difficulty, difficulty.kinds(), dice)
+pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    of_kinds(difficulty.kinds(), difficulty, dice)
 }
 
-/// A question about a hit of one of these kinds.
-pub(super) fn of_kinds(
-    family: Family,
-    difficulty: Difficulty,
-    kinds: &[Kind],
-    dice: &mut Dice,
-) -> Option<Question> {
-    let hit = dice.pick(kinds)?.draw(difficulty, &[], dice)?;
+/// Both rays from the impact angle: equal masses, with and without loss.
+pub(super) fn from_angle(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let kinds = match difficulty {
+        Difficulty::Easy | Difficulty::Middle => HitKind::EqualAngle,
+        Difficulty::Hard => HitKind::LossyAngle,
+    };
+    of_kinds(&[kinds], difficulty, dice)
+}
+
+/// Both rays from the offset: the angle has to be found first.
+pub(super) fn from_offset(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let kinds: &[HitKind] = match difficulty {
+        Difficulty::Easy | Difficulty::Middle => &[HitKind::EqualOffset],
+        Difficulty::Hard => &[HitKind::TournamentOffset, HitKind::MarblesOffset],
+    };
+    of_kinds(kinds, difficulty, dice)
+}
+
+/// Both rays with a heavier striker or a heavier target.
+pub(super) fn unequal_masses(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    use HitKind::{HeadOn, LossyMarbles, MarblesAngle, TournamentAngle};
+    let kinds: &[HitKind] = match difficulty {
+        Difficulty::Easy => &[TournamentAngle, MarblesAngle, HeadOn],
+        Difficulty::Middle => &[TournamentAngle, MarblesAngle],
+        Difficulty::Hard => &[LossyMarbles],
+    };
+    of_kinds(kinds, difficulty, dice)
+}
+
+/// Both rays from the picture alone: no figure is given, only what can be seen.
+pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let kind = dice.pick(&[HitKind::EqualAngle])?;
+    let hit = kind.draw(difficulty, &[], dice)?;
+    let (angle, eye) = match difficulty {
+        Difficulty::Easy => (
+            true,
+            "The dashed line is the line of impact. Look at the picture:",
+        ),
+        Difficulty::Middle | Difficulty::Hard => (
+            false,
+            "Find the line of impact in the picture, where the two will touch:",
+        ),
+    };
+    let shown = Markings {
+        angle,
+        ..Markings::default()
+    };
     Some(Question {
-        family,
-        difficulty,
+        topic: "from-the-picture".into(),
+        text: format!(
+            "Two alike, one at rest, no energy lost, and no figures. {eye} where will they go?"
+        ),
+        picture: Illustration::before(hit.collision(), shown),
         ..question(&hit)
     })
 }
 
+/// A question about a hit of one of these kinds.
+fn of_kinds(kinds: &[HitKind], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let hit = dice.pick(kinds)?.draw(difficulty, &[], dice)?;
+    Some(question(&hit))
+}
+
 /// The question where the two of this hit will go.
-pub fn question(hit: &Hit) -> Question {
+pub(crate) fn question(hit: &Hit) -> Question {
     Question {
         family: Family::WhereTo,
         difficulty: Difficulty::Middle,
         topic: hit.topic(),
         text: hit.text(),
-        picture: Illustration::Before {
-            collision: hit.collision(),
-            shown: Markings::given(hit),
-        },
+        picture: Illustration::before(hit.collision(), Markings::given(hit)),
         form: Form::Rays {
             truth: hit.truth(),
             side: hit.side(),
@@ -100,13 +145,14 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
 /// All that fixes a hit.
 pub(super) fn figures(hit: &Hit) -> Map<String, Value> {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
+    let (m1_g, m2_g) = hit.masses_g();
     let place = match hit.given {
         Placement::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
         Placement::Offset { offset_mm } => ("offset_mm", offset_mm),
     };
     let figures = [
-        ("m1_g", g_from_kg(striker.mass)),
-        ("m2_g", g_from_kg(target.mass)),
+        ("m1_g", m1_g),
+        ("m2_g", m2_g),
         ("r1_mm", mm_from_m(striker.radius)),
         ("r2_mm", mm_from_m(target.radius)),
         ("restitution", hit.restitution),

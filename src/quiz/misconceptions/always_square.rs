@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::super::words;
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::numbers;
 
 /// The right angle of equal masses is taken to hold for all.
 pub static ALWAYS_SQUARE: Misconception = Misconception {
@@ -27,8 +27,8 @@ pub static ALWAYS_SQUARE: Misconception = Misconception {
         let alpha = hit.alpha().abs();
         format!(
             "You opened a right angle, {} + {}. That is not so {reason}.",
-            words::bare_degrees(FRAC_PI_2 - alpha),
-            words::degrees(alpha),
+            numbers::bare_degrees(FRAC_PI_2 - alpha),
+            numbers::degrees(alpha),
         )
     },
 };

@@ -1,7 +1,8 @@
 //! θ₁ = α: the striker leaves at the impact angle.
 
-use super::super::{Ray, words};
+use super::super::Ray;
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::numbers;
 
 /// The scattering angle is taken to be the impact angle.
 pub static COPIED_ANGLE: Misconception = Misconception {
@@ -19,7 +20,7 @@ pub static COPIED_ANGLE: Misconception = Misconception {
     says: |hit| {
         format!(
             "You sent the striker off at the impact angle, {}. That is the {}'s angle.",
-            words::degrees(hit.alpha().abs()),
+            numbers::degrees(hit.alpha().abs()),
             hit.pieces.target_name()
         )
     },

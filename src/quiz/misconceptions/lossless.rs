@@ -2,8 +2,9 @@
 
 use crate::physics::Collision;
 
-use super::super::{Rays, words};
+use super::super::Rays;
 use super::{Misconception, Prediction};
+use crate::numbers;
 
 /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
 pub static LOSSLESS: Misconception = Misconception {
@@ -25,7 +26,7 @@ pub static LOSSLESS: Misconception = Misconception {
         format!(
             "Your angles are those without loss. With e = {} the two part more slowly along \
              the line of impact.",
-            words::significant(hit.restitution)
+            numbers::significant(hit.restitution)
         )
     },
 };

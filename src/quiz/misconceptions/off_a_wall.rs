@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::super::{Ray, words};
+use super::super::Ray;
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::numbers;
 
 /// The target is taken to throw the striker back as a wall would.
 pub static OFF_A_WALL: Misconception = Misconception {
@@ -21,7 +22,7 @@ pub static OFF_A_WALL: Misconception = Misconception {
     says: |hit| {
         format!(
             "You bounced the striker by {}, as off a wall. But the {} gives way.",
-            words::degrees(PI - 2.0 * hit.alpha().abs()),
+            numbers::degrees(PI - 2.0 * hit.alpha().abs()),
             hit.pieces.target_name()
         )
     },

@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::super::words;
 use super::super::{Placement, Rays};
 use super::{Misconception, Prediction};
+use crate::numbers;
 
 /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
 pub static OFFSET_AS_ANGLE: Misconception = Misconception {
@@ -27,7 +27,7 @@ pub static OFFSET_AS_ANGLE: Misconception = Misconception {
         format!(
             "You took the offset as a share of 90° and found {}. It gives the sine of the \
              angle.",
-            words::degrees(alpha)
+            numbers::degrees(alpha)
         )
     },
 };

@@ -1,7 +1,8 @@
 //! Both angles right, each given to the other disc.
 
-use super::super::{Rays, words};
+use super::super::Rays;
 use super::{Misconception, Prediction};
+use crate::numbers;
 
 /// The striker's angle is given to the target and the target's to the striker.
 pub static SWAPPED: Misconception = Misconception {
@@ -26,8 +27,8 @@ pub static SWAPPED: Misconception = Misconception {
                 target: Some(theta2),
             } if !hit.head_on() => format!(
                 "Your figures are right, but swapped: {} is the {name}'s, {} the striker's.",
-                words::degrees(theta2.abs()),
-                words::degrees(theta1.abs())
+                numbers::degrees(theta2.abs()),
+                numbers::degrees(theta1.abs())
             ),
             _ => format!("You had it the other way round: you gave the {name} the striker's part."),
         }

@@ -27,7 +27,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
-use super::{Context, Next, Question, Screen};
+use super::{Confirmation, Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Code;
 use crate::widgets::hit::WatchAction;
@@ -134,7 +134,7 @@ impl Class {
                     true => "It cannot be saved: it is lost then. e writes its tables.",
                     false => "After that it is kept, to be taken up again.",
                 };
-                Next::Confirm(Question::new(
+                Next::Confirm(Confirmation::new(
                     format!("Leave the round? {what}"),
                     "leave the round",
                     "stay",

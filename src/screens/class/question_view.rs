@@ -9,12 +9,12 @@ use super::view::{Text, column};
 use crate::class::ClassStep;
 use crate::quiz::{Form, Illustration, Question, letter};
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Beside, Lines, Look, Role, draw_question};
+use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
 
 /// The place of the question's words, and of its picture if it is to be seen.
 struct WordsPlace {
     words: Rect,
-    beside: Option<Beside>,
+    beside: Option<SplitLayout>,
 }
 
 fn heading_and(play: &ClassPlay, then: impl FnOnce(Heading)) {
@@ -43,7 +43,7 @@ fn layout(play: &ClassPlay, question: &Question, area: Rect, look: &Look) -> Wor
             beside: None,
         };
     }
-    let beside = Beside::square(rest);
+    let beside = SplitLayout::square(rest);
     WordsPlace {
         words: beside.panel,
         beside: Some(beside),

@@ -9,7 +9,7 @@ use super::shown::ClassReveal;
 use super::view::{Text, teams};
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Question, Response, letter};
-use crate::widgets::{Beside, Lines, Look, Role, draw_question};
+use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
 
 /// Rows of a body from which on there is a heading above the picture, too.
 const HEADED_FROM: u16 = 34;
@@ -17,7 +17,7 @@ const HEADED_FROM: u16 = 34;
 const HEADING: Heading<'static> = Heading::new(&["The shot"], "");
 
 /// Where picture and panel are.
-fn layout(question: &Question, shown: &ClassReveal, area: Rect, look: &Look) -> Beside {
+fn layout(question: &Question, shown: &ClassReveal, area: Rect, look: &Look) -> SplitLayout {
     let rest = if area.height >= HEADED_FROM {
         HEADING.rest(area, look)
     } else {
@@ -26,9 +26,9 @@ fn layout(question: &Question, shown: &ClassReveal, area: Rect, look: &Look) -> 
     let pictured =
         shown.telling.watch().is_some() || question.picture != crate::quiz::Illustration::Nothing;
     if pictured {
-        Beside::square(rest)
+        SplitLayout::square(rest)
     } else {
-        Beside::text_alone(rest)
+        SplitLayout::text_alone(rest)
     }
 }
 
@@ -58,7 +58,7 @@ pub(super) fn draw(
     };
     layout.draw(buf, look, &title, aside);
     match shown.telling.watch() {
-        Some(watch) => watch.draw(layout.picture, buf, look),
+        Some(watch) => watch.picture(layout.picture).draw(buf, look),
         None => draw_question(layout.picture, buf, look, question, None),
     }
 }

@@ -14,11 +14,11 @@ use crate::physics::units::mm_from_m;
 use crate::quiz::{Form, Question, Ray, Response, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
-use crate::widgets::hit::{Stage, degrees};
-use crate::widgets::ink::{Pen, Sheet, Side};
+use crate::widgets::hit::{HitLayout, degrees};
 use crate::widgets::panel::draw_panel;
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Beside, Lines, Look, Role, brief, draw_question};
+use crate::widgets::{Lines, Look, Role, SplitLayout, brief, draw_question};
 
 const HEADING: Heading<'static> = Heading::new(
     &["Talk"],
@@ -44,7 +44,7 @@ pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) 
     match &question.form {
         Form::Choice { options, .. } => draw_bars(options, &votes, column(rest), buf, look),
         Form::Rays { .. } => {
-            let beside = Beside::square(rest);
+            let beside = SplitLayout::square(rest);
             beside.draw(buf, look, "all who voted", "the votes");
             // The question's own labels stay whole.
             if let Some(collision) = question.picture.collision() {
@@ -82,7 +82,7 @@ pub(super) fn text<'a>(play: &'a ClassPlay, area: Rect, look: &Look) -> Option<T
     let Form::Rays { target, .. } = &question.form else {
         return None;
     };
-    let panel = Beside::square(HEADING.rest(area, look)).panel;
+    let panel = SplitLayout::square(HEADING.rest(area, look)).panel;
     let write = move |lines: &mut Lines| write_rays(play, question, target, lines);
     Some((panel, Box::new(write)))
 }
@@ -135,8 +135,8 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
 
 /// All rays, from where the two will meet.
 fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
-    let stage = Stage::new(area, collision);
-    let mut sheet = Sheet::new(stage.view, look.charset);
+    let stage = HitLayout::new(area, collision);
+    let mut picture = Picture::new(stage.view);
     let bodies = [
         (Ray::Striker, "S", Role::StrikerOut),
         (Ray::Target, "C", Role::CoinOut),
@@ -156,11 +156,11 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
                 Ray::Striker => Pen::new(role),
                 Ray::Target => Pen::new(role).dashed(),
             };
-            sheet.line(start, tip, pen);
-            sheet.label(name, tip, &Side::towards(direction), role);
+            picture.line(start, tip, pen);
+            picture.label(name, tip, &LabelSide::towards(direction), role);
         }
     }
-    sheet.draw(buf, &look.theme);
+    picture.draw(buf, look);
 }
 
 /// Columns of a letter or a number in large type beside a bar, with air.
@@ -249,7 +249,12 @@ fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &L
     for (number, count) in &heaps {
         let label = format!("{}", (number * 1000.0).round() / 1000.0 + 0.0);
         let at = dvec2(*number, *count as f64);
-        plot.label(&label, at, &[Side::Above, Side::AboveRight], Role::Title);
+        plot.label(
+            &label,
+            at,
+            &[LabelSide::Above, LabelSide::AboveRight],
+            Role::Title,
+        );
     }
     plot.draw(buf);
 }

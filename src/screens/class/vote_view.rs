@@ -10,7 +10,7 @@ use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Illustration, Question};
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{AnswerInput, Beside, Lines, Look, Role, draw_question, text};
+use crate::widgets::{AnswerInput, Lines, Look, Role, SplitLayout, draw_question, text};
 
 /// Columns before a name: a mark and a number.
 const MARK: u16 = 5;
@@ -166,10 +166,10 @@ fn state(round: &ClassRound, question: usize, team: usize, vote: Vote) -> (bool,
 }
 
 /// Where a team votes: picture and panel.
-pub(super) fn entry_layout(question: &Question, area: Rect) -> Beside {
+pub(super) fn entry_layout(question: &Question, area: Rect) -> SplitLayout {
     match question.picture {
-        Illustration::Nothing => Beside::text_alone(area),
-        _ => Beside::new(area),
+        Illustration::Nothing => SplitLayout::text_alone(area),
+        _ => SplitLayout::new(area),
     }
 }
 

@@ -2,18 +2,17 @@
 
 use std::f64::consts::PI;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::run::Run;
 use super::setup::{Obstacle, Setup};
 use super::{Foil, guess, words};
-use crate::beams::{BIN_WIDTH, BINS, Counts, Law, Target};
+use crate::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::screens::Context;
 use crate::widgets::bar::bar;
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role};
 
@@ -30,8 +29,8 @@ pub(super) fn title(setup: &Setup) -> &'static str {
     }
 }
 
-/// Draws the counts, and the law once something has been thrown.
-pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
+/// The counts, and the law once something has been thrown.
+pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let most = Counts::expected(&law, particles)
@@ -55,17 +54,26 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
         let thrown = run.thrown();
         let expected = |at| expected_at(&law, thrown, at).filter(|count| *count >= least);
         plot.function(expected, Pen::new(Role::StrikerOut));
-        let sides = [Side::AboveRight, Side::Above, Side::AboveLeft, Side::Right];
-        let _ = label_places(expected)
-            .into_iter()
-            .any(|at| plot.label("the law", at, &sides, Role::StrikerOut));
+        let sides = [
+            LabelSide::AboveRight,
+            LabelSide::Above,
+            LabelSide::AboveLeft,
+            LabelSide::Right,
+        ];
+        let mut places = label_places(expected).into_iter();
+        if let Some(first) = places.next() {
+            let label = plot.label("the law", first, &sides, Role::StrikerOut);
+            for (at, sides) in places.map(|at| (at, &sides)) {
+                label.or(at, sides);
+            }
+        }
     }
-    plot.draw(buf);
+    plot.picture()
 }
 
 /// Particles expected within 2.5° of an angle in degrees, so that the curve passes the
 /// middle of each bin at what is expected in it.
-fn expected_at(law: &Law, thrown: u64, degrees: f64) -> Option<f64> {
+fn expected_at(law: &ScatteringLaw, thrown: u64, degrees: f64) -> Option<f64> {
     let half = BIN_WIDTH / 2.0;
     let at = degrees.to_radians();
     let inside = at >= half - 1e-9 && at <= PI - half + 1e-9;
@@ -196,18 +204,18 @@ fn about(setup: &Setup) -> &'static str {
 }
 
 /// Why the share is what it is.
-fn reason(law: &Law, share: f64) -> String {
+fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {
-        (Target::Hard, Beam::Board) => format!(
+        (BeamTarget::Hard, Beam::Board) => format!(
             "Turned back are those nearer than R cos 45° = {nearness:.3} R. On a line that is {}.",
             words::share(share)
         ),
-        (Target::Hard, Beam::Space) => format!(
+        (BeamTarget::Hard, Beam::Space) => format!(
             "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres scatter alike in all directions; the counts are highest at 90° because that ring of the sky is widest.",
             words::share(share)
         ),
-        (Target::Coulomb { half_width, .. }, beam) => {
+        (BeamTarget::Coulomb { half_width, .. }, beam) => {
             let near = nearness * half_width / FM;
             let room = words::count(words::rounded(half_width / FM) as u64);
             let power = if beam == Beam::Space { "²" } else { "" };

@@ -1,7 +1,7 @@
 //! What one says before a beam is thrown: how many are turned back.
 
 /// An answer to choose from.
-pub struct Choice {
+pub(super) struct Choice {
     /// In words.
     pub name: &'static str,
     /// The share it means.
@@ -10,7 +10,7 @@ pub struct Choice {
 
 /// The answers to choose from. Steps of ten: for what is rare the order of magnitude is
 /// what matters.
-pub const CHOICES: [Choice; 9] = [
+pub(super) const CHOICES: [Choice; 9] = [
     choice("all of them", 1.0),
     choice("seven in ten", 0.7),
     choice("half of them", 0.5),
@@ -27,7 +27,7 @@ const fn choice(name: &'static str, share: f64) -> Choice {
 }
 
 /// What to say to an answer, now that the share is known.
-pub fn explain(said: f64, share: f64) -> String {
+pub(super) fn explain(said: f64, share: f64) -> String {
     let off = |choice: &Choice| (choice.share / share).log10().abs();
     let nearest = CHOICES
         .iter()

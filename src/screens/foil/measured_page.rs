@@ -1,19 +1,18 @@
 //! What Geiger and Marsden counted, beside the law.
 
 use glam::dvec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::setup::Setup;
 use super::words;
 use crate::beams::{Angle, Series, geiger_marsden};
 use crate::physics::rutherford::{GOLD_DENSITY, MEASURED_SHARE, Rutherford};
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Lines, Look, Role};
 
 /// A metal and how it is shown.
-struct Metal {
+struct ShownMetal {
     name: &'static str,
     count: fn(&Angle) -> f64,
     /// Its mark in ASCII and in Unicode.
@@ -21,20 +20,20 @@ struct Metal {
     role: Role,
 }
 
-impl Metal {
+impl ShownMetal {
     fn mark(&self, charset: Charset) -> char {
         self.marks[usize::from(charset == Charset::Unicode)]
     }
 }
 
-const METALS: [Metal; 2] = [
-    Metal {
+const METALS: [ShownMetal; 2] = [
+    ShownMetal {
         name: "gold",
         count: |angle| angle.gold,
         marks: ['o', '●'],
         role: Role::CoinOut,
     },
-    Metal {
+    ShownMetal {
         name: "silver",
         count: |angle| angle.silver,
         marks: ['x', '×'],
@@ -57,11 +56,8 @@ fn series() -> Result<[Option<Series>; 2], String> {
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
 }
 
-/// Draws the counts: against 1/sin⁴(φ/2), or as what they are above the law.
-pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
-    let Ok(series) = series() else {
-        return;
-    };
+/// The counts: against 1/sin⁴(φ/2), or as what they are above the law.
+pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     let law = Axis::log("1/sin⁴(φ/2), small φ right", 1.0, 5000.0);
     let mut plot = if levelled {
         let excess = Axis::linear("above the law (%)", -25.0, 50.0).every(25.0);
@@ -74,6 +70,7 @@ pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
             Axis::log("scintillations counted", 10.0, 300_000.0),
         )
     };
+    let series = series().into_iter().flatten();
     for (metal, series) in METALS.iter().zip(series) {
         if let Some(series) = series {
             if levelled {
@@ -83,12 +80,12 @@ pub(super) fn draw(levelled: bool, area: Rect, buf: &mut Buffer, look: Look) {
             }
         }
     }
-    plot.draw(buf);
+    plot.picture()
 }
 
 /// Counts with the line that the law draws through them.
-fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
-    let Metal { name, role, .. } = *metal;
+fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
+    let ShownMetal { name, role, .. } = *metal;
     let line = [1.0, 5000.0].map(|law| dvec2(law, law * series.scale));
     plot.curve(line, Role::Dim);
     for (_, law, count) in &series.points {
@@ -96,9 +93,9 @@ fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
     }
     if let Some((_, law, count)) = series.points.get(series.points.len() / 2) {
         let sides = if name == "gold" {
-            [Side::AboveLeft, Side::Left]
+            [LabelSide::AboveLeft, LabelSide::Left]
         } else {
-            [Side::BelowRight, Side::Right]
+            [LabelSide::BelowRight, LabelSide::Right]
         };
         plot.label(
             &format!("{name} {}", metal.mark(look.charset)),
@@ -110,8 +107,8 @@ fn counts(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
 }
 
 /// What each count is above the law, in per cent, and the band of gold.
-fn levels(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
-    let Metal { name, role, .. } = *metal;
+fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
+    let ShownMetal { name, role, .. } = *metal;
     let percent = |excess: f64| 100.0 * excess;
     if name == "gold" {
         let (low, high) = series.band();
@@ -128,14 +125,14 @@ fn levels(plot: &mut Plot, look: Look, metal: &Metal, series: &Series) {
     let mut at = dvec2(1.5, 35.0);
     if name == "gold" {
         let (low, high) = series.band();
-        for (edge, side) in [(low, Side::Below), (high, Side::Above)] {
+        for (edge, side) in [(low, LabelSide::Below), (high, LabelSide::Above)] {
             let text = format!("gold {}", signed(edge));
             plot.label(&text, dvec2(8.0, percent(edge)), &[side], Role::Text);
         }
         at.y = 42.0;
     }
     let legend = format!("{} {name}", metal.mark(look.charset));
-    plot.label(&legend, at, &[Side::Right], role);
+    plot.label(&legend, at, &[LabelSide::Right], role);
 }
 
 /// A share as per cent with its sign.

@@ -2,7 +2,6 @@
 //! 1913.
 
 mod beam_page;
-mod export;
 mod field;
 mod guess;
 mod measured_page;
@@ -20,10 +19,10 @@ use ratatui::layout::Rect;
 
 use super::{Context, Help, Hint, Next, OldScreen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::widgets::{NumberEntry, Outcome, Scroll};
+use crate::widgets::{NumberEntry, Outcome, Scroll, svg};
 
 pub use field::Field;
-pub use plot::Plot;
+pub use plot::FoilFigure;
 pub use setup::{Obstacle, Setup};
 
 use run::Run;
@@ -226,7 +225,10 @@ impl Foil {
                 self.commit_entry();
                 let name = format!("carrom-foil-{}.svg", self.page.name().replace(' ', "-"));
                 let look = cx.settings.look();
-                cx.export(name, export::svg_of(self, look));
+                let svg = svg::of_panel(view::title(self), &look, |area, _| {
+                    vec![view::picture(self, area, look)]
+                });
+                cx.export(name, svg);
             }
             Key::Char('p' | 'P') => cx.settings.predict = !cx.settings.predict,
             _ if self.page == Page::Measured => return self.measured_key(key, cx),
@@ -292,7 +294,7 @@ impl Foil {
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::Layout::new(cx.body).beside.panel;
+        let area = view::FoilLayout::new(cx.body).beside.panel;
         let mut scroll = self.scroll;
         scroll.by(rows, area, cx.settings.look(), |lines| {
             view::write_panel(self, lines, cx);
@@ -301,7 +303,7 @@ impl Foil {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = view::Layout::new(cx.body);
+        let layout = view::FoilLayout::new(cx.body);
         let cell = (mouse.column, mouse.row);
         let pressed = mouse.kind == MouseKind::Down;
         if pressed && let Some(page) = layout.tab_at(cell) {

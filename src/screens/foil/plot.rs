@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Field, Foil, Page, Run, Setup, tracks_page, view};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
+use crate::widgets::picture::Picture;
 
 /// Ten million particles: enough for some to be turned back, by a foil too.
 const PARTICLES_EXPONENT: u32 = 7;
@@ -21,9 +21,9 @@ const LEAP: f64 = 10.0;
 
 /// The picture of a page of the foil.
 #[derive(Debug, Clone)]
-pub struct Plot(Foil);
+pub struct FoilFigure(Foil);
 
-impl Plot {
+impl FoilFigure {
     /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A
     /// beam is thrown: at once, or so that one can watch it if it is `watched`.
     pub fn new(page: Page, levelled: bool, watched: bool) -> Self {
@@ -119,9 +119,9 @@ impl Plot {
         self.is_running().then_some(Duration::ZERO)
     }
 
-    /// Draws it.
-    pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
-        view::draw_picture(&self.0, area, buf, *look);
+    /// What it shows.
+    pub fn picture(&self, area: Rect, look: &Look) -> Picture {
+        view::picture(&self.0, area, *look)
     }
 }
 
@@ -131,8 +131,8 @@ mod tests {
 
     #[test]
     fn a_beam_that_is_watched_ends_as_one_that_is_thrown_at_once() {
-        let whole = Plot::new(Page::Counts, false, false);
-        let mut watched = Plot::new(Page::Counts, false, true);
+        let whole = FoilFigure::new(Page::Counts, false, false);
+        let mut watched = FoilFigure::new(Page::Counts, false, true);
         assert!(whole.wake().is_none() && watched.wake().is_some());
         let mut pictures = 0;
         while watched.wake().is_some() {
@@ -140,7 +140,7 @@ mod tests {
             pictures += 1;
         }
         assert!(pictures > 60, "{pictures}");
-        let counts = |plot: &Plot| *plot.0.run.as_ref().unwrap().counts();
+        let counts = |plot: &FoilFigure| *plot.0.run.as_ref().unwrap().counts();
         assert_eq!(counts(&watched), counts(&whole));
         assert!(watched.update(Key::Char(' ')) && watched.wake().is_some());
         assert!(watched.update(Key::Escape) && watched.wake().is_none());

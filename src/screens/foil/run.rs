@@ -1,6 +1,6 @@
 //! A beam under way.
 
-use crate::beams::{BINS, Counts, Law, Sampler};
+use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
 /// Pictures over which a beam is spread, so that one can watch the counts grow: about
 /// four seconds.
@@ -11,8 +11,8 @@ const MOST: u64 = 2_000_000;
 
 /// A beam, as far as it has been thrown.
 #[derive(Debug, Clone)]
-pub struct Run {
-    law: Law,
+pub(super) struct Run {
+    law: ScatteringLaw,
     sampler: Box<Sampler>,
     seed: u64,
     particles: u64,
@@ -24,7 +24,7 @@ pub struct Run {
 
 impl Run {
     /// A beam of `particles`, none of them thrown yet.
-    pub fn new(law: Law, seed: u64, particles: u64, said: Option<f64>) -> Self {
+    pub(super) fn new(law: ScatteringLaw, seed: u64, particles: u64, said: Option<f64>) -> Self {
         Self {
             law,
             sampler: Box::new(Sampler::new(&law)),
@@ -37,42 +37,42 @@ impl Run {
     }
 
     /// The law it follows.
-    pub fn law(&self) -> &Law {
+    pub(super) fn law(&self) -> &ScatteringLaw {
         &self.law
     }
 
     /// The counts so far.
-    pub fn counts(&self) -> &Counts {
+    pub(super) fn counts(&self) -> &Counts {
         &self.counts
     }
 
     /// Particles thrown so far.
-    pub fn thrown(&self) -> u64 {
+    pub(super) fn thrown(&self) -> u64 {
         self.counts.total()
     }
 
     /// Particles in all.
-    pub fn particles(&self) -> u64 {
+    pub(super) fn particles(&self) -> u64 {
         self.particles
     }
 
     /// Whether all have been thrown.
-    pub fn is_over(&self) -> bool {
+    pub(super) fn is_over(&self) -> bool {
         self.thrown() >= self.particles
     }
 
     /// Whether more are being thrown.
-    pub fn is_running(&self) -> bool {
+    pub(super) fn is_running(&self) -> bool {
         !self.halted && !self.is_over()
     }
 
     /// Stops it, or lets it go on.
-    pub fn set_halted(&mut self, halted: bool) {
+    pub(super) fn set_halted(&mut self, halted: bool) {
         self.halted = halted;
     }
 
     /// Throws the particles between two pictures.
-    pub fn advance(&mut self) {
+    pub(super) fn advance(&mut self) {
         if self.is_running() {
             let thrown = self.thrown();
             let slice = self.particles.div_ceil(PICTURES).min(MOST);
@@ -82,7 +82,7 @@ impl Run {
     }
 
     /// The share turned by more than 90° so far; `None` before the first particle.
-    pub fn share_turned_back(&self) -> Option<f64> {
+    pub(super) fn share_turned_back(&self) -> Option<f64> {
         let back = self.counts.from_bin(BINS / 2);
         (self.thrown() > 0).then(|| back as f64 / self.thrown() as f64)
     }

@@ -1,6 +1,6 @@
 //! What the foil is set to: what is thrown at what, and how.
 
-use crate::beams::{Foil, Law, METALS, Metal, Target};
+use crate::beams::{BeamTarget, Foil, METALS, Metal, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 
@@ -62,14 +62,14 @@ impl Setup {
     }
 
     /// The law that holds for a beam.
-    pub fn law(&self) -> Law {
+    pub fn law(&self) -> ScatteringLaw {
         let foil = Foil {
             metal: self.metal(),
             thickness: self.thickness_um * 1e-6,
         };
-        Law {
+        ScatteringLaw {
             target: match self.obstacle {
-                Obstacle::Hard => Target::Hard,
+                Obstacle::Hard => BeamTarget::Hard,
                 Obstacle::Nucleus => foil.target(self.energy_mev * MEV),
             },
             beam: self.beam,

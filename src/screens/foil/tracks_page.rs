@@ -3,17 +3,16 @@
 use std::f64::consts::PI;
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::setup::{Obstacle, Setup};
 use super::words::rounded;
-use crate::beams::{Law, Target};
+use crate::beams::{BeamTarget, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
-use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Role};
 
 /// Half the height of the picture of a nucleus, in fm.
 const HALF_HEIGHT_FM: f64 = 62.0;
@@ -100,8 +99,8 @@ fn hard_path(offset: f64, reach: f64) -> Path {
         };
     }
     let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);
-    let law = Law {
-        target: Target::Hard,
+    let law = ScatteringLaw {
+        target: BeamTarget::Hard,
         beam: Beam::Board,
     };
     let angle = law.angle(offset.abs());
@@ -113,15 +112,15 @@ fn hard_path(offset: f64, reach: f64) -> Path {
     }
 }
 
-/// Draws the picture.
-pub(super) fn draw(setup: &Setup, area: Rect, buf: &mut Buffer, look: &Look) {
+/// The picture of the page.
+pub(super) fn picture(setup: &Setup, area: Rect) -> Picture {
     let view = view(area, setup);
     let half = half_height(setup);
-    let mut sheet = Sheet::new(view, look.charset);
+    let mut picture = Picture::new(view);
     // To the corners of the picture, however wide it is.
     let wide = (view.to_world(dvec2(f64::from(area.right()), 0.0)).x).abs();
     let reach = 1.2 * wide.hypot(half).max(half);
-    sheet.line(
+    picture.line(
         dvec2(-reach, 0.0),
         dvec2(reach, 0.0),
         Pen::new(Role::Axis).dotted(),
@@ -129,19 +128,19 @@ pub(super) fn draw(setup: &Setup, area: Rect, buf: &mut Buffer, look: &Look) {
     // One straight on would come back along its own way.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
-        sheet.polyline(beside.points, Pen::new(Role::Trail).dotted());
+        picture.curve(beside.points, Pen::new(Role::Trail).dotted());
     }
     match setup.obstacle {
-        Obstacle::Hard => sheet.disc(DVec2::ZERO, 1.0, Role::Coin, ' '),
+        Obstacle::Hard => picture.disc(DVec2::ZERO, 1.0, Role::Coin, ' '),
         // A nucleus is smaller than any cell: a mark of its place.
-        Obstacle::Nucleus => sheet.disc(DVec2::ZERO, 1.0, Role::Marble, ' '),
+        Obstacle::Nucleus => picture.disc(DVec2::ZERO, 1.0, Role::Marble, ' '),
     }
-    draw_particle(setup, &mut sheet, reach);
-    sheet.draw(buf, &look.theme);
+    draw_particle(setup, &mut picture, reach);
+    picture
 }
 
 /// The particle that is set, with what is measured on it.
-fn draw_particle(setup: &Setup, sheet: &mut Sheet, reach: f64) {
+fn draw_particle(setup: &Setup, picture: &mut Picture, reach: f64) {
     let offset = offset(setup);
     let set = path(setup, offset, reach);
     let pen = Pen::new(Role::StrikerOut).on(Layer::Vector);
@@ -149,39 +148,39 @@ fn draw_particle(setup: &Setup, sheet: &mut Sheet, reach: f64) {
         match setup.obstacle {
             Obstacle::Hard => {
                 let pen = Pen::new(Role::LineOfImpact).dashed();
-                sheet.line(nearest, nearest * 1.7, pen);
+                picture.line(nearest, nearest * 1.7, pen);
             }
-            Obstacle::Nucleus => sheet.line(DVec2::ZERO, nearest, Role::LineOfImpact),
+            Obstacle::Nucleus => picture.line(DVec2::ZERO, nearest, Role::LineOfImpact),
         }
     }
     // The way it would have gone on, which the angle is measured from.
     let straight = Pen::new(Role::Aim).dashed();
     let from = set.nearest.map_or(0.0, |nearest| nearest.x.max(-reach));
-    sheet.line(dvec2(from, offset), dvec2(reach, offset), straight);
-    let Some((tip, direction)) = draw_way(sheet, &set.points, pen) else {
+    picture.line(dvec2(from, offset), dvec2(reach, offset), straight);
+    let Some((tip, direction)) = draw_way(picture, &set.points, pen) else {
         return;
     };
-    let left = sheet.view().world_at(sheet.view().area().x + 1, 0).x;
+    let left = picture.view().world_at(picture.view().area().x + 1, 0).x;
     let (unit, decimals) = match setup.obstacle {
         Obstacle::Hard => ("R", 2),
         Obstacle::Nucleus => ("fm", 1),
     };
     let angle = format!("Θ = {:.1}°", set.angle.to_degrees());
-    let sides = Side::towards(direction);
-    sheet.label(&angle, tip, &sides, Role::StrikerOut);
+    let sides = LabelSide::towards(direction);
+    picture.label(&angle, tip, &sides, Role::StrikerOut);
     let text = format!("b = {:.decimals$} {unit}", offset.abs());
     let sides = if offset < 0.0 {
-        [Side::BelowRight, Side::AboveRight]
+        [LabelSide::BelowRight, LabelSide::AboveRight]
     } else {
-        [Side::AboveRight, Side::BelowRight]
+        [LabelSide::AboveRight, LabelSide::BelowRight]
     };
-    sheet.label(&text, dvec2(left, offset), &sides, Role::Text);
+    picture.label(&text, dvec2(left, offset), &sides, Role::Text);
     if let (Obstacle::Nucleus, Some(nearest)) = (setup.obstacle, set.nearest) {
         let text = format!("r_min = {:.1} fm", nearest.length());
-        sheet.label(
+        picture.label(
             &text,
             nearest * 0.5,
-            &Side::towards(-nearest.perp()),
+            &LabelSide::towards(-nearest.perp()),
             Role::Text,
         );
     }

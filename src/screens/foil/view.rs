@@ -5,19 +5,20 @@ use ratatui::layout::Rect;
 
 use super::{Foil, Page, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
-use crate::widgets::{Beside, Lines, Look, Role, text};
+use crate::widgets::picture::Picture;
+use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
-pub struct Layout {
+pub(super) struct FoilLayout {
     tabs: Rect,
     /// The picture and the panel.
-    pub beside: Beside,
+    pub beside: SplitLayout,
 }
 
-impl Layout {
+impl FoilLayout {
     /// Lays it out in `area`.
-    pub fn new(area: Rect) -> Self {
+    pub(super) fn new(area: Rect) -> Self {
         let row = 1.min(area.height);
         let tabs = Rect {
             height: row,
@@ -30,7 +31,7 @@ impl Layout {
         };
         Self {
             tabs,
-            beside: Beside::new(rest),
+            beside: SplitLayout::new(rest),
         }
     }
 
@@ -46,7 +47,7 @@ impl Layout {
     }
 
     /// The page whose tab is at this cell.
-    pub fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
+    pub(super) fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
         if !self.tabs.contains((column, row).into()) {
             return None;
         }
@@ -57,7 +58,7 @@ impl Layout {
     }
 
     /// Which row of the panel's text, which may be scrolled, is at this cell of it.
-    pub fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
+    pub(super) fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
         let scrolled = foil
             .scroll
             .rows(self.beside.panel, cx.settings.look(), |lines| {
@@ -70,7 +71,7 @@ impl Layout {
 /// Draws the foil.
 pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Layout::new(area);
+    let layout = FoilLayout::new(area);
     for (page, column, name) in layout.tabs() {
         let role = if page == foil.page {
             Role::Selected
@@ -95,7 +96,7 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
         Page::Measured => "the experiment",
     };
     beside.draw(buf, &look, title(foil), side);
-    draw_picture(foil, beside.picture, buf, look);
+    picture(foil, beside.picture, look).draw(buf, &look);
     foil.scroll.draw(beside.panel, buf, look, |lines| {
         write_panel(foil, lines, cx);
     });
@@ -110,12 +111,12 @@ pub(super) fn title(foil: &Foil) -> &'static str {
     }
 }
 
-/// Draws the plot of the page.
-pub(super) fn draw_picture(foil: &Foil, area: Rect, buf: &mut Buffer, look: Look) {
+/// The picture of the page.
+pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
     match foil.page {
-        Page::Tracks => tracks_page::draw(&foil.setup, area, buf, &look),
-        Page::Counts => beam_page::draw(foil, area, buf, look),
-        Page::Measured => measured_page::draw(foil.levelled, area, buf, look),
+        Page::Tracks => tracks_page::picture(&foil.setup, area),
+        Page::Counts => beam_page::picture(foil, area, look),
+        Page::Measured => measured_page::picture(foil.levelled, area, look),
     }
 }
 

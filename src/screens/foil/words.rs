@@ -1,7 +1,7 @@
 //! Numbers as the foil says them.
 
 /// A count with commas: 1,234,567.
-pub fn count(number: u64) -> String {
+pub(super) fn count(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {
@@ -14,7 +14,7 @@ pub fn count(number: u64) -> String {
 }
 
 /// A share: in per cent while it is not small, else "1 in 117,000", to three figures.
-pub fn share(share: f64) -> String {
+pub(super) fn share(share: f64) -> String {
     if share >= 0.1 {
         return format!("{:.1} %", 100.0 * share);
     }
@@ -26,12 +26,12 @@ pub fn share(share: f64) -> String {
 }
 
 /// A number above 0 to the nearest whole one, and to three figures.
-pub fn rounded(number: f64) -> f64 {
+pub(super) fn rounded(number: f64) -> f64 {
     to_figures(number, 3)
 }
 
 /// A number above 0 to the nearest whole one, and to so many figures.
-pub fn to_figures(number: f64, figures: u8) -> f64 {
+pub(super) fn to_figures(number: f64, figures: u8) -> f64 {
     let beyond = number.log10().floor() + 1.0 - f64::from(figures);
     let unit = 10_f64.powf(beyond.max(0.0));
     (number / unit).round() * unit

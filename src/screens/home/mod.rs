@@ -5,26 +5,29 @@ mod view;
 use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Help, Hint, Next, OldScreen, Place};
-use crate::messages::{Input, Key, MouseKind};
+use super::{Confirmation, Context, Next, Place, Screen};
+use crate::messages::{Input, Key};
 use crate::physics::{Collision, Disc};
-use crate::widgets::hit::{Layer, Layers, Watch};
+use crate::widgets::Outcome;
+use crate::widgets::hit::{Overlay, Overlays, Watch};
+use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// The first screen.
 #[derive(Debug, Clone)]
 pub struct Home {
-    chosen: usize,
+    list: ListView,
     picture: Watch,
 }
 
 impl Default for Home {
     /// The first choice, beside a hit at its contact.
     fn default() -> Self {
-        let mut layers = Layers::default();
-        layers.toggle(Layer::Triangle);
+        let mut layers = Overlays::default();
+        layers.toggle(Overlay::Triangle);
         Self {
-            chosen: 0,
+            list: ListView::default(),
             picture: Watch::new(worked_shot(), None, true).with_layers(layers),
         }
     }
@@ -36,34 +39,58 @@ fn worked_shot() -> Collision {
     Collision::at_angle(disc, disc, DVec2::new(4.0, 0.0), 30_f64.to_radians())
 }
 
+impl Home {
+    fn open(&mut self, line: usize) -> Next {
+        self.list.choose(line);
+        Next::Open(ENTRIES[line].place.clone())
+    }
+}
+
+/// What keys do on the first screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum HomeAction {
+    /// choose and open
+    List(ListAction),
+    /// open a line of the menu by its letter
+    Open(usize),
+    /// leave carrom
+    Quit,
+    /// leave carrom, if you are sure
+    Leave,
+}
+
+/// Where the class stands among the [`ENTRIES`].
+const CLASS: usize = 3;
+
 /// A line of the menu.
-struct Choice {
+struct Entry {
     key: char,
     name: &'static str,
     about: &'static str,
     place: Place,
 }
 
-const CHOICES: [Choice; 8] = [
-    Choice {
+static ENTRIES: [Entry; 8] = [
+    Entry {
         key: 'e',
         name: "Learn",
         about: "chapters, read by doing",
         place: Place::Learn,
     },
-    Choice {
+    Entry {
         key: 'l',
         name: "Lab",
         about: "one hit: set it, say, watch",
         place: Place::Lab,
     },
-    Choice {
+    Entry {
         key: 'z',
         name: "Quiz",
         about: "find out what you know",
         place: Place::Quiz { code: None },
     },
-    Choice {
+    Entry {
         key: 'c',
         name: "Class",
         about: "teams, one screen, two votes",
@@ -72,25 +99,25 @@ const CHOICES: [Choice; 8] = [
             teams: Vec::new(),
         },
     },
-    Choice {
+    Entry {
         key: 't',
         name: "Table",
         about: "carrom, every hit explained",
         place: Place::Table,
     },
-    Choice {
+    Entry {
         key: 'v',
         name: "Levels",
         about: "puzzles, solved by aiming",
         place: Place::Levels,
     },
-    Choice {
+    Entry {
         key: 'f',
         name: "Foil",
         about: "beams: from board to atom",
         place: Place::Foil,
     },
-    Choice {
+    Entry {
         key: 'p',
         name: "Progress",
         about: "how far you have come",
@@ -98,63 +125,62 @@ const CHOICES: [Choice; 8] = [
     },
 ];
 
-impl OldScreen for Home {
+impl Screen for Home {
+    type Action = HomeAction;
+
     fn title(&self) -> String {
         "home".into()
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match input {
-            Input::Key(Key::Up) => {
-                self.chosen = (self.chosen + CHOICES.len() - 1) % CHOICES.len();
-            }
-            Input::Key(Key::Down | Key::Tab) => self.chosen = (self.chosen + 1) % CHOICES.len(),
-            Input::Key(Key::Enter | Key::Char(' ')) => {
-                return Next::Open(CHOICES[self.chosen].place.clone());
-            }
-            Input::Key(Key::Char('q')) => return Next::Quit,
-            // Nothing lies behind the first screen; leaving it takes a plain Q.
-            Input::Key(Key::Escape) => {}
-            Input::Key(Key::Char(c)) => {
-                // What the class had before its own letter was free.
-                let c = if *c == 'g' { 'c' } else { *c };
-                let Some(i) = CHOICES.iter().position(|choice| choice.key == c) else {
-                    return Next::Ignored;
-                };
-                self.chosen = i;
-                return Next::Open(CHOICES[i].place.clone());
-            }
-            Input::Mouse(mouse) if mouse.kind == MouseKind::Down => {
-                if let Some(i) = view::choice_at(cx.body, mouse.column, mouse.row) {
-                    self.chosen = i;
-                    return Next::Open(CHOICES[i].place.clone());
-                }
-            }
-            _ => return Next::Ignored,
+    fn keys(&self, _cx: &Context) -> KeyTable<HomeAction> {
+        let letters = (0..).zip(ENTRIES.iter().map(|entry| entry.key));
+        let letters = letters.map(|(i, key)| (Key::Char(key), HomeAction::Open(i)));
+        KeyTable::new("home")
+            .with(ListView::keys("open"), HomeAction::List)
+            .on(Key::Char('q'), HomeAction::Quit, "quit")
+            .each(letters, "")
+            // What the class had before its own letter was free.
+            .or([(Key::Char('g'), HomeAction::Open(CLASS))])
+            .on(Key::Escape, HomeAction::Leave, "")
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "carrom teaches one thing well: what happens when one disc hits another off-centre.",
+            "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
+            "New here? Open the lab and press Enter: a hit in a minute. Then read the first chapter of Learn.",
+        ]
+    }
+
+    fn act(&mut self, action: HomeAction, _cx: &mut Context) -> Next {
+        match action {
+            HomeAction::List(action) => match self.list.act(action, ENTRIES.len()) {
+                Outcome::Done(line) => self.open(line),
+                _ => Next::Stay,
+            },
+            HomeAction::Open(line) => self.open(line),
+            HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
+            HomeAction::Quit => Next::Quit,
         }
-        Next::Stay
+    }
+
+    fn confirmed(&mut self, _action: HomeAction, _cx: &mut Context) -> Next {
+        Next::Quit
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        let Input::Mouse(mouse) = input else {
+            return Next::Ignored;
+        };
+        let line = view::choice_at(cx.body, mouse.column, mouse.row);
+        match self.list.mouse(mouse, ENTRIES.len(), line) {
+            Outcome::Done(line) => self.open(line),
+            Outcome::Used => Next::Stay,
+            Outcome::Ignored => Next::Ignored,
+        }
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         view::draw(self, area, buf, cx);
-    }
-
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        vec![
-            Hint::new("Up Down", "choose"),
-            Hint::new("Enter", "open"),
-            Hint::new("q", "quit"),
-        ]
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "carrom teaches one thing well: what happens when one disc hits another off-centre.",
-                "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
-                "New here? Open the lab and press Enter: a hit in a minute. Then read the first chapter of Learn.",
-            ],
-            keys: self.keys(_cx),
-        }
     }
 }

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{CHOICES, Home};
+use super::{ENTRIES, Home};
 use crate::screens::Context;
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Lines, Role};
@@ -35,14 +35,14 @@ pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
         return None;
     }
     let choice = usize::from(row.checked_sub(menu.y + HEAD_ROWS)? / rows_of_a_choice(menu));
-    (choice < CHOICES.len()).then_some(choice)
+    (choice < ENTRIES.len()).then_some(choice)
 }
 
 /// A choice takes a row for its name, one for what it is about and an empty one, as
 /// far as there is room for all of them.
 fn rows_of_a_choice(menu: Rect) -> u16 {
     let room = menu.height.saturating_sub(HEAD_ROWS);
-    (room / CHOICES.len() as u16).clamp(1, 3)
+    (room / ENTRIES.len() as u16).clamp(1, 3)
 }
 
 /// Draws the menu beside a hit.
@@ -51,14 +51,14 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
     let (picture, menu) = layout(area);
     let title = "a glancing hit";
     let inside = draw_panel(buf, picture, title, look.charset, &look.theme);
-    home.picture.draw(inside, buf, &look);
+    home.picture.picture(inside).draw(buf, &look);
     let mut lines = Lines::new(menu, buf, look);
     lines.line("Aim. Say where both will go.", Role::Text);
     lines.line("Then watch the exact hit, and why.", Role::Text);
     lines.line("", Role::Text);
     let rows = rows_of_a_choice(menu);
-    for (i, choice) in CHOICES.iter().enumerate() {
-        let chosen = i == home.chosen;
+    for (i, choice) in ENTRIES.iter().enumerate() {
+        let chosen = i == home.list.chosen(ENTRIES.len());
         let (mark, role) = if chosen {
             (">", Role::Selected)
         } else {

@@ -1,7 +1,7 @@
 //! Why the shot went as it did, starting from what the player said.
 
 use super::Setup;
-use crate::physics::{Bond, Meeting, Outcome};
+use crate::physics::{Bond, CollisionOutcome, Meeting};
 use crate::quiz;
 use crate::screens::why::{both_moving, of_hit};
 use crate::widgets::hit::Watch;
@@ -56,7 +56,7 @@ fn stuck(watch: &Watch) -> String {
 }
 
 /// How often in a second a pair that sticks turns, with the digits it takes.
-pub(super) fn turns_a_second(outcome: &Outcome) -> String {
+pub(super) fn turns_a_second(outcome: &CollisionOutcome) -> String {
     let turns = outcome.spin.abs() / std::f64::consts::TAU;
     let decimals = if turns < 0.1 { 3 } else { 1 };
     format!("{turns:.decimals$}")

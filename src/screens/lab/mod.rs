@@ -16,7 +16,7 @@ use super::{Context, Help, Hint, Next, OldScreen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Frame;
 use crate::widgets::hit::{Watch, drag_offset, point_at, side};
-use crate::widgets::{Beside, NumberEntry, Outcome, RayInput, Scroll};
+use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, SplitLayout};
 
 use mystery::Mystery;
 
@@ -218,7 +218,7 @@ impl Lab {
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         if let Phase::Watch(watch) = &self.phase {
-            let area = Beside::new(cx.body).panel;
+            let area = SplitLayout::new(cx.body).panel;
             let mut scroll = self.scroll;
             scroll.by(rows, area, cx.settings.look(), |lines| {
                 panel::write_shot(self, watch, lines);
@@ -228,7 +228,7 @@ impl Lab {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = Beside::new(cx.body);
+        let layout = SplitLayout::new(cx.body);
         let cell = (mouse.column, mouse.row);
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;

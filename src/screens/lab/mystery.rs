@@ -3,7 +3,7 @@
 use super::{Field, Setup};
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
-use crate::physics::{Bond, Outcome as CollisionOutcome};
+use crate::physics::{Bond, CollisionOutcome};
 use crate::widgets::{Lines, NumberEntry, Outcome, Role};
 
 /// The lightest mystery coin in g, and the step and number of the heavier ones.

@@ -5,13 +5,13 @@ use ratatui::layout::Rect;
 
 use super::{Lab, Phase, panel};
 use crate::screens::Context;
-use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup};
+use crate::widgets::SplitLayout;
+use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Draws the lab.
 pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = SplitLayout::new(area);
     let (title, side_title) = match &lab.phase {
         Phase::Aim => ("set up the hit".into(), "settings"),
         Phase::Predict(_) => ("where will they go?".into(), "say it first"),
@@ -27,17 +27,19 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
         angle: true,
         figures: true,
     };
+    let faces = Face::STRIKER_AND_COIN;
+    let setup = |rays| setup_picture(layout.picture, faces, &collision, given, rays);
     match &lab.phase {
         Phase::Aim => {
-            draw_setup(layout.picture, buf, &look, &collision, given, None);
+            setup(None).draw(buf, &look);
             panel::draw_settings(lab, layout.panel, buf, cx);
         }
         Phase::Predict(rays) => {
-            draw_setup(layout.picture, buf, &look, &collision, given, Some(rays));
+            setup(Some(rays)).draw(buf, &look);
             panel::draw_prediction(lab, rays, layout.panel, buf, cx);
         }
         Phase::Watch(watch) => {
-            watch.draw(layout.picture, buf, &look);
+            watch.picture(layout.picture).draw(buf, &look);
             lab.scroll.draw(layout.panel, buf, look, |lines| {
                 panel::write_shot(lab, watch, lines);
             });

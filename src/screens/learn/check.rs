@@ -9,7 +9,7 @@ use crate::lessons::{
 };
 use crate::quiz::Rays;
 use crate::screens::{Context, OldScreen, Settings};
-use crate::widgets::{Beside, Charset, formula, text};
+use crate::widgets::{Charset, SplitLayout, formula, text};
 
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
@@ -100,8 +100,8 @@ fn name(charset: Charset) -> &'static str {
 /// Formulas that are wider than the text.
 fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<FileError> {
     let layout = match page.figure {
-        Some(_) => Beside::square(BODY),
-        None => Beside::text_alone(BODY),
+        Some(_) => SplitLayout::square(BODY),
+        None => SplitLayout::text_alone(BODY),
     };
     // Less the margin, and what formulas are set in by.
     let room = usize::from(layout.panel.width).saturating_sub(3);

@@ -39,12 +39,3 @@ pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
         None => "disc",
     }
 }
-
-/// The same text with a capital to begin with.
-pub(super) fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
-    }
-}

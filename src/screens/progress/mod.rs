@@ -12,13 +12,31 @@ mod words;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Context, Help, Hint, Next, OldScreen, Place};
+use super::{Context, Next, Place, Screen};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
-use crate::widgets::{Beside, Lines, Role, Scroll};
-use page::Page;
+use crate::widgets::input::KeyTable;
+use crate::widgets::{Lines, Role, Scroll, SplitLayout};
+use page::ProgressPage;
+
+/// What keys do on the progress screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ProgressAction {
+    /// next page; Left for the page before
+    Turn(isize),
+    /// over time, topics, how sure, that over time, beliefs
+    TurnTo(usize),
+    /// scroll what is longer than its place; PageUp and PageDown by eight rows
+    Scroll(i16),
+    /// a round of the quiz
+    Quiz,
+    /// go back
+    Back,
+}
 
 /// Rows that a page is turned by.
 const LEAF: i16 = 8;
@@ -31,7 +49,7 @@ const NARROW_PANEL: u16 = 26;
 #[derive(Debug, Clone)]
 pub struct Progress {
     history: Recall,
-    page: Page,
+    page: ProgressPage,
     scroll: Scrolls,
 }
 
@@ -48,7 +66,7 @@ impl Progress {
         cx.ask_for_marks();
         Self {
             history: Recall::ask(cx),
-            page: Page::OverTime,
+            page: ProgressPage::OverTime,
             scroll: Scrolls::default(),
         }
     }
@@ -58,7 +76,7 @@ impl Progress {
         self.history.history()
     }
 
-    fn turn_to(&mut self, page: Page) {
+    fn turn_to(&mut self, page: ProgressPage) {
         self.page = page;
         self.scroll = Scrolls::default();
     }
@@ -72,23 +90,6 @@ impl Progress {
         scroll.picture.by(rows, layout.picture, look, table);
         scroll.panel.by(rows, layout.panel, look, panel);
         self.scroll = scroll;
-    }
-
-    fn key(&mut self, key: Key, cx: &Context) -> Next {
-        match key {
-            Key::Tab | Key::Right => self.turn_to(self.page.beside(1)),
-            Key::BackTab | Key::Left => self.turn_to(self.page.beside(-1)),
-            Key::Char(digit @ '1'..='5') => {
-                self.turn_to(Page::ALL[usize::from(digit as u8 - b'1')]);
-            }
-            Key::Up => self.scroll_by(-1, cx),
-            Key::Down => self.scroll_by(1, cx),
-            Key::PageUp => self.scroll_by(-LEAF, cx),
-            Key::PageDown => self.scroll_by(LEAF, cx),
-            Key::Enter => return Next::Replace(Place::Quiz { code: None }),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
@@ -107,10 +108,10 @@ impl Progress {
             return self.nothing(lines);
         };
         match self.page {
-            Page::OverTime | Page::SureOverTime => {}
-            Page::Topics => topics::table(history, book, lines),
-            Page::Sure => sure::table(history, lines),
-            Page::Beliefs => beliefs::table(history, lines),
+            ProgressPage::OverTime | ProgressPage::SureOverTime => {}
+            ProgressPage::Topics => topics::table(history, book, lines),
+            ProgressPage::Sure => sure::table(history, lines),
+            ProgressPage::Beliefs => beliefs::table(history, lines),
         }
     }
 
@@ -141,11 +142,11 @@ impl Progress {
     fn panel(&self, book: &Book, lines: &mut Lines) {
         if let Some(history) = self.history() {
             match self.page {
-                Page::OverTime => over_time::panel(history, book, lines),
-                Page::Topics => topics::panel(history, lines),
-                Page::Sure => sure::panel(history, lines),
-                Page::SureOverTime => sure_over_time::panel(history, lines),
-                Page::Beliefs => beliefs::panel(history, lines),
+                ProgressPage::OverTime => over_time::panel(history, book, lines),
+                ProgressPage::Topics => topics::panel(history, lines),
+                ProgressPage::Sure => sure::panel(history, lines),
+                ProgressPage::SureOverTime => sure_over_time::panel(history, lines),
+                ProgressPage::Beliefs => beliefs::panel(history, lines),
             }
             lines.gap();
         }
@@ -155,10 +156,10 @@ impl Progress {
     fn draw_picture(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
         match self.history() {
-            Some(history) if self.page == Page::OverTime => {
+            Some(history) if self.page == ProgressPage::OverTime => {
                 over_time::plot(history, area, buf, look);
             }
-            Some(history) if self.page == Page::SureOverTime => {
+            Some(history) if self.page == ProgressPage::SureOverTime => {
                 sure_over_time::plot(history, area, buf, look);
             }
             _ => self
@@ -169,15 +170,17 @@ impl Progress {
     }
 }
 
-fn layout(area: Rect) -> Beside {
+fn layout(area: Rect) -> SplitLayout {
     if area.width < NARROW {
-        Beside::with_panel(area, NARROW_PANEL)
+        SplitLayout::with_panel(area, NARROW_PANEL)
     } else {
-        Beside::new(area)
+        SplitLayout::new(area)
     }
 }
 
-impl OldScreen for Progress {
+impl Screen for Progress {
+    type Action = ProgressAction;
+
     fn title(&self) -> String {
         "progress".into()
     }
@@ -190,9 +193,43 @@ impl OldScreen for Progress {
         }
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
+        use ProgressAction::{Back, Quiz, Scroll, Turn, TurnTo};
+        let pages = ('1'..).zip(0..ProgressPage::ALL.len());
+        let some = self.history().is_some();
+        KeyTable::new("progress")
+            .on(Key::Tab, Turn(1), "next page")
+            .or([
+                (Key::Right, Turn(1)),
+                (Key::BackTab, Turn(-1)),
+                (Key::Left, Turn(-1)),
+            ])
+            .when(some)
+            .each(
+                pages.map(|(digit, page)| (Key::Char(digit), TurnTo(page))),
+                "page",
+            )
+            .when(some)
+            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
+            .or([(Key::PageUp, Scroll(-LEAF)), (Key::PageDown, Scroll(LEAF))])
+            .when(some)
+            .on(Key::Enter, Quiz, "quiz")
+            .on(Key::Escape, Back, "back")
+    }
+
+    fn act(&mut self, action: ProgressAction, cx: &mut Context) -> Next {
+        match action {
+            ProgressAction::Turn(by) => self.turn_to(self.page.beside(by)),
+            ProgressAction::TurnTo(page) => self.turn_to(ProgressPage::ALL[page]),
+            ProgressAction::Scroll(rows) => self.scroll_by(rows, cx),
+            ProgressAction::Quiz => return Next::Replace(Place::Quiz { code: None }),
+            ProgressAction::Back => return Next::Back,
+        }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Kept(answer) => {
                 self.history.take(answer);
@@ -215,39 +252,12 @@ impl OldScreen for Progress {
         self.scroll.panel.draw(layout.panel, buf, look, write);
     }
 
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        let mut keys = Vec::new();
-        if self.history().is_some() {
-            keys.extend([
-                Hint::new("Tab", "next page"),
-                Hint::new("1-5", "page"),
-                Hint::new("Up Down", "scroll"),
-            ]);
-        }
-        keys.extend([Hint::new("Enter", "quiz"), Hint::new("Esc", "back")]);
-        keys
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
-                "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately; then the chapters you have opened, as Learn has them. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, of how many questions could have shown it, before the middle of all answers and since.",
-                "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
-                "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print or hand in: --report FILE.html.",
-            ],
-            keys: vec![
-                Hint::new("Tab Right", "next page"),
-                Hint::new("Left", "page before"),
-                Hint::new(
-                    "1-5",
-                    "over time, topics, how sure, that over time, beliefs",
-                ),
-                Hint::new("Up Down", "scroll what is longer than its place"),
-                Hint::new("PageUp PageDown", "the same by eight rows"),
-                Hint::new("Enter", "a round of the quiz"),
-                Hint::new("mouse", "wheel: scroll; click: next page"),
-            ],
-        }
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
+            "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately; then the chapters you have opened, as Learn has them. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, of how many questions could have shown it, before the middle of all answers and since.",
+            "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
+            "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print or hand in: --report FILE.html.",
+        ]
     }
 }

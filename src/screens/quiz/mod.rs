@@ -16,14 +16,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Place, Screen};
+use super::{Confirmation, Context, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary, words,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
 };
-use crate::widgets::hit::{Layers, Telling, Watch, WatchAction};
+use crate::widgets::hit::{Overlays, Telling, Watch, WatchAction};
 use crate::widgets::input::{AnswerAction, KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerInput, Outcome, Scroll};
 
@@ -67,7 +68,7 @@ pub struct Quiz {
     answers: Vec<Answer>,
     phase: QuizPhase,
     /// What the player likes to see drawn on top of a hit.
-    layers: Layers,
+    layers: Overlays,
     scroll: Scroll,
 }
 
@@ -116,7 +117,7 @@ impl Quiz {
             round,
             answers: Vec::new(),
             phase: QuizPhase::Summary(ListView::default()),
-            layers: Layers::default(),
+            layers: Overlays::default(),
             scroll: Scroll::default(),
         };
         quiz.ask();
@@ -322,12 +323,12 @@ impl Quiz {
                     count => format!("Your {count} answers are kept."),
                 };
                 Next::Confirm(match self.tells_at_end() {
-                    true => super::Question::new(
+                    true => Confirmation::new(
                         format!("End the exam and see what you answered? {kept}"),
                         "end the exam",
                         "stay",
                     ),
-                    false => super::Question::new(
+                    false => Confirmation::new(
                         format!("Leave the round? {kept}"),
                         "leave the round",
                         "stay",
@@ -413,7 +414,7 @@ impl Quiz {
 
 impl AnsweredQuestion {
     /// An answer just given. What was answered by shooting is what is watched.
-    fn new(question: Question, answer: Answer, layers: Layers, cx: &Context) -> Self {
+    fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = match answer.said {
             Response::Rays(rays) => Some(rays),
             _ => None,
@@ -422,7 +423,7 @@ impl AnsweredQuestion {
         let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
         let (watch, remedy) = match (&question.form, answer.said) {
             (Form::Shot(aim), Response::Shot(offset)) => {
-                let shot = |offset| watch(aim.with(offset)).with_mark(aim.into());
+                let shot = |offset| watch(aim.with(offset)).with_wanted(aim.into());
                 let right = Grade::new(&question, &answer).right;
                 let remedy = (!right).then(|| shot(aim.offset));
                 (Some(shot(offset)), remedy)
@@ -469,7 +470,7 @@ impl Screen for Quiz {
         };
         let mut status = place;
         if !self.tells_at_end() || self.has_ended() {
-            status += &format!("  {} points", words::points(self.summary().points()));
+            status += &format!("  {} points", numbers::points(self.summary().points()));
         }
         match &self.round.course().kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",

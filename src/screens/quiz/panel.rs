@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{AnsweredQuestion, OpenQuestion};
-use crate::quiz::words;
+use crate::numbers;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::panels::said_and_true;
@@ -197,7 +197,7 @@ pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Chars
 fn points(grade: &Grade, lines: &mut Lines) {
     let points = format!(
         "{} of {:.0} points",
-        words::points(grade.points()),
+        numbers::points(grade.points()),
         Grade::MOST
     );
     let role = if grade.right { Role::Good } else { Role::Text };

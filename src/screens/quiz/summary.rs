@@ -1,8 +1,9 @@
 //! The look back over a round.
 
 use super::Quiz;
+use crate::numbers;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain, words,
+    Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain,
 };
 use crate::widgets::{Lines, Role};
 
@@ -70,7 +71,7 @@ fn for_a_friend(code: &Code) -> Option<String> {
 fn score(summary: &Summary) -> String {
     let mut text = format!(
         "{} of {:.0} points, {} of {} right",
-        words::points(summary.points()),
+        numbers::points(summary.points()),
         summary.most(),
         summary.right(),
         summary.lines.len()
@@ -78,7 +79,7 @@ fn score(summary: &Summary) -> String {
     if let Some(error) = summary.mean_error() {
         text += &format!(
             ", mean error {} of {} angles",
-            words::degrees(error),
+            numbers::degrees(error),
             summary.angles()
         );
     }
@@ -158,7 +159,7 @@ impl SummaryTable {
         let brief = |said| charset.text(&question.form.brief(said)).into_owned();
         let (said, truth) = (brief(&answer.said), brief(&question.form.truth()));
         let number = (number + 1).to_string();
-        let points = words::points(line.grade.points());
+        let points = numbers::points(line.grade.points());
         let missed = missed_surely(line);
         let chosen_mark = if chosen { ">" } else { " " };
         let mark = if missed { "!" } else { " " };

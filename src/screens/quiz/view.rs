@@ -8,7 +8,7 @@ use crate::physics::Frame;
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::panel::draw_panel;
-use crate::widgets::{Beside, Lines, Look, draw_question};
+use crate::widgets::{Lines, Look, SplitLayout, draw_question};
 
 /// Columns of the look back at most, with its frame.
 const WIDEST: u16 = 108;
@@ -24,10 +24,10 @@ fn summary_frame(area: Rect) -> Rect {
 }
 
 /// Where picture and panel are: the panel alone for what is asked in words.
-pub(super) fn layout(quiz: &Quiz, area: Rect) -> Beside {
+pub(super) fn layout(quiz: &Quiz, area: Rect) -> SplitLayout {
     match question(quiz).map(|question| &question.picture) {
-        Some(Illustration::Nothing) => Beside::card(area),
-        _ => Beside::new(area),
+        Some(Illustration::Nothing) => SplitLayout::card(area),
+        _ => SplitLayout::new(area),
     }
 }
 
@@ -89,7 +89,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             };
             draw_frames(&layout, buf, &look, &title(watched), side);
             match watched.telling.watch() {
-                Some(watch) => watch.draw(layout.picture, buf, &look),
+                Some(watch) => watch.picture(layout.picture).draw(buf, &look),
                 None => draw_question(layout.picture, buf, &look, &watched.question, None),
             }
         }
@@ -104,7 +104,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
 }
 
 /// The frames with their titles; where there is no picture its title goes to the text.
-fn draw_frames(layout: &Beside, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
+fn draw_frames(layout: &SplitLayout, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
     let panel = if layout.picture.is_empty() {
         picture
     } else {

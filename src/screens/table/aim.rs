@@ -173,15 +173,15 @@ pub(super) fn rightwards(seat: Seat) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::game::{Hands, Setup};
+    use crate::game::{GameSetup, Hands};
 
     #[test]
     fn whatever_is_done_to_it_the_striker_stays_on_the_base_lines() {
         for seat in Seat::ALL {
-            let game = Game::new(Setup {
+            let game = Game::new(GameSetup {
                 hands: Hands::Four,
                 first_breaker: seat,
-                ..Setup::default()
+                ..GameSetup::default()
             });
             let mut aim = Aim::begin(&game);
             assert_eq!(aim.check(&game), Ok(()));
@@ -204,10 +204,10 @@ mod tests {
     #[test]
     fn straight_across_is_exact_from_every_side() {
         for seat in Seat::ALL {
-            let game = Game::new(Setup {
+            let game = Game::new(GameSetup {
                 hands: Hands::Four,
                 first_breaker: seat,
-                ..Setup::default()
+                ..GameSetup::default()
             });
             let velocity = Aim::begin(&game).strike(seat).velocity;
             assert_eq!(seat.turn_back(velocity), DVec2::new(0.0, BREAK_SPEED));
@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn aiming_at_a_point_aims_at_it() {
-        let game = Game::new(Setup::default());
+        let game = Game::new(GameSetup::default());
         let mut aim = Aim::begin(&game);
         for at in [DVec2::new(0.1, 0.2), DVec2::new(-0.3, -0.3), DVec2::ZERO] {
             aim.point_at(at, Seat::South);

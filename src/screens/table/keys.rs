@@ -1,131 +1,303 @@
-//! The keys of the table, for the bottom line and the help page.
+//! The keys of the table: what they are called, and when they mean something.
 
-use super::sitting::{Phase, Sitting};
-use crate::screens::{Help, Hint};
+use strum::{EnumMessage, IntoStaticStr};
 
-/// The keys that matter now, the most useful first.
-pub(super) fn keys(sitting: &Sitting) -> Vec<Hint> {
-    if sitting.leaving {
-        return vec![Hint::new("Esc", "leave"), Hint::new("any key", "play on")];
-    }
-    match &sitting.phase {
-        Phase::Aim => {
-            let mut keys = vec![
-                Hint::new("Space", "strike"),
-                Hint::new("arrows", "aim"),
-                Hint::new("+ -", "strength"),
-                Hint::new("[ ] { }", "place"),
-                Hint::new("h", "hint"),
-                Hint::new("0-9", "type"),
-                Hint::new("c", "call"),
-                Hint::new("l g r", "aids"),
-                Hint::new("i", "impacts"),
-                Hint::new("v", "replay"),
-                Hint::new("e", "export"),
-            ];
-            if sitting.is_practice() {
-                keys.insert(6, Hint::new("p", "lay out"));
-                keys.insert(7, Hint::new("z", "undo"));
-            }
-            keys
-        }
-        Phase::Think { .. } => vec![Hint::new("Esc", "leave")],
-        Phase::Call(_) => vec![
-            Hint::new("arrows", "turn"),
-            Hint::new("0-9", "type"),
-            Hint::new("x", "stays still"),
-            Hint::new("Enter", "next, then strike"),
-            Hint::new("Esc", "back"),
-        ],
-        Phase::Watch(replay) if replay.chosen.is_some() => vec![
-            Hint::new("Up Down", "choose"),
-            Hint::new("Enter", "look closer"),
-            Hint::new("Esc", "back"),
-        ],
-        Phase::Watch(replay) => {
-            let space = if replay.clock.is_running() {
-                "skip"
-            } else {
-                "go on"
-            };
-            vec![
-                Hint::new("Space", space),
-                Hint::new("i", "impacts"),
-                Hint::new(", .", "step"),
-                Hint::new("< >", "scrub"),
-                Hint::new("+ -", "speed"),
-                Hint::new("a", "again"),
-                Hint::new("p n", "other strokes"),
-            ]
-        }
-        Phase::Impact(_) => vec![
-            Hint::new("Space", "go on"),
-            Hint::new(", .", "step"),
-            Hint::new("f", "frame"),
-            Hint::new("1-7", "layers"),
-            Hint::new("a", "again"),
-            Hint::new("Esc", "back"),
-        ],
-        Phase::Arrange(_) => vec![
-            Hint::new("arrows", "move"),
-            Hint::new("Space", "take, lay"),
-            Hint::new("o b q", "add"),
-            Hint::new("x", "remove"),
-            Hint::new("z", "undo"),
-            Hint::new("p", "done"),
-        ],
-        Phase::Over => vec![
-            Hint::new("Enter", "next"),
-            Hint::new("i", "strokes"),
-            Hint::new("v", "replay"),
-            Hint::new("e", "export"),
-            Hint::new("Esc", "leave"),
-        ],
-    }
+use super::active_game::{ActiveGame, TablePhase};
+use super::new_game::NewGame;
+use crate::game::Piece;
+use crate::messages::Key;
+use crate::screens::kept_files::KeptAction;
+use crate::widgets::input::{EntryAction, FormAction, KeyTable, RayAction};
+use crate::widgets::replay::ShotAction;
+
+/// What keys do at the table.
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum TableAction {
+    /// agree on the game
+    Agree(FormAction),
+    /// play
+    Play,
+    /// the games that are saved: resume one, or watch it again
+    SavedGames,
+    /// choose a saved game, resume or remove it
+    Saved(KeptAction),
+    /// watch the whole game again, stroke by stroke
+    WatchAll,
+    /// export: write the game to a file of its own
+    Export,
+    /// turn the aim: Left and Right by 1°, Up and Down by 0.1°
+    Turn(i16),
+    /// turn the aim by 10°
+    TurnFar(i16),
+    /// strength; the wheel too
+    Strength(i8),
+    /// move the striker: [ and ] by 2 mm, { and } by 20 mm
+    Place(i8),
+    /// practice: striker up or down
+    PlaceUp(i8),
+    /// a number typed: Enter takes it as the angle, + as the strength, [ or ] as millimetres left or right
+    Number(EntryAction),
+    /// aim line, ghost, departures on or off
+    Aid(AimAid),
+    /// call it on or off: before each stroke say where the two of the first hit will go
+    Call,
+    /// hint: where to look; again: the whole stroke; once more: set it
+    Hint,
+    /// strike
+    Strike,
+    /// turn the rays of the call
+    Ray(RayAction),
+    /// the last stroke again, with its impacts
+    LookBack,
+    /// practice: lay the coins out
+    LayOut,
+    /// practice: take the last stroke back
+    Undo,
+    /// move the hand: arrows by 20 mm, letters by 2 mm
+    Hand(i8, i8),
+    /// take the coin under the hand, or lay it down
+    TakeOrLay,
+    /// put the hand over the next coin
+    NextCoin,
+    /// add a white, a black, or the queen
+    Add(Piece),
+    /// remove the coin under the hand
+    RemoveCoin,
+    /// time, and the list of impacts
+    Replay(ShotAction),
+    /// go on: the next stroke, or back to the game
+    GoOn,
+    /// to the end of the stroke
+    ToTheEnd,
+    /// the stroke before
+    StrokeBefore,
+    /// the stroke after
+    StrokeAfter,
+    /// the next board, or the end of the match
+    NextBoard,
+    /// scroll a text that is longer than its place
+    Scroll(i16),
+    /// back
+    Back,
 }
 
-/// The page that explains the table.
-pub(super) fn help() -> Help {
-    Help {
-        text: vec![
-            "Carrom: pocket your nine coins with the striker before the other side does, and the queen on the way. Who breaks plays white; who pockets an own coin plays on.",
-            "Put the striker on your base line (the side whose turn it is is marked), aim, choose the strength, strike. After the stroke the referee says what follows, with the number of the law.",
-            "The aim line and the ghost show where the striker will meet its first coin; the two arrows show where both leave that hit. Switch them off one by one as you get better.",
-            "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
-            "After any stroke press i: choose one of its impacts and look at it as in the lab; p and n go to other strokes.",
-            "Every game is saved after each stroke. On the page of a new game, s shows the games there are: resume one, or watch it stroke by stroke. What e writes can be played again on any machine: carrom replay FILE.",
-            "Angles of the aim are as you see the board from your own side: 90 is straight across.",
-        ],
-        keys: vec![
-            Hint::new("Left Right", "turn the aim by 1°; PageUp PageDown by 10°"),
-            Hint::new("Up Down", "turn the aim by 0.1°"),
-            Hint::new(
-                "0-9 .",
-                "type a number; Enter takes it as the angle, + as the strength, [ or ] as millimetres left or right",
-            ),
-            Hint::new("[ ] or a d", "move the striker by 2 mm; { } by 20 mm"),
-            Hint::new("+ -", "strength; the wheel too"),
-            Hint::new("mouse", "drag the striker, or point where to aim"),
-            Hint::new("Space", "strike; skip to the end; go on"),
-            Hint::new("l g r", "aim line, ghost, departures on or off"),
-            Hint::new(
-                "h",
-                "hint: where to look; again: the whole stroke; once more: set it",
-            ),
-            Hint::new("c", "call it on or off"),
-            Hint::new("i", "impacts of the stroke, or the last stroke again"),
-            Hint::new(", . < >", "step and scrub; Home and End for the ends"),
-            Hint::new(
-                "PageUp PageDown",
-                "scroll a text that is longer than its place",
-            ),
-            Hint::new("+ - (watching)", "faster or slower"),
-            Hint::new("p n", "previous and next stroke (watching)"),
-            Hint::new("v", "watch the whole game again, stroke by stroke"),
-            Hint::new("e", "export: write the game to a file of its own"),
-            Hint::new("p", "practice: lay the coins out"),
-            Hint::new("z", "practice: take the last stroke back"),
-            Hint::new("w s", "practice: striker up or down"),
-        ],
-    }
+/// A help while aiming.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AimAid {
+    /// The striker's way to its first coin.
+    Line,
+    /// Where the striker will be then.
+    Ghost,
+    /// Where both will leave that hit.
+    Rays,
+}
+
+use TableAction as Do;
+
+/// The keys of the page on which a new game is agreed.
+pub(super) fn new_game(page: &NewGame) -> KeyTable<TableAction> {
+    KeyTable::new("table")
+        .on(Key::Enter, Do::Play, "play")
+        .on(Key::Char('s'), Do::SavedGames, "saved games")
+        .with(page.form.keys(&page.options), Do::Agree)
+        .on(Key::Escape, Do::Back, "back")
+}
+
+/// The keys of a game, the most useful first.
+pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
+    let table = KeyTable::new("table");
+    let scroll = [
+        (Key::PageUp, Do::Scroll(-8)),
+        (Key::PageDown, Do::Scroll(8)),
+    ];
+    let table = match &game.phase {
+        TablePhase::Aim => return aiming(game, table),
+        TablePhase::Think { .. } => table.on(Key::Escape, Do::Back, "leave"),
+        TablePhase::Call(calling) => {
+            let rays = calling.rays.keys();
+            let rays = rays.renamed("next, then strike", |action| action == RayAction::Next);
+            table.with(rays, Do::Ray).on(Key::Escape, Do::Back, "back")
+        }
+        TablePhase::Watch(replay) => {
+            let over = replay.player.clock().is_over();
+            let board = replay.player.chosen().is_none();
+            table
+                .on(Key::Char(' '), Do::GoOn, "go on")
+                .or([(Key::Enter, Do::GoOn)])
+                .when(over && board)
+                .with(replay.player.keys(), Do::Replay)
+                .on(Key::Enter, Do::ToTheEnd, "")
+                .when(!over && board)
+                .each(
+                    [
+                        (Key::Char('p'), Do::StrokeBefore),
+                        (Key::Char('n'), Do::StrokeAfter),
+                    ],
+                    "other strokes",
+                )
+                .when(board)
+                .on(Key::Escape, Do::Back, "")
+                .when(board)
+        }
+        TablePhase::Arrange(_) => arranging(table),
+        TablePhase::Over => table
+            .on(Key::Enter, Do::NextBoard, "next")
+            .or([(Key::Char(' '), Do::NextBoard)])
+            .on(Key::Char('i'), Do::LookBack, "strokes"),
+    };
+    let watches = matches!(game.phase, TablePhase::Watch(_) | TablePhase::Over);
+    let over = matches!(game.phase, TablePhase::Over);
+    let thinks = matches!(game.phase, TablePhase::Think { .. });
+    table
+        .on(
+            Key::Char('v'),
+            Do::WatchAll,
+            if over { "replay" } else { "" },
+        )
+        .when(watches)
+        .on(Key::Char('e'), Do::Export, if over { "export" } else { "" })
+        .when(!thinks)
+        .each(scroll, "")
+        .on(Key::Escape, Do::Back, "leave")
+        .when(over)
+}
+
+fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableAction> {
+    use AimAid::{Ghost, Line, Rays};
+    let typing = game.entry.is_open();
+    let practice = game.is_practice();
+    let reads = game.reads_hint();
+    table
+        .on(Key::Char(' '), Do::Strike, "strike")
+        .or([(Key::Enter, Do::Strike)].into_iter().filter(|_| !typing))
+        .each(
+            [
+                (Key::Up, Do::Turn(-1)),
+                (Key::Down, Do::Turn(1)),
+                (Key::Left, Do::Turn(-10)),
+                (Key::Right, Do::Turn(10)),
+            ],
+            "aim",
+        )
+        .each(
+            [
+                (Key::Char('+'), Do::Strength(1)),
+                (Key::Char('-'), Do::Strength(-1)),
+            ],
+            "strength",
+        )
+        .or([
+            (Key::Char('='), Do::Strength(1)),
+            (Key::Char('_'), Do::Strength(-1)),
+        ])
+        .when(!typing)
+        .on(Key::Char('+'), Do::Strength(1), "as the strength")
+        .or([(Key::Char('='), Do::Strength(1))])
+        .when(typing)
+        .each(
+            [
+                (Key::Char('['), Do::Place(-1)),
+                (Key::Char(']'), Do::Place(1)),
+                (Key::Char('{'), Do::Place(-10)),
+                (Key::Char('}'), Do::Place(10)),
+            ],
+            "place",
+        )
+        .or([
+            (Key::Char('a'), Do::Place(-1)),
+            (Key::Char('d'), Do::Place(1)),
+        ])
+        .on(Key::Char('h'), Do::Hint, "hint")
+        .with(game.entry.keys(), Do::Number)
+        .on(Key::Char('p'), Do::LayOut, "lay out")
+        .when(practice)
+        .on(Key::Char('z'), Do::Undo, "undo")
+        .when(practice)
+        .on(Key::Char('c'), Do::Call, "call")
+        .each(
+            [('l', Line), ('g', Ghost), ('r', Rays)].map(|(c, aid)| (Key::Char(c), Do::Aid(aid))),
+            "aids",
+        )
+        .on(Key::Char('i'), Do::LookBack, "impacts")
+        .on(Key::Char('v'), Do::WatchAll, "replay")
+        .on(Key::Char('e'), Do::Export, "export")
+        .each(
+            [
+                (Key::Char('w'), Do::PlaceUp(1)),
+                (Key::Char('s'), Do::PlaceUp(-1)),
+            ],
+            "",
+        )
+        .when(practice)
+        .each(
+            [
+                (Key::PageUp, Do::Scroll(-8)),
+                (Key::PageDown, Do::Scroll(8)),
+            ],
+            "",
+        )
+        .when(reads)
+        .each(
+            [
+                (Key::PageUp, Do::TurnFar(-1)),
+                (Key::PageDown, Do::TurnFar(1)),
+            ],
+            "",
+        )
+        .when(!reads)
+        .on(Key::Escape, Do::Back, "")
+        .when(!typing)
+}
+
+fn arranging(table: KeyTable<TableAction>) -> KeyTable<TableAction> {
+    table
+        .each(
+            [
+                (Key::Up, Do::Hand(0, 10)),
+                (Key::Down, Do::Hand(0, -10)),
+                (Key::Left, Do::Hand(-10, 0)),
+                (Key::Right, Do::Hand(10, 0)),
+            ],
+            "move",
+        )
+        .or([
+            (Key::Char('w'), Do::Hand(0, 1)),
+            (Key::Char('s'), Do::Hand(0, -1)),
+            (Key::Char('a'), Do::Hand(-1, 0)),
+            (Key::Char('d'), Do::Hand(1, 0)),
+        ])
+        .on(Key::Char(' '), Do::TakeOrLay, "take, lay")
+        .or([(Key::Enter, Do::TakeOrLay)])
+        .each(
+            [
+                ('o', Piece::White),
+                ('b', Piece::Black),
+                ('q', Piece::Queen),
+            ]
+            .map(|(c, piece)| (Key::Char(c), Do::Add(piece))),
+            "add",
+        )
+        .on(Key::Char('x'), Do::RemoveCoin, "remove")
+        .or([
+            (Key::Delete, Do::RemoveCoin),
+            (Key::Backspace, Do::RemoveCoin),
+        ])
+        .on(Key::Char('z'), Do::Undo, "undo")
+        .on(Key::Char('p'), Do::Back, "done")
+        .or([(Key::Escape, Do::Back)])
+        .on(Key::Tab, Do::NextCoin, "")
+}
+
+/// What the page of help says before the keys.
+pub(super) fn about() -> Vec<&'static str> {
+    vec![
+        "Carrom: pocket your nine coins with the striker before the other side does, and the queen on the way. Who breaks plays white; who pockets an own coin plays on.",
+        "Put the striker on your base line (the side whose turn it is is marked), aim, choose the strength, strike. After the stroke the referee says what follows, with the number of the law.",
+        "The aim line and the ghost show where the striker will meet its first coin; the two arrows show where both leave that hit. Switch them off one by one as you get better.",
+        "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
+        "After any stroke press i: choose one of its impacts and look at it as in the lab; p and n go to other strokes.",
+        "Every game is saved after each stroke. On the page of a new game, s shows the games there are: resume one, or watch it stroke by stroke. What e writes can be played again on any machine: carrom replay FILE.",
+        "Angles of the aim are as you see the board from your own side: 90 is straight across. With the mouse, drag the striker, or point where to aim.",
+    ]
 }

@@ -1,8 +1,10 @@
 //! The table: carrom itself, with what it teaches about each hit.
 
+mod active_game;
 mod aim;
 mod arrange;
 mod calls;
+mod game_history;
 mod keys;
 mod new_game;
 mod options;
@@ -12,8 +14,6 @@ mod pointer;
 mod preview;
 mod replay;
 mod saved_games;
-mod session;
-mod sitting;
 mod view;
 mod words;
 
@@ -22,36 +22,39 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, OldScreen};
-use crate::game::{Game, Record, RecordError};
-use crate::messages::{Input, Key};
-use new_game::{Agreed, NewGame};
+use super::{Context, Next, Screen};
+use crate::game::{Game, Record};
+use crate::messages::Input;
+use crate::widgets::Outcome;
+use crate::widgets::input::KeyTable;
+use active_game::{ActiveGame, GameStep};
+use keys::TableAction;
+use new_game::NewGame;
 pub use options::{Aids, Options, Player};
-use saved_games::{SavedGames, Step};
-use sitting::{Sitting, Taken};
+use saved_games::SavedGames;
 
 /// The table.
 #[derive(Debug, Clone)]
 pub struct Table {
-    page: Page,
+    page: TablePage,
 }
 
 /// What is on the table.
 #[derive(Debug, Clone)]
-enum Page {
+enum TablePage {
     /// A new game is agreed.
     NewGame(NewGame),
     /// One is looked for among those that were saved.
     SavedGames(SavedGames),
     /// One is played.
-    Sitting(Box<Sitting>),
+    Playing(Box<ActiveGame>),
 }
 
 impl Default for Table {
     /// The page on which a new game is agreed.
     fn default() -> Self {
         Self {
-            page: Page::NewGame(NewGame::default()),
+            page: TablePage::NewGame(NewGame::default()),
         }
     }
 }
@@ -61,49 +64,44 @@ impl Table {
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
         Self {
-            page: Page::Sitting(Box::new(Sitting::new(options, seed))),
+            page: TablePage::Playing(Box::new(ActiveGame::new(options, seed))),
         }
-    }
-
-    /// A table at which a recorded game goes on. Rules, hands and pieces are the
-    /// record's, whatever the options say.
-    ///
-    /// # Errors
-    /// If the record cannot be played.
-    pub fn resuming(options: Options, record: Record) -> Result<Self, RecordError> {
-        let sitting = Sitting::resume(options, record)?;
-        Ok(Self {
-            page: Page::Sitting(Box::new(sitting)),
-        })
     }
 
     /// The game that is played, if one is.
     pub fn game(&self) -> Option<&Game> {
         match &self.page {
-            Page::NewGame(_) | Page::SavedGames(_) => None,
-            Page::Sitting(sitting) => Some(sitting.game()),
+            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
+            TablePage::Playing(active) => Some(active.game()),
         }
     }
 
     /// All that is needed to play it again.
     pub fn record(&self) -> Option<&Record> {
         match &self.page {
-            Page::NewGame(_) | Page::SavedGames(_) => None,
-            Page::Sitting(sitting) => Some(sitting.record()),
+            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
+            TablePage::Playing(active) => Some(active.record()),
         }
     }
 }
 
-impl OldScreen for Table {
+/// The page of a new game, with what was agreed last time.
+fn agreeing(options: Options) -> TablePage {
+    TablePage::NewGame(NewGame::with(options))
+}
+
+impl Screen for Table {
+    type Action = TableAction;
+
     fn title(&self) -> String {
         "table".into()
     }
 
     fn status(&self, _cx: &Context) -> String {
         let options = match &self.page {
-            Page::NewGame(page) => &page.options,
-            Page::SavedGames(_) => return String::new(),
-            Page::Sitting(sitting) => &sitting.options,
+            TablePage::NewGame(page) => &page.options,
+            TablePage::SavedGames(_) => return String::new(),
+            TablePage::Playing(game) => &game.options,
         };
         format!(
             "{}   {}",
@@ -112,70 +110,89 @@ impl OldScreen for Table {
         )
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
+        match &self.page {
+            TablePage::NewGame(page) => keys::new_game(page),
+            TablePage::SavedGames(page) => page.keys(),
+            TablePage::Playing(game) => keys::keys(game),
+        }
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        keys::about()
+    }
+
+    fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match &mut self.page {
-            Page::NewGame(page) => {
-                let agreed = match input {
-                    Input::Key(Key::Escape) => return Next::Back,
-                    Input::Key(key) => page.key(*key),
-                    Input::Mouse(mouse) => page.mouse(mouse, cx),
-                    _ => Agreed::Ignored,
-                };
-                match agreed {
-                    Agreed::Changing => {}
-                    Agreed::Play => *self = Self::playing(page.options, cx.next_seed()),
-                    Agreed::SavedGames => {
-                        self.page = Page::SavedGames(SavedGames::ask(page.options, cx));
-                    }
-                    Agreed::Ignored => return Next::Ignored,
+            TablePage::NewGame(page) => match action {
+                TableAction::Agree(action) => page.act(action),
+                TableAction::Play => *self = Self::playing(page.options, cx.next_seed()),
+                TableAction::SavedGames => {
+                    let saved = SavedGames::ask(page.options, cx);
+                    self.page = TablePage::SavedGames(saved);
                 }
-            }
-            Page::SavedGames(page) => match page.update(input, cx) {
-                Step::Stay => {}
-                Step::Ignored => return Next::Ignored,
-                Step::Back => self.page = Page::NewGame(NewGame::with(page.options)),
-                Step::Sit(sitting) => self.page = Page::Sitting(sitting),
+                TableAction::Back => return Next::Back,
+                _ => {}
             },
-            Page::Sitting(sitting) => match sitting.update(input, cx) {
-                Taken::Used => {}
-                Taken::Ignored => return Next::Ignored,
-                Taken::Leave => self.page = Page::NewGame(NewGame::with(sitting.options)),
+            TablePage::SavedGames(page) => match action {
+                TableAction::Back => self.page = agreeing(page.options),
+                action => return page.act(action, cx),
+            },
+            TablePage::Playing(game) => match game.act(action, cx) {
+                GameStep::Stay => {}
+                GameStep::AskToLeave => return Next::Confirm(game.parting()),
+                GameStep::Leave => self.page = agreeing(game.options),
             },
         }
         Next::Stay
     }
 
+    fn confirmed(&mut self, _action: TableAction, cx: &mut Context) -> Next {
+        match &mut self.page {
+            TablePage::NewGame(_) => {}
+            TablePage::SavedGames(page) => page.remove(cx),
+            TablePage::Playing(game) => self.page = agreeing(game.options),
+        }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        let used = match &mut self.page {
+            TablePage::NewGame(page) => match input {
+                Input::Mouse(mouse) => page.mouse(mouse, cx).is_used(),
+                _ => false,
+            },
+            TablePage::SavedGames(page) => match page.input(input, cx) {
+                Outcome::Done(game) => {
+                    self.page = TablePage::Playing(game);
+                    true
+                }
+                outcome => outcome.is_used(),
+            },
+            TablePage::Playing(game) => game.input(input, cx),
+        };
+        if used { Next::Stay } else { Next::Ignored }
+    }
+
     fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
-        if let Page::Sitting(sitting) = &mut self.page {
-            sitting.advance(passed, cx);
+        if let TablePage::Playing(game) = &mut self.page {
+            game.advance(passed, cx);
         }
         Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.page {
-            Page::NewGame(_) | Page::SavedGames(_) => None,
-            Page::Sitting(sitting) => sitting.wake(),
+            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
+            TablePage::Playing(game) => game.wake(),
         }
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         match &self.page {
-            Page::NewGame(page) => page.draw(area, buf, cx),
-            Page::SavedGames(page) => page.draw(area, buf, cx),
-            Page::Sitting(sitting) => view::draw(sitting, area, buf, cx),
+            TablePage::NewGame(page) => page.draw(area, buf, cx),
+            TablePage::SavedGames(page) => page.draw(area, buf, cx),
+            TablePage::Playing(game) => view::draw(game, area, buf, cx),
         }
-    }
-
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        match &self.page {
-            Page::NewGame(_) => NewGame::keys(),
-            Page::SavedGames(page) => page.keys(),
-            Page::Sitting(sitting) => keys::keys(sitting),
-        }
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        keys::help()
     }
 }

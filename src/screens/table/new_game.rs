@@ -8,20 +8,21 @@ use super::{picture, view, words};
 use crate::game::opponent::Strength;
 use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
-use crate::messages::{Key, Mouse, MouseKind};
-use crate::screens::{Context, Hint};
-use crate::widgets::{Lines, Role};
+use crate::messages::Mouse;
+use crate::screens::Context;
+use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, SettingsForm};
+use crate::widgets::{Lines, Outcome, Role};
 
 /// The page: what is chosen, and the line that keys change.
 #[derive(Debug, Clone, Default)]
 pub(super) struct NewGame {
     pub(super) options: Options,
-    chosen: usize,
+    pub(super) form: SettingsForm,
 }
 
 /// One thing to be agreed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Row {
+enum Agreement {
     Rules,
     Hands,
     Seat(Seat),
@@ -33,70 +34,26 @@ enum Row {
     Rays,
 }
 
-/// What became of an input.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Agreed {
-    /// Something may have been changed.
-    Changing,
-    /// All is agreed: play.
-    Play,
-    /// Go on with a game that was saved.
-    SavedGames,
-    /// It meant nothing here.
-    Ignored,
-}
-
 impl NewGame {
     /// The page with what was agreed last time.
     pub(super) fn with(options: Options) -> Self {
-        Self { options, chosen: 0 }
-    }
-
-    fn rows(&self) -> Vec<Row> {
-        let mut rows = vec![Row::Rules];
-        if self.options.rules != Rules::Practice {
-            rows.push(Row::Hands);
-            rows.extend(self.options.seats().map(Row::Seat));
-            if self.options.count(Player::Computer) > 0 {
-                rows.push(Row::Strength);
-            }
+        Self {
+            options,
+            form: SettingsForm::default(),
         }
-        rows.extend([Row::Pieces, Row::Call, Row::Line, Row::Ghost, Row::Rays]);
-        rows
     }
 
-    fn row(&self) -> Row {
-        let rows = self.rows();
-        rows.get(self.chosen).copied().unwrap_or(Row::Rules)
+    /// Does what a key of the form stands for.
+    pub(super) fn act(&mut self, action: FormAction) {
+        self.form.act(action, &mut self.options);
     }
 
-    pub(super) fn key(&mut self, key: Key) -> Agreed {
-        let count = self.rows().len();
-        match key {
-            Key::Up | Key::BackTab => self.chosen = (self.chosen + count - 1) % count,
-            Key::Down | Key::Tab => self.chosen = (self.chosen + 1) % count,
-            Key::Right | Key::Char(' ') => self.row().change(&mut self.options, true),
-            Key::Left => self.row().change(&mut self.options, false),
-            Key::Enter => return Agreed::Play,
-            Key::Char('s' | 'S') => return Agreed::SavedGames,
-            _ => return Agreed::Ignored,
-        }
-        Agreed::Changing
-    }
-
-    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Agreed {
+    /// A click on a row selects it and changes it; the wheel goes through the rows.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Outcome {
         let panel = view::layout(cx.body, false).panel;
-        if mouse.kind != MouseKind::Down || !panel.contains((mouse.column, mouse.row).into()) {
-            return Agreed::Ignored;
-        }
-        let line = usize::from(mouse.row - panel.y);
-        let rows = self.rows();
-        if line < rows.len() {
-            self.chosen = line;
-            self.row().change(&mut self.options, true);
-            return Agreed::Changing;
-        }
-        Agreed::Ignored
+        let row = panel.contains((mouse.column, mouse.row).into());
+        let row = row.then(|| usize::from(mouse.row - panel.y));
+        self.form.mouse(mouse, row, &mut self.options)
     }
 
     /// Draws the page: the pack on the board, and beside it what is agreed.
@@ -105,38 +62,55 @@ impl NewGame {
         let layout = view::layout(area, false);
         layout.draw(buf, &look, "the pack", "a new game");
         let coins = pack(self.options.set, Seat::South);
-        picture::draw_pack(&coins, self.options.set, layout.picture, buf, &look);
+        picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
-        for (i, row) in self.rows().into_iter().enumerate() {
-            let chosen = i == self.chosen;
-            let (mark, name_role, role) = if chosen {
-                (">", Role::Selected, Role::Selected)
-            } else {
-                (" ", Role::Dim, Role::Text)
-            };
-            let name = format!("{mark} {}", row.name());
-            lines.pair(&name, &row.value(&self.options), name_role, role);
-        }
+        self.form.write(&self.options, &mut lines);
         lines.gap();
-        lines.paragraph(self.row().about(&self.options), Role::Text);
+        self.form.write_about(&self.options, &mut lines);
         lines.gap();
         lines.paragraph("Enter: play!", Role::Key);
         lines.paragraph("s: saved games", Role::Key);
     }
+}
 
-    /// The keys of the page.
-    pub(super) fn keys() -> Vec<Hint> {
-        vec![
-            Hint::new("Enter", "play"),
-            Hint::new("s", "saved games"),
-            Hint::new("Up Down", "choose"),
-            Hint::new("Left Right", "change"),
-            Hint::new("Esc", "back"),
-        ]
+/// What is to be agreed, in the order of the page.
+fn agreements(options: &Options) -> Vec<Agreement> {
+    let mut rows = vec![Agreement::Rules];
+    if options.rules != Rules::Practice {
+        rows.push(Agreement::Hands);
+        rows.extend(options.seats().map(Agreement::Seat));
+        if options.count(Player::Computer) > 0 {
+            rows.push(Agreement::Strength);
+        }
+    }
+    use Agreement::{Call, Ghost, Line, Pieces, Rays};
+    rows.extend([Pieces, Call, Line, Ghost, Rays]);
+    rows
+}
+
+impl FormFields for Options {
+    fn fields(&self) -> Vec<Field> {
+        let field = |row: Agreement| {
+            let (at, count) = row.choice(self);
+            Field {
+                name: row.name().into(),
+                shown: row.value(self),
+                value: FieldValue::Choice { at, count },
+                about: row.about(self).into(),
+                locked: None,
+            }
+        };
+        agreements(self).into_iter().map(field).collect()
+    }
+
+    fn set(&mut self, at: usize, value: f64) {
+        if let Some(row) = agreements(self).get(at) {
+            row.choose(self, value as usize);
+        }
     }
 }
 
-impl Row {
+impl Agreement {
     fn name(self) -> &'static str {
         match self {
             Self::Rules => "rules",
@@ -212,45 +186,50 @@ impl Row {
         }
     }
 
-    /// The next value, or the one before.
-    fn change(self, options: &mut Options, forward: bool) {
+    /// Which of its values it has, and how many there are.
+    fn choice(self, options: &Options) -> (usize, usize) {
+        let place = |found: Option<usize>| found.unwrap_or(0);
         match self {
-            Self::Rules => {
-                options.rules = match (options.rules, forward) {
-                    (Rules::Tournament, true) | (Rules::Practice, false) => Rules::Friendly,
-                    (Rules::Friendly, true) | (Rules::Tournament, false) => Rules::Practice,
-                    (Rules::Practice, true) | (Rules::Friendly, false) => Rules::Tournament,
-                };
-            }
-            Self::Hands => {
-                options.hands = match options.hands {
-                    Hands::Two => Hands::Four,
-                    Hands::Four => Hands::Two,
-                };
-            }
-            Self::Pieces => {
-                options.set = match options.set {
-                    PieceSet::Tournament => PieceSet::EqualMass,
-                    PieceSet::EqualMass => PieceSet::Tournament,
-                };
-            }
-            Self::Seat(seat) => {
-                let other = match options.player(seat) {
-                    Player::Person => Player::Computer,
-                    Player::Computer => Player::Person,
-                };
-                options.set_player(seat, other);
-            }
+            Self::Rules => (place(RULES.iter().position(|it| *it == options.rules)), 3),
+            Self::Hands => (usize::from(options.hands == Hands::Four), 2),
+            Self::Pieces => (usize::from(options.set == PieceSet::EqualMass), 2),
+            Self::Seat(seat) => (usize::from(options.player(seat) == Player::Computer), 2),
             Self::Strength => {
                 let all = Strength::ALL;
-                let now = all.iter().position(|s| *s == options.strength).unwrap_or(0);
-                let step = if forward { 1 } else { all.len() - 1 };
-                options.strength = all[(now + step) % all.len()];
+                (
+                    place(all.iter().position(|it| *it == options.strength)),
+                    all.len(),
+                )
             }
-            Self::Call => options.call ^= true,
-            Self::Line => options.aids.line ^= true,
-            Self::Ghost => options.aids.ghost ^= true,
-            Self::Rays => options.aids.rays ^= true,
+            Self::Call => (options.call.into(), 2),
+            Self::Line => (options.aids.line.into(), 2),
+            Self::Ghost => (options.aids.ghost.into(), 2),
+            Self::Rays => (options.aids.rays.into(), 2),
+        }
+    }
+
+    /// Gives it one of its values.
+    fn choose(self, options: &mut Options, at: usize) {
+        let second = at > 0;
+        match self {
+            Self::Rules => options.rules = RULES[at % RULES.len()],
+            Self::Hands => options.hands = if second { Hands::Four } else { Hands::Two },
+            Self::Pieces => {
+                let sets = [PieceSet::Tournament, PieceSet::EqualMass];
+                options.set = sets[usize::from(second)];
+            }
+            Self::Seat(seat) => {
+                let players = [Player::Person, Player::Computer];
+                options.set_player(seat, players[usize::from(second)]);
+            }
+            Self::Strength => options.strength = Strength::ALL[at % Strength::ALL.len()],
+            Self::Call => options.call = second,
+            Self::Line => options.aids.line = second,
+            Self::Ghost => options.aids.ghost = second,
+            Self::Rays => options.aids.rays = second,
         }
     }
 }
+
+/// The rules, in the order in which they are chosen.
+const RULES: [Rules; 3] = [Rules::Tournament, Rules::Friendly, Rules::Practice];

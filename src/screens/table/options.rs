@@ -2,7 +2,7 @@
 
 use crate::game::opponent::Strength;
 pub use crate::game::{Aids, Player};
-use crate::game::{Company, Hands, PieceSet, Rules, SavedGame, Seat, Setup, Team};
+use crate::game::{Company, GameSetup, Hands, PieceSet, Rules, SavedGame, Seat, Team};
 
 /// Everything that can be chosen for a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,8 +50,8 @@ impl Options {
     }
 
     /// The game these options make, its packs shaken by `seed`.
-    pub fn setup(&self, seed: u64) -> Setup {
-        Setup {
+    pub fn setup(&self, seed: u64) -> GameSetup {
+        GameSetup {
             rules: self.rules,
             hands: match self.rules {
                 Rules::Practice => Hands::Two,

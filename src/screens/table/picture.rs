@@ -1,19 +1,18 @@
 //! The board with what lies and moves on it.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::active_game::{ActiveGame, Hinted};
 use super::arrange::Arrange;
 use super::pointer::Pointer;
 use super::preview::FirstHit;
-use super::replay::Replay;
-use super::sitting::{Hinted, Sitting};
+use super::replay::StrokeReplay;
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
-use crate::physics::{Board, State, stopping_distance};
-use crate::widgets::ink::{Body, Layer, Pen, Sheet, Side};
-use crate::widgets::{Look, Role, board};
+use crate::physics::{Board, DiscState, stopping_distance};
+use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture};
+use crate::widgets::{Role, board};
 
 /// Seconds after which a trail has faded.
 const FADE: f64 = 0.9;
@@ -24,21 +23,16 @@ const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim where the whole line is not drawn.
 const STUB: f64 = 0.09;
 
-fn sheet(area: Rect, look: &Look) -> Sheet {
+fn ground(area: Rect) -> Picture {
     let view = board::view(board::square(area), &Board::default());
-    let mut sheet = Sheet::new(view, look.charset);
-    board::ground(&mut sheet, &Board::default());
-    sheet
+    let mut picture = Picture::new(view);
+    board::ground(&mut picture, &Board::default());
+    picture
 }
 
 fn body(set: PieceSet, piece: Piece, at: DVec2) -> Body {
-    Body {
-        at,
-        radius: set.disc(piece).radius,
-        role: words::role(piece),
-        letter: words::letter(piece),
-        pointed_out: false,
-    }
+    let radius = set.disc(piece).radius;
+    Body::new(at, radius, words::role(piece), words::letter(piece))
 }
 
 fn bodies(set: PieceSet, coins: &[Coin]) -> impl Iterator<Item = Body> {
@@ -46,71 +40,71 @@ fn bodies(set: PieceSet, coins: &[Coin]) -> impl Iterator<Item = Body> {
 }
 
 /// Coins on an otherwise empty board.
-pub(super) fn draw_pack(coins: &[Coin], set: PieceSet, area: Rect, buf: &mut Buffer, look: &Look) {
-    let mut sheet = sheet(area, look);
-    sheet.discs(&bodies(set, coins).collect::<Vec<_>>());
-    sheet.draw(buf, &look.theme);
+pub(super) fn of_pack(coins: &[Coin], set: PieceSet, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    picture.discs(bodies(set, coins));
+    picture
 }
 
 /// The board as it lies.
-pub(super) fn draw_coins(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &Look) {
-    draw_pack(sitting.game().coins(), sitting.set(), area, buf, look);
+pub(super) fn of_coins(active: &ActiveGame, area: Rect) -> Picture {
+    of_pack(active.game().coins(), active.set(), area)
 }
 
 /// The board with the striker, its aim and what helps to aim.
-pub(super) fn draw_aim(sitting: &Sitting, area: Rect, buf: &mut Buffer, look: &Look) {
-    let mut sheet = sheet(area, look);
-    let seat = sitting.seat();
-    let aim = sitting.aimed();
+pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    let seat = active.seat();
+    let aim = active.aimed();
     let place = aim.place;
-    let radius = sitting.set().striker_radius();
+    let radius = active.set().striker_radius();
     let heading = aim.heading(seat);
-    let aids = sitting.options.aids;
-    let hit = sitting
+    let aids = active.options.aids;
+    let hit = active
         .preview
         .as_ref()
         .and_then(|preview| preview.first_hit());
-    if !sitting.is_practice() {
-        own_side(&mut sheet, seat);
+    if !active.is_practice() {
+        own_side(&mut picture, seat);
     }
-    let pointer = match &sitting.hint {
+    let pointer = match &active.hint {
         Some(Hinted::Told { pointer, .. }) => pointer.as_ref(),
         _ => None,
     };
     if let Some(pointer) = pointer {
-        point_out(&mut sheet, pointer);
+        point_out(&mut picture, pointer);
     }
-    if let Some(preview) = sitting.preview.as_ref().filter(|_| aids.line) {
-        sheet.polyline(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
+    if let Some(preview) = active.preview.as_ref().filter(|_| aids.line) {
+        picture.curve(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
     } else {
         let from = place + radius * heading;
-        sheet.arrow(from, from + STUB * heading, Role::Aim);
+        picture.arrow(from, from + STUB * heading, Role::Aim);
     }
-    let striker = body(sitting.set(), Piece::Striker, place);
-    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+    let striker = body(active.set(), Piece::Striker, place);
+    let mut discs: Vec<_> = bodies(active.set(), active.game().coins()).collect();
     if let Some(coin) = pointer.and_then(|pointer| discs.get_mut(pointer.coin)) {
         coin.pointed_out = true;
     }
     discs.push(striker);
-    sheet.discs(&discs);
+    picture.discs(discs);
     if let Some(hit) = hit {
-        let ghost = hit.at - hit.impact.collision.reach() * normal(hit);
+        let ghost = hit.at - hit.impact.collision.contact_distance() * normal(hit);
         if aids.ghost {
-            board::ghost(&mut sheet, ghost, radius, Role::Predicted);
+            board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
-        if aids.rays && !sitting.options.call {
-            departures(&mut sheet, hit, ghost);
+        if aids.rays && !active.options.call {
+            departures(&mut picture, hit, ghost);
         }
     }
-    sheet.draw(buf, &look.theme);
+    picture
 }
 
 /// Draws the coin's way into the pocket that a hint speaks of, and the pocket.
-fn point_out(sheet: &mut Sheet, pointer: &Pointer) {
+fn point_out(picture: &mut Picture, pointer: &Pointer) {
     let pen = Pen::new(Role::Good).on(Layer::Trail);
-    sheet.polyline(pointer.way.iter().copied(), pen.dotted());
+    picture.curve(pointer.way.iter().copied(), pen.dotted());
     if let Some(pocket) = pointer.pocket {
-        sheet.circle(pocket, Board::default().pocket_diameter / 2.0, pen);
+        picture.circle(pocket, Board::default().pocket_diameter / 2.0, pen);
     }
 }
 
@@ -120,7 +114,7 @@ fn normal(hit: &FirstHit) -> DVec2 {
 }
 
 /// Where both leave the first hit: as far as each would slide if it met nothing.
-fn departures(sheet: &mut Sheet, hit: &FirstHit, ghost: DVec2) {
+fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
     let outcome = hit.impact.collision.outcome();
     let slowing = Board::default().deceleration();
     let bodies = [
@@ -129,19 +123,19 @@ fn departures(sheet: &mut Sheet, hit: &FirstHit, ghost: DVec2) {
     ];
     for (from, v, role) in bodies {
         let way = stopping_distance(v.length(), slowing).min(LONGEST_RAY);
-        if way > 1.5 * sheet.view().per_column() {
+        if way > 1.5 * picture.view().per_column() {
             // Discs run over it: none may be hidden by what is to come.
             let pen = Pen::new(role).on(Layer::Trail);
-            sheet.arrow(from, from + way * v.normalize_or_zero(), pen);
+            picture.arrow(from, from + way * v.normalize_or_zero(), pen);
         }
     }
 }
 
 /// Marks the side whose turn it is, between its base line and the frame.
-fn own_side(sheet: &mut Sheet, seat: Seat) {
+fn own_side(picture: &mut Picture, seat: Seat) {
     let half = Board::default().side / 2.0;
     let end = |along: f64| seat.turn(DVec2::new(along, -half));
-    sheet.line(
+    picture.line(
         end(-0.2),
         end(0.2),
         Pen::new(Role::Striker).on(Layer::Trail),
@@ -149,39 +143,42 @@ fn own_side(sheet: &mut Sheet, seat: Seat) {
 }
 
 /// A stroke at the time its clock shows.
-pub(super) fn draw_replay(
-    sitting: &Sitting,
-    replay: &Replay,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
-    let mut sheet = sheet(area, look);
+pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) -> Picture {
+    let mut picture = ground(area);
     for disc in 0..replay.pieces.len() {
-        trail(&mut sheet, replay, disc);
+        trail(&mut picture, replay, disc);
     }
     let discs = replay.discs();
-    let bodies = discs.map(|(_, piece, at)| body(sitting.set(), piece, at));
-    sheet.discs(&bodies.collect::<Vec<_>>());
-    if let Some(impact) = replay.impact() {
+    let bodies = discs.map(|(_, piece, at)| body(active.set(), piece, at));
+    picture.discs(bodies);
+    if let Some((number, impact)) = replay.player.chosen() {
         let [a, b] = impact
             .discs
-            .map(|disc| replay.shot.at(disc, impact.time).position);
-        let number = replay.chosen.unwrap_or(0) + 1;
-        let share = impact.collision.striker.radius / impact.collision.reach();
+            .map(|disc| replay.player.shot().at(disc, impact.time).position);
+        let number = number + 1;
+        let share = impact.collision.striker.radius / impact.collision.contact_distance();
         let contact = a.lerp(b, share);
-        sheet.label(&format!("{number}"), contact, &Side::ALL, Role::Contact);
+        picture.label(
+            &format!("{number}"),
+            contact,
+            &LabelSide::ALL,
+            Role::Contact,
+        );
     }
-    sheet.draw(buf, &look.theme);
+    picture
 }
 
 /// Where a disc has been: fading while time runs; at the end the whole way of the
 /// striker, of the coin it met first and of what fell.
-fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
-    let now = replay.clock.time();
-    let told = replay.clock.is_over();
-    let first = replay.impacts.first().map(|impact| impact.discs[1]);
-    let fell = || replay.shot.at(disc, now).state == State::Pocketed;
+fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
+    let now = replay.player.clock().time();
+    let told = replay.player.clock().is_over();
+    let first = replay
+        .player
+        .impacts()
+        .first()
+        .map(|impact| impact.discs[1]);
+    let fell = || replay.player.shot().at(disc, now).state == DiscState::Pocketed;
     if told && disc != 0 && first != Some(disc) && !fell() {
         return;
     }
@@ -192,13 +189,13 @@ fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
         .map_or(Role::Trail, |piece| words::role(*piece));
     let pen = Pen::new(role).on(Layer::Trail);
     let since = if told { 0.0 } else { now - FADE };
-    for leg in replay.shot.path(disc) {
+    for leg in replay.player.shot().path(disc) {
         let (start, end) = (leg.start.max(since), leg.end.min(now));
         if start >= end {
             continue;
         }
         if told {
-            sheet.line(leg.from, leg.to, pen.dotted());
+            picture.line(leg.from, leg.to, pen.dotted());
             continue;
         }
         let time = |i: usize| start + (end - start) * i as f64 / SHADES as f64;
@@ -208,35 +205,29 @@ fn trail(sheet: &mut Sheet, replay: &Replay, disc: usize) {
             match share {
                 0.0 => leg.from,
                 _ if time(i) >= leg.end => leg.to,
-                _ => replay.shot.at(disc, time(i)).position,
+                _ => replay.player.shot().at(disc, time(i)).position,
             }
         };
         for i in 0..SHADES {
             let age = (now - time(i + 1)) / FADE;
-            sheet.line(place(i), place(i + 1), pen.aged(age));
+            picture.line(place(i), place(i + 1), pen.aged(age));
         }
     }
 }
 
 /// The board with a hand over it.
-pub(super) fn draw_arrange(
-    sitting: &Sitting,
-    arrange: &Arrange,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
-    let mut sheet = sheet(area, look);
-    let mut discs: Vec<_> = bodies(sitting.set(), sitting.game().coins()).collect();
+pub(super) fn of_arrange(active: &ActiveGame, arrange: &Arrange, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    let mut discs: Vec<_> = bodies(active.set(), active.game().coins()).collect();
     if let Some(held) = arrange.held.and_then(|held| discs.get_mut(held)) {
         held.at = arrange.hand;
     }
-    sheet.discs(&discs);
-    let arm = 2.5 * sheet.view().per_row();
-    let gap = 0.8 * sheet.view().per_row();
+    picture.discs(discs);
+    let arm = 2.5 * picture.view().per_row();
+    let gap = 0.8 * picture.view().per_row();
     for way in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
         let pen = Pen::new(Role::Key);
-        sheet.line(arrange.hand + gap * way, arrange.hand + arm * way, pen);
+        picture.line(arrange.hand + gap * way, arrange.hand + arm * way, pen);
     }
-    sheet.draw(buf, &look.theme);
+    picture
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::game::opponent::Hint;
+use crate::game::opponent::StrokeHint;
 use crate::game::{Game, Strike};
 use crate::physics::Board;
 use crate::widgets::board;
@@ -21,7 +21,7 @@ pub(super) struct Pointer {
 
 impl Pointer {
     /// What this hint for `game` speaks of, with its stroke; `None` if no coin is met.
-    pub(super) fn of(hint: &Hint, stroke: &Strike, game: &Game) -> Option<Self> {
+    pub(super) fn of(hint: &StrokeHint, stroke: &Strike, game: &Game) -> Option<Self> {
         let story = &hint.reason.story;
         let Some(fall) = story.fall else {
             return Some(Self {

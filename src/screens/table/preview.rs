@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::game::{Game, Strike};
-use crate::physics::{Shot, State};
+use crate::physics::{DiscState, Shot};
 use crate::widgets::replay::{Impact, impacts};
 
 /// The way of the striker to the first disc it meets.
@@ -51,7 +51,7 @@ impl Preview {
         );
         let end = match first {
             Some(hit) => WayEnd::Meets(hit),
-            None if shot.at(0, shot.duration()).state == State::Pocketed => WayEnd::Falls,
+            None if shot.at(0, shot.duration()).state == DiscState::Pocketed => WayEnd::Falls,
             None => WayEnd::Stops,
         };
         Some(Self { way, end })
@@ -81,11 +81,11 @@ pub(super) fn first_hit(shot: &Shot) -> Option<FirstHit> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::game::{Piece, Setup};
+    use crate::game::{GameSetup, Piece};
 
     #[test]
     fn straight_at_the_pack_the_first_hit_is_head_on() {
-        let game = Game::new(Setup::default());
+        let game = Game::new(GameSetup::default());
         let strike = Strike {
             place: DVec2::new(0.0, -0.2526),
             velocity: DVec2::new(0.0, 4.0),
@@ -95,14 +95,14 @@ mod tests {
         let hit = preview.first_hit().unwrap();
         assert_eq!(game.coins()[hit.coin].piece, Piece::White);
         assert!(hit.impact.collision.offset.abs() < 1e-12);
-        let reach = hit.impact.collision.reach();
+        let reach = hit.impact.collision.contact_distance();
         let end = preview.way.last().unwrap();
         assert!((end.distance(hit.at) - reach).abs() < 1e-9);
     }
 
     #[test]
     fn a_striker_that_meets_nothing_is_followed_to_its_end() {
-        let game = Game::new(Setup::default());
+        let game = Game::new(GameSetup::default());
         let mut strike = Strike {
             place: DVec2::new(0.0, -0.2526),
             velocity: DVec2::new(0.3, 0.0),

@@ -3,101 +3,96 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::sitting::{Phase, Sitting};
+use super::active_game::{ActiveGame, TablePhase};
 use super::{panel, picture};
 use crate::game::Rules;
 use crate::screens::Context;
-use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup};
+use crate::widgets::SplitLayout;
+use crate::widgets::hit::{Face, Markings, setup_picture};
 
 /// Where picture and panel are: for a whole board, which is square, or for one
 /// `enlarged` impact, which takes all there is.
-pub(super) fn layout(area: Rect, enlarged: bool) -> Beside {
+pub(super) fn layout(area: Rect, enlarged: bool) -> SplitLayout {
     if enlarged {
-        Beside::new(area)
+        SplitLayout::new(area)
     } else {
-        Beside::square(area)
+        SplitLayout::square(area)
     }
 }
 
 /// Whether what is being done is shown enlarged.
-pub(super) fn is_enlarged(sitting: &Sitting) -> bool {
-    matches!(sitting.phase, Phase::Call(_) | Phase::Impact(_))
+pub(super) fn is_enlarged(active: &ActiveGame) -> bool {
+    match &active.phase {
+        TablePhase::Call(_) => true,
+        TablePhase::Watch(replay) => replay.player.zoom().is_some(),
+        _ => false,
+    }
 }
 
 /// Draws the game.
-pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = layout(area, is_enlarged(sitting));
-    let (title, side_title) = titles(sitting);
+    let layout = layout(area, is_enlarged(active));
+    let (title, side_title) = titles(active);
     layout.draw(buf, &look, &title, &side_title);
-    match &sitting.phase {
-        Phase::Call(calling) => {
+    let area = layout.picture;
+    let picture = match &active.phase {
+        TablePhase::Call(calling) => {
             let given = Markings {
                 offset: true,
                 angle: true,
                 figures: true,
             };
             let collision = &calling.hit.impact.collision;
-            draw_setup(
-                layout.picture,
-                buf,
-                &look,
-                collision,
-                given,
-                Some(&calling.rays),
-            );
+            let rays = Some(&calling.rays);
+            setup_picture(area, Face::STRIKER_AND_COIN, collision, given, rays)
         }
-        Phase::Impact(zoom) => zoom.watch.draw(layout.picture, buf, &look),
-        Phase::Aim => picture::draw_aim(sitting, layout.picture, buf, &look),
-        Phase::Watch(replay) => picture::draw_replay(sitting, replay, layout.picture, buf, &look),
-        Phase::Arrange(arrange) => {
-            picture::draw_arrange(sitting, arrange, layout.picture, buf, &look);
-        }
-        Phase::Think { .. } | Phase::Over => {
-            picture::draw_coins(sitting, layout.picture, buf, &look);
-        }
-    }
-    panel::draw(sitting, layout.panel, buf, cx);
+        TablePhase::Aim => picture::of_aim(active, area),
+        TablePhase::Watch(replay) => match replay.player.zoom() {
+            Some(watch) => watch.picture(area),
+            None => picture::of_replay(active, replay, area),
+        },
+        TablePhase::Arrange(arrange) => picture::of_arrange(active, arrange, area),
+        TablePhase::Think { .. } | TablePhase::Over => picture::of_coins(active, area),
+    };
+    picture.draw(buf, &look);
+    panel::draw(active, layout.panel, buf, cx);
 }
 
 /// The titles of picture and panel.
-fn titles(sitting: &Sitting) -> (String, String) {
-    let turn = || match sitting.options.seat_name(sitting.seat()) {
+fn titles(active: &ActiveGame) -> (String, String) {
+    let turn = || match active.options.seat_name(active.seat()) {
         "you" => "your stroke".to_owned(),
         name => format!("{name}'s stroke"),
     };
-    match &sitting.phase {
-        Phase::Call(_) => ("call it: where to?".into(), "say it first".into()),
-        Phase::Impact(zoom) => (
-            format!("the impact, slowed {:.0}×", zoom.watch.clock().slowed()),
-            "why".into(),
-        ),
-        Phase::Arrange(_) => (board_title(sitting), "lay the coins out".into()),
-        Phase::Watch(replay) => {
-            let time = format!(
-                "{:.2} s, {}",
-                replay.clock.time(),
-                replay.clock.rate().words()
-            );
-            let name = if replay.chosen.is_some() {
+    match &active.phase {
+        TablePhase::Call(_) => ("call it: where to?".into(), "say it first".into()),
+        TablePhase::Arrange(_) => (board_title(active), "lay the coins out".into()),
+        TablePhase::Watch(replay) => {
+            let (clock, player) = (replay.player.clock(), &replay.player);
+            if let Some(watch) = player.zoom() {
+                let slowed = watch.clock().slowed();
+                return (format!("the impact, slowed {slowed:.0}×"), "why".into());
+            }
+            let time = format!("{:.2} s, {}", clock.time(), clock.rate().words());
+            let name = if player.list().is_some() {
                 "impacts".into()
             } else {
-                let session = &sitting.session;
-                let stroke = session.strokes_before(replay.number + 1);
-                format!("stroke {stroke} of {}", session.record().strokes())
+                let history = &active.history;
+                let stroke = history.strokes_before(replay.number + 1);
+                format!("stroke {stroke} of {}", history.record().strokes())
             };
             (time, name)
         }
-        Phase::Aim | Phase::Think { .. } => (board_title(sitting), turn()),
-        Phase::Over => (board_title(sitting), "the end of the board".into()),
+        TablePhase::Aim | TablePhase::Think { .. } => (board_title(active), turn()),
+        TablePhase::Over => (board_title(active), "the end of the board".into()),
     }
 }
 
 /// Which board it is, and the score.
-fn board_title(sitting: &Sitting) -> String {
+fn board_title(active: &ActiveGame) -> String {
     use crate::game::Team::{First, Second};
-    let game = sitting.game();
+    let game = active.game();
     let score = game.score();
     let number = game.board_number();
     match game.setup().rules {
@@ -108,10 +103,10 @@ fn board_title(sitting: &Sitting) -> String {
         ),
         Rules::Tournament => format!(
             "board {number}   {} {} : {} {}",
-            sitting.options.team_name(First),
+            active.options.team_name(First),
             score.points[First],
             score.points[Second],
-            sitting.options.team_name(Second),
+            active.options.team_name(Second),
         ),
     }
 }

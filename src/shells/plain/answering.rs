@@ -27,20 +27,9 @@ pub(super) fn answer(
             };
             Ok(talk.ask_for(&asked, read)?.map(Response::Number))
         }
-        Form::Choice { options, .. } => {
-            let mut lines = question.to_vec();
-            let choices = options.iter().enumerate();
-            lines.extend(choices.map(|(i, option)| format!("{}: {option}", letter(i))));
-            lines.push("Which one?".into());
-            let asked = Prompt {
-                lines: &lines,
-                help: "Type the letter of your choice. Type skip to leave it open.",
-            };
-            let read = |heard: &str| skipped(heard, |heard| choice(heard, options.len()));
-            Ok(talk.ask_for(&asked, read)?.map(Response::Choice))
-        }
+        Form::Choice { options, .. } => Ok(choose(talk, question, options)?.map(Response::Choice)),
         Form::Shot(aim) => {
-            let most_mm = (1.1e3 * aim.collision.reach()).ceil();
+            let most_mm = (1.1e3 * aim.collision.contact_distance()).ceil();
             let line = "Your offset in millimetres? A minus puts the coin to the left.";
             let lines = [question, &[line.to_owned()]].concat();
             let asked = Prompt {
@@ -53,6 +42,25 @@ pub(super) fn answer(
             Ok(offset_mm.map(|offset_mm| Response::Shot(m_from_mm(offset_mm))))
         }
     }
+}
+
+/// Hears which of these it is; `None` if that is skipped.
+pub(super) fn choose(
+    talk: &mut Talk,
+    question: &[String],
+    options: &[String],
+) -> Result<Option<usize>, Leave> {
+    let mut lines = question.to_vec();
+    let lettered = options.iter().enumerate();
+    lines.extend(lettered.map(|(i, option)| format!("{}: {option}", letter(i))));
+    lines.push("Which one?".into());
+    let asked = Prompt {
+        lines: &lines,
+        help: "Type the letter of your choice. Type skip to leave it open.",
+    };
+    talk.ask_for(&asked, |heard| {
+        skipped(heard, |heard| choice(heard, options.len()))
+    })
 }
 
 /// Hears two rays, one after the other.
@@ -116,7 +124,10 @@ pub(super) fn confidence(talk: &mut Talk) -> Result<Confidence, Leave> {
 }
 
 /// Reads an answer that may be left open.
-fn skipped<T>(heard: &str, read: impl Fn(&str) -> Result<T, String>) -> Result<Option<T>, String> {
+pub(super) fn skipped<T>(
+    heard: &str,
+    read: impl Fn(&str) -> Result<T, String>,
+) -> Result<Option<T>, String> {
     match heard.to_lowercase().as_str() {
         "skip" | "s" => Ok(None),
         _ => read(heard).map(Some),
@@ -124,7 +135,7 @@ fn skipped<T>(heard: &str, read: impl Fn(&str) -> Result<T, String>) -> Result<O
 }
 
 /// Reads the letter or the number of a choice.
-pub(super) fn choice(heard: &str, count: usize) -> Result<usize, String> {
+fn choice(heard: &str, count: usize) -> Result<usize, String> {
     let expected = || {
         format!(
             "Please type a letter from A to {}.",

@@ -2,11 +2,11 @@
 
 use super::spoken::sentence;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
+use crate::numbers::{degrees, millimetres, significant};
 use crate::physics::beam::Beam;
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::{Bond, Collision, Frame, Meeting, Outcome};
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::physics::{CollisionSpec, worked};
-use crate::quiz::words::{degrees, millimetres, significant};
 
 /// What the figure of a page shows, a line each; before the page's question is
 /// `answered`, and where a later page asks for it, no more than how the hit is set up.
@@ -210,7 +210,10 @@ fn working(collision: &Collision, figure: &Figure) -> Vec<Vec<String>> {
 }
 
 /// A line every ten degrees of the impact angle, from head-on to nearly a graze.
-fn every_ten(collision: &Collision, line: impl Fn(u32, &Outcome) -> String) -> Vec<String> {
+fn every_ten(
+    collision: &Collision,
+    line: impl Fn(u32, &CollisionOutcome) -> String,
+) -> Vec<String> {
     (0..9)
         .map(|tens| {
             let alpha_deg = 10 * tens;

@@ -1,10 +1,12 @@
 //! The chapters in lines.
 
-use super::answering::{self, choice};
+use std::collections::BTreeMap;
+
+use super::answering::{self, skipped};
 use super::number::number;
 use super::recorder::Recorder;
 use super::spoken::{sentence, unit_name, verbatim};
-use super::talk::{Leave, Prompt as Question, Talk};
+use super::talk::{Leave, Prompt, Talk};
 use super::{figure, formula};
 use crate::lessons::{
     Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointAnswer, CheckpointKind,
@@ -40,18 +42,11 @@ pub fn learn(
             None => contents(talk, recorder, library)?,
         };
         if let Some(chapter) = library.chapters.get(at)
-            && read(talk, recorder, chapter)? == NextPage::Chapter
+            && read(talk, recorder, chapter)?
         {
             chosen = Some(at + 1).filter(|next| *next < library.chapters.len());
         }
     }
-}
-
-/// Where one goes from a chapter.
-#[derive(PartialEq)]
-enum NextPage {
-    Chapter,
-    Contents,
 }
 
 /// Asks which chapter it shall be.
@@ -60,15 +55,11 @@ fn contents(
     recorder: &mut Recorder,
     library: &ChapterLibrary,
 ) -> Result<usize, Leave> {
-    let player = recorder.player.to_owned();
-    let marks = match recorder.wish(talk, StoreRequest::Marks(player))? {
-        StoreReply::Marks(Ok(marks)) => marks,
-        _ => std::collections::BTreeMap::new(),
-    };
+    let marks = marks(talk, recorder)?;
     let mut lines = vec!["The chapters.".to_owned()];
     for (number, chapter) in (1..).zip(&library.chapters) {
         let read = match marks.get(&chapter.id) {
-            Some(mark) if mark.is_done(chapter) => " StoreReply.".to_owned(),
+            Some(mark) if mark.is_done(chapter) => " Done.".to_owned(),
             Some(mark) => format!(
                 " {} of {} pages read.",
                 mark.seen(chapter),
@@ -83,7 +74,7 @@ fn contents(
         ));
     }
     lines.push("Which one? Type its number.".into());
-    let asked = Question {
+    let asked = Prompt {
         lines: &lines,
         help: "Type the number of a chapter. It opens at the page where you left it.",
     };
@@ -95,13 +86,19 @@ fn contents(
     })
 }
 
-/// Reads a chapter from where it was left.
-fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<NextPage, Leave> {
+/// The player's bookmarks; none where they cannot be looked up.
+fn marks(talk: &mut Talk, recorder: &mut Recorder) -> Result<BTreeMap<String, Bookmark>, Leave> {
     let player = recorder.player.to_owned();
-    let mut at = match recorder.wish(talk, StoreRequest::Marks(player))? {
-        StoreReply::Marks(Ok(marks)) => marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter)),
-        _ => 0,
-    };
+    Ok(match recorder.wish(talk, StoreRequest::Marks(player))? {
+        StoreReply::Marks(Ok(marks)) => marks,
+        _ => BTreeMap::new(),
+    })
+}
+
+/// Reads a chapter from where it was left; whether to its end.
+fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
+    let marks = marks(talk, recorder)?;
+    let mut at = marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter));
     talk.say(&format!(
         "Chapter {}: {}",
         chapter.number,
@@ -127,30 +124,30 @@ fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<N
         {
             shown.add(talk, figure::describe(chapter, at, true))?;
         }
-        let asked = Question {
-            lines: &["NextPage?".to_owned()],
+        let asked = Prompt {
+            lines: &["Next?".to_owned()],
             help: MOVES,
         };
-        match talk.ask_for(&asked, |heard| match heard.to_lowercase().as_str() {
-            "" | "next" | "n" => Ok(PageMove::On),
-            "back" | "b" => Ok(PageMove::Back),
-            "contents" | "c" => Ok(PageMove::Contents),
+        let next = talk.ask_for(&asked, |heard| match heard.to_lowercase().as_str() {
+            "" | "next" | "n" => Ok(Some(at + 1)),
+            "back" | "b" => Ok(Some(at.saturating_sub(1))),
+            "contents" | "c" => Ok(None),
             _ => Err(MOVES.to_owned()),
-        })? {
-            PageMove::On => at += 1,
-            PageMove::Back => {
-                at = at.saturating_sub(1);
-                shown = ShownPage::default();
-            }
-            PageMove::Contents => return Ok(NextPage::Contents),
+        })?;
+        let Some(next) = next else {
+            return Ok(false);
+        };
+        if next <= at {
+            shown = ShownPage::default();
         }
+        at = next;
     }
     talk.say("That is the end of the chapter.")?;
     // It is opened at its beginning the next time.
     if let Some(first) = chapter.pages.first() {
         mark(talk, recorder, chapter, Bookmark::at(first))?;
     }
-    Ok(NextPage::Chapter)
+    Ok(true)
 }
 
 /// What the figures of a chapter have shown, so that it is said once rather than on every
@@ -178,13 +175,6 @@ impl ShownPage {
         }
         Ok(())
     }
-}
-
-/// Where one goes from a page.
-enum PageMove {
-    On,
-    Back,
-    Contents,
 }
 
 fn mark(
@@ -241,7 +231,6 @@ fn hear(
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<Option<CheckpointAnswer>, Leave> {
-    let skip = |heard: &str| matches!(heard.to_lowercase().as_str(), "skip" | "s");
     match &checkpoint.asked {
         CheckpointKind::Rays => {
             let side = match figure.map(|collision| collision.offset) {
@@ -261,32 +250,17 @@ fn hear(
                 unit => format!("Your answer in {}?", unit_name(unit)),
             };
             let lines = [question, &[line]].concat();
-            let asked = Question {
+            let asked = Prompt {
                 lines: &lines,
                 help: "Type a number. Type skip to leave it open.",
             };
-            talk.ask_for(&asked, |heard| match heard {
-                heard if skip(heard) => Ok(None),
-                heard => number(heard, unit, -1e9, 1e9)
-                    .map(|number| Some(CheckpointAnswer::Number(number))),
-            })
+            let read = |heard: &str| skipped(heard, |heard| number(heard, unit, -1e9, 1e9));
+            Ok(talk.ask_for(&asked, read)?.map(CheckpointAnswer::Number))
         }
         CheckpointKind::Choice(choices) => {
-            let mut lines = question.to_vec();
-            let each = choices.iter().enumerate();
-            lines.extend(each.map(|(i, it)| {
-                format!("{}: {}", crate::quiz::letter(i), pieces(&it.text, figure))
-            }));
-            lines.push("Which one?".into());
-            let asked = Question {
-                lines: &lines,
-                help: "Type the letter of your choice. Type skip to leave it open.",
-            };
-            talk.ask_for(&asked, |heard| match heard {
-                heard if skip(heard) => Ok(None),
-                heard => choice(heard, choices.len())
-                    .map(|chosen| Some(CheckpointAnswer::Choice(chosen))),
-            })
+            let texts: Vec<_> = choices.iter().map(|it| pieces(&it.text, figure)).collect();
+            let chosen = answering::choose(talk, question, &texts)?;
+            Ok(chosen.map(CheckpointAnswer::Choice))
         }
     }
 }

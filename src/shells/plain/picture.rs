@@ -15,7 +15,7 @@ pub(super) fn describe(question: &Question) -> String {
 
 /// How a hit looks, as a careful eye would judge it.
 fn seen(collision: &Collision, line: bool) -> String {
-    let share = collision.offset / collision.reach();
+    let share = collision.offset / collision.contact_distance();
     let percent = (100.0 * share.abs()).round();
     let side = if share < 0.0 { "left" } else { "right" };
     let place = format!(

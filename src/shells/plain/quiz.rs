@@ -8,11 +8,11 @@ use super::recorder::Recorder;
 use super::spoken::{sentence, verbatim};
 use super::talk::{Leave, Prompt, Talk};
 use crate::messages::{StoreReply, StoreRequest};
+use crate::numbers;
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
     Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, Topic, explain,
-    words,
 };
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
@@ -180,7 +180,7 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
     talk.say(&explanation.text)?;
     talk.say(&format!(
         "{} of {:.0} points.",
-        words::points(grade.points()),
+        numbers::points(grade.points()),
         Grade::MOST
     ))
 }
@@ -194,7 +194,7 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     );
     talk.say(&format!(
         "Your round: {} of {:.0} points, {} of {} right.",
-        words::points(summary.points()),
+        numbers::points(summary.points()),
         summary.most(),
         summary.right(),
         summary.lines.len()

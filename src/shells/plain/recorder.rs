@@ -19,7 +19,7 @@ pub struct Recorder<'a> {
 }
 
 impl<'a> Recorder<'a> {
-    /// A recorder of what this player does.
+    /// Keeps what this player does.
     pub fn new(player: &'a str, store: &'a mut Store) -> Self {
         Self {
             player,

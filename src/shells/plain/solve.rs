@@ -3,14 +3,14 @@
 use super::number::number;
 use super::spoken::sentence;
 use super::talk::{Leave, Prompt, Talk};
-use crate::physics::worked::{self, Step};
+use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{CollisionSpec, ImpactPoint};
 
 /// Says a worked solution, or asks for the hit first.
 ///
 /// # Errors
 /// If the player quits, or nothing more is to be heard.
-pub fn solve(talk: &mut Talk, given: Option<&[Step]>) -> Result<(), Leave> {
+pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave> {
     let asked;
     let steps = match given {
         Some(steps) => steps,
@@ -30,7 +30,7 @@ pub fn solve(talk: &mut Talk, given: Option<&[Step]>) -> Result<(), Leave> {
 }
 
 /// Asks for each quantity in turn.
-fn ask(talk: &mut Talk) -> Result<Vec<Step>, Leave> {
+fn ask(talk: &mut Talk) -> Result<Vec<WorkedStep>, Leave> {
     talk.say("carrom, a hit worked out. Enter alone takes what is proposed.")?;
     let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
         let lines = [format!("{what}? Proposed: {proposed}.")];

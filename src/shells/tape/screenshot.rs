@@ -21,6 +21,6 @@ impl Screenshot {
 
     /// The screen as a picture that needs nothing else to be shown.
     pub fn svg(&self) -> String {
-        svg::write(&self.cells)
+        svg::of_screen(&self.cells)
     }
 }

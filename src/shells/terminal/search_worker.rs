@@ -35,14 +35,14 @@ fn send(result: SearchResult, sender: &Sender<Message>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::game::{Game, Setup};
+    use crate::game::{Game, GameSetup};
     use crate::messages::{Found, Wanted};
 
     #[test]
     fn a_panic_is_a_failed_search() {
         let task = SearchTask {
             ticket: 7,
-            game: Game::new(Setup::default()),
+            game: Game::new(GameSetup::default()),
             seed: 1,
             wanted: Wanted::Hint,
         };

@@ -7,7 +7,7 @@
 //!   to the disk when it is done (write-ahead log, `synchronous = FULL`);
 //! - who waits for another is patient, and tries again;
 //! - a damaged database is set aside under another name, where it can still be looked
-//!   at, and a new one takes its location;
+//!   at, and a new one takes its place;
 //! - one that a newer carrom has written is refused, and not a byte of it is changed;
 //! - one that cannot be changed, such as a copy on a disk for reading, can be looked up.
 //!

@@ -17,10 +17,10 @@ const BLANK: usize = 3;
 const HARD: char = '$';
 
 /// The rows of a letter or of a line of them, all of one length.
-pub(super) type Rows = [Vec<char>; ROWS];
+pub(super) type LetterRows = [Vec<char>; ROWS];
 
 /// The letters from the blank to the tilde.
-static LETTERS: LazyLock<Vec<Rows>> = LazyLock::new(|| {
+static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     let mut lines = FONT.lines();
     let head = lines.next().unwrap_or_default();
     let remarks = head.split(' ').nth(5).and_then(|it| it.parse().ok());
@@ -37,8 +37,8 @@ static LETTERS: LazyLock<Vec<Rows>> = LazyLock::new(|| {
 
 /// The letters of a text of ASCII in lines no longer than `columns`, broken at blanks;
 /// `None` if a word is longer, or a letter has no strokes.
-pub(super) fn set(text: &str, columns: usize) -> Option<Vec<Rows>> {
-    let mut lines: Vec<Rows> = Vec::new();
+pub(super) fn set(text: &str, columns: usize) -> Option<Vec<LetterRows>> {
+    let mut lines: Vec<LetterRows> = Vec::new();
     for word in text.split_whitespace() {
         let word = joined(word)?;
         let width = word[0].len();
@@ -59,8 +59,8 @@ pub(super) fn set(text: &str, columns: usize) -> Option<Vec<Rows>> {
 }
 
 /// The letters of a word, as close together as they go without touching.
-fn joined(word: &str) -> Option<Rows> {
-    let mut joined = Rows::default();
+fn joined(word: &str) -> Option<LetterRows> {
+    let mut joined = LetterRows::default();
     for letter in word.chars() {
         let letter = LETTERS.get((letter as usize).checked_sub(' ' as usize)?)?;
         let overlap = (0..ROWS)
@@ -86,7 +86,7 @@ fn joined(word: &str) -> Option<Rows> {
     };
     joined.iter_mut().flatten().for_each(soft);
     // Nothing but air may stand at the ends.
-    let empty = |rows: &Rows, at: usize| rows.iter().all(|row| row.get(at) == Some(&' '));
+    let empty = |rows: &LetterRows, at: usize| rows.iter().all(|row| row.get(at) == Some(&' '));
     while !joined[0].is_empty() && empty(&joined, joined[0].len() - 1) {
         joined
             .iter_mut()

@@ -4,12 +4,12 @@ use crate::widgets::text;
 
 /// Rows of one width, one of which is the base line.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(super) struct Block {
+pub(super) struct FormulaBlock {
     rows: Vec<String>,
     base: usize,
 }
 
-impl Block {
+impl FormulaBlock {
     /// A single row.
     pub(super) fn line(text: &str) -> Self {
         Self::of([text.to_owned()], 0)

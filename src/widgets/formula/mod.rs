@@ -3,7 +3,7 @@
 
 mod block;
 
-use block::Block;
+use block::FormulaBlock;
 
 use super::Charset;
 use crate::lessons::formula::{Formula, Node, subscript, superscript};
@@ -30,33 +30,33 @@ struct Setter {
 }
 
 impl Setter {
-    fn row(&self, formula: &Formula) -> Block {
-        let mut row = Block::default();
+    fn row(&self, formula: &Formula) -> FormulaBlock {
+        let mut row = FormulaBlock::default();
         for term in &formula.0 {
             // In ASCII a degree is a word.
             let degree = term.node == Node::Word("°".into()) && self.charset == Charset::Ascii;
             if term.apart || degree {
-                row = row.beside(&Block::line(" "));
+                row = row.beside(&FormulaBlock::line(" "));
             }
             row = row.beside(&self.node(&term.node));
         }
         row
     }
 
-    fn node(&self, node: &Node) -> Block {
+    fn node(&self, node: &Node) -> FormulaBlock {
         match node {
-            Node::Word(word) => Block::line(&self.charset.text(word)),
+            Node::Word(word) => FormulaBlock::line(&self.charset.text(word)),
             Node::Group(inside) => self.bracketed(&self.row(inside)),
             Node::Fraction(over, under) => {
                 let (over, under) = (self.row(over), self.row(under));
                 let width = over.width().max(under.width()) + 2;
-                over.over(&Block::line(&self.stroke().repeat(width)))
+                over.over(&FormulaBlock::line(&self.stroke().repeat(width)))
                     .with_base_at_end()
                     .over(&under)
             }
             Node::Root(inside) => self.root(&self.row(inside)),
             Node::Vector(inside) => {
-                let arrow = Block::line(&self.charset.text("→"));
+                let arrow = FormulaBlock::line(&self.charset.text("→"));
                 arrow.over(&self.row(inside)).with_base_at_end()
             }
             Node::Scripts { base, below, above } => {
@@ -72,7 +72,7 @@ impl Setter {
         }
     }
 
-    fn bracketed(&self, inside: &Block) -> Block {
+    fn bracketed(&self, inside: &FormulaBlock) -> FormulaBlock {
         let brackets = match self.charset {
             _ if inside.height() == 1 => [["("; 3], [")"; 3]],
             Charset::Ascii => [["/", "|", "\\"], ["\\", "|", "/"]],
@@ -85,7 +85,7 @@ impl Setter {
                 i if i == last => bottom,
                 _ => middle,
             };
-            Block::of(
+            FormulaBlock::of(
                 (0..inside.height()).map(|i| row(i).to_owned()),
                 inside.base(),
             )
@@ -94,7 +94,7 @@ impl Setter {
     }
 
     /// A hook on the left, a roof over the rest.
-    fn root(&self, inside: &Block) -> Block {
+    fn root(&self, inside: &FormulaBlock) -> FormulaBlock {
         let roof = "_".repeat(inside.width());
         let (hook, side) = match self.charset {
             Charset::Ascii => ("\\/", " |"),
@@ -102,14 +102,19 @@ impl Setter {
         };
         let last = inside.height() - 1;
         let left = (0..=last).map(|i| if i == last { hook } else { side }.to_owned());
-        let left = Block::of(left, inside.base());
-        let roofed = Block::line(&roof).over(inside);
+        let left = FormulaBlock::of(left, inside.base());
+        let roofed = FormulaBlock::line(&roof).over(inside);
         left.beside(&roofed.with_base(inside.base() + 1))
     }
 
     /// In the row itself what Unicode has letters for; else above and below it. In
     /// ASCII what is lowered by a letter stays in the row too, spelt out.
-    fn scripted(&self, base: &Block, below: Option<&Formula>, above: Option<&Formula>) -> Block {
+    fn scripted(
+        &self,
+        base: &FormulaBlock,
+        below: Option<&Formula>,
+        above: Option<&Formula>,
+    ) -> FormulaBlock {
         let mut set = base.clone();
         let mut low = None;
         if let Some(below) = below {
@@ -122,7 +127,7 @@ impl Setter {
         if let Some(above) = above {
             match superscript(&above.inline()) {
                 Some(letters) if self.charset == Charset::Unicode && base.height() == 1 => {
-                    set = set.beside(&Block::line(&letters));
+                    set = set.beside(&FormulaBlock::line(&letters));
                 }
                 _ => high = Some(self.row(above)),
             }
@@ -131,13 +136,13 @@ impl Setter {
     }
 
     /// A subscript beside its base: an underscore parts letters from letters.
-    fn spelt(&self, letters: &str, base: &Block) -> Block {
+    fn spelt(&self, letters: &str, base: &FormulaBlock) -> FormulaBlock {
         let spelt = self.charset.text(letters);
         let joined = base.ends_with_letter() && spelt.starts_with(char::is_alphabetic);
         if joined && self.charset == Charset::Ascii {
-            Block::line(&format!("_{spelt}"))
+            FormulaBlock::line(&format!("_{spelt}"))
         } else {
-            Block::line(&spelt)
+            FormulaBlock::line(&spelt)
         }
     }
 }

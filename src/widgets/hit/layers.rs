@@ -2,7 +2,7 @@
 
 /// One layer of the explanation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Layer {
+pub enum Overlay {
     /// Line of impact n and tangent t through the contact.
     Lines,
     /// The striker's velocity split along n and t.
@@ -19,7 +19,7 @@ pub enum Layer {
     Prediction,
 }
 
-impl Layer {
+impl Overlay {
     /// All layers, in the order of their keys.
     pub const ALL: [Self; 7] = [
         Self::Lines,
@@ -47,29 +47,29 @@ impl Layer {
 
 /// Which layers are on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Layers {
-    on: [bool; Layer::ALL.len()],
+pub struct Overlays {
+    on: [bool; Overlay::ALL.len()],
 }
 
-impl Default for Layers {
+impl Default for Overlays {
     /// All but the split: it would stand in the way of the departures.
     fn default() -> Self {
         let mut layers = Self {
-            on: [true; Layer::ALL.len()],
+            on: [true; Overlay::ALL.len()],
         };
-        layers.toggle(Layer::Split);
+        layers.toggle(Overlay::Split);
         layers
     }
 }
 
-impl Layers {
+impl Overlays {
     /// Whether `layer` is on.
-    pub fn shows(self, layer: Layer) -> bool {
+    pub fn shows(self, layer: Overlay) -> bool {
         self.on[layer as usize]
     }
 
     /// Switches `layer`.
-    pub fn toggle(&mut self, layer: Layer) {
+    pub fn toggle(&mut self, layer: Overlay) {
         self.on[layer as usize] ^= true;
     }
 }

@@ -2,24 +2,24 @@
 //! as they do. The lab, the quiz and every zoomed-in impact show this one picture.
 
 mod after;
-mod angles;
-mod arrows;
-mod inset;
-mod labels;
 mod layers;
-mod mark;
-mod picture;
+mod moment;
+mod pencil;
 mod playback;
 mod setup;
+mod sketch;
 mod stage;
 mod telling;
+#[cfg(test)]
+mod tests;
 mod watch;
 
-pub use after::draw_after;
-pub use layers::{Layer, Layers};
-pub use mark::Mark;
+pub use after::after_picture;
+pub use layers::{Overlay, Overlays};
+pub use pencil::{protractor_picture, scale_picture};
 pub use playback::{FRAME, Playback};
-pub use setup::{Markings, drag_offset, draw_aim, draw_setup, draw_setup_of, point_at};
-pub use stage::{Stage, degrees, side};
+pub use setup::{HitResponse, Markings, drag_offset, point_at, setup_picture};
+pub use sketch::WantedWay;
+pub use stage::{HitLayout, degrees, side};
 pub use telling::Telling;
 pub use watch::{Face, Watch, WatchAction};

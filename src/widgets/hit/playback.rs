@@ -11,12 +11,12 @@ const APPROACH: f64 = 1.1;
 const EASE: f64 = 0.35;
 /// Time between one layer of the explanation and the next, in seconds.
 const BEAT: f64 = 0.9;
-/// Layers that come one after the other at the contact.
-pub const BEATS: usize = 3;
+/// Overlays that come one after the other at the contact.
+pub(super) const BEATS: usize = 3;
 
 /// Where in its telling a hit is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Stage {
+enum PlaybackStage {
     /// Running towards the contact; seconds on the screen so far.
     Approach(f64),
     /// Held at the contact; seconds on the screen so far, until the last layer.
@@ -28,7 +28,7 @@ enum Stage {
 }
 
 /// At the contact, with all layers to be seen.
-const TOLD: Stage = Stage::Contact(BEAT * BEATS as f64);
+const TOLD: PlaybackStage = PlaybackStage::Contact(BEAT * BEATS as f64);
 
 /// The clock of a hit.
 ///
@@ -39,7 +39,7 @@ const TOLD: Stage = Stage::Contact(BEAT * BEATS as f64);
 pub struct Playback {
     contact: f64,
     end: f64,
-    stage: Stage,
+    stage: PlaybackStage,
 }
 
 impl Playback {
@@ -49,27 +49,31 @@ impl Playback {
         Self {
             contact,
             end,
-            stage: if reduced { TOLD } else { Stage::Approach(0.0) },
+            stage: if reduced {
+                TOLD
+            } else {
+                PlaybackStage::Approach(0.0)
+            },
         }
     }
 
     /// Time of the shot to show, in its own seconds.
     pub fn time(&self) -> f64 {
         match self.stage {
-            Stage::Approach(s) => {
+            PlaybackStage::Approach(s) => {
                 // Constant rate, then a rate that falls to 0 evenly over EASE.
                 let coasting = s.min(self.coasting());
                 let easing = (s - coasting).min(EASE);
                 let time = self.rate() * (coasting + easing - easing * easing / (2.0 * EASE));
                 time.min(self.contact)
             }
-            Stage::Contact(_) => self.contact,
-            Stage::Departure(s) => {
+            PlaybackStage::Contact(_) => self.contact,
+            PlaybackStage::Departure(s) => {
                 let easing = s.min(EASE);
                 let time = self.rate() * (easing * easing / (2.0 * EASE) + s - easing);
                 (self.contact + time).min(self.end)
             }
-            Stage::Halted(time) => time,
+            PlaybackStage::Halted(time) => time,
         }
     }
 
@@ -91,10 +95,10 @@ impl Playback {
     /// Whether time runs.
     pub fn is_running(&self) -> bool {
         match self.stage {
-            Stage::Approach(_) => true,
-            Stage::Contact(s) => s < BEAT * BEATS as f64,
-            Stage::Departure(_) => self.time() < self.end,
-            Stage::Halted(_) => false,
+            PlaybackStage::Approach(_) => true,
+            PlaybackStage::Contact(s) => s < BEAT * BEATS as f64,
+            PlaybackStage::Departure(_) => self.time() < self.end,
+            PlaybackStage::Halted(_) => false,
         }
     }
 
@@ -117,7 +121,7 @@ impl Playback {
     /// the contact and stay.
     pub fn beats(&self) -> usize {
         match self.stage {
-            Stage::Contact(s) => ((s / BEAT) as usize + 1).min(BEATS),
+            PlaybackStage::Contact(s) => ((s / BEAT) as usize + 1).min(BEATS),
             _ if self.has_met() => BEATS,
             _ => 0,
         }
@@ -130,17 +134,17 @@ impl Playback {
         }
         let passed = passed.as_secs_f64();
         self.stage = match self.stage {
-            Stage::Approach(s) => {
+            PlaybackStage::Approach(s) => {
                 let left = self.coasting() + EASE - s;
                 if passed < left {
-                    Stage::Approach(s + passed)
+                    PlaybackStage::Approach(s + passed)
                 } else {
-                    Stage::Contact(passed - left)
+                    PlaybackStage::Contact(passed - left)
                 }
             }
-            Stage::Contact(s) => Stage::Contact(s + passed),
-            Stage::Departure(s) => Stage::Departure(s + passed),
-            halted @ Stage::Halted(_) => halted,
+            PlaybackStage::Contact(s) => PlaybackStage::Contact(s + passed),
+            PlaybackStage::Departure(s) => PlaybackStage::Departure(s + passed),
+            halted @ PlaybackStage::Halted(_) => halted,
         };
     }
 
@@ -148,17 +152,17 @@ impl Playback {
     /// while they are coming, and from a halt or from the contact on to the end.
     pub fn go_on(&mut self) {
         self.stage = match self.stage {
-            Stage::Approach(_) => Stage::Contact(0.0),
-            Stage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => TOLD,
-            Stage::Contact(_) => Stage::Departure(0.0),
-            Stage::Departure(_) => Stage::Halted(self.end),
-            Stage::Halted(time) if time < self.contact => {
-                Stage::Approach(self.screen_time_before(time))
+            PlaybackStage::Approach(_) => PlaybackStage::Contact(0.0),
+            PlaybackStage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => TOLD,
+            PlaybackStage::Contact(_) => PlaybackStage::Departure(0.0),
+            PlaybackStage::Departure(_) => PlaybackStage::Halted(self.end),
+            PlaybackStage::Halted(time) if time < self.contact => {
+                PlaybackStage::Approach(self.screen_time_before(time))
             }
-            Stage::Halted(time) if time < self.end => {
-                Stage::Departure(self.screen_time_after(time))
+            PlaybackStage::Halted(time) if time < self.end => {
+                PlaybackStage::Departure(self.screen_time_after(time))
             }
-            Stage::Halted(_) => Stage::Halted(self.end),
+            PlaybackStage::Halted(_) => PlaybackStage::Halted(self.end),
         };
     }
 
@@ -169,7 +173,7 @@ impl Playback {
 
     /// Plays the whole again.
     pub fn rewind(&mut self) {
-        self.stage = Stage::Approach(0.0);
+        self.stage = PlaybackStage::Approach(0.0);
     }
 
     /// Halts, and moves by this share of the whole. A step that would leap over
@@ -179,7 +183,7 @@ impl Playback {
         let to = (from + share * self.end).clamp(0.0, self.end);
         let leaps = (from < self.contact && to > self.contact)
             || (from > self.contact && to < self.contact);
-        self.stage = Stage::Halted(if leaps { self.contact } else { to });
+        self.stage = PlaybackStage::Halted(if leaps { self.contact } else { to });
     }
 
     /// Inverse of the approach in [`Playback::time`].

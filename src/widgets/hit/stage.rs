@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
-use crate::widgets::ink::View;
+use crate::widgets::picture::View;
 
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
@@ -21,16 +21,18 @@ const LOW: u16 = 12;
 
 /// The geometry of a hit as drawn: the contact point is in the middle.
 #[derive(Debug, Clone, Copy)]
-pub struct Stage {
+pub struct HitLayout {
     /// Where the world is on the screen.
     pub view: View,
     /// The collision.
     pub collision: Collision,
     /// The centres at contact, or where the two pass nearest.
     pub centres: [DVec2; 2],
+    /// The middle of the picture.
+    middle: DVec2,
 }
 
-impl Stage {
+impl HitLayout {
     /// The stage of `collision` in `area`.
     pub fn new(area: Rect, collision: &Collision) -> Self {
         let (c1, c2) = collision.placed_at_contact();
@@ -45,6 +47,22 @@ impl Stage {
             view: View::new(area, DVec2::ZERO, 2.0 * half / columns),
             collision: *collision,
             centres: [c1, c2],
+            middle: DVec2::ZERO,
+        }
+    }
+
+    /// The stage of `collision` on paper: as large as it must be to show what lies
+    /// between two corners, with this many columns for the radius of the larger disc.
+    pub(super) fn between(collision: &Collision, [low, high]: [DVec2; 2], columns: f64) -> Self {
+        let (c1, c2) = collision.placed_at_contact();
+        let largest = collision.striker.radius.max(collision.target.radius);
+        let size = (high - low) / largest * columns;
+        let area = Rect::new(0, 0, size.x.ceil() as u16, (size.y / 2.0).ceil() as u16);
+        Self {
+            view: View::fit(area, low, high),
+            collision: *collision,
+            centres: [c1, c2],
+            middle: (low + high) / 2.0,
         }
     }
 
@@ -102,6 +120,7 @@ impl Stage {
                 (half.copysign(step) - from) / step
             }
         };
+        let from = from - self.middle;
         along(from.x, direction.x, half.x)
             .min(along(from.y, direction.y, half.y))
             .max(0.0)

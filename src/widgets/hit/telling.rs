@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Layers, Watch, WatchAction};
+use super::{Overlays, Watch, WatchAction};
 use crate::messages::Key;
 use crate::widgets::input::KeyTable;
 
@@ -88,7 +88,7 @@ impl Telling {
     }
 
     /// What is drawn on top of the hit, where there is one.
-    pub fn layers(&self) -> Option<Layers> {
+    pub fn layers(&self) -> Option<Overlays> {
         self.watch.as_ref().map(Watch::layers)
     }
 }

@@ -3,20 +3,20 @@
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::layers::{Layer, Layers};
-use super::mark::Mark;
-use super::picture::Moment;
+use super::layers::{Overlay, Overlays};
+use super::moment::Moment;
 use super::playback::{FRAME, Playback};
-use super::stage::{Stage, time_in_sight};
+use super::sketch::WantedWay;
+use super::stage::{HitLayout, time_in_sight};
 use crate::messages::Key;
-use crate::physics::{Bond, Collision, Frame, Outcome, Shot};
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::Rays;
+use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Look, Role};
+use crate::widgets::picture::Picture;
 
 /// Share of the whole that `,` and `.` step by.
 const STEP: f64 = 1.0 / 96.0;
@@ -27,14 +27,15 @@ const SCRUB: f64 = 1.0 / 16.0;
 #[derive(Debug, Clone)]
 pub struct Watch {
     collision: Collision,
-    outcome: Outcome,
+    outcome: CollisionOutcome,
     shot: Option<Shot>,
     clock: Playback,
     contact: f64,
-    layers: Layers,
+    layers: Overlays,
     frame: Frame,
     said: Option<Rays>,
-    mark: Option<Mark>,
+    wanted: Option<WantedWay>,
+    measured: bool,
     faces: [Face; 2],
 }
 
@@ -57,7 +58,7 @@ pub enum WatchAction {
     /// see it from the centre of mass, or from the coin's own frame
     Frame,
     /// layers: line of impact, split, velocities, angles, triangle, trails, what you said
-    ToggleLayer(Layer),
+    ToggleLayer(Overlay),
 }
 
 /// How a disc of a hit is drawn.
@@ -94,10 +95,11 @@ impl Watch {
             shot: collision.shot(contact, end),
             clock: Playback::new(contact, end, reduced),
             contact,
-            layers: Layers::default(),
+            layers: Overlays::default(),
             frame: Frame::Laboratory,
             said,
-            mark: None,
+            wanted: None,
+            measured: false,
             faces: Face::STRIKER_AND_COIN,
         }
     }
@@ -108,18 +110,27 @@ impl Watch {
         Self { faces, ..self }
     }
 
-    /// The same with a mark to which one of the two was to be sent.
+    /// The same with the way that one of the two was to be sent.
     #[must_use]
-    pub fn with_mark(self, mark: Mark) -> Self {
+    pub fn with_wanted(self, wanted: WantedWay) -> Self {
         Self {
-            mark: Some(mark),
+            wanted: Some(wanted),
+            ..self
+        }
+    }
+
+    /// The same with the masses and the impact angle written beside it.
+    #[must_use]
+    pub fn with_measures(self) -> Self {
+        Self {
+            measured: true,
             ..self
         }
     }
 
     /// The same with these layers.
     #[must_use]
-    pub fn with_layers(self, layers: Layers) -> Self {
+    pub fn with_layers(self, layers: Overlays) -> Self {
         Self { layers, ..self }
     }
 
@@ -129,7 +140,7 @@ impl Watch {
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> &Outcome {
+    pub fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }
 
@@ -139,7 +150,7 @@ impl Watch {
     }
 
     /// What is drawn on top.
-    pub fn layers(&self) -> Layers {
+    pub fn layers(&self) -> Overlays {
         self.layers
     }
 
@@ -192,7 +203,7 @@ impl Watch {
         use WatchAction::{Again, End, Frame, GoOn, Scrub, Start, Step, ToggleLayer};
         let layer = |digit: char| {
             let number = usize::from(digit as u8 - b'1');
-            (Key::Char(digit), ToggleLayer(Layer::ALL[number]))
+            (Key::Char(digit), ToggleLayer(Overlay::ALL[number]))
         };
         KeyTable::new("hit")
             .on(Key::Char(' '), GoOn, "go on")
@@ -254,10 +265,11 @@ impl Watch {
         self.clock.is_running().then_some(FRAME)
     }
 
-    /// Draws it.
-    pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+    /// The picture of the moment that its clock shows.
+    #[must_use]
+    pub fn picture(&self, area: Rect) -> Picture {
         let moment = Moment {
-            stage: Stage::new(area, &self.collision),
+            stage: HitLayout::new(area, &self.collision),
             outcome: &self.outcome,
             shot: self.shot.as_ref(),
             clock: &self.clock,
@@ -265,10 +277,11 @@ impl Watch {
             frame: self.frame,
             layers: self.layers,
             said: self.said.as_ref(),
-            mark: self.mark,
+            wanted: self.wanted,
+            measured: self.measured,
             faces: self.faces,
         };
-        moment.draw(buf, look);
+        moment.picture()
     }
 }
 
@@ -282,7 +295,7 @@ fn times(collision: &Collision) -> (f64, f64) {
         .length()
         .max(collision.u2.length())
         .max(relative);
-    let lead = (2.6 * largest / fastest).max(1.15 * collision.reach() / relative);
+    let lead = (2.6 * largest / fastest).max(1.15 * collision.contact_distance() / relative);
     if lead.is_finite() && lead > 0.0 {
         (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {

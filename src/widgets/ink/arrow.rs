@@ -1,9 +1,10 @@
-//! Arrows and square corners.
+//! Arrows.
 
 use glam::DVec2;
 
-use super::{cell::Glyph, pen::Pen, sheet::Sheet};
+use super::{canvas::Canvas, cell::Glyph};
 use crate::widgets::Charset;
+use crate::widgets::picture::Pen;
 
 /// Length of a head in columns; a shorter arrow has a shorter head.
 const HEAD_LENGTH: f64 = 3.0;
@@ -12,10 +13,10 @@ const BOLD_HEAD_LENGTH: f64 = 4.0;
 /// Half the width of a head, as a share of its length.
 const HEAD_SLIMNESS: f64 = 0.45;
 
-impl Sheet {
+impl Canvas {
     /// An arrow from one point to another, with its tip exactly at `to` (in ASCII:
     /// in the cell of `to`). Labels keep off the tip.
-    pub fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
+    pub(super) fn arrow(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
         let pen = pen.into();
         let (tail, tip) = self.snapped(self.paper(from), self.paper(to), pen);
         let along = tip - tail;
@@ -29,25 +30,6 @@ impl Sheet {
         if let Some(cell) = self.cell_at(tip) {
             cell.reserved = true;
         }
-    }
-
-    /// The square corner of a right angle at `corner`, between two directions.
-    pub fn square_corner(
-        &mut self,
-        corner: DVec2,
-        along: DVec2,
-        across: DVec2,
-        side: f64,
-        pen: impl Into<Pen>,
-    ) {
-        let (along, across) = (
-            along.normalize_or_zero() * side,
-            across.normalize_or_zero() * side,
-        );
-        self.polyline(
-            [corner + along, corner + along + across, corner + across],
-            pen,
-        );
     }
 
     fn filled_head(&mut self, tail: DVec2, tip: DVec2, pen: Pen) {

@@ -1,6 +1,6 @@
 //! What has been drawn in one cell.
 
-use super::pen::{Layer, Pen};
+use crate::widgets::picture::{Layer, Pen};
 use crate::widgets::{Charset, Role};
 
 /// What has been drawn in one cell. Patterns are bit masks, row by row from the

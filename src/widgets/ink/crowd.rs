@@ -2,8 +2,9 @@
 
 use glam::{DVec2, dvec2};
 
+use super::canvas::Canvas;
 use super::disc::{token, token_rows};
-use super::sheet::Sheet;
+use crate::widgets::picture::Body;
 use crate::widgets::{Charset, Role};
 
 /// How far from its own cell a token may have to go, in cells.
@@ -21,37 +22,22 @@ const fn fewest_rows(charset: Charset) -> f64 {
     }
 }
 
-/// A disc among others.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Body {
-    /// Its centre.
-    pub at: DVec2,
-    /// Its radius, in the same unit as the world.
-    pub radius: f64,
-    /// What it is drawn as.
-    pub role: Role,
-    /// The letter in its middle where it is large; a space for none.
-    pub letter: char,
-    /// Whether it is pointed out among the others.
-    pub pointed_out: bool,
-}
+/// A cell of the canvas: column and row.
+type CellPlace = (i32, i32);
 
-/// A cell of the sheet: column and row.
-type Place = (i32, i32);
-
-impl Sheet {
+impl Canvas {
     /// Discs of one scale: round ones if even the smallest has room for it, else
     /// [tokens](token) for all.
     ///
     /// Every token has cells of its own. Where two would share one, the one that lies
     /// farther from the cell's middle moves over to the nearest free cell; the queen
     /// never does. No stroke and no arrow hides a token, whatever is drawn when.
-    pub fn discs(&mut self, bodies: &[Body]) {
+    pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
             for body in bodies.iter().filter(|body| body.radius > 0.0) {
-                self.round(body.at, body.radius, body.role, body.letter);
+                self.round(body);
             }
             for body in bodies.iter().filter(|body| body.pointed_out) {
                 self.circle(body.at, RING * body.radius, Role::Good);
@@ -77,12 +63,12 @@ impl Sheet {
             let ranks = rank(first.role).cmp(&rank(second.role));
             ranks.then_with(|| apart(a).total_cmp(&apart(b)))
         });
-        let mut taken: Vec<Place> = Vec::with_capacity(crowd.len() + 2);
+        let mut taken: Vec<CellPlace> = Vec::with_capacity(crowd.len() + 2);
         for (at, body) in crowd {
             let text = token(body.role, self.charset);
             let width = text.chars().count() as i32;
             let beside = width / 2;
-            let is_free = |(column, row): Place| {
+            let is_free = |(column, row): CellPlace| {
                 (column - beside..=column + beside).all(|column| !taken.contains(&(column, row)))
             };
             let Some(place) = self.nearest(at, is_free) else {
@@ -101,32 +87,32 @@ impl Sheet {
     }
 
     /// The cell nearest to a point on paper that is free.
-    fn nearest(&self, at: DVec2, is_free: impl Fn(Place) -> bool) -> Option<Place> {
+    fn nearest(&self, at: DVec2, is_free: impl Fn(CellPlace) -> bool) -> Option<CellPlace> {
         let (column, row) = cell_of(at);
         let around = (-FARTHEST..=FARTHEST)
             .flat_map(|down| (-FARTHEST..=FARTHEST).map(move |along| (column + along, row + down)));
         around
             .filter(|place| self.holds(*place) && is_free(*place))
             .min_by(|a, b| {
-                let apart = |place: &Place| middle(*place).distance_squared(at);
+                let apart = |place: &CellPlace| middle(*place).distance_squared(at);
                 apart(a).total_cmp(&apart(b))
             })
     }
 
-    /// Whether a cell is on this sheet.
-    fn holds(&self, (column, row): Place) -> bool {
+    /// Whether a cell is on this canvas.
+    fn holds(&self, (column, row): CellPlace) -> bool {
         let (columns, rows) = self.size();
         (0..columns).contains(&column) && (0..rows).contains(&row)
     }
 }
 
 /// The cell that holds a point on paper.
-fn cell_of(at: DVec2) -> Place {
+fn cell_of(at: DVec2) -> CellPlace {
     (at.x.floor() as i32, (at.y / 2.0).floor() as i32)
 }
 
 /// The middle of a cell on paper.
-fn middle((column, row): Place) -> DVec2 {
+fn middle((column, row): CellPlace) -> DVec2 {
     dvec2(f64::from(column) + 0.5, 2.0 * f64::from(row) + 1.0)
 }
 
@@ -137,17 +123,11 @@ mod tests {
 
     use super::*;
     use crate::widgets::Theme;
-    use crate::widgets::ink::View;
+    use crate::widgets::picture::View;
 
     /// A queen with two rings of coins, all touching: the opening pack.
     fn pack() -> Vec<Body> {
-        let body = |at: DVec2, role, letter| Body {
-            at,
-            radius: 0.5,
-            role,
-            letter,
-            pointed_out: false,
-        };
+        let body = |at: DVec2, role, letter| Body::new(at, 0.5, role, letter);
         let mut pack = Vec::new();
         for ring in 1..=2 {
             for side in 0..6 {
@@ -177,16 +157,16 @@ mod tests {
         for charset in [Charset::Ascii, Charset::Unicode] {
             // From half a column for a disc to two.
             for scale in [0.5, 0.55, 0.61, 0.7, 0.83, 1.0, 1.3, 2.0] {
-                let mut sheet = Sheet::new(View::new(area, dvec2(0.1, 0.2), scale), charset);
-                sheet.discs(&pack());
-                let queen = sheet.view().cell_at(DVec2::ZERO).unwrap();
+                let mut canvas = Canvas::new(View::new(area, dvec2(0.1, 0.2), scale), charset);
+                canvas.discs(&pack());
+                let queen = canvas.view().cell_at(DVec2::ZERO).unwrap();
                 for turn in 0..12 {
                     let tip = DVec2::from_angle(f64::from(turn) * 0.53) * 2.0;
-                    sheet.arrow(DVec2::ZERO, tip, Role::CoinOut);
-                    sheet.circle(DVec2::ZERO, 0.2 * f64::from(turn), Role::Predicted);
+                    canvas.arrow(DVec2::ZERO, tip, Role::CoinOut);
+                    canvas.circle(DVec2::ZERO, 0.2 * f64::from(turn), Role::Predicted);
                 }
                 let mut buffer = Buffer::empty(area);
-                sheet.draw(&mut buffer, &Theme::default());
+                canvas.draw(&mut buffer, &Theme::default());
                 assert_eq!(buffer[queen].symbol(), "Q", "{charset:?} {scale}");
                 let coins = count(&buffer, token(Role::Coin, charset));
                 assert_eq!(coins, 18, "{charset:?} {scale}");
@@ -198,20 +178,14 @@ mod tests {
     fn all_are_tokens_or_all_are_round() {
         let area = Rect::new(0, 0, 61, 31);
         for (scale, round) in [(0.33, true), (0.4, false)] {
-            let mut sheet = Sheet::new(View::new(area, DVec2::ZERO, scale), Charset::Unicode);
+            let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, scale), Charset::Unicode);
             // The large one alone would be round in both.
-            let large = Body {
-                at: dvec2(6.0, 0.0),
-                radius: 0.9,
-                role: Role::Striker,
-                letter: 'S',
-                pointed_out: false,
-            };
+            let large = Body::new(dvec2(6.0, 0.0), 0.9, Role::Striker, 'S');
             let mut bodies = pack();
             bodies.push(large);
-            sheet.discs(&bodies);
+            canvas.discs(&bodies);
             let mut buffer = Buffer::empty(area);
-            sheet.draw(&mut buffer, &Theme::default());
+            canvas.draw(&mut buffer, &Theme::default());
             let tokens = count(&buffer, token(Role::Coin, Charset::Unicode));
             assert_eq!(tokens, if round { 0 } else { 18 });
             assert_eq!(count(&buffer, "("), usize::from(!round));

@@ -2,11 +2,8 @@
 
 use glam::{DVec2, dvec2};
 
-use super::{
-    cell::Glyph,
-    pen::{Layer, Pen},
-    sheet::Sheet,
-};
+use super::{canvas::Canvas, cell::Glyph};
+use crate::widgets::picture::{Body, Layer, Pen};
 use crate::widgets::{Charset, Role};
 
 /// A disc less than this many rows high is drawn as a token: blocks are finer
@@ -21,24 +18,35 @@ pub(super) const fn token_rows(charset: Charset) -> f64 {
 /// A disc of a smaller radius, in columns, is put where it looks round.
 const SMALL: f64 = 3.0;
 
-impl Sheet {
+impl Canvas {
     /// A disc with a letter in its middle (a space for none): filled in Unicode, a
     /// rim in ASCII. It hides what lies on lower layers. A disc too small to be
     /// round becomes the [`token`] of its role.
-    pub fn disc(&mut self, centre: DVec2, radius: f64, role: Role, letter: char) {
-        if radius.is_nan() || radius <= 0.0 {
+    pub(super) fn disc(&mut self, body: &Body) {
+        if body.radius.is_nan() || body.radius <= 0.0 {
             return;
         }
-        if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
-            let place = self.paper(centre);
-            self.stamp(place, token(role, self.charset), role, false);
+        if self.is_token(body) {
+            let place = self.paper(body.at);
+            self.stamp(place, token(body.role, self.charset), body.role, false);
         } else {
-            self.round(centre, radius, role, letter);
+            self.round(body);
         }
     }
 
+    fn is_token(&self, body: &Body) -> bool {
+        2.0 * body.radius / self.view().per_row() < token_rows(self.charset)
+    }
+
     /// A disc in its own shape, however small it is.
-    pub(super) fn round(&mut self, centre: DVec2, radius: f64, role: Role, letter: char) {
+    pub(super) fn round(&mut self, body: &Body) {
+        let Body {
+            at: centre,
+            radius,
+            role,
+            letter,
+            ..
+        } = *body;
         let mut place = self.paper(centre);
         let reach = radius / self.view().per_column();
         if reach < SMALL {
@@ -61,16 +69,16 @@ impl Sheet {
         }
     }
 
-    /// A disc as an outline that hides nothing, with its letter at `mark`: where it has
-    /// come to among things that are to be seen.
-    pub fn ring(&mut self, centre: DVec2, radius: f64, role: Role, letter: (char, DVec2)) {
-        if 2.0 * radius / self.view().per_row() < token_rows(self.charset) {
-            return self.disc(centre, radius, role, letter.0);
+    /// A disc as an outline that hides nothing, with its letter at `letter`.
+    pub(super) fn ring(&mut self, body: &Body, letter: DVec2) {
+        if self.is_token(body) {
+            return self.disc(body);
         }
-        self.circle(centre, radius, Pen::new(role).on(Layer::Disc));
-        let place = self.paper(letter.1);
+        self.circle(body.at, body.radius, Pen::new(body.role).on(Layer::Disc));
+        let place = self.paper(letter);
         let upon = self.charset == Charset::Ascii;
-        self.stamp(place, &self.charset.text(&letter.0.to_string()), role, upon);
+        let sign = body.letter.to_string();
+        self.stamp(place, &self.charset.text(&sign), body.role, upon);
     }
 
     /// Covers the cells under a disc, span by span; all measures on paper.

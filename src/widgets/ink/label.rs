@@ -4,110 +4,24 @@ use glam::DVec2;
 use ratatui::{buffer::Buffer, layout::Rect};
 use unicode_width::UnicodeWidthStr;
 
-use super::{pen::Layer, sheet::Sheet};
+use super::canvas::Canvas;
+use crate::widgets::picture::{Label, LabelSide, Layer};
 use crate::widgets::{Role, Theme};
-
-/// On which side of its anchor a label stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// In the row of the anchor, to the right.
-    Right,
-    /// Above and to the right.
-    AboveRight,
-    /// Centred above.
-    Above,
-    /// Above and to the left.
-    AboveLeft,
-    /// In the row of the anchor, to the left.
-    Left,
-    /// Below and to the left.
-    BelowLeft,
-    /// Centred below.
-    Below,
-    /// Below and to the right.
-    BelowRight,
-    /// Centred on the anchor itself.
-    Over,
-}
-
-use Side as S;
-
-impl Side {
-    /// All sides but [`Side::Over`], anticlockwise from the right.
-    pub const ALL: [Self; 8] = [
-        S::Right,
-        S::AboveRight,
-        S::Above,
-        S::AboveLeft,
-        S::Left,
-        S::BelowLeft,
-        S::Below,
-        S::BelowRight,
-    ];
-
-    /// All sides, those nearest to a direction of the world first: for a label at
-    /// the tip of an arrow, in the arrow's own direction.
-    #[must_use]
-    pub fn towards(direction: DVec2) -> [Self; 8] {
-        let mut sides = Self::ALL;
-        sides.sort_by(|a, b| {
-            let along = |side: Self| side.direction().dot(direction);
-            along(*b).total_cmp(&along(*a))
-        });
-        sides
-    }
-
-    /// The direction of the world a side lies in, a unit vector.
-    fn direction(self) -> DVec2 {
-        let eighths = Self::ALL.iter().position(|&side| side == self);
-        DVec2::from_angle(eighths.unwrap_or(0) as f64 * std::f64::consts::FRAC_PI_4)
-    }
-
-    /// The sense in which a label to one side moves away from its anchor, in columns.
-    fn outwards(self) -> i32 {
-        match self {
-            S::Right | S::AboveRight | S::BelowRight => 1,
-            S::Above | S::Below | S::Over => 0,
-            S::AboveLeft | S::Left | S::BelowLeft => -1,
-        }
-    }
-
-    /// The cell in which a label `width` wide begins that stands `away` cells from
-    /// its anchor: columns count double, as they are half as wide.
-    fn start(self, (column, row): (i32, i32), width: i32, away: i32) -> (i32, i32) {
-        let x = match self {
-            S::Right => column + 2 * away,
-            S::AboveRight | S::BelowRight => column + away,
-            S::Above | S::Below | S::Over => column - width / 2,
-            S::AboveLeft | S::BelowLeft => column - width + 1 - away,
-            S::Left => column - width + 1 - 2 * away,
-        };
-        let y = match self {
-            S::Right | S::Left | S::Over => row,
-            S::Above | S::AboveLeft | S::AboveRight => row - away,
-            S::Below | S::BelowLeft | S::BelowRight => row + away,
-        };
-        (x, y)
-    }
-}
 
 /// A label that has its place.
 #[derive(Debug, Clone)]
-pub(super) struct Label {
-    text: String,
-    role: Role,
+pub(in crate::widgets) struct PlacedLabel {
+    pub(in crate::widgets) text: String,
+    pub(in crate::widgets) role: Role,
     /// One row of the screen.
-    place: Rect,
+    pub(in crate::widgets) place: Rect,
+    /// On which side of its anchor that is.
+    pub(in crate::widgets) side: LabelSide,
     /// The cell of what it names, counted from the corner of the area.
     anchor: (i32, i32),
 }
 
-impl Label {
-    #[cfg(test)]
-    pub(super) fn place(&self) -> Rect {
-        self.place
-    }
-
+impl PlacedLabel {
     pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
         let inside = self.place.intersection(buffer.area);
         if inside != self.place {
@@ -126,16 +40,51 @@ const ASIDE: i32 = 2;
 /// How far from its anchor a label may stand, in rows.
 const FARTHEST: i32 = 4;
 
-impl Sheet {
-    /// Writes `text` (in the sheet's charset) beside a point of the world: on the
+/// Whether a point in cells may be on some screen.
+fn is_within_reach(cell: DVec2) -> bool {
+    cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX)
+}
+
+impl Canvas {
+    /// Writes labels once all is drawn; the first ones have the first choice. Each leaves
+    /// the surroundings of the others' anchors to them. What has found no place near by
+    /// stands farther away, but clear of what others name.
+    pub(super) fn write(&mut self, labels: &[Label]) {
+        let known = labels.iter().filter(|label| label.keeps_others_off);
+        let anchors = known.map(|label| label.places[0].0);
+        let cells = anchors.map(|anchor| self.view().to_cell(anchor));
+        self.expected = cells
+            .filter(|cell| is_within_reach(*cell))
+            .map(|cell| self.counted(cell))
+            .collect();
+        let mut left = Vec::new();
+        for label in labels {
+            let mut places = label.places.iter();
+            if !places.any(|(at, sides)| self.label(&label.text, *at, sides, label.role)) {
+                left.push(label);
+            }
+        }
+        for label in left {
+            let (anchor, sides) = &label.places[0];
+            let places = [(2 * FARTHEST, true, false, None)];
+            self.label_at(&label.text, *anchor, sides, label.role, &places);
+        }
+    }
+
+    /// Writes `text` (in the canvas's charset) beside a point of the world: on the
     /// first of `sides` that is free, near before far; then on the other sides.
-    /// Call it when all is drawn.
     ///
     /// A label never leaves the area, whose first and last column stay free beside what
     /// is there (unless it is as wide), and never covers another label, a disc, a
     /// velocity, a reserved cell or an arrow's tip. Rather than stand far away it
     /// covers the weakest lines. Says whether it found a place.
-    pub fn label(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
+    pub(super) fn label(
+        &mut self,
+        text: &str,
+        anchor: DVec2,
+        sides: &[LabelSide],
+        role: Role,
+    ) -> bool {
         // Free paper first, with a blank at both ends; then without the blanks, then
         // over boards and trails, then over geometry.
         let places = [
@@ -145,22 +94,6 @@ impl Sheet {
             (FARTHEST, false, false, Some(Layer::Construction)),
         ];
         self.label_at(text, anchor, sides, role, &places)
-    }
-
-    /// Writes `text` as [`Sheet::label`] does, but farther away: for what has found no
-    /// place near by once all else has its own. It stays clear of what others name.
-    pub fn label_far(&mut self, text: &str, anchor: DVec2, sides: &[Side], role: Role) -> bool {
-        let places = [(2 * FARTHEST, true, false, None)];
-        self.label_at(text, anchor, sides, role, &places)
-    }
-
-    /// Tells of a point that a label is still to be written for, so that labels written
-    /// before it leave its surroundings to it.
-    pub fn expect_label(&mut self, anchor: DVec2) {
-        let cell = self.view().to_cell(anchor);
-        if cell.is_finite() {
-            self.expected.push(self.counted(cell));
-        }
     }
 
     /// A cell counted from the corner of the area.
@@ -178,14 +111,13 @@ impl Sheet {
         &mut self,
         text: &str,
         anchor: DVec2,
-        sides: &[Side],
+        sides: &[LabelSide],
         role: Role,
         places: &[(i32, bool, bool, Option<Layer>)],
     ) -> bool {
         let text = self.charset.text(text).into_owned();
         let cell = self.view().to_cell(anchor);
-        let within_reach = cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX);
-        if text.is_empty() || !within_reach {
+        if text.is_empty() || !is_within_reach(cell) {
             return false;
         }
         let area = self.view().area();
@@ -194,8 +126,8 @@ impl Sheet {
         let spare = i32::from(area.width) - width;
         let margin = i32::from(spare >= 2);
         let last = spare - margin;
-        let others = Side::ALL.iter().filter(|side| !sides.contains(side));
-        let sides: Vec<Side> = sides.iter().chain(others).copied().collect();
+        let others = LabelSide::ALL.iter().filter(|side| !sides.contains(side));
+        let sides: Vec<LabelSide> = sides.iter().chain(others).copied().collect();
         let place = places.iter().find_map(|&(farthest, own, blank, over)| {
             let all = (1..=farthest)
                 .flat_map(|away| sides.iter().map(move |side| (*side, away)))
@@ -205,18 +137,18 @@ impl Sheet {
                 // Above or below it may move along to stay within the area.
                 let x = x + aside * side.outwards();
                 match side {
-                    S::Right | S::Left => (x, y),
-                    _ => (x.clamp(margin, last.max(margin)), y),
+                    LabelSide::Right | LabelSide::Left => (side, x, y),
+                    _ => (side, x.clamp(margin, last.max(margin)), y),
                 }
             })
-            .find(|&(x, y)| {
+            .find(|&(_, x, y)| {
                 (margin..=last).contains(&x)
                     && self.has_room((x, y), width, over)
                     && (!own || self.is_beside_own_anchor((x, y), width, at))
                     && (!blank || self.is_blank((x - 1, y)) && self.is_blank((x + width, y)))
             })
         });
-        let Some((x, y)) = place else {
+        let Some((side, x, y)) = place else {
             return false;
         };
         let place = Rect::new(
@@ -225,10 +157,11 @@ impl Sheet {
             width as u16,
             1,
         );
-        self.labels.push(Label {
+        self.labels.push(PlacedLabel {
             text,
             role,
             place,
+            side,
             anchor: at,
         });
         true

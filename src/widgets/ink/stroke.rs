@@ -6,11 +6,11 @@
 
 use glam::{DVec2, dvec2};
 
-use super::pen::{Dash, Pen};
+use crate::widgets::picture::{Dash, Pen};
 
 /// The samples of one stroke, in the order it goes through the cells.
 #[derive(Debug, Clone)]
-pub(super) struct Stroke {
+pub(super) struct StrokeSamples {
     /// Samples in a cell: columns, rows.
     grid: (usize, usize),
     /// Cells in the area: columns, rows.
@@ -25,7 +25,7 @@ pub(super) struct Stroke {
     last: Option<DVec2>,
 }
 
-impl Stroke {
+impl StrokeSamples {
     pub(super) fn new(grid: (usize, usize), size: (usize, usize)) -> Self {
         Self {
             grid,
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn a_line_hits_each_sample_of_its_longer_direction_once() {
-        let mut stroke = Stroke::new((2, 4), (20, 5));
+        let mut stroke = StrokeSamples::new((2, 4), (20, 5));
         stroke.piece(dvec2(0.0, 1.0), dvec2(20.0, 5.0), Pen::new(Role::Text));
         let mut count = 0;
         stroke.take(|_, _, samples| count += samples.count_ones());

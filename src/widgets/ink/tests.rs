@@ -5,20 +5,21 @@ use std::f64::consts::TAU;
 use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, layout::Rect};
 
-use super::{Pen, Sheet, Side, View};
-use crate::widgets::{Charset, Role, Theme};
+use super::Canvas;
+use crate::widgets::picture::{Body, LabelSide, Pen, Picture, View};
+use crate::widgets::{Charset, Look, Role, Theme};
 
 const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
 const AREA: Rect = Rect::new(2, 1, 60, 30);
 
-/// A sheet on which one metre is one column and the origin is in the middle.
-fn sheet(charset: Charset) -> Sheet {
-    Sheet::new(View::new(AREA, DVec2::ZERO, 1.0), charset)
+/// A canvas on which one metre is one column and the origin is in the middle.
+fn canvas(charset: Charset) -> Canvas {
+    Canvas::new(View::new(AREA, DVec2::ZERO, 1.0), charset)
 }
 
-fn drawn(sheet: &Sheet) -> Buffer {
+fn drawn(canvas: &Canvas) -> Buffer {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 64, 32));
-    sheet.draw(&mut buffer, &Theme::default());
+    canvas.draw(&mut buffer, &Theme::default());
     buffer
 }
 
@@ -40,13 +41,13 @@ fn inked(buffer: &Buffer) -> Vec<(u16, u16)> {
 fn a_circle_is_round() {
     for charset in CHARSETS {
         for radius in [4.0, 6.3, 8.5, 10.0, 13.2] {
-            let mut sheet = sheet(charset);
-            sheet.circle(DVec2::ZERO, radius, Role::Arc);
+            let mut canvas = canvas(charset);
+            canvas.circle(DVec2::ZERO, radius, Role::Arc);
             let (columns, rows) = super::grid(charset);
             // The extents of the samples, in columns of paper, to either side.
             let mut low = DVec2::MAX;
             let mut high = DVec2::MIN;
-            for (index, cell) in sheet.cells.iter().enumerate() {
+            for (index, cell) in canvas.cells.iter().enumerate() {
                 for sample in (0..columns * rows).filter(|sample| cell.ink >> sample & 1 == 1) {
                     let x =
                         (index % 60) as f64 + ((sample % columns) as f64 + 0.5) / columns as f64;
@@ -55,7 +56,7 @@ fn a_circle_is_round() {
                     high = high.max(dvec2(x, y * 2.0));
                 }
             }
-            let centre = sheet.paper(DVec2::ZERO);
+            let centre = canvas.paper(DVec2::ZERO);
             for extent in [centre - low, high - centre] {
                 let off = (extent - DVec2::splat(radius)).abs().max_element();
                 assert!(off <= 0.5, "{charset:?} {radius} {extent}");
@@ -67,11 +68,11 @@ fn a_circle_is_round() {
 #[test]
 fn a_circle_has_no_gap() {
     for radius in [3.0, 5.5, 8.0, 10.0, 12.7] {
-        let mut sheet = sheet(Charset::Unicode);
-        sheet.circle(dvec2(0.2, 0.1), radius, Role::Arc);
+        let mut canvas = canvas(Charset::Unicode);
+        canvas.circle(dvec2(0.2, 0.1), radius, Role::Arc);
         let dot = |x: i32, y: i32| {
             let index = (y / 4 * 60 + x / 2) as usize;
-            sheet.cells[index].ink >> (y % 4 * 2 + x % 2) & 1 == 1
+            canvas.cells[index].ink >> (y % 4 * 2 + x % 2) & 1 == 1
         };
         for y in 1..119 {
             for x in 1..119 {
@@ -88,9 +89,13 @@ fn a_circle_has_no_gap() {
 #[test]
 fn a_filled_disc_covers_its_own_area() {
     for radius in [3.0, 5.0, 8.5, 12.0] {
-        let mut sheet = sheet(Charset::Unicode);
-        sheet.disc(dvec2(0.3, -0.4), radius, Role::Coin, ' ');
-        let covered: u32 = sheet.cells.iter().map(|cell| cell.cover.count_ones()).sum();
+        let mut canvas = canvas(Charset::Unicode);
+        canvas.disc(&Body::new(dvec2(0.3, -0.4), radius, Role::Coin, ' '));
+        let covered: u32 = canvas
+            .cells
+            .iter()
+            .map(|cell| cell.cover.count_ones())
+            .sum();
         // A cell is two square columns in 64 parts.
         let area = f64::from(covered) / 32.0;
         let exact = TAU / 2.0 * radius * radius;
@@ -104,11 +109,11 @@ fn a_filled_disc_covers_its_own_area() {
 #[test]
 fn a_small_disc_is_as_wide_on_either_side_of_its_letter() {
     for tenth in 0..20 {
-        let mut sheet = sheet(Charset::Unicode);
+        let mut canvas = canvas(Charset::Unicode);
         let at = dvec2(f64::from(tenth) / 10.0, f64::from(tenth) / 7.0);
-        sheet.disc(at, 2.0, Role::Striker, 'S');
-        let cells = inked(&drawn(&sheet));
-        let buffer = drawn(&sheet);
+        canvas.disc(&Body::new(at, 2.0, Role::Striker, 'S'));
+        let cells = inked(&drawn(&canvas));
+        let buffer = drawn(&canvas);
         let letter = cells.iter().find(|&&cell| buffer[cell].symbol() == "S");
         let Some(&(x, _)) = letter else {
             panic!("no letter");
@@ -127,11 +132,11 @@ fn a_line_reaches_both_its_ends_and_goes_no_further() {
         for turn in 0..32 {
             let along = DVec2::from_angle(TAU * f64::from(turn) / 32.0) * 11.7;
             let (from, to) = (along * -0.4 + dvec2(3.0, 1.0), along + dvec2(3.0, 1.0));
-            let mut sheet = sheet(charset);
-            sheet.line(from, to, Role::Aim);
-            let cells = inked(&drawn(&sheet));
+            let mut canvas = canvas(charset);
+            canvas.line(from, to, Role::Aim);
+            let cells = inked(&drawn(&canvas));
             for end in [from, to] {
-                let cell = sheet.view().to_cell(end);
+                let cell = canvas.view().to_cell(end);
                 let nearest = cells.iter().map(|&(x, y)| {
                     let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
                     ((middle - cell) * dvec2(1.0, 2.0)).length()
@@ -139,7 +144,7 @@ fn a_line_reaches_both_its_ends_and_goes_no_further() {
                 // At most in the next cell: half its diagonal and half a cell.
                 assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
             }
-            let (a, b) = (sheet.view().to_cell(from), sheet.view().to_cell(to));
+            let (a, b) = (canvas.view().to_cell(from), canvas.view().to_cell(to));
             for (x, y) in cells {
                 let (low, high) = (a.min(b) - DVec2::ONE, a.max(b) + DVec2::ONE);
                 let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
@@ -153,9 +158,9 @@ fn a_line_reaches_both_its_ends_and_goes_no_further() {
 fn a_level_line_looks_the_same_wherever_it_lies() {
     for tenth in 0..20 {
         let y = f64::from(tenth) / 10.0 - 7.0;
-        let mut sheet = sheet(Charset::Ascii);
-        sheet.line(dvec2(-20.0, y), dvec2(20.0, y), Role::BoardLine);
-        let buffer = drawn(&sheet);
+        let mut canvas = canvas(Charset::Ascii);
+        canvas.line(dvec2(-20.0, y), dvec2(20.0, y), Role::BoardLine);
+        let buffer = drawn(&canvas);
         let cells = inked(&buffer);
         assert!((40..=41).contains(&cells.len()), "{}", cells.len());
         for at in cells {
@@ -170,10 +175,10 @@ fn the_tip_of_an_arrow_is_in_its_cell_and_has_a_head() {
         for turn in 0..24 {
             let angle = TAU * (f64::from(turn) + 0.3) / 24.0;
             let (from, tip) = (dvec2(0.4, 0.3), DVec2::from_angle(angle) * 10.0);
-            let mut sheet = sheet(charset);
-            sheet.arrow(from, tip, Role::StrikerOut);
-            let buffer = drawn(&sheet);
-            let Some(cell) = sheet.view().cell_at(tip) else {
+            let mut canvas = canvas(charset);
+            canvas.arrow(from, tip, Role::StrikerOut);
+            let buffer = drawn(&canvas);
+            let Some(cell) = canvas.view().cell_at(tip) else {
                 panic!("the tip is outside");
             };
             let symbol = buffer[cell].symbol();
@@ -199,32 +204,29 @@ fn the_tip_of_an_arrow_is_in_its_cell_and_has_a_head() {
 #[test]
 fn labels_keep_off_each_other_and_off_what_matters() {
     for charset in CHARSETS {
-        let mut sheet = sheet(charset);
-        sheet.disc(DVec2::ZERO, 8.0, Role::Striker, 'S');
-        sheet.reserve(dvec2(12.0, 0.0));
-        sheet.arrow(dvec2(0.0, 9.0), dvec2(5.0, 20.0), Role::StrikerOut);
-        let before: Vec<_> = sheet.cells.iter().map(|cell| cell.layer()).collect();
+        let mut canvas = canvas(charset);
+        canvas.disc(&Body::new(DVec2::ZERO, 8.0, Role::Striker, 'S'));
+        canvas.reserve(dvec2(12.0, 0.0));
+        canvas.arrow(dvec2(0.0, 9.0), dvec2(5.0, 20.0), Role::StrikerOut);
+        let before: Vec<_> = canvas.cells.iter().map(|cell| cell.layer()).collect();
         let mut placed = 0;
         for turn in 0..120 {
             let out = DVec2::from_angle(TAU * f64::from(turn) / 120.0);
             let text = format!("θ = {turn}°");
-            placed += usize::from(sheet.label(&text, out * 12.0, &Side::towards(out), Role::Arc));
+            placed +=
+                usize::from(canvas.label(&text, out * 12.0, &LabelSide::towards(out), Role::Arc));
         }
         assert!((30..120).contains(&placed), "{placed}");
-        assert_eq!(placed, sheet.labels.len());
-        for (i, label) in sheet.labels.iter().enumerate() {
-            let place = label.place();
+        assert_eq!(placed, canvas.labels.len());
+        for (i, label) in canvas.labels.iter().enumerate() {
+            let place = label.place;
             assert_eq!(place.intersection(AREA), place);
-            for other in &sheet.labels[i + 1..] {
-                assert!(
-                    !place.intersects(other.place()),
-                    "{place} {}",
-                    other.place()
-                );
+            for other in &canvas.labels[i + 1..] {
+                assert!(!place.intersects(other.place), "{place} {}", other.place);
             }
             for at in place.positions() {
                 let index = usize::from(at.y - AREA.y) * 60 + usize::from(at.x - AREA.x);
-                assert!(before[index].is_none() && !sheet.cells[index].reserved);
+                assert!(before[index].is_none() && !canvas.cells[index].reserved);
             }
         }
     }
@@ -232,12 +234,17 @@ fn labels_keep_off_each_other_and_off_what_matters() {
 
 #[test]
 fn a_label_without_room_is_left_out() {
-    let mut sheet = sheet(Charset::Unicode);
-    assert!(!sheet.label(&"long ".repeat(20), DVec2::ZERO, &Side::ALL, Role::Text));
-    assert!(!sheet.label("far", dvec2(1e9, 0.0), &Side::ALL, Role::Text));
-    assert!(!sheet.label("nowhere", DVec2::NAN, &Side::ALL, Role::Text));
-    assert!(!sheet.label("", DVec2::ZERO, &Side::ALL, Role::Text));
-    assert!(inked(&drawn(&sheet)).is_empty());
+    let mut canvas = canvas(Charset::Unicode);
+    assert!(!canvas.label(
+        &"long ".repeat(20),
+        DVec2::ZERO,
+        &LabelSide::ALL,
+        Role::Text
+    ));
+    assert!(!canvas.label("far", dvec2(1e9, 0.0), &LabelSide::ALL, Role::Text));
+    assert!(!canvas.label("nowhere", DVec2::NAN, &LabelSide::ALL, Role::Text));
+    assert!(!canvas.label("", DVec2::ZERO, &LabelSide::ALL, Role::Text));
+    assert!(inked(&drawn(&canvas)).is_empty());
 }
 
 #[test]
@@ -245,11 +252,11 @@ fn the_higher_layer_wins_whatever_the_order() {
     for charset in CHARSETS {
         let strokes = [(Role::StrikerOut, 0.0), (Role::LineOfImpact, 0.0)];
         let colours = [strokes, [strokes[1], strokes[0]]].map(|order| {
-            let mut sheet = sheet(charset);
+            let mut canvas = canvas(charset);
             for (role, y) in order {
-                sheet.line(dvec2(-9.0, y), dvec2(9.0, y), role);
+                canvas.line(dvec2(-9.0, y), dvec2(9.0, y), role);
             }
-            drawn(&sheet)[(31, 15)].fg
+            drawn(&canvas)[(31, 15)].fg
         });
         assert_eq!(colours, [Theme::default().colour(Role::StrikerOut); 2]);
     }
@@ -259,18 +266,18 @@ fn the_higher_layer_wins_whatever_the_order() {
 fn a_disc_hides_the_board_below_it_whatever_the_order() {
     for charset in CHARSETS {
         let pictures = [true, false].map(|line_first| {
-            let mut sheet = sheet(charset);
-            let line = |sheet: &mut Sheet| {
-                sheet.line(dvec2(-20.0, 3.0), dvec2(20.0, 3.0), Role::BoardLine);
+            let mut canvas = canvas(charset);
+            let line = |canvas: &mut Canvas| {
+                canvas.line(dvec2(-20.0, 3.0), dvec2(20.0, 3.0), Role::BoardLine);
             };
             if line_first {
-                line(&mut sheet);
+                line(&mut canvas);
             }
-            sheet.disc(DVec2::ZERO, 8.0, Role::Coin, 'C');
+            canvas.disc(&Body::new(DVec2::ZERO, 8.0, Role::Coin, 'C'));
             if !line_first {
-                line(&mut sheet);
+                line(&mut canvas);
             }
-            drawn(&sheet)
+            drawn(&canvas)
         });
         assert_eq!(pictures[0], pictures[1]);
         let inside = pictures[0][(30, 13)].symbol();
@@ -286,37 +293,34 @@ fn a_disc_hides_the_board_below_it_whatever_the_order() {
 }
 
 /// A picture with one of everything.
-fn everything(view: View, charset: Charset, size: f64) -> Sheet {
-    let mut sheet = Sheet::new(view, charset);
-    sheet.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);
-    sheet.circle(DVec2::ZERO, size / 3.0, Role::BoardLine);
-    sheet.disc(dvec2(size / 9.0, 0.0), size / 5.0, Role::Striker, 'θ');
-    for (i, role) in [Role::Coin, Role::Black, Role::Queen, Role::Marble]
-        .into_iter()
-        .enumerate()
-    {
+fn everything(view: View, charset: Charset, size: f64) -> Canvas {
+    let mut it = Picture::new(view);
+    it.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);
+    it.circle(DVec2::ZERO, size / 3.0, Role::BoardLine);
+    it.disc(dvec2(size / 9.0, 0.0), size / 5.0, Role::Striker, 'θ');
+    let coins = [Role::Coin, Role::Black, Role::Queen, Role::Marble];
+    for (i, role) in coins.into_iter().enumerate() {
         let at = DVec2::from_angle(i as f64) * size * 0.7;
-        sheet.disc(at, size / 20.0, role, 'C');
-        sheet.line(at, -at, Pen::new(Role::Predicted).dashed());
-        sheet.arrow(at * 0.5, at, Pen::new(Role::CoinOut).bold());
-        sheet.dot(at * 0.9, Pen::new(Role::Trail).aged(0.5));
-        sheet.label("θ₁ = 60°", at, &Side::towards(at), Role::Arc);
+        it.disc(at, size / 20.0, role, 'C');
+        it.line(at, -at, Pen::new(Role::Predicted).dashed());
+        it.arrow(at * 0.5, at, Pen::new(Role::CoinOut).bold());
+        it.dot(at * 0.9, Pen::new(Role::Trail).aged(0.5));
+        it.fill(-at, at, Role::Trail);
+        it.text(at, "θ", Role::Text);
+        it.label("θ₁ = 60°", at, &LabelSide::towards(at), Role::Arc);
     }
-    sheet.arc(
-        DVec2::ZERO,
-        size / 2.0,
-        0.2,
-        2.2,
-        Pen::new(Role::Arc).dotted(),
+    let arc = Pen::new(Role::Arc).dotted();
+    it.arc(DVec2::ZERO, size / 2.0, 0.2, 2.2, arc);
+    let ways = [DVec2::X, DVec2::Y];
+    it.square_corner(DVec2::ZERO, ways, size / 8.0, Role::SquareCorner);
+    it.draw(
+        &mut Buffer::empty(Rect::new(0, 0, 64, 32)),
+        &Look {
+            charset,
+            theme: Theme::default(),
+        },
     );
-    sheet.square_corner(
-        DVec2::ZERO,
-        DVec2::X,
-        DVec2::Y,
-        size / 8.0,
-        Role::SquareCorner,
-    );
-    sheet
+    Canvas::of(&it, charset)
 }
 
 #[test]
@@ -360,7 +364,7 @@ fn no_size_and_no_number_is_too_odd() {
                     View::fit(area, -corner, corner),
                     View::stretch(area, -corner, corner),
                 ] {
-                    // A buffer that is smaller than the sheet is drawn as far as it goes.
+                    // A buffer that is smaller than the canvas is drawn as far as it goes.
                     let mut buffer = Buffer::empty(Rect::new(0, 0, 40, 20));
                     everything(view, charset, size).draw(&mut buffer, &Theme::default());
                 }

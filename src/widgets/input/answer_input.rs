@@ -70,7 +70,7 @@ impl AnswerInput {
             (Self::Rays(input), Response::Rays(rays)) => *input = input.clone().saying(rays),
             (Self::Number(number), Response::Number(x)) => number.set(*x),
             (Self::Choice { chosen, count }, Response::Choice(i)) if i < count => {
-                *chosen = Some(*i)
+                *chosen = Some(*i);
             }
             (Self::Shot(offset), Response::Shot(x)) => {
                 offset.set((mm_from_m(*x) * 1e6).round() / 1e6);
@@ -261,5 +261,5 @@ fn choice_rows(option: &str, lines: &Lines) -> u16 {
 
 /// The largest offset that can be set, in millimetres: a little more than still hits.
 fn most_mm(aim: &AimTask) -> f64 {
-    (1.1 * mm_from_m(aim.collision.reach())).ceil()
+    (1.1 * mm_from_m(aim.collision.contact_distance())).ceil()
 }

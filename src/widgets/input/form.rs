@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
-use crate::messages::Key;
+use crate::messages::{Key, Mouse, MouseKind};
 use crate::widgets::{Lines, Role};
 
 /// Share of a step that the keys for fine steps go.
@@ -81,14 +81,14 @@ pub enum FormAction {
 
 /// Which field of a form is selected, and the number that is being typed for it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Form {
+pub struct SettingsForm {
     at: usize,
     entry: NumberEntry,
     /// Whether the last number typed was out of range, and held to it.
     held: bool,
 }
 
-impl Form {
+impl SettingsForm {
     /// A form with this field selected.
     pub fn at(at: usize) -> Self {
         Self {
@@ -137,6 +137,7 @@ impl Form {
             .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
             .when(fields.len() > 1)
             .each([(Key::Left, Step(-1)), (Key::Right, Step(1))], "change")
+            .or([(Key::Char(' '), Step(1))].into_iter().filter(|_| !number))
             .each([(Key::Char(','), Fine(-1)), (Key::Char('.'), Fine(1))], "")
             .when(number && !self.is_typing())
             .with(
@@ -183,6 +184,32 @@ impl Form {
             Some(field) if field.locked.is_none() => form.set(at, stepped(field.value, steps)),
             _ => {}
         }
+    }
+
+    /// The mouse over a form, `row` being the one it points at: the wheel goes through the
+    /// fields, a click selects one, and goes on to the next value of a choice.
+    pub fn mouse(
+        &mut self,
+        mouse: &Mouse,
+        row: Option<usize>,
+        form: &mut impl FormFields,
+    ) -> Outcome {
+        let fields = form.fields();
+        match (
+            mouse.kind,
+            row.and_then(|row| Some((row, fields.get(row)?))),
+        ) {
+            (MouseKind::ScrollUp, _) => self.go(-1, form),
+            (MouseKind::ScrollDown, _) => self.go(1, form),
+            (MouseKind::Down, Some((row, field))) => {
+                self.select(row, form);
+                if matches!(field.value, FieldValue::Choice { .. }) {
+                    self.step(1.0, form);
+                }
+            }
+            _ => return Outcome::Ignored,
+        }
+        Outcome::Used
     }
 
     fn go(&mut self, by: isize, form: &mut impl FormFields) {
@@ -247,7 +274,7 @@ impl Form {
             ) if self.held => {
                 lines.paragraph(&format!("from {least} to {most}{unit}"), Role::Warn);
             }
-            _ => lines.paragraph(&field.about, Role::Dim),
+            _ => lines.paragraph(&field.about, Role::Text),
         }
     }
 }
@@ -318,7 +345,7 @@ mod tests {
         }
     }
 
-    fn press(form: &mut Form, hit: &mut Hit, keys: &[Key]) {
+    fn press(form: &mut SettingsForm, hit: &mut Hit, keys: &[Key]) {
         for key in keys {
             if let Some(action) = form.keys(hit).find(*key) {
                 form.act(action, hit);
@@ -332,7 +359,7 @@ mod tests {
             offset_mm: 7.3,
             stick: false,
         };
-        let mut form = Form::default();
+        let mut form = SettingsForm::default();
         for (key, value) in [
             (Key::Right, 7.5),
             (Key::Left, 7.0),
@@ -352,7 +379,7 @@ mod tests {
             offset_mm: 0.0,
             stick: false,
         };
-        let mut form = Form::default();
+        let mut form = SettingsForm::default();
         press(&mut form, &mut hit, &[Key::Char('9'), Key::Char('9')]);
         assert_eq!(hit.offset_mm, 0.0);
         press(&mut form, &mut hit, &[Key::Enter]);

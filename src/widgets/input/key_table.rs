@@ -208,6 +208,15 @@ impl<A: Copy> KeyTable<A> {
         self.exact(key).or_else(|| self.folded(key))
     }
 
+    /// All keys that do something, shown or not.
+    pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
+        let all = |row: &KeyRow<A>| {
+            let keys = row.keys.iter().chain(&row.aliases);
+            keys.map(|(key, _)| *key).collect::<Vec<_>>()
+        };
+        self.rows.iter().flat_map(all)
+    }
+
     /// What a key does; a capital letter only what is said of the capital.
     pub fn exact(&self, key: Key) -> Option<A> {
         self.rows.iter().find_map(|row| row.find(key))

@@ -4,6 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
+use crate::numbers::{short, with_unit};
 use crate::quiz::Measure;
 use crate::widgets::{Lines, Role};
 
@@ -137,11 +138,10 @@ impl NumberInput {
     /// As it reads: as typed so far, or as it stands.
     pub fn shown(&self) -> String {
         let unit = self.quantity.unit();
-        let gap = if matches!(unit, "" | "°") { "" } else { " " };
         match self.value {
-            _ if self.entry.is_open() => format!("{}_{gap}{unit}", self.entry.text()),
-            None => format!("_{gap}{unit}"),
-            Some(value) => format!("{}{gap}{unit}", dialled(value)),
+            _ if self.entry.is_open() => with_unit(&format!("{}_", self.entry.text()), unit),
+            None => with_unit("_", unit),
+            Some(value) => with_unit(&short(value, 3), unit),
         }
     }
 
@@ -176,12 +176,6 @@ const fn steps(quantity: Measure) -> (f64, f64) {
         Measure::Mass | Measure::Length => (0.5, 5.0),
         Measure::Times => (0.5, 5.0),
     }
-}
-
-/// A number as given, without zeros that nobody typed.
-fn dialled(value: f64) -> String {
-    let text = format!("{value:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

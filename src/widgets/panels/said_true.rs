@@ -1,7 +1,8 @@
 //! Where two were said to go, beside where they go.
 
+use crate::numbers;
 use crate::physics::{Bond, Collision, Meeting};
-use crate::quiz::{Ray, Rays, words};
+use crate::quiz::{Ray, Rays};
 use crate::widgets::hit::degrees;
 use crate::widgets::{Lines, Role, brief};
 
@@ -20,7 +21,7 @@ pub(crate) fn said_and_true(
     let [said_deg, true_deg] = [said, &true_rays].map(|rays| degrees(collision, rays));
     let off = Ray::BOTH.map(|ray| {
         let apart = said.apart(&true_rays, ray);
-        apart.map_or("-".into(), words::bare_degrees)
+        apart.map_or("-".into(), numbers::bare_degrees)
     });
     // The way of a pair that sticks is that of its centre of mass.
     let truth = match (collision.bond, outcome.meeting) {

@@ -8,14 +8,14 @@ pub struct Axis {
     name: String,
     from: f64,
     to: f64,
-    scale: Scale,
+    scale: AxisScale,
     /// Distance of the ticks, where it is not left to the room there is.
     step: Option<f64>,
 }
 
 /// How values are spread along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Scale {
+enum AxisScale {
     Linear,
     Log,
 }
@@ -29,7 +29,7 @@ impl Axis {
             name: name.into(),
             from,
             to,
-            scale: Scale::Linear,
+            scale: AxisScale::Linear,
             step: None,
         }
     }
@@ -39,7 +39,7 @@ impl Axis {
     #[must_use]
     pub fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
-            scale: Scale::Log,
+            scale: AxisScale::Log,
             ..Self::linear(name, from, to)
         }
     }
@@ -64,8 +64,8 @@ impl Axis {
     /// place on any such axis, however long.
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.scale {
-            Scale::Linear => value,
-            Scale::Log => value.log10(),
+            AxisScale::Linear => value,
+            AxisScale::Log => value.log10(),
         };
         place.is_finite().then_some(place)
     }
@@ -73,8 +73,8 @@ impl Axis {
     /// The value at a place.
     pub(super) fn value(&self, place: f64) -> f64 {
         match self.scale {
-            Scale::Linear => place,
-            Scale::Log => 10_f64.powf(place),
+            AxisScale::Linear => place,
+            AxisScale::Log => 10_f64.powf(place),
         }
     }
 
@@ -91,8 +91,8 @@ impl Axis {
     pub fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {
-            Scale::Linear => even(ends, self.step, most),
-            Scale::Log => decades(ends, most),
+            AxisScale::Linear => even(ends, self.step, most),
+            AxisScale::Log => decades(ends, most),
         }
     }
 }

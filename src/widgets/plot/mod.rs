@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};
-//! use carrom::widgets::ink::Side;
+//! use carrom::widgets::picture::LabelSide;
 //! use carrom::widgets::plot::{Axis, Plot};
 //! use glam::dvec2;
 //! use ratatui::{buffer::Buffer, layout::Rect};
@@ -19,14 +19,16 @@
 //! plot.function(|alpha| Some(alpha.to_radians().sin()), Role::StrikerOut);
 //! plot.upright(30.0, Role::Aim);
 //! plot.mark(dvec2(30.0, 0.5), 'O', Role::Contact);
-//! plot.label("v₁ / u", dvec2(60.0, 0.87), &[Side::AboveLeft], Role::StrikerOut);
+//! plot.label("v₁ / u", dvec2(60.0, 0.87), &[LabelSide::AboveLeft], Role::StrikerOut);
 //! plot.draw(&mut buffer);
 //! ```
 
+mod answers;
 mod axis;
 mod canvas;
 mod ticks;
 
+pub use answers::{REACH, errors_picture, sureness_picture};
 pub use axis::Axis;
 pub use canvas::Plot;
 pub use ticks::Tick;

@@ -1,5 +1,6 @@
 //! Where the ticks of an axis are, and what is written beside them.
 
+use crate::numbers::{fixed, true_minus};
 /// A tick.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tick {
@@ -32,7 +33,7 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
             let value = (first + i as f64) * step + 0.0;
             Tick {
                 place: value,
-                text: format!("{value:.decimals$}").replace('-', "−"),
+                text: true_minus(&fixed(value, decimals)),
             }
         })
         .collect()

@@ -7,7 +7,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Impact, ShotClock, WatchRate, impacts};
 use crate::messages::{Key, Mouse, MouseKind};
-use crate::physics::{Shot, State};
+use crate::physics::{DiscState, Shot};
 use crate::quiz::Rays;
 use crate::widgets::hit::{FRAME, Face, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView, Outcome};
@@ -152,7 +152,9 @@ impl ShotPlayer {
     pub fn discs(&self) -> impl Iterator<Item = (usize, DVec2)> + '_ {
         let now = |disc| self.shot.at(disc, self.clock.time());
         let all = (0..self.shot.discs().len()).map(move |disc| (disc, now(disc)));
-        all.filter_map(|(disc, now)| (now.state != State::Pocketed).then_some((disc, now.position)))
+        all.filter_map(|(disc, now)| {
+            (now.state != DiscState::Pocketed).then_some((disc, now.position))
+        })
     }
 
     /// The keys that work it.

@@ -1,30 +1,59 @@
-//! A screen as an SVG picture.
+//! Vectors: pictures and screens as SVG.
 //!
-//! Letters are text in whatever monospace font there is, each word stretched to its
+//! A [`Picture`] becomes true lines, circles and text. Of a screen, letters are text in whatever monospace font there is, each word stretched to its
 //! cells. Braille, block elements and box lines are drawn as shapes, so that no font
 //! can spoil a picture made of them; all but the round ones with hard edges, so that no
 //! seams show between cells.
 
 mod colour;
 mod shape;
+mod vector;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use maud::{Markup, PreEscaped, Render, html};
 use ratatui::buffer::{Buffer, Cell};
+use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use unicode_width::UnicodeWidthStr;
 
-use crate::widgets::cells::{rows, symbols};
-use colour::{Look, PAPER, Rgb};
+use super::Look;
+use super::cells::{rows, symbols};
+use super::panel::draw_panel;
+use super::picture::Picture;
+use super::theme::{Rgb, Role};
+use colour::{CellColours, PAPER};
 
 /// Width and height of a cell, in units of the picture.
 const CELL: (usize, usize) = (9, 18);
+/// Columns and rows of a panel.
+const PANEL: (u16, u16) = (84, 32);
 /// How far the letters' base line lies below the top of their cell.
 const BASE: usize = 14;
 
-/// The screen as a picture of its own.
-pub fn write(cells: &Buffer) -> String {
+/// A screen as a file of its own.
+pub fn of_screen(cells: &Buffer) -> String {
+    screen(cells, "")
+}
+
+/// A panel with pictures as a file of its own. `fill` writes what is text into the cells
+/// of the panel and gives the pictures that are to be drawn in it.
+pub fn of_panel(
+    title: &str,
+    look: &Look,
+    fill: impl FnOnce(Rect, &mut Buffer) -> Vec<Picture>,
+) -> String {
+    let area = Rect::new(0, 0, PANEL.0, PANEL.1);
+    let mut cells = Buffer::empty(area);
+    cells.set_style(area, look.theme.base());
+    let inside = draw_panel(&mut cells, area, title, look.charset, &look.theme);
+    let pictures = fill(inside, &mut cells);
+    let draw = |picture: &Picture| vector::draw(picture, look);
+    screen(&cells, &pictures.iter().map(draw).collect::<String>())
+}
+
+fn screen(cells: &Buffer, vectors: &str) -> String {
     let (width, height) = (
         usize::from(cells.area.width) * CELL.0,
         usize::from(cells.area.height) * CELL.1,
@@ -35,10 +64,10 @@ pub fn write(cells: &Buffer) -> String {
     let mut words = String::new();
     for (row, line) in rows(cells).enumerate() {
         let y = row * CELL.1;
-        let mut word = Word::default();
+        let mut word = SvgWord::default();
         for (column, cell) in symbols(line) {
             let x = column * CELL.0;
-            let look = Look::of(cell);
+            let look = CellColours::of(cell);
             let taken = cell.symbol().width().max(1) * CELL.0;
             if look.ground != PAPER {
                 let _ = write!(
@@ -56,7 +85,7 @@ pub fn write(cells: &Buffer) -> String {
             }
             let blank = cell.symbol().trim().is_empty() || cell.modifier.contains(Modifier::HIDDEN);
             let strength = shape::strength(cell.symbol());
-            let ink = look.ink.over(look.ground, strength);
+            let ink = look.ground.mixed(look.ink, strength);
             let dotted = shape::is_dotted(cell.symbol());
             let path = if dotted { &mut dots } else { &mut shapes }.of(ink);
             if blank || shape::draw(cell.symbol(), (x, y), path) {
@@ -73,8 +102,102 @@ pub fn write(cells: &Buffer) -> String {
          <rect width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n\
          <g shape-rendering=\"crispEdges\">\n{grounds}{shapes}</g>\n{dots}\
          <g font-family=\"'DejaVu Sans Mono','Menlo','Consolas','Liberation Mono',monospace\" \
-         font-size=\"15\">\n{words}</g>\n</svg>\n"
+         font-size=\"15\">\n{words}</g>\n{vectors}</svg>\n"
     )
+}
+
+/// A picture as vectors, to be put into [`maud::html!`] or a file of its own.
+#[derive(Debug, Clone)]
+pub struct Svg {
+    words: String,
+    /// Width and height of what is drawn, and how much smaller it is shown.
+    size: [f64; 2],
+    scale: f64,
+    paper: Rgb,
+    body: String,
+}
+
+impl Svg {
+    /// A picture whose area begins in the corner of the screen. `words` say what is to be
+    /// seen, to whoever cannot see it. At a `scale` of 1, letters are 14 CSS pixels high.
+    #[must_use]
+    pub fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
+        let area = picture.area();
+        Self {
+            words: words.to_owned(),
+            size: [
+                (usize::from(area.width) * CELL.0) as f64,
+                (usize::from(area.height) * CELL.1) as f64,
+            ],
+            scale,
+            paper: look.theme.rgb(Role::Background),
+            body: vector::draw(picture, look),
+        }
+    }
+
+    /// Width and height as it is shown, in CSS pixels.
+    #[must_use]
+    pub fn size(&self) -> [f64; 2] {
+        self.size.map(|length| length * self.scale)
+    }
+
+    /// What is to be seen.
+    #[must_use]
+    pub fn words(&self) -> &str {
+        &self.words
+    }
+
+    /// The picture as a file of its own, on paper: it may be shown on anything.
+    #[must_use]
+    pub fn file(&self) -> String {
+        let paper = self.paper;
+        let [width, height] = self.size;
+        let ground = format!("<rect width=\"{width}\" height=\"{height}\" fill=\"{paper}\"/>\n");
+        let file = Self {
+            body: ground + &self.body,
+            ..self.clone()
+        };
+        let declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
+        format!("{declaration}\n{}\n", file.render().into_string())
+    }
+}
+
+/// The picture as part of an HTML document.
+impl Render for Svg {
+    fn render(&self) -> Markup {
+        let [width, height] = self.size;
+        let [shown_width, shown_height] = self.size().map(Number);
+        html! {
+            svg xmlns="http://www.w3.org/2000/svg" width=(shown_width) height=(shown_height)
+                viewBox=(format_args!("0 0 {width} {height}")) role="img" {
+                title { (self.words) }
+                (PreEscaped(&self.body))
+            }
+        }
+    }
+}
+
+/// A number of a picture: two decimals are finer than any printer, and nothing but a
+/// number can come out.
+struct Number(f64);
+
+impl std::fmt::Display for Number {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let rounded = (100.0 * self.0).round() / 100.0;
+        // Adding 0 makes a plain 0 of −0.
+        let number = if rounded.is_finite() {
+            rounded + 0.0
+        } else {
+            0.0
+        };
+        write!(f, "{number}")
+    }
+}
+
+impl Render for Number {
+    fn render_to(&self, buffer: &mut String) {
+        let _ = write!(buffer, "{self}");
+    }
 }
 
 /// Outlines to be filled, one path a colour.
@@ -98,14 +221,14 @@ impl std::fmt::Display for Paths {
 
 /// Neighbouring letters that look alike.
 #[derive(Default)]
-struct Word {
+struct SvgWord {
     text: String,
     at: (usize, usize),
     width: usize,
     look: Option<(Rgb, Modifier)>,
 }
 
-impl Word {
+impl SvgWord {
     fn add(&mut self, cell: &Cell, ink: Rgb, at: (usize, usize), width: usize, words: &mut String) {
         let look = Some((ink, cell.modifier & (Modifier::BOLD | Modifier::ITALIC)));
         if self.look != look {
@@ -167,13 +290,25 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ratatui::layout::Rect;
     use ratatui::style::{Color, Style};
 
     fn drawn(text: &str, style: Style) -> String {
         let mut buffer = Buffer::empty(Rect::new(0, 0, 12, 1));
         buffer.set_string(0, 0, text, style);
-        write(&buffer)
+        of_screen(&buffer)
+    }
+
+    #[test]
+    fn numbers_are_short_and_finite() {
+        for (number, text) in [
+            (1.0, "1"),
+            (-0.001, "0"),
+            (1.0 / 3.0, "0.33"),
+            (f64::NAN, "0"),
+            (f64::INFINITY, "0"),
+        ] {
+            assert_eq!(Number(number).to_string(), text);
+        }
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub(super) fn draw(symbol: &str, corner: (usize, usize), path: &mut String) -> b
     let (Some(glyph), None) = (letters.next(), letters.next()) else {
         return false;
     };
-    let mut pen = Pen {
+    let mut pen = CellPen {
         left: corner.0 as f64,
         top: corner.1 as f64,
         path,
@@ -85,13 +85,13 @@ fn arms(glyph: char) -> Option<(u8, f64)> {
 }
 
 /// Draws in one cell.
-struct Pen<'a> {
+struct CellPen<'a> {
     left: f64,
     top: f64,
     path: &'a mut String,
 }
 
-impl Pen<'_> {
+impl CellPen<'_> {
     /// A rectangle between two corners, in shares of the cell.
     fn block(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) {
         let (width, height) = (CELL.0 as f64, CELL.1 as f64);

@@ -1,19 +1,31 @@
 //! Colours as numbers, and how they come down to what a terminal has.
 
+use std::fmt;
+
 use ratatui::style::Color;
 
-/// A colour in sRGB.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Rgb(u8, u8, u8);
+/// A colour in sRGB: red, green and blue. It prints as CSS has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::widgets) struct Rgb(
+    pub(in crate::widgets) u8,
+    pub(in crate::widgets) u8,
+    pub(in crate::widgets) u8,
+);
+
+impl fmt::Display for Rgb {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
+    }
+}
 
 impl Rgb {
     /// From the usual 0xRRGGBB.
-    pub(super) const fn hex(code: u32) -> Self {
+    pub(in crate::widgets) const fn hex(code: u32) -> Self {
         Self((code >> 16) as u8, (code >> 8) as u8, code as u8)
     }
 
     /// This colour with the share `amount` (0 to 1) of `other` in it.
-    pub(super) fn mixed(self, other: Self, amount: f64) -> Self {
+    pub(in crate::widgets) fn mixed(self, other: Self, amount: f64) -> Self {
         let mix = |a: u8, b: u8| {
             (f64::from(a) + (f64::from(b) - f64::from(a)) * amount.clamp(0.0, 1.0)).round() as u8
         };
@@ -39,7 +51,7 @@ impl Rgb {
     }
 
     /// Black or white, whichever is easier to read upon this colour.
-    pub(super) fn ink(self) -> Self {
+    pub(in crate::widgets) fn ink(self) -> Self {
         // Where both contrasts are equal: √(1.05 × 0.05) − 0.05.
         if self.luminance() > 0.179 {
             Self::hex(0x000000)

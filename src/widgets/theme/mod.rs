@@ -14,7 +14,7 @@ mod role;
 
 use ratatui::style::{Color, Modifier, Style};
 
-use colour::Rgb;
+pub(super) use colour::Rgb;
 pub use role::Role;
 
 /// Which set of colours.
@@ -206,7 +206,15 @@ impl Theme {
         }
     }
 
-    fn rgb(self, role: Role) -> Rgb {
+    /// The colour of a role where any colour can be had. Without colours there are but
+    /// text, what is fainter, and the background.
+    pub(super) fn rgb(self, role: Role) -> Rgb {
+        let role = match role {
+            Role::Background => role,
+            _ if !self.is_mono() => role,
+            _ if role.mono_modifier().contains(Modifier::DIM) => Role::Dim,
+            _ => Role::Text,
+        };
         role.rgb(self.palette)
     }
 
@@ -251,7 +259,7 @@ mod tests {
     #[test]
     fn letters_on_discs_are_legible() {
         for palette in [Palette::Dark, Palette::Light] {
-            for role in Role::ALL {
+            for &role in Role::ALL {
                 let fill = role.rgb(palette);
                 assert!(contrast(fill, fill.ink()) >= 4.5, "{palette:?} {role:?}");
             }
@@ -264,7 +272,7 @@ mod tests {
             Theme::new(Palette::Mono, Depth::True),
             Theme::new(Palette::Dark, Depth::None),
         ] {
-            for role in Role::ALL {
+            for &role in Role::ALL {
                 for style in [
                     theme.base(),
                     theme.style(role),

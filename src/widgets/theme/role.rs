@@ -1,11 +1,12 @@
 //! What a thing on screen is, and its colour in each palette.
 
 use ratatui::style::{Color, Modifier};
+use strum::VariantArray;
 
 use super::{Palette, colour::Rgb};
 
 /// What a thing on screen is. The theme turns it into a colour and a weight.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, VariantArray)]
 pub enum Role {
     /// What everything lies on.
     Background,
@@ -69,161 +70,64 @@ pub enum Role {
     Axis,
 }
 
+use Color as C;
 use Role as R;
 
 impl Role {
     /// Every role.
-    pub const ALL: [Self; 30] = [
-        R::Background,
-        R::Text,
-        R::Dim,
-        R::Title,
-        R::Key,
-        R::Border,
-        R::Selected,
-        R::Good,
-        R::Warn,
-        R::Striker,
-        R::Coin,
-        R::Black,
-        R::Queen,
-        R::Marble,
-        R::Incoming,
-        R::NormalPart,
-        R::TangentPart,
-        R::StrikerOut,
-        R::CoinOut,
-        R::LineOfImpact,
-        R::TangentLine,
-        R::Arc,
-        R::SquareCorner,
-        R::Contact,
-        R::Predicted,
-        R::Trail,
-        R::Aim,
-        R::BoardLine,
-        R::Pocket,
-        R::Axis,
-    ];
+    pub const ALL: &'static [Self] = Self::VARIANTS;
+
+    /// Its colours: on dark and on light, then the same among the sixteen named ones.
+    const fn colours(self) -> (u32, u32, Color, Color) {
+        match self {
+            R::Background => (0x10141a, 0xfbfaf6, C::Black, C::White),
+            R::Text => (0xd8dde6, 0x1c2230, C::Gray, C::Black),
+            R::Dim => (0x8b94a5, 0x646c7b, C::DarkGray, C::DarkGray),
+            R::Title => (0xffffff, 0x000000, C::White, C::Black),
+            R::Key => (0xf0e442, 0x0063a0, C::LightYellow, C::Blue),
+            R::Border => (0x4a5364, 0xb4b8c0, C::DarkGray, C::Gray),
+            R::Selected => (0x56b4e9, 0x0072b2, C::LightCyan, C::Blue),
+            R::Good => (0x2cc295, 0x007a59, C::LightGreen, C::Green),
+            R::Warn => (0xf0783c, 0xb84a00, C::LightRed, C::Red),
+            R::Striker => (0x56b4e9, 0x0072b2, C::LightCyan, C::Blue),
+            R::Coin => (0xf2d7a0, 0xe0b060, C::White, C::Yellow),
+            R::Black => (0x746a80, 0x3a3440, C::DarkGray, C::Black),
+            R::Queen => (0xe0526a, 0xb3203a, C::LightRed, C::Red),
+            R::Marble => (0x2cc295, 0x009e73, C::LightGreen, C::Green),
+            R::Incoming => (0xf0e442, 0x5a4a00, C::LightYellow, C::Black),
+            R::NormalPart => (0x2cc295, 0x007a59, C::LightGreen, C::Green),
+            R::TangentPart => (0xa9b7f5, 0x5a4fc0, C::LightBlue, C::Cyan),
+            R::StrikerOut => (0x74c7f7, 0x00609c, C::LightCyan, C::Blue),
+            R::CoinOut => (0xf5a623, 0x9a4a00, C::Yellow, C::Red),
+            R::LineOfImpact => (0x9aa5b8, 0x707887, C::Gray, C::DarkGray),
+            R::TangentLine => (0x7f899b, 0x858d9b, C::DarkGray, C::DarkGray),
+            R::Arc => (0x9aa5b8, 0x707887, C::Gray, C::DarkGray),
+            R::SquareCorner => (0x2cc295, 0x007a59, C::LightGreen, C::Green),
+            R::Contact => (0xffffff, 0x000000, C::White, C::Black),
+            R::Predicted => (0xdd8ab8, 0xa03a7c, C::LightMagenta, C::Magenta),
+            R::Trail => (0x8b94a5, 0x7c8494, C::DarkGray, C::DarkGray),
+            R::Aim => (0xc3cad6, 0x4a5261, C::Gray, C::Black),
+            R::BoardLine => (0x59606e, 0xaaaeb6, C::DarkGray, C::Gray),
+            R::Pocket => (0x7a8294, 0x858d9b, C::LightBlue, C::DarkGray),
+            R::Axis => (0x7f899b, 0x707887, C::DarkGray, C::DarkGray),
+        }
+    }
 
     /// The colour in a palette (monochrome has the dark one's, unused).
     pub(super) const fn rgb(self, palette: Palette) -> Rgb {
+        let (dark, light, ..) = self.colours();
         Rgb::hex(match palette {
-            Palette::Light => self.on_light(),
-            Palette::Dark | Palette::Mono => self.on_dark(),
+            Palette::Light => light,
+            Palette::Dark | Palette::Mono => dark,
         })
-    }
-
-    const fn on_dark(self) -> u32 {
-        match self {
-            R::Background => 0x10141a,
-            R::Text => 0xd8dde6,
-            R::Dim => 0x8b94a5,
-            R::Title => 0xffffff,
-            R::Key => 0xf0e442,
-            R::Border => 0x4a5364,
-            R::Selected => 0x56b4e9,
-            R::Good => 0x2cc295,
-            R::Warn => 0xf0783c,
-            R::Striker => 0x56b4e9,
-            R::Coin => 0xf2d7a0,
-            R::Black => 0x746a80,
-            R::Queen => 0xe0526a,
-            R::Marble => 0x2cc295,
-            R::Incoming => 0xf0e442,
-            R::NormalPart => 0x2cc295,
-            R::TangentPart => 0xa9b7f5,
-            R::StrikerOut => 0x74c7f7,
-            R::CoinOut => 0xf5a623,
-            R::LineOfImpact => 0x9aa5b8,
-            R::TangentLine => 0x7f899b,
-            R::Arc => 0x9aa5b8,
-            R::SquareCorner => 0x2cc295,
-            R::Contact => 0xffffff,
-            R::Predicted => 0xdd8ab8,
-            R::Trail => 0x8b94a5,
-            R::Aim => 0xc3cad6,
-            R::BoardLine => 0x59606e,
-            R::Pocket => 0x7a8294,
-            R::Axis => 0x7f899b,
-        }
-    }
-
-    const fn on_light(self) -> u32 {
-        match self {
-            R::Background => 0xfbfaf6,
-            R::Text => 0x1c2230,
-            R::Dim => 0x646c7b,
-            R::Title => 0x000000,
-            R::Key => 0x0063a0,
-            R::Border => 0xb4b8c0,
-            R::Selected => 0x0072b2,
-            R::Good => 0x007a59,
-            R::Warn => 0xb84a00,
-            R::Striker => 0x0072b2,
-            R::Coin => 0xe0b060,
-            R::Black => 0x3a3440,
-            R::Queen => 0xb3203a,
-            R::Marble => 0x009e73,
-            R::Incoming => 0x5a4a00,
-            R::NormalPart => 0x007a59,
-            R::TangentPart => 0x5a4fc0,
-            R::StrikerOut => 0x00609c,
-            R::CoinOut => 0x9a4a00,
-            R::LineOfImpact => 0x707887,
-            R::TangentLine => 0x858d9b,
-            R::Arc => 0x707887,
-            R::SquareCorner => 0x007a59,
-            R::Contact => 0x000000,
-            R::Predicted => 0xa03a7c,
-            R::Trail => 0x7c8494,
-            R::Aim => 0x4a5261,
-            R::BoardLine => 0xaaaeb6,
-            R::Pocket => 0x858d9b,
-            R::Axis => 0x707887,
-        }
     }
 
     /// The colour among the sixteen named ones.
     pub(super) const fn ansi(self, palette: Palette) -> Color {
+        let (.., dark, light) = self.colours();
         match palette {
-            Palette::Light => self.ansi_on_light(),
-            Palette::Dark | Palette::Mono => self.ansi_on_dark(),
-        }
-    }
-
-    const fn ansi_on_dark(self) -> Color {
-        match self {
-            R::Background => Color::Black,
-            R::Text | R::LineOfImpact | R::Arc | R::Aim => Color::Gray,
-            R::Title | R::Contact | R::Coin => Color::White,
-            R::Dim | R::Border | R::BoardLine | R::TangentLine | R::Trail | R::Axis | R::Black => {
-                Color::DarkGray
-            }
-            R::Key | R::Incoming => Color::LightYellow,
-            R::Selected | R::Striker | R::StrikerOut => Color::LightCyan,
-            R::Good | R::NormalPart | R::SquareCorner | R::Marble => Color::LightGreen,
-            R::TangentPart | R::Pocket => Color::LightBlue,
-            R::CoinOut => Color::Yellow,
-            R::Warn | R::Queen => Color::LightRed,
-            R::Predicted => Color::LightMagenta,
-        }
-    }
-
-    const fn ansi_on_light(self) -> Color {
-        match self {
-            R::Background => Color::White,
-            R::Text | R::Title | R::Contact | R::Incoming | R::Aim | R::Black => Color::Black,
-            R::Dim | R::LineOfImpact | R::TangentLine | R::Arc | R::Trail | R::Axis | R::Pocket => {
-                Color::DarkGray
-            }
-            R::Border | R::BoardLine => Color::Gray,
-            R::Key | R::Selected | R::Striker | R::StrikerOut => Color::Blue,
-            R::Good | R::NormalPart | R::SquareCorner | R::Marble => Color::Green,
-            R::TangentPart => Color::Cyan,
-            R::CoinOut | R::Warn | R::Queen => Color::Red,
-            R::Coin => Color::Yellow,
-            R::Predicted => Color::Magenta,
+            Palette::Light => light,
+            Palette::Dark | Palette::Mono => dark,
         }
     }
 

@@ -61,8 +61,8 @@ fn a_shot_is_graded_by_where_the_disc_goes() {
             let answer = Answer::new(Response::Shot(offset), Confidence::Sure);
             Grade::new(&question, &answer)
         };
-        assert!(graded(aim.offset + 1e-4 * aim.collision.reach()).right);
-        let miss = graded(1.01 * aim.collision.reach());
+        assert!(graded(aim.offset + 1e-4 * aim.collision.contact_distance()).right);
+        let miss = graded(1.01 * aim.collision.contact_distance());
         assert!(!miss.right && miss.credit < 1e-12);
         let mirrored = graded(-aim.offset);
         assert!(!mirrored.right && mirrored.angle_error.is_some());

@@ -217,7 +217,10 @@ fn assert_can_be_said(question: &Question, said: &Response) {
         }
         (Form::Choice { options, .. }, Response::Choice(i)) => assert!(*i < options.len()),
         (Form::Shot(aim), Response::Shot(offset)) => {
-            assert!(offset.abs() <= aim.collision.reach(), "{question:#?}");
+            assert!(
+                offset.abs() <= aim.collision.contact_distance(),
+                "{question:#?}"
+            );
         }
         (Form::Rays { .. }, Response::Rays(rays)) => {
             let angles = [rays.striker, rays.target];
@@ -292,7 +295,8 @@ fn answers(question: &Question) -> Vec<Response> {
         Form::Choice { options, .. } => answers.extend((0..options.len()).map(Response::Choice)),
         Form::Shot(aim) => {
             let far = [-1.1, -0.5, 0.0, 0.5, 1.1];
-            answers.extend(far.map(|share| Response::Shot(share * aim.collision.reach())));
+            answers
+                .extend(far.map(|share| Response::Shot(share * aim.collision.contact_distance())));
         }
         Form::Rays { .. } => {
             let wild = [

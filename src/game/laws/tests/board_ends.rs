@@ -1,9 +1,10 @@
 use super::laying::{Queen, Table, cited, expect_end, put_back, table};
-use crate::game::laws::{BoardWon, Effect, Ruling};
+use super::validity::flaw;
+use crate::game::laws::{BoardWon, Ruling, RulingEffect};
 use crate::game::pieces::{Colour, Piece};
 use crate::game::seat::Team::{self, First as White, Second as Black};
 use crate::game::stroke::StrokeError;
-use crate::game::table::Stage;
+use crate::game::table::GameStage;
 use crate::game::validity::GameError;
 
 const QUEEN: Piece = Piece::Queen;
@@ -16,7 +17,7 @@ fn law_25a_the_first_to_pocket_all_nine_wins_a_point_for_each_coin_left() {
     let mut table = table(1, 4, Queen::Black);
     expect_end(&table.pocket(&[OWN]), "25a", White, 4);
     assert_eq!(table.0.score().points[White], 4);
-    assert!(matches!(table.0.stage(), Stage::BoardOver(_)));
+    assert!(matches!(table.0.stage(), GameStage::BoardOver(_)));
 }
 
 #[test]
@@ -76,9 +77,9 @@ fn law_29_the_game_is_announced_at_25_points() {
     let mut table = table(1, 4, Queen::White).score(21, 3);
     let rulings = table.pocket(&[OWN]);
     assert_eq!(cited(&rulings), ["25a", "29a"]);
-    assert_eq!(rulings[1].effects, [Effect::GameWon(White)]);
+    assert_eq!(rulings[1].effects, [RulingEffect::GameWon(White)]);
     assert_eq!(rulings[1].text, "White wins the game by 28 to 3.");
-    assert_eq!(table.0.stage(), Stage::GameOver(White));
+    assert_eq!(table.0.stage(), GameStage::GameOver(White));
 }
 
 /// Puts `boards` behind a game in which South has the break again.
@@ -91,7 +92,7 @@ fn after(mut table: Table, boards: &[(Team, u8)]) -> Table {
         })
         .collect();
     assert_eq!(table.0.colour(White), Colour::White);
-    assert_eq!(table.0.check(), Ok(()));
+    assert_eq!(flaw(&table.0), None);
     table
 }
 
@@ -100,7 +101,7 @@ fn after(mut table: Table, boards: &[(Team, u8)]) -> Table {
 fn eighth_board(six: &[(Team, u8)]) -> (Table, Vec<Ruling>) {
     let mut game = after(table(1, 4, Queen::Black), six);
     expect_end(&game.pocket(&[OWN]), "25a", White, 4);
-    assert!(matches!(game.0.stage(), Stage::BoardOver(_)));
+    assert!(matches!(game.0.stage(), GameStage::BoardOver(_)));
     game.0.next_board().unwrap();
     assert_eq!(game.0.board_number(), 8);
     let rulings = game.pocket(&[&[QUEEN][..], &[OWN; 9]].concat());
@@ -120,7 +121,7 @@ fn law_29a_the_leader_after_eight_boards_wins_the_game() {
     ];
     let (game, rulings) = eighth_board(&six);
     assert_eq!(cited(&rulings), ["25a", "29a"]);
-    assert_eq!(game.0.stage(), Stage::GameOver(Black));
+    assert_eq!(game.0.stage(), GameStage::GameOver(Black));
 }
 
 #[test]
@@ -136,8 +137,8 @@ fn law_29b_a_tie_after_eight_boards_is_decided_by_an_extra_board() {
     let (mut game, rulings) = eighth_board(&six);
     assert_eq!(game.0.score().points[White], 14);
     assert_eq!(cited(&rulings), ["25a", "29b"]);
-    assert_eq!(rulings[1].effects, [Effect::ExtraBoard]);
-    assert!(matches!(game.0.stage(), Stage::BoardOver(_)));
+    assert_eq!(rulings[1].effects, [RulingEffect::ExtraBoard]);
+    assert!(matches!(game.0.stage(), GameStage::BoardOver(_)));
     game.0.next_board().unwrap();
     assert_eq!(game.0.board_number(), 9);
 }
@@ -149,7 +150,7 @@ fn law_30_the_match_ends_with_the_second_game() {
     let mut game = after(table(1, 4, Queen::White), &[first, second].concat());
     let rulings = game.pocket(&[OWN]);
     assert_eq!(cited(&rulings), ["25a", "29a", "30"]);
-    assert_eq!(game.0.stage(), Stage::MatchOver(White));
+    assert_eq!(game.0.stage(), GameStage::MatchOver(White));
     assert_eq!(game.0.next_board(), Err(GameError::MatchOver));
     assert_eq!(game.0.foul(), Err(StrokeError::Ended));
 }

@@ -1,13 +1,13 @@
 use super::laying::{Queen, Table, cited, expect, spread, stroke, table};
-use crate::game::laws::Effect;
+use crate::game::laws::RulingEffect;
 use crate::game::pieces::{Colour, Piece};
 use crate::game::seat::{Hands, Seat, Team};
 use crate::game::stroke::StrokeError;
-use crate::game::table::{Game, Setup, Stage};
+use crate::game::table::{Game, GameSetup, GameStage};
 use crate::game::validity::GameError;
 
 fn unbroken() -> Table {
-    Table(Game::new(Setup::default()))
+    Table(Game::new(GameSetup::default()))
 }
 
 /// Everything white and the queen in one stroke: the breaker wins the board.
@@ -85,7 +85,10 @@ fn law_21_an_own_coin_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::White]);
     expect(&table, &rulings, "21", &[], true);
-    assert_eq!(rulings[0].effects, [Effect::TurnContinues(Seat::South)]);
+    assert_eq!(
+        rulings[0].effects,
+        [RulingEffect::TurnContinues(Seat::South)]
+    );
 }
 
 #[test]
@@ -93,7 +96,7 @@ fn law_21_nothing_pocketed_passes_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[]);
     expect(&table, &rulings, "21", &[], false);
-    assert_eq!(rulings[0].effects, [Effect::TurnPasses(Seat::North)]);
+    assert_eq!(rulings[0].effects, [RulingEffect::TurnPasses(Seat::North)]);
 }
 
 #[test]
@@ -122,7 +125,7 @@ fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() 
     loop {
         breakers.push(table.0.seat());
         clear_white(&mut table);
-        if let Stage::GameOver(_) = table.0.stage() {
+        if let GameStage::GameOver(_) = table.0.stage() {
             break;
         }
         table.0.next_board().unwrap();
@@ -137,10 +140,10 @@ fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() 
 
 #[test]
 fn law_22b_in_doubles_turn_and_break_go_round_to_the_right() {
-    let mut table = Table(Game::new(Setup {
+    let mut table = Table(Game::new(GameSetup {
         hands: Hands::Four,
         first_breaker: Seat::East,
-        ..Setup::default()
+        ..GameSetup::default()
     }));
     assert_eq!(table.0.colour(Team::Second), Colour::White);
     for seat in [Seat::East, Seat::North, Seat::West, Seat::South] {
@@ -156,9 +159,9 @@ fn law_22b_in_doubles_turn_and_break_go_round_to_the_right() {
 
 #[test]
 fn in_doubles_partners_share_coins_dues_and_the_queen() {
-    let mut table = Table(Game::new(Setup {
+    let mut table = Table(Game::new(GameSetup {
         hands: Hands::Four,
-        ..Setup::default()
+        ..GameSetup::default()
     }));
     table.strike(true, &[Piece::Striker]);
     spread(&mut table.0.play.coins);

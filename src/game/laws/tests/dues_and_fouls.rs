@@ -1,5 +1,5 @@
 use super::laying::{Queen, cited, expect, put_back, table};
-use crate::game::laws::Effect;
+use crate::game::laws::RulingEffect;
 use crate::game::pieces::{CENTRE_CIRCLE_RADIUS, Colour, OUTER_CIRCLE_RADIUS, Piece, PieceSet};
 use crate::game::seat::Team;
 
@@ -57,7 +57,10 @@ fn law_45b_a_due_waits_until_a_coin_is_there_to_pay_it() {
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "45a", &[], false);
     assert_eq!(cited(&rulings), ["45a", "45b"]);
-    assert_eq!(rulings[1].effects, [Effect::StillOwed(Colour::White, 1)]);
+    assert_eq!(
+        rulings[1].effects,
+        [RulingEffect::StillOwed(Colour::White, 1)]
+    );
     assert_eq!(table.0.play().owed(Team::First), 1);
 }
 

@@ -1,10 +1,10 @@
 use glam::DVec2;
 
 use super::laying::{Queen, Table, expect, expect_end, lay};
-use crate::game::laws::{Effect, Rules};
+use crate::game::laws::{Rules, RulingEffect};
 use crate::game::pieces::{Coin, Colour, Piece};
 use crate::game::seat::{Seat, Team};
-use crate::game::table::{Game, Setup, Stage};
+use crate::game::table::{Game, GameSetup, GameStage};
 use crate::game::validity::GameError;
 use crate::physics::Board;
 
@@ -59,8 +59,8 @@ fn friendly_first_to_clear_wins_the_game() {
     let mut table = friendly(1, 4, Queen::White);
     let rulings = table.pocket(&[White]);
     expect_end(&rulings, "house", Team::First, 7);
-    assert_eq!(rulings[1].effects, [Effect::GameWon(Team::First)]);
-    assert_eq!(table.0.stage(), Stage::GameOver(Team::First));
+    assert_eq!(rulings[1].effects, [RulingEffect::GameWon(Team::First)]);
+    assert_eq!(table.0.stage(), GameStage::GameOver(Team::First));
     table.0.next_board().unwrap();
     assert_eq!(table.0.seat(), Seat::North, "the other side breaks");
 
@@ -82,7 +82,7 @@ fn friendly_clearing_both_colours_at_once_wins_by_a_point() {
     let mut table = friendly(1, 1, Queen::OnBoard);
     let rulings = table.pocket(&[White, Black]);
     expect_end(&rulings, "house", Team::First, 1);
-    assert_eq!(table.0.stage(), Stage::GameOver(Team::First));
+    assert_eq!(table.0.stage(), GameStage::GameOver(Team::First));
 }
 
 #[test]
@@ -101,18 +101,18 @@ fn friendly_the_last_coin_with_the_striker_comes_back() {
 
 #[test]
 fn friendly_a_missed_break_passes_the_turn() {
-    let mut table = Table(Game::new(Setup {
+    let mut table = Table(Game::new(GameSetup {
         rules: Rules::Friendly,
-        ..Setup::default()
+        ..GameSetup::default()
     }));
     table.strike(false, &[]);
     assert_eq!(table.0.seat(), Seat::North);
 }
 
 fn practice() -> Table {
-    Table(Game::new(Setup {
+    Table(Game::new(GameSetup {
         rules: Rules::Practice,
-        ..Setup::default()
+        ..GameSetup::default()
     }))
 }
 

@@ -2,11 +2,12 @@
 
 use glam::DVec2;
 
-use crate::game::laws::{BoardWon, Effect, MOST_POINTS, Rules, Ruling};
+use super::validity::flaw;
+use crate::game::laws::{BoardWon, MOST_POINTS, Rules, Ruling, RulingEffect};
 use crate::game::pieces::{Coin, Colour, Piece};
 use crate::game::seat::{Hands, Seat, Team};
 use crate::game::stroke::Stroke;
-use crate::game::table::{Game, Setup};
+use crate::game::table::{Game, GameSetup};
 
 /// Where the queen is when a test begins.
 #[derive(Clone, Copy, PartialEq)]
@@ -28,10 +29,10 @@ pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
 
 /// The same under other rules.
 pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
-    let mut game = Game::new(Setup {
+    let mut game = Game::new(GameSetup {
         rules,
         hands: Hands::Two,
-        ..Setup::default()
+        ..GameSetup::default()
     });
     let play = &mut game.play;
     play.break_tries = None;
@@ -55,7 +56,7 @@ pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
         Queen::Black => Some(Team::Second),
         Queen::OnBoard | Queen::ToCover => None,
     };
-    assert_eq!(game.check(), Ok(()));
+    assert_eq!(flaw(&game), None);
     Table(game)
 }
 
@@ -100,7 +101,7 @@ impl Table {
     pub(super) fn strike(&mut self, touched: bool, fallen: &[Piece]) -> Vec<Ruling> {
         let stroke = stroke(self.0.coins(), touched, fallen);
         let rulings = self.0.apply(&stroke).unwrap();
-        assert_eq!(self.0.check(), Ok(()));
+        assert_eq!(flaw(&self.0), None);
         rulings
     }
 
@@ -141,7 +142,7 @@ pub(super) fn put_back(rulings: &[Ruling]) -> Vec<Piece> {
         .iter()
         .flat_map(|ruling| &ruling.effects)
         .filter_map(|effect| match effect {
-            Effect::PutBack(coin) => Some(coin.piece),
+            RulingEffect::PutBack(coin) => Some(coin.piece),
             _ => None,
         })
         .collect()
@@ -167,5 +168,8 @@ pub(super) fn expect(
 pub(super) fn expect_end(rulings: &[Ruling], law: &str, winner: Team, points: u8) {
     assert_eq!(cited(rulings)[0], law, "{}", rulings[0].text);
     let won = BoardWon { winner, points };
-    assert_eq!(rulings[0].effects.last(), Some(&Effect::BoardWon(won)));
+    assert_eq!(
+        rulings[0].effects.last(),
+        Some(&RulingEffect::BoardWon(won))
+    );
 }

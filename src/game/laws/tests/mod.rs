@@ -7,4 +7,5 @@ mod dues_and_fouls;
 mod house_rules;
 mod laying;
 mod queen_and_cover;
+mod validity;
 mod whole_games;

@@ -1,7 +1,7 @@
 use glam::DVec2;
 
 use super::laying::{Queen, cited, expect, table};
-use crate::game::laws::Effect;
+use crate::game::laws::RulingEffect;
 use crate::game::pieces::{Colour, Piece};
 use crate::game::seat::Team;
 
@@ -13,7 +13,7 @@ fn law_65_the_queen_may_be_taken_after_an_own_coin_and_must_be_covered() {
     let mut table = table(8, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN]);
     expect(&table, &rulings, "65", &[], true);
-    assert_eq!(rulings[0].effects.last(), Some(&Effect::MustCover));
+    assert_eq!(rulings[0].effects.last(), Some(&RulingEffect::MustCover));
     assert!(table.0.play().queen_to_cover());
 }
 
@@ -103,7 +103,10 @@ fn law_70a_an_own_coin_in_the_same_stroke_covers_her() {
     let rulings = table.pocket(&[White, QUEEN]);
     expect(&table, &rulings, "70a", &[], true);
     assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
-    assert_eq!(rulings[0].effects[0], Effect::QueenCovered(Colour::White));
+    assert_eq!(
+        rulings[0].effects[0],
+        RulingEffect::QueenCovered(Colour::White)
+    );
 }
 
 #[test]
@@ -167,7 +170,7 @@ fn law_74a_the_striker_with_the_cover_gives_one_more_stroke_to_cover_her() {
     let mut table = table(5, 5, Queen::ToCover);
     let rulings = table.pocket(&[White, Striker]);
     expect(&table, &rulings, "74a", &[White, White], true);
-    assert_eq!(rulings[0].effects.last(), Some(&Effect::MustCover));
+    assert_eq!(rulings[0].effects.last(), Some(&RulingEffect::MustCover));
     assert_eq!(table.on_board(Colour::White), 6);
     let rulings = table.pocket(&[]);
     expect(&table, &rulings, "69", &[QUEEN], false);

@@ -6,11 +6,12 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use super::laying::put_back;
+use super::validity::flaw;
 use crate::game::laws::{MOST_POINTS, Rules, Ruling};
 use crate::game::pieces::{Coin, Piece, count};
 use crate::game::seat::{Hands, Seat};
 use crate::game::stroke::Stroke;
-use crate::game::table::{Game, Setup, Stage};
+use crate::game::table::{Game, GameSetup, GameStage};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
 /// A stroke after which the coins lie anywhere, each fallen with some chance.
@@ -43,7 +44,7 @@ fn random_stroke(game: &Game, luck: f64, hand: &mut Pcg64) -> Stroke {
 
 /// Plays until match, friendly game or practice board is over, checking the game after
 /// every stroke.
-fn play_out(setup: Setup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
+fn play_out(setup: GameSetup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
     let mut hand = Pcg64::seed_from_u64(seed);
     let mut game = Game::new(setup);
     let mut announced = Vec::new();
@@ -64,7 +65,7 @@ fn play_out(setup: Setup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
             }
             rulings
         };
-        assert_eq!(game.check(), Ok(()));
+        assert_eq!(flaw(&game), None);
         assert!(!rulings.is_empty() && rulings.iter().all(|r| r.text.ends_with('.')));
         assert_eq!(
             rulings.iter().all(|r| r.law.is_none()),
@@ -74,10 +75,10 @@ fn play_out(setup: Setup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
         if let Some(won) = game.play().won() {
             assert!(won.points <= MOST_POINTS);
             match game.stage() {
-                Stage::BoardOver(_) if setup.rules == Rules::Tournament => {
+                GameStage::BoardOver(_) if setup.rules == Rules::Tournament => {
                     game.next_board().unwrap();
                 }
-                Stage::GameOver(_) if setup.rules == Rules::Tournament => {
+                GameStage::GameOver(_) if setup.rules == Rules::Tournament => {
                     game.next_board().unwrap();
                 }
                 _ => return (game, announced),
@@ -87,19 +88,21 @@ fn play_out(setup: Setup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
     panic!("the game never ended");
 }
 
-fn setups() -> impl Strategy<Value = Setup> {
+fn setups() -> impl Strategy<Value = GameSetup> {
     let rules = prop_oneof![
         4 => Just(Rules::Tournament),
         1 => Just(Rules::Friendly),
         1 => Just(Rules::Practice)
     ];
     let hands = prop_oneof![Just(Hands::Two), Just(Hands::Four)];
-    (rules, hands, 0..4_usize, any::<Option<u64>>()).prop_map(|(rules, hands, seat, seed)| Setup {
-        rules,
-        hands,
-        first_breaker: Seat::ALL[seat],
-        seed,
-        ..Setup::default()
+    (rules, hands, 0..4_usize, any::<Option<u64>>()).prop_map(|(rules, hands, seat, seed)| {
+        GameSetup {
+            rules,
+            hands,
+            first_breaker: Seat::ALL[seat],
+            seed,
+            ..GameSetup::default()
+        }
     })
 }
 
@@ -132,14 +135,14 @@ fn boards_played_on_the_engine_stay_valid_and_end() {
     let mut shot = Shot::new();
     for seed in 0..4_u64 {
         let mut hand = Pcg64::seed_from_u64(seed);
-        let mut game = Game::new(Setup {
+        let mut game = Game::new(GameSetup {
             hands: if seed % 2 == 0 {
                 Hands::Two
             } else {
                 Hands::Four
             },
             seed: Some(seed),
-            ..Setup::default()
+            ..GameSetup::default()
         });
         for _ in 0..20_000 {
             let lines = game.base_lines(&board);
@@ -157,7 +160,7 @@ fn boards_played_on_the_engine_stay_valid_and_end() {
                 game.no_place().unwrap()
             };
             assert!(!rulings.is_empty());
-            assert_eq!(game.check(), Ok(()));
+            assert_eq!(flaw(&game), None);
             if game.play().won().is_some() {
                 break;
             }

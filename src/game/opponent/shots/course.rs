@@ -8,7 +8,7 @@ use crate::game::pieces::Piece;
 
 /// What a coin must be given to end in a pocket, or to drive one there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in super::super) struct Course {
+pub(in super::super) struct PocketPath {
     /// The coin, by its place among the coins.
     pub(in super::super) coin: usize,
     /// The direction in which it must leave.
@@ -23,7 +23,7 @@ pub(in super::super) struct Course {
 pub(in super::super) fn straight<'a>(
     sight: &'a Sight,
     coin: usize,
-) -> impl Iterator<Item = Course> + 'a {
+) -> impl Iterator<Item = PocketPath> + 'a {
     let from = sight.coins.get(coin).map(|coin| coin.at);
     let ways = from.map(|from| sight.pockets().map(|pocket| (from, pocket)));
     ways.into_iter()
@@ -32,7 +32,7 @@ pub(in super::super) fn straight<'a>(
             let length = from.distance(pocket);
             let toward = (pocket - from).try_normalize()?;
             let clear = sight.is_clear(from, pocket, sight.coin(), &[coin]);
-            clear.then(|| Course {
+            clear.then(|| PocketPath {
                 coin,
                 toward,
                 speed: sight.speed_for((length - sight.pocket_radius()).max(0.0), 0.0),
@@ -45,7 +45,7 @@ pub(in super::super) fn straight<'a>(
 pub(in super::super) fn off_a_cushion<'a>(
     sight: &'a Sight,
     coin: usize,
-) -> impl Iterator<Item = Course> + 'a {
+) -> impl Iterator<Item = PocketPath> + 'a {
     let from = sight.coins.get(coin).map(|coin| coin.at);
     let ways = from.into_iter().flat_map(move |from| {
         WALLS.into_iter().flat_map(move |wall| {
@@ -61,7 +61,7 @@ pub(in super::super) fn off_a_cushion<'a>(
         let clear = sight.is_clear(from, bounce.at, sight.coin(), &[coin])
             && sight.is_clear(bounce.at, pocket, sight.coin(), &[coin]);
         let leaving = sight.speed_for((after - sight.pocket_radius()).max(0.0), 0.0);
-        clear.then(|| Course {
+        clear.then(|| PocketPath {
             coin,
             toward: bounce.toward,
             speed: sight.speed_for(before, leaving / bounce.kept),
@@ -73,8 +73,8 @@ pub(in super::super) fn off_a_cushion<'a>(
 /// How other coins can give a coin its course.
 pub(in super::super) fn combinations<'a>(
     sight: &'a Sight,
-    course: &'a Course,
-) -> impl Iterator<Item = Course> + 'a {
+    course: &'a PocketPath,
+) -> impl Iterator<Item = PocketPath> + 'a {
     let target = sight.coins.get(course.coin).map(|coin| coin.at);
     let drivers = target.into_iter().flat_map(move |target| {
         let coins = sight.coins.iter().enumerate();
@@ -93,7 +93,7 @@ pub(in super::super) fn combinations<'a>(
             && sight.is_inside(ghost, sight.coin())
             && sight.is_clear(from, ghost, sight.coin(), &[i, course.coin]);
         let arriving = course.speed / (sight.passed_on(Piece::White) * cosine);
-        reachable.then(|| Course {
+        reachable.then(|| PocketPath {
             coin: i,
             toward,
             speed: sight.speed_for(length, arriving),

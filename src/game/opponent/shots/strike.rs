@@ -3,13 +3,13 @@
 use glam::DVec2;
 
 use super::super::sight::{Sight, WALLS};
-use super::{Course, THINNEST};
+use super::{PocketPath, THINNEST};
 use crate::game::pieces::Piece;
 use crate::physics::Motion;
 
 /// A stroke that gives a coin its course.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in super::super) struct Aim {
+pub(in super::super) struct ProposedStroke {
     /// Where the striker stands.
     pub(in super::super) from: DVec2,
     /// The direction in which it is struck.
@@ -20,7 +20,7 @@ pub(in super::super) struct Aim {
     pub(in super::super) allowance: f64,
 }
 
-impl Aim {
+impl ProposedStroke {
     /// The stroke at `times` the speed that just suffices.
     pub(in super::super) fn motion(&self, times: f64) -> Motion {
         Motion {
@@ -32,7 +32,7 @@ impl Aim {
 
 /// Where the striker's centre is when it gives the coin its course: the ghost
 /// striker that one aims at, touching the coin right behind its line of impact.
-pub(in super::super) fn ghost(sight: &Sight, course: &Course) -> Option<DVec2> {
+pub(in super::super) fn ghost(sight: &Sight, course: &PocketPath) -> Option<DVec2> {
     let coin = sight.coins.get(course.coin)?;
     let ghost = coin.at - course.toward * (sight.striker() + sight.coin());
     sight.is_inside(ghost, sight.striker()).then_some(ghost)
@@ -41,9 +41,9 @@ pub(in super::super) fn ghost(sight: &Sight, course: &Course) -> Option<DVec2> {
 /// The straight strokes from these places.
 pub(in super::super) fn strikes<'a>(
     sight: &'a Sight,
-    course: &'a Course,
+    course: &'a PocketPath,
     places: &'a [DVec2],
-) -> impl Iterator<Item = Aim> + 'a {
+) -> impl Iterator<Item = ProposedStroke> + 'a {
     let ghost = ghost(sight, course);
     ghost.into_iter().flat_map(move |ghost| {
         places.iter().filter_map(move |&from| {
@@ -52,7 +52,7 @@ pub(in super::super) fn strikes<'a>(
             let clear =
                 cosine > THINNEST && sight.is_clear(from, ghost, sight.striker(), &[course.coin]);
             let length = from.distance(ghost);
-            clear.then(|| Aim {
+            clear.then(|| ProposedStroke {
                 from,
                 toward,
                 speed: sight.speed_for(length, arriving(sight, course, cosine)),
@@ -65,9 +65,9 @@ pub(in super::super) fn strikes<'a>(
 /// The strokes from these places that come off a cushion first.
 pub(in super::super) fn kicks<'a>(
     sight: &'a Sight,
-    course: &'a Course,
+    course: &'a PocketPath,
     places: &'a [DVec2],
-) -> impl Iterator<Item = Aim> + 'a {
+) -> impl Iterator<Item = ProposedStroke> + 'a {
     let ghost = ghost(sight, course);
     let ways = ghost.into_iter().flat_map(move |ghost| {
         let places = places.iter();
@@ -81,7 +81,7 @@ pub(in super::super) fn kicks<'a>(
             && sight.is_clear(bounce.at, ghost, sight.striker(), &[course.coin]);
         let (before, after) = (from.distance(bounce.at), bounce.at.distance(ghost));
         let leaving = sight.speed_for(after, arriving(sight, course, cosine));
-        clear.then(|| Aim {
+        clear.then(|| ProposedStroke {
             from,
             toward: bounce.toward,
             speed: sight.speed_for(before, leaving / bounce.kept),
@@ -92,14 +92,14 @@ pub(in super::super) fn kicks<'a>(
 
 /// The speed in m/s with which the striker must meet the coin: along the line of
 /// impact it passes on a fixed share, and only the cosine of its speed counts.
-fn arriving(sight: &Sight, course: &Course, cosine: f64) -> f64 {
+fn arriving(sight: &Sight, course: &PocketPath, cosine: f64) -> f64 {
     course.speed / (sight.passed_on(Piece::Striker) * cosine)
 }
 
 /// The error of the striker's direction that the course forgives: over its way it
 /// grows to a shift, which the reach and the cosine turn into an error of the line
 /// of impact.
-fn allowance(sight: &Sight, course: &Course, cosine: f64, length: f64) -> f64 {
+fn allowance(sight: &Sight, course: &PocketPath, cosine: f64, length: f64) -> f64 {
     let reach = sight.striker() + sight.coin();
     course.allowance * reach * cosine / length
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::super::sight::Sight;
 use super::*;
 use crate::game::{Coin, Piece, PieceSet};
-use crate::physics::{Board, EventKind, Limits, Motion, Shot, State, play};
+use crate::physics::{Board, DiscState, EventKind, Limits, Motion, Shot, play};
 
 const SETS: [PieceSet; 2] = [PieceSet::Tournament, PieceSet::EqualMass];
 /// Upper right.
@@ -43,7 +43,7 @@ fn line_of_impact(shot: &Shot, a: usize, b: usize) -> DVec2 {
 }
 
 fn falls(shot: &Shot, disc: usize) -> bool {
-    shot.at(disc, shot.duration()).state == State::Pocketed
+    shot.at(disc, shot.duration()).state == DiscState::Pocketed
 }
 
 fn fell_into(shot: &Shot, disc: usize) -> Option<usize> {
@@ -58,7 +58,7 @@ fn cushions_of(shot: &Shot, disc: usize) -> usize {
     shot.events().iter().filter(|e| met(e.kind)).count()
 }
 
-fn into_the_corner(sight: &Sight, coin: usize) -> Course {
+fn into_the_corner(sight: &Sight, coin: usize) -> PocketPath {
     let pocket = sight.pockets()[CORNER];
     let at = sight.coins[coin].at;
     straight(sight, coin)
@@ -100,7 +100,7 @@ fn the_speed_just_suffices() {
         let sight = sight(&board, set, &coins);
         let course = into_the_corner(&sight, 0);
         let places = [DVec2::new(-0.05, -0.25), DVec2::new(0.0, -0.25)];
-        let aims: Vec<Aim> = strikes(&sight, &course, &places).collect();
+        let aims: Vec<ProposedStroke> = strikes(&sight, &course, &places).collect();
         assert_eq!(aims.len(), 2);
         for aim in aims {
             assert!(!falls(&shoot(&sight, aim.motion(1.0 - 1e-6)), 1));
@@ -144,7 +144,7 @@ fn a_coin_comes_off_a_cushion_into_its_pocket() {
             ..Board::default()
         };
         let sight = sight(&board, PieceSet::Tournament, &coins);
-        let courses: Vec<Course> = off_a_cushion(&sight, 0).collect();
+        let courses: Vec<PocketPath> = off_a_cushion(&sight, 0).collect();
         assert_eq!(courses.len(), 8, "four walls, two pockets each");
         let mut tried = 0;
         for course in courses {
@@ -169,7 +169,7 @@ fn the_striker_comes_off_a_cushion_to_its_ghost() {
     let sight = sight(&board, PieceSet::Tournament, &coins);
     let course = into_the_corner(&sight, 0);
     let places = [DVec2::new(0.0, -0.25), DVec2::new(-0.15, -0.25)];
-    let aims: Vec<Aim> = kicks(&sight, &course, &places).collect();
+    let aims: Vec<ProposedStroke> = kicks(&sight, &course, &places).collect();
     assert!(aims.len() >= 2);
     for aim in aims {
         let shot = shoot(&sight, aim.motion(1.0 + 1e-6));

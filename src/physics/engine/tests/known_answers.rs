@@ -4,8 +4,7 @@ use glam::DVec2;
 
 use super::tables::{COIN, STRIKER, Table, assert_close, assert_near, closed_board, rack};
 use crate::physics::{
-    Board, Disc, EventKind, Limits, Motion, Shot, State, play, speed_after, stopping_distance,
-    stopping_time, time_to_cover,
+    Board, Disc, DiscState, EventKind, Limits, Motion, Shot, play, stopping_distance, stopping_time,
 };
 
 fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
@@ -14,6 +13,18 @@ fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
         _ => None,
     };
     shot.events().iter().filter_map(|e| pair(e.kind)).collect()
+}
+
+/// Seconds to cover `distance` metres: the smaller root of s = v t − ½ a t².
+fn time_to_cover(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
+    let left = speed_after(distance, speed, deceleration)?;
+    Some(2.0 * distance / (speed + left))
+}
+
+/// Speed left after `distance` metres, √(v² − 2as).
+fn speed_after(distance: f64, speed: f64, deceleration: f64) -> Option<f64> {
+    let left = speed * speed - 2.0 * deceleration * distance;
+    (left >= 0.0).then(|| left.sqrt())
 }
 
 #[test]
@@ -28,7 +39,7 @@ fn one_disc_stops_where_friction_says() {
     assert_close(shot.duration(), stopping_time(1.0, a), 1e-15);
     let place = DVec2::new(-0.3 + 0.6 * way, 0.1 - 0.8 * way);
     assert_near(end.position, place, 1e-15);
-    assert_eq!(end.state, State::Resting);
+    assert_eq!(end.state, DiscState::Resting);
     assert_eq!(shot.events().len(), 1);
     assert_eq!(shot.events()[0].kind, EventKind::Rest { disc: 0 });
 }
@@ -77,7 +88,7 @@ fn one_disc_falls_into_a_pocket() {
     assert_close(shot.events()[0].time, time, 1e-15);
     let fall = EventKind::Pocket { disc: 0, corner: 2 };
     assert_eq!(shot.events()[0].kind, fall);
-    assert_eq!(shot.at(0, 9.0).state, State::Pocketed);
+    assert_eq!(shot.at(0, 9.0).state, DiscState::Pocketed);
     assert_near(
         shot.at(0, 9.0).position,
         DVec2::new(-way, way) / 2_f64.sqrt(),

@@ -4,7 +4,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use super::tables::{Table, rack};
-use crate::physics::{Board, Disc, EventKind, Limits, Motion, Shot, State, play};
+use crate::physics::{Board, Disc, DiscState, EventKind, Limits, Motion, Shot, play};
 
 /// Discs may overlap each other or the frame no further than this, in metres.
 const DEEPEST: f64 = 1e-9;
@@ -67,7 +67,7 @@ fn assert_apart(shot: &Shot) {
             for (i, a) in now.iter().enumerate().take(j) {
                 let reach = shot.discs()[i].radius + shot.discs()[j].radius;
                 let overlap = reach - a.position.distance(b.position);
-                let both = a.state != State::Pocketed && b.state != State::Pocketed;
+                let both = a.state != DiscState::Pocketed && b.state != DiscState::Pocketed;
                 assert!(
                     !both || overlap <= DEEPEST,
                     "{i} and {j}: {overlap} m at {time} s"
@@ -134,7 +134,10 @@ fn assert_sound(table: &Table, board: &Board) {
     let shot = shot.unwrap_or_else(|error| panic!("{error}: {table:?} {board:?}"));
     assert!(shot.duration().is_finite());
     assert!(shot.events().is_sorted_by(|a, b| a.time <= b.time));
-    assert!(shot.final_states().all(|end| end.state != State::Moving));
+    assert!(
+        shot.final_states()
+            .all(|end| end.state != DiscState::Moving)
+    );
     assert_apart(&shot);
     assert_on_the_board(&shot);
     assert_balanced(&shot);

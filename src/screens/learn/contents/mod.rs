@@ -154,7 +154,7 @@ impl OldScreen for Contents {
         Help {
             text: vec![
                 "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
-                "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have seen, and a + before those that you have read and answered to the end. Your place is kept, until the next time too.",
+                "The chapters build on each other, but all of them are open. SplitLayout each stands how many of its pages you have seen, and a + before those that you have read and answered to the end. Your place is kept, until the next time too.",
                 "R forgets your place and your answers in the chosen chapter, A those in all of them, once you have said yes. What you have answered still counts in your progress.",
                 "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
             ],

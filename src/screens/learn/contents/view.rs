@@ -7,11 +7,11 @@ use super::{Contents, Line, chosen, lines};
 use crate::lessons::{Book, Chapter, Forget};
 use crate::screens::Context;
 use crate::screens::list::first_shown;
-use crate::widgets::{Beside, Lines, Role};
+use crate::widgets::{Lines, Role, SplitLayout};
 
 /// The line at a cell.
 pub(super) fn line_at(book: &Book, area: Rect, cell: (u16, u16)) -> Option<usize> {
-    let list = Beside::new(area).picture;
+    let list = SplitLayout::new(area).picture;
     let rows = lines(book).len();
     let first = first_shown(book.at, rows, list.height);
     let at = first + usize::from(cell.1.checked_sub(list.y)?);
@@ -21,7 +21,7 @@ pub(super) fn line_at(book: &Book, area: Rect, cell: (u16, u16)) -> Option<usize
 /// Draws the contents, and what the chosen line is about.
 pub(super) fn draw(contents: &Contents, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = SplitLayout::new(area);
     let book = &cx.book;
     if !book.is_known() {
         layout.draw(buf, &look, "learn", "");

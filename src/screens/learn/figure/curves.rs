@@ -1,15 +1,14 @@
 //! What a hit gives at every impact angle, with a point to drag and its hit below.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
-use super::Shown;
+use super::LiveFigure;
 use crate::lessons::FigureKind;
 use crate::physics::RestingTarget;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::widgets::hit::{Layer, Layers, Watch};
-use crate::widgets::ink::{Pen, Side};
+use crate::widgets::hit::{Overlay, Overlays, Watch};
+use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Look, Role};
 
@@ -52,7 +51,12 @@ const SHARES: [Curve; 3] = [
 ];
 
 /// The angle that a cell of the picture stands for, in degrees.
-pub(super) fn alpha_at(shown: &Shown, area: Rect, look: &Look, cell: (u16, u16)) -> Option<f64> {
+pub(super) fn alpha_at(
+    shown: &LiveFigure,
+    area: Rect,
+    look: &Look,
+    cell: (u16, u16),
+) -> Option<f64> {
     let (plot, _) = rooms(area);
     let at = empty(shown, plot, look).values_at(cell)?;
     Some(at.x)
@@ -72,7 +76,7 @@ fn rooms(area: Rect) -> (Rect, Rect) {
     (plot, hit)
 }
 
-fn empty(shown: &Shown, area: Rect, look: &Look) -> Plot {
+fn empty(shown: &LiveFigure, area: Rect, look: &Look) -> Plot {
     let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
     match shown.figure.kind {
         FigureKind::Angles => {
@@ -93,17 +97,17 @@ fn empty(shown: &Shown, area: Rect, look: &Look) -> Plot {
     }
 }
 
-fn pair(shown: &Shown) -> RestingTarget {
+fn pair(shown: &LiveFigure) -> RestingTarget {
     RestingTarget::from(shown.collision())
 }
 
 /// Whether a full hit throws the striker back.
-fn heavier_target(shown: &Shown) -> bool {
+fn heavier_target(shown: &LiveFigure) -> bool {
     pair(shown).k() > 1.0 + 1e-9
 }
 
-/// Draws the plot with the point, and the hit at that point.
-pub(super) fn draw(shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
+/// The plot with the point, and the hit at that point.
+pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture; 2] {
     let (room, hit) = rooms(area);
     let mut plot = empty(shown, room, look);
     let pair = pair(shown);
@@ -117,15 +121,15 @@ pub(super) fn draw(shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
                 let at = DVec2::new(alpha_deg, theta1);
                 mark(&mut plot, look, at, Role::Title);
                 let text = format!("θ₁ = {theta1:.1}°, θ₂ = {alpha_deg:.1}°");
-                plot.label(&text, at, &Side::towards(DVec2::ONE), Role::Text);
+                plot.label(&text, at, &LabelSide::towards(DVec2::ONE), Role::Text);
             }
         }
         FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha),
         _ => curves(&mut plot, look, &SPEEDS, &pair, alpha),
     }
-    plot.draw(buf);
     let watch = Watch::new(*shown.collision(), None, true).with_layers(bare());
-    watch.draw(hit.inner(Margin::new(1, 0)), buf, look);
+    let hit = watch.picture(hit.inner(Margin::new(1, 0)));
+    [plot.picture(), hit]
 }
 
 /// Draws curves against α with the points at one angle.
@@ -151,12 +155,12 @@ fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, 
             .max_by(|a, b| a.y.total_cmp(&b.y));
         if let Some(at) = high {
             let sides = [
-                Side::Below,
-                Side::BelowLeft,
-                Side::BelowRight,
-                Side::Above,
-                Side::Left,
-                Side::Right,
+                LabelSide::Below,
+                LabelSide::BelowLeft,
+                LabelSide::BelowRight,
+                LabelSide::Above,
+                LabelSide::Left,
+                LabelSide::Right,
             ];
             plot.label(curve.name, at, &sides, curve.role);
         }
@@ -172,9 +176,14 @@ fn mark(plot: &mut Plot, look: &Look, at: DVec2, role: Role) {
 }
 
 /// Only what can be seen in a small picture.
-fn bare() -> Layers {
-    let mut layers = Layers::default();
-    for layer in [Layer::Lines, Layer::Angles, Layer::Triangle, Layer::Trails] {
+fn bare() -> Overlays {
+    let mut layers = Overlays::default();
+    for layer in [
+        Overlay::Lines,
+        Overlay::Angles,
+        Overlay::Triangle,
+        Overlay::Trails,
+    ] {
         layers.toggle(layer);
     }
     layers

@@ -3,41 +3,44 @@
 use std::f64::consts::PI;
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::physics::rutherford::{FM, Rutherford};
-use crate::widgets::ink::{Pen, Sheet, Side, View};
-use crate::widgets::{Look, Role};
+use crate::widgets::Role;
+use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 
 /// Offsets of the particles, in closest approaches d.
 const OFFSETS: [f64; 8] = [-2.2, -1.4, -0.8, -0.35, 0.15, 0.5, 1.0, 1.8];
 /// Half the width and height of the picture, in d.
 const EXTENT: DVec2 = DVec2::new(4.0, 3.4);
 
-/// Draws them on gold.
-pub(super) fn draw(area: Rect, buf: &mut Buffer, look: &Look) {
+/// Some of them, on gold.
+pub(super) fn picture(area: Rect) -> Picture {
     let gold = Rutherford::radium_c_on_gold();
     let d = gold.head_on_approach;
     let view = View::fit(area, -EXTENT * d, EXTENT * d);
-    let mut sheet = Sheet::new(view, look.charset);
+    let mut picture = Picture::new(view);
     for offset in OFFSETS {
-        sheet.polyline(track(d, offset * d), Pen::new(Role::StrikerOut));
+        picture.curve(track(d, offset * d), Pen::new(Role::StrikerOut));
     }
-    sheet.circle(DVec2::ZERO, d, Pen::new(Role::Arc).dotted());
-    sheet.disc(DVec2::ZERO, 0.1 * d, Role::Coin, ' ');
-    sheet.reserve(DVec2::ZERO);
+    picture.circle(DVec2::ZERO, d, Pen::new(Role::Arc).dotted());
+    picture.disc(DVec2::ZERO, 0.1 * d, Role::Coin, ' ');
+    picture.reserve(DVec2::ZERO);
     let text = format!("d = {:.1} fm", d / FM);
     let below = DVec2::new(0.0, -d);
-    sheet.label(
+    picture.label(
         &text,
         below,
-        &[Side::Below, Side::BelowRight, Side::BelowLeft],
+        &[
+            LabelSide::Below,
+            LabelSide::BelowRight,
+            LabelSide::BelowLeft,
+        ],
         Role::Arc,
     );
     let corner = DVec2::new(-0.95 * EXTENT.x, -0.93 * EXTENT.y) * d;
-    sheet.label("7.69 MeV α on gold", corner, &[Side::Right], Role::Dim);
-    sheet.draw(buf, &look.theme);
+    picture.label("7.69 MeV α on gold", corner, &[LabelSide::Right], Role::Dim);
+    picture
 }
 
 /// The way of a particle that comes from the left at an offset, as points.

@@ -6,13 +6,14 @@ use ratatui::layout::Rect;
 use crate::messages::Key;
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Collision, Frame};
-use crate::widgets::hit::{Layer, Layers, Watch};
+use crate::widgets::hit::{Overlay, Overlays, Watch};
+use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role};
 
 /// The two: from the board, from the centre of mass.
 pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
-    let mut layers = Layers::default();
-    for layer in [Layer::Triangle, Layer::Lines] {
+    let mut layers = Overlays::default();
+    for layer in [Overlay::Triangle, Overlay::Lines] {
         layers.toggle(layer);
     }
     let watch = || Watch::new(*collision, None, reduced).with_layers(layers);
@@ -21,42 +22,43 @@ pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
     [watch(), moving]
 }
 
-/// Draws them side by side where there is room, else one above the other.
-pub(super) fn draw(watches: &[Watch; 2], area: Rect, buf: &mut Buffer, look: &Look) {
+/// The room of each: side by side where there is room, else one above the other.
+fn halves(area: Rect) -> [Rect; 2] {
     let wide = area.width + 2 >= area.height.saturating_mul(2);
-    let halves = if wide {
+    if wide {
         // Of one size, so that they are drawn alike: the middle column may be shared.
         let width = area.width.div_ceil(2);
-        [
-            Rect { width, ..area },
-            Rect {
-                x: area.right() - width,
-                width,
-                ..area
-            },
-        ]
+        let x = area.right() - width;
+        [Rect { width, ..area }, Rect { x, width, ..area }]
     } else {
         let height = area.height / 2;
-        [
-            Rect { height, ..area },
-            Rect {
-                y: area.y + height,
-                height: area.height - height,
-                ..area
-            },
-        ]
-    };
-    let names = ["the board", "centre of mass"];
-    let [board, _] = watches;
-    let told = told(board.collision());
-    for (((watch, half), name), told) in watches.iter().zip(halves).zip(names).zip(told) {
+        let below = Rect {
+            y: area.y + height,
+            height: area.height - height,
+            ..area
+        };
+        [Rect { height, ..area }, below]
+    }
+}
+
+/// Both pictures.
+pub(super) fn pictures(watches: &[Watch; 2], area: Rect) -> Vec<Picture> {
+    let picture = |(watch, half): (&Watch, Rect)| {
+        // Two rows are for words.
         let head = 2.min(half.height);
-        let picture = Rect {
+        watch.picture(Rect {
             y: half.y + head,
             height: half.height - head,
             ..half
-        };
-        watch.draw(picture, buf, look);
+        })
+    };
+    watches.iter().zip(halves(area)).map(picture).collect()
+}
+
+/// Writes above each what it is.
+pub(super) fn write(collision: &Collision, area: Rect, buf: &mut Buffer, look: &Look) {
+    let names = ["the board", "centre of mass"];
+    for ((half, name), told) in halves(area).into_iter().zip(names).zip(told(collision)) {
         let mut lines = Lines::new(half, buf, *look);
         lines.line(name, Role::Dim);
         lines.line(&told, Role::Text);

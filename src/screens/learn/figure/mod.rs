@@ -20,7 +20,8 @@ use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{self, Hit, Rays};
 use crate::screens::foil as foil_screen;
 use crate::screens::lab::{Field, Setup};
-use crate::widgets::hit::{Face, Layer, Layers, Markings, Watch, draw_setup_of, point_at};
+use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, point_at, setup_picture};
+use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
 
 pub(super) use export::svg_of;
@@ -34,17 +35,17 @@ const LEAP: f64 = 10.0;
 
 /// A figure as it stands.
 #[derive(Debug, Clone)]
-pub(super) struct Shown {
+pub(super) struct LiveFigure {
     figure: Figure,
     collision: Collision,
     /// Whether the outcome is not to be seen yet.
     hidden: bool,
-    state: State,
+    state: FigureState,
 }
 
 /// What a kind of figure has to remember.
 #[derive(Debug, Clone)]
-enum State {
+enum FigureState {
     /// The hit being watched.
     Hit(Box<Watch>),
     /// The hit in two frames.
@@ -56,10 +57,10 @@ enum State {
     /// The setting that keys change, and the step.
     Solve { field: usize, step: usize },
     /// A page of the foil.
-    Foil(Box<foil_screen::Plot>),
+    Foil(Box<foil_screen::FoilFigure>),
 }
 
-impl Shown {
+impl LiveFigure {
     /// A figure with its outcome `hidden` or told. `alpha_deg` is the angle that the
     /// student set last.
     pub(super) fn new(mut figure: Figure, alpha_deg: Option<f64>, hidden: bool) -> Self {
@@ -75,7 +76,7 @@ impl Shown {
             figure,
             collision,
             hidden,
-            state: State::Plain,
+            state: FigureState::Plain,
         };
         shown.set_up(None, true);
         shown
@@ -85,21 +86,25 @@ impl Shown {
     fn set_up(&mut self, said: Option<Rays>, reduced: bool) {
         let watch = |reduced| Watch::new(self.collision, said, reduced);
         self.state = match self.figure.kind {
-            FigureKind::Lab => State::Hit(Box::new(watch(reduced))),
-            FigureKind::Split { .. } if said.is_some() => State::Hit(Box::new(watch(reduced))),
+            FigureKind::Lab => FigureState::Hit(Box::new(watch(reduced))),
+            FigureKind::Split { .. } if said.is_some() => {
+                FigureState::Hit(Box::new(watch(reduced)))
+            }
             FigureKind::Split { lines } => {
-                State::Hit(Box::new(watch(true).with_layers(split_layers(lines))))
+                FigureState::Hit(Box::new(watch(true).with_layers(split_layers(lines))))
             }
             FigureKind::Frames => {
-                State::Frames(Box::new(frames::watches(&self.collision, reduced)))
+                FigureState::Frames(Box::new(frames::watches(&self.collision, reduced)))
             }
-            FigureKind::Worked { blank } => State::Step(blank.map_or(0, |step| step - 1)),
-            FigureKind::Solve => State::Solve { field: 0, step: 0 },
+            FigureKind::Worked { blank } => FigureState::Step(blank.map_or(0, |step| step - 1)),
+            FigureKind::Solve => FigureState::Solve { field: 0, step: 0 },
             FigureKind::Foil { levelled, .. } if !self.hidden => {
                 let page = self.foil_page().unwrap_or_default();
-                State::Foil(Box::new(foil_screen::Plot::new(page, levelled, !reduced)))
+                FigureState::Foil(Box::new(foil_screen::FoilFigure::new(
+                    page, levelled, !reduced,
+                )))
             }
-            _ => State::Plain,
+            _ => FigureState::Plain,
         };
     }
 
@@ -141,7 +146,7 @@ impl Shown {
     /// The hit that is watched, for its explanation.
     pub(super) fn watch(&self) -> Option<&Watch> {
         match &self.state {
-            State::Hit(watch) if !self.hidden => Some(watch),
+            FigureState::Hit(watch) if !self.hidden => Some(watch),
             _ => None,
         }
     }
@@ -163,7 +168,7 @@ impl Shown {
 
     /// Whether it takes arrow keys to set something, so that keys go to it first.
     pub(super) fn is_set_by_keys(&self) -> bool {
-        self.has_alpha() || matches!(self.state, State::Step(_) | State::Solve { .. })
+        self.has_alpha() || matches!(self.state, FigureState::Step(_) | FigureState::Solve { .. })
     }
 
     /// Whether its α is the student's own, the same in all such figures of a chapter.
@@ -202,7 +207,7 @@ impl Shown {
                 format!("worked out: step {} of {count}", step + 1)
             }
             FigureKind::Foil { .. } => match &self.state {
-                State::Foil(plot) => plot.title().into(),
+                FigureState::Foil(plot) => plot.title().into(),
                 _ => "α particles at an atom".into(),
             },
             FigureKind::Shots { space, .. } => shots::title(space).into(),
@@ -222,7 +227,9 @@ impl Shown {
 
     fn step(&self) -> usize {
         match self.state {
-            State::Step(step) | State::Solve { step, .. } => step.min(self.step_count() - 1),
+            FigureState::Step(step) | FigureState::Solve { step, .. } => {
+                step.min(self.step_count() - 1)
+            }
             _ => 0,
         }
     }
@@ -235,10 +242,10 @@ impl Shown {
     pub(super) fn keys(&self) -> Vec<(&'static str, &'static str)> {
         match &self.state {
             _ if self.hidden && self.covers_outcome() => vec![],
-            State::Hit(_) => {
+            FigureState::Hit(_) => {
                 vec![("Space", "go on"), (", .", "step"), ("a", "play again")]
             }
-            State::Frames(_) => {
+            FigureState::Frames(_) => {
                 vec![
                     ("Left Right", "α"),
                     ("Space", "go on"),
@@ -246,15 +253,15 @@ impl Shown {
                     ("a", "play again"),
                 ]
             }
-            State::Step(_) => vec![("Left Right", "step")],
-            State::Solve { .. } => vec![
+            FigureState::Step(_) => vec![("Left Right", "step")],
+            FigureState::Solve { .. } => vec![
                 ("arrows", "choose, set"),
                 (", .", "step"),
                 ("< >", "set by ten"),
             ],
-            State::Foil(plot) => plot.keys(),
-            State::Plain if self.has_alpha() => vec![("Left Right", "α")],
-            State::Plain => vec![],
+            FigureState::Foil(plot) => plot.keys(),
+            FigureState::Plain if self.has_alpha() => vec![("Left Right", "α")],
+            FigureState::Plain => vec![],
         }
     }
 
@@ -264,20 +271,20 @@ impl Shown {
             return false;
         }
         let last = self.step_count() - 1;
-        if matches!(self.state, State::Frames(_)) && self.alpha_key(key) {
+        if matches!(self.state, FigureState::Frames(_)) && self.alpha_key(key) {
             return true;
         }
         match &mut self.state {
-            State::Hit(watch) => watch.update(key),
-            State::Frames(watches) => {
+            FigureState::Hit(watch) => watch.update(key),
+            FigureState::Frames(watches) => {
                 // Each is seen from its own frame, always.
                 let own = !matches!(key, Key::Char('f' | 'F'));
                 own && watches
                     .iter_mut()
                     .fold(false, |used, watch| watch.update(key) | used)
             }
-            State::Step(step) => turn(step, last, key, [Key::Left, Key::Right]),
-            State::Solve { field, step } => match key {
+            FigureState::Step(step) => turn(step, last, key, [Key::Left, Key::Right]),
+            FigureState::Solve { field, step } => match key {
                 Key::Up => {
                     *field = (*field + worked::FIELDS.len() - 1) % worked::FIELDS.len();
                     true
@@ -300,8 +307,8 @@ impl Shown {
                 }
                 _ => turn(step, last, key, [Key::Char(','), Key::Char('.')]),
             },
-            State::Foil(plot) => plot.update(key),
-            State::Plain => self.has_alpha() && self.alpha_key(key),
+            FigureState::Foil(plot) => plot.update(key),
+            FigureState::Plain => self.has_alpha() && self.alpha_key(key),
         }
     }
 
@@ -337,7 +344,7 @@ impl Shown {
     fn set_alpha(&mut self, alpha_deg: f64) {
         let alpha = rad_from_deg(alpha_deg.clamp(0.0, 90.0));
         self.collision = self.collision.with_alpha(alpha);
-        if matches!(self.state, State::Frames(_)) {
+        if matches!(self.state, FigureState::Frames(_)) {
             self.set_up(None, true);
         }
     }
@@ -360,11 +367,11 @@ impl Shown {
             }
             return held;
         }
-        if let State::Foil(plot) = &mut self.state {
+        if let FigureState::Foil(plot) = &mut self.state {
             return plot.mouse(mouse, area);
         }
         let watched = match &self.state {
-            State::Plain if held && self.has_alpha() => {
+            FigureState::Plain if held && self.has_alpha() => {
                 let alpha = match self.figure.kind {
                     FigureKind::Triangle { .. } => triangle::alpha_at(self, area, cell),
                     _ => curves::alpha_at(self, area, look, cell),
@@ -374,14 +381,14 @@ impl Shown {
                 }
                 return alpha.is_some();
             }
-            State::Hit(_) | State::Frames(_) => match mouse.kind {
+            FigureState::Hit(_) | FigureState::Frames(_) => match mouse.kind {
                 MouseKind::ScrollUp => Some(Key::Char('.')),
                 MouseKind::ScrollDown => Some(Key::Char(',')),
                 MouseKind::Down => Some(Key::Char(' ')),
                 _ => None,
             },
-            State::Step(_) if pressed => Some(Key::Right),
-            State::Solve { .. } if pressed => Some(Key::Char('.')),
+            FigureState::Step(_) if pressed => Some(Key::Right),
+            FigureState::Solve { .. } if pressed => Some(Key::Char('.')),
             _ => None,
         };
         watched.is_some_and(|key| self.update(key))
@@ -390,9 +397,11 @@ impl Shown {
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration) {
         match &mut self.state {
-            State::Hit(watch) => watch.advance(passed),
-            State::Frames(watches) => watches.iter_mut().for_each(|watch| watch.advance(passed)),
-            State::Foil(plot) => plot.advance(),
+            FigureState::Hit(watch) => watch.advance(passed),
+            FigureState::Frames(watches) => {
+                watches.iter_mut().for_each(|watch| watch.advance(passed))
+            }
+            FigureState::Foil(plot) => plot.advance(),
             _ => {}
         }
     }
@@ -401,15 +410,23 @@ impl Shown {
     pub(super) fn wake(&self) -> Option<Duration> {
         match &self.state {
             _ if self.hidden => None,
-            State::Hit(watch) => watch.wake(),
-            State::Frames(watches) => watches.iter().find_map(Watch::wake),
-            State::Foil(plot) => plot.wake(),
+            FigureState::Hit(watch) => watch.wake(),
+            FigureState::Frames(watches) => watches.iter().find_map(Watch::wake),
+            FigureState::Foil(plot) => plot.wake(),
             _ => None,
         }
     }
 
     /// Draws it, with the rays that are turned.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
+        for picture in self.pictures(area, look, rays) {
+            picture.draw(buf, look);
+        }
+        self.write(area, buf, look);
+    }
+
+    /// What is drawn of it.
+    fn pictures(&self, area: Rect, look: &Look, rays: Option<&RayInput>) -> Vec<Picture> {
         if self.hidden && self.covers_outcome() {
             let given = Markings {
                 offset: self.figure.shot.is_by_offset(),
@@ -417,26 +434,53 @@ impl Shown {
                 figures: true,
             };
             let faces = Face::STRIKER_AND_COIN;
-            return draw_setup_of(faces, area, buf, look, &self.collision, given, rays);
+            return vec![setup_picture(area, faces, &self.collision, given, rays)];
         }
         match (&self.state, self.figure.kind) {
-            (State::Hit(watch), _) => watch.draw(area, buf, look),
-            (State::Frames(watches), _) => frames::draw(watches, area, buf, look),
-            (_, FigureKind::Triangle { step }) => triangle::draw(self, step, area, buf, look),
-            (State::Foil(plot), _) => plot.draw(area, buf, look),
-            (_, FigureKind::Foil { .. }) => foil::draw(area, buf, look),
-            (_, FigureKind::Shots { space, beyond_deg }) => {
-                let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
-                shots::draw(space, beyond, area, buf, look);
+            (FigureState::Hit(watch), _) => vec![watch.picture(area)],
+            (FigureState::Frames(watches), _) => frames::pictures(watches, area),
+            (_, FigureKind::Triangle { step }) => {
+                vec![triangle::picture(&self.collision, step, area)]
             }
-            (State::Step(_), FigureKind::Worked { blank }) => {
+            (FigureState::Foil(plot), _) => vec![plot.picture(area, look)],
+            (_, FigureKind::Foil { .. }) => vec![foil::picture(area)],
+            (_, FigureKind::Shots { space, .. }) => {
+                vec![shots::picture(space, self.beyond(), area)]
+            }
+            (FigureState::Step(_) | FigureState::Solve { .. }, _) => vec![],
+            _ => curves::pictures(self, area, look).into(),
+        }
+    }
+
+    /// Writes what is read in it.
+    fn write(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+        if self.hidden && self.covers_outcome() {
+            return;
+        }
+        match (&self.state, self.figure.kind) {
+            (FigureState::Frames(_), _) => frames::write(&self.collision, area, buf, look),
+            (FigureState::Plain, FigureKind::Triangle { step }) => {
+                triangle::write(&self.collision, step, area, buf, look);
+            }
+            (_, FigureKind::Shots { space, .. }) => {
+                shots::write(space, self.beyond(), area, buf, look);
+            }
+            (FigureState::Step(_), FigureKind::Worked { blank }) => {
                 let blank = blank.filter(|_| self.hidden);
                 worked::draw(self, None, blank, area, buf, look);
             }
-            (State::Solve { field, .. }, _) => {
+            (FigureState::Solve { field, .. }, _) => {
                 worked::draw(self, Some(*field), None, area, buf, look);
             }
-            _ => curves::draw(self, area, buf, look),
+            _ => {}
+        }
+    }
+
+    /// The angle in radians beyond which shots are counted, once that may be told.
+    fn beyond(&self) -> Option<f64> {
+        match self.figure.kind {
+            FigureKind::Shots { beyond_deg, .. } if !self.hidden => Some(rad_from_deg(beyond_deg)),
+            _ => None,
         }
     }
 }
@@ -455,16 +499,16 @@ fn turn(step: &mut usize, last: usize, key: Key, [back, on]: [Key; 2]) -> bool {
 }
 
 /// Only the lines n and t, and the split of u unless it is to be the `lines` alone.
-fn split_layers(lines: bool) -> Layers {
-    let mut layers = Layers::default();
+fn split_layers(lines: bool) -> Overlays {
+    let mut layers = Overlays::default();
     if !lines {
-        layers.toggle(Layer::Split);
+        layers.toggle(Overlay::Split);
     }
     for layer in [
-        Layer::Velocities,
-        Layer::Angles,
-        Layer::Triangle,
-        Layer::Trails,
+        Overlay::Velocities,
+        Overlay::Angles,
+        Overlay::Triangle,
+        Overlay::Trails,
     ] {
         layers.toggle(layer);
     }

@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::widgets::ink::{Layer, Pen, Sheet, Side, View};
+use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role};
 
 /// Shots on a board.
@@ -28,27 +28,33 @@ pub(super) fn title(space: bool) -> &'static str {
     }
 }
 
-/// Draws the shots, evenly spread. With an angle `beyond`, in radians, those that are
-/// turned by more stand out and are counted.
-pub(super) fn draw(space: bool, beyond: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
-    let words = Rect {
-        y: area.bottom().saturating_sub(1),
-        height: 1.min(area.height),
-        ..area
-    };
-    let picture = Rect {
-        height: area.height - words.height,
+/// The shots, evenly spread. With an angle `beyond`, in radians, those that are turned
+/// by more stand out.
+pub(super) fn picture(space: bool, beyond: Option<f64>, area: Rect) -> Picture {
+    // The last row is for words.
+    let area = Rect {
+        height: area.height.saturating_sub(1),
         ..area
     };
     // What is turned by more than θ₁ = 90° − α comes nearer than sin α = cos θ₁.
     let near = beyond.map(f64::cos);
     if space {
-        draw_face(near, picture, buf, look);
+        face(near, area)
     } else {
-        draw_ways(near, picture, buf, look);
+        ways(near, area)
     }
-    let text = match (beyond, near) {
-        (Some(beyond), Some(near)) => {
+}
+
+/// Writes below them how many are turned by more.
+pub(super) fn write(space: bool, beyond: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+    let words = Rect {
+        y: area.bottom().saturating_sub(1),
+        height: 1.min(area.height),
+        ..area
+    };
+    let text = match beyond {
+        Some(beyond) => {
+            let near = beyond.cos();
             let offsets = if space { in_space() } else { on_board() };
             let counted = offsets.iter().filter(|at| at.length() < near).count();
             let angle = beyond.to_degrees();
@@ -64,42 +70,42 @@ pub(super) fn draw(space: bool, beyond: Option<f64>, area: Rect, buf: &mut Buffe
 }
 
 /// The ways of shots on a board. Those that come within `near` stand out.
-fn draw_ways(near: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+fn ways(near: Option<f64>, area: Rect) -> Picture {
     let view = View::fit(area, -ON_BOARD_EXTENT, ON_BOARD_EXTENT);
-    let mut sheet = Sheet::new(view, look.charset);
-    sheet.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
-    sheet.disc(DVec2::ZERO, 0.5, Role::Coin, 'C');
+    let mut picture = Picture::new(view);
+    picture.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
+    picture.disc(DVec2::ZERO, 0.5, Role::Coin, 'C');
     for at in on_board() {
         let pen = match near {
             None => Pen::new(Role::StrikerOut),
             Some(near) if at.length() < near => Pen::new(Role::CoinOut),
             Some(_) => Pen::new(Role::StrikerOut).dotted(),
         };
-        sheet.polyline(way(at.y), pen.on(Layer::Vector));
+        picture.curve(way(at.y), pen.on(Layer::Vector));
     }
-    sheet.label("r₁ + r₂", DVec2::X, &[Side::Right], Role::Arc);
-    sheet.draw(buf, &look.theme);
+    picture.label("r₁ + r₂", DVec2::X, &[LabelSide::Right], Role::Arc);
+    picture
 }
 
 /// The round target of shots in space, and where they meet it. Those within `near` stand
 /// out.
-fn draw_face(near: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+fn face(near: Option<f64>, area: Rect) -> Picture {
     let view = View::fit(area, -IN_SPACE_EXTENT, IN_SPACE_EXTENT);
-    let mut sheet = Sheet::new(view, look.charset);
-    sheet.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
+    let mut picture = Picture::new(view);
+    picture.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
     for at in in_space() {
         // Small enough for a mark of its place.
         let counted = near.is_some_and(|near| at.length() < near);
         let role = if counted { Role::Marble } else { Role::Coin };
-        sheet.disc(at, 1e-3, role, ' ');
+        picture.disc(at, 1e-3, role, ' ');
     }
-    sheet.label(
+    picture.label(
         "r₁ + r₂",
         DVec2::from_angle(-PI / 4.0),
-        &[Side::BelowRight, Side::Right],
+        &[LabelSide::BelowRight, LabelSide::Right],
         Role::Arc,
     );
-    sheet.draw(buf, &look.theme);
+    picture
 }
 
 /// Offsets evenly spread over a line.

@@ -7,9 +7,9 @@ use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Shown;
+use super::LiveFigure;
 use crate::physics::Collision;
-use crate::widgets::ink::{Pen, Sheet, Side, View};
+use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role, text};
 
 /// The corners: where the arrows begin, where v₁ ends, where u ends.
@@ -58,7 +58,7 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
 }
 
 /// The angle for which the joint would be nearest to a cell, in degrees.
-pub(super) fn alpha_at(shown: &Shown, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
+pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
     let collision = shown.collision();
     let crate::lessons::FigureKind::Triangle { step } = shown.figure.kind else {
         return None;
@@ -72,11 +72,10 @@ pub(super) fn alpha_at(shown: &Shown, area: Rect, (column, row): (u16, u16)) -> 
         .then(|| at.y.atan2(left.x).to_degrees())
 }
 
-/// Draws it up to a step of the proof.
-pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: &Look) {
-    let collision = shown.collision();
-    let (picture, below) = rooms(area);
-    let mut sheet = Sheet::new(view(collision, step, picture), look.charset);
+/// The triangle up to a step of the proof.
+pub(super) fn picture(collision: &Collision, step: u8, area: Rect) -> Picture {
+    let (area, _) = rooms(area);
+    let mut picture = Picture::new(view(collision, step, area));
     let [tail, joint, tip] = corners(collision);
     let equal = equal_masses(collision);
     let sides = [
@@ -92,17 +91,17 @@ pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: 
     let middle = (tail + joint + tip) / 3.0;
     if step == 2 {
         for (from, to, _, role) in sides {
-            square(&mut sheet, from, to, middle, role);
+            square(&mut picture, from, to, middle, role);
         }
     }
     for (from, to, _, role) in sides {
-        sheet.arrow(from, to, Pen::new(role).bold());
+        picture.arrow(from, to, Pen::new(role).bold());
     }
     let [a, b] = [joint - tail, tip - joint];
     let square_corner = a.normalize_or_zero().dot(b.normalize_or_zero()).abs() < 1e-9;
     if step == 3 && square_corner {
         let size = (0.12 * collision.u1.length()).min(0.4 * a.length().min(b.length()));
-        sheet.square_corner(joint, -a, b, size, Role::SquareCorner);
+        picture.square_corner(joint, [-a, b], size, Role::SquareCorner);
     }
     for (from, to, name, role) in sides {
         let length = (to - from).length();
@@ -116,18 +115,27 @@ pub(super) fn draw(shown: &Shown, step: u8, area: Rect, buf: &mut Buffer, look: 
         };
         let outwards = outwards(from, to, middle);
         // In the middle of a square that has room for it, else beyond the square.
-        let columns = length / sheet.view().per_column();
+        let columns = length / picture.view().per_column();
         let roomy = columns > text::width(&text) as f64 + 2.0;
         let (share, sides) = match step {
-            2 if roomy => (0.5, vec![Side::Over, Side::Above, Side::Below]),
-            2 => (1.0, Side::towards(outwards).to_vec()),
-            _ => (0.0, Side::towards(outwards).to_vec()),
+            2 if roomy => (
+                0.5,
+                vec![LabelSide::Over, LabelSide::Above, LabelSide::Below],
+            ),
+            2 => (1.0, LabelSide::towards(outwards).to_vec()),
+            _ => (0.0, LabelSide::towards(outwards).to_vec()),
         };
-        sheet.label(&text, centre + share * length * outwards, &sides, role);
+        picture.label(&text, centre + share * length * outwards, &sides, role);
     }
-    sheet.draw(buf, &look.theme);
+    picture
+}
+
+/// Writes below it what a step says.
+pub(super) fn write(collision: &Collision, step: u8, area: Rect, buf: &mut Buffer, look: &Look) {
+    let (_, below) = rooms(area);
+    let [tail, joint, tip] = corners(collision);
     let mut lines = Lines::new(below, buf, *look);
-    for (row, role) in words(collision, step, [a, b]) {
+    for (row, role) in words(collision, step, [joint - tail, tip - joint]) {
         lines.line(&row, role);
     }
 }
@@ -143,9 +151,9 @@ fn outwards(from: DVec2, to: DVec2, middle: DVec2) -> DVec2 {
     }
 }
 
-fn square(sheet: &mut Sheet, from: DVec2, to: DVec2, middle: DVec2, role: Role) {
+fn square(picture: &mut Picture, from: DVec2, to: DVec2, middle: DVec2, role: Role) {
     let out = outwards(from, to, middle) * (to - from).length();
-    sheet.polyline([from, from + out, to + out, to], Pen::new(role).dotted());
+    picture.curve([from, from + out, to + out, to], Pen::new(role).dotted());
 }
 
 /// What a step says, in the numbers of the shot.

@@ -3,9 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Shown;
+use super::LiveFigure;
 use crate::physics::Collision;
-use crate::physics::worked::{self, Step};
+use crate::physics::worked::{self, WorkedStep};
 use crate::screens::lab::Field;
 use crate::widgets::{Lines, Look, Role};
 
@@ -19,14 +19,14 @@ pub(super) const FIELDS: [Field; 5] = [
 ];
 
 /// All steps of the solution.
-pub(super) fn steps(collision: &Collision) -> Vec<Step> {
+pub(super) fn steps(collision: &Collision) -> Vec<WorkedStep> {
     worked::steps(collision, false)
 }
 
 /// Draws the step at hand: below the settings, one of which is chosen, if there are
 /// any; with its results left `blank` from a step on, counted from 1.
 pub(super) fn draw(
-    shown: &Shown,
+    shown: &LiveFigure,
     chosen: Option<usize>,
     blank: Option<usize>,
     area: Rect,

@@ -8,13 +8,13 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::figure::{Shown, svg_of};
+use super::figure::{LiveFigure, svg_of};
 use super::question::{Question, Said};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
 use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
-use crate::widgets::{Beside, Scroll, overflow};
+use crate::widgets::{Scroll, SplitLayout, overflow};
 
 /// A chapter being read.
 #[derive(Debug, Clone)]
@@ -22,7 +22,7 @@ pub struct Reading {
     number: usize,
     chapter: Chapter,
     at: usize,
-    figure: Option<Shown>,
+    figure: Option<LiveFigure>,
     question: Option<Question>,
     answer: Option<CheckpointAnswer>,
     /// Whether keys go to the figure first.
@@ -107,7 +107,7 @@ impl Reading {
         let hidden = page.checkpoint.is_some();
         let figure = page
             .figure
-            .map(|figure| Shown::new(figure, alpha_deg, hidden));
+            .map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
         let collision = figure.as_ref().map(|figure| *figure.collision());
         let question = page.checkpoint.as_ref();
         let question = question.map(|checkpoint| Question::new(checkpoint, collision.as_ref()));
@@ -124,7 +124,7 @@ impl Reading {
 
     /// Whether keys go to the figure first on a page as it is opened.
     fn is_open_to_figure(&self) -> bool {
-        !self.is_asking() && self.figure.as_ref().is_some_and(Shown::is_set_by_keys)
+        !self.is_asking() && self.figure.as_ref().is_some_and(LiveFigure::is_set_by_keys)
     }
 
     fn page(&self) -> Option<&ChapterPage> {
@@ -158,7 +158,7 @@ impl Reading {
         let Some(checkpoint) = &page.checkpoint else {
             return;
         };
-        let figure = self.figure.as_ref().map(Shown::collision);
+        let figure = self.figure.as_ref().map(LiveFigure::collision);
         let right = answer.is_right(checkpoint, figure);
         let player = &cx.settings.player;
         let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
@@ -371,7 +371,7 @@ impl Reading {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let Beside { picture, panel, .. } = view::layout(self, cx.body);
+        let SplitLayout { picture, panel, .. } = view::layout(self, cx.body);
         let cell = (mouse.column, mouse.row);
         let look = cx.settings.look();
         if picture.contains(cell.into()) {
@@ -497,7 +497,7 @@ impl OldScreen for Reading {
             let is_last = self.at + 1 >= self.chapter.pages.len();
             let on = if is_last { "finish" } else { "next page" };
             keys.extend([Hint::new("Enter", on), leave]);
-            let figure = self.figure.iter().flat_map(Shown::keys);
+            let figure = self.figure.iter().flat_map(LiveFigure::keys);
             keys.extend(figure.map(|(key, does)| Hint::new(key, does)));
         }
         keys.push(Hint::new("b", "back"));

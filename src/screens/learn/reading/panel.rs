@@ -5,10 +5,11 @@ use ratatui::layout::Rect;
 
 use super::Reading;
 use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointChoice, CheckpointKind};
+use crate::numbers::{fixed, true_minus, with_unit};
 use crate::physics::Collision;
 use crate::quiz::Rays;
 use crate::screens::lab::explain;
-use crate::screens::learn::figure::Shown;
+use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
 use crate::screens::why::of_hit;
 use crate::widgets::hit::Watch;
@@ -55,7 +56,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
     let Some(page) = reading.page() else {
         return;
     };
-    let collision = reading.figure.as_ref().map(Shown::collision);
+    let collision = reading.figure.as_ref().map(LiveFigure::collision);
     let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
     else {
         return prose::write(&page.text, lines, collision);
@@ -74,7 +75,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
         }
         return;
     };
-    let watch = reading.figure.as_ref().and_then(Shown::watch);
+    let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
     if let (CheckpointAnswer::Rays(_), Some(watch)) = (&answer, watch)
         && !watch.is_told()
     {
@@ -100,8 +101,8 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
 
 /// What is said to an answer.
 fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, lines: &mut Lines) {
-    let collision = reading.figure.as_ref().map(Shown::collision);
-    let watch = reading.figure.as_ref().and_then(Shown::watch);
+    let collision = reading.figure.as_ref().map(LiveFigure::collision);
+    let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
     match (&answer, &checkpoint.asked) {
         (CheckpointAnswer::Rays(rays), _) => {
             if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
@@ -127,7 +128,7 @@ fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, li
 }
 
 /// Both rays beside the truth, and the explanation that starts from them.
-fn rays_told(rays: &Rays, watch: &Watch, figure: &Shown, lines: &mut Lines) {
+fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines) {
     let names = ["striker", "coin"].map(Some);
     said_and_true(watch.collision(), rays, names, false, lines);
     lines.gap();
@@ -162,10 +163,7 @@ fn number_told(
     let (_, unit) = expected.sign_and_unit();
     // As many decimals as the tolerance asks for.
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
-    let shown = |value: f64| {
-        let gap = if unit == "°" { "" } else { " " };
-        format!("{value:.decimals$}{gap}{unit}").replace('-', "−")
-    };
+    let shown = |value: f64| true_minus(&with_unit(&fixed(value, decimals), unit));
     let role = if right { Role::Good } else { Role::Warn };
     lines.pair("you said", &shown(number), Role::Dim, role);
     if let Some(truth) = expected.value(figure) {

@@ -5,13 +5,13 @@ use ratatui::layout::Rect;
 
 use super::{Reading, panel};
 use crate::screens::Context;
-use crate::widgets::{Beside, Lines, Role};
+use crate::widgets::{Lines, Role, SplitLayout};
 
 /// Where figure and text are.
-pub(super) fn layout(reading: &Reading, area: Rect) -> Beside {
+pub(super) fn layout(reading: &Reading, area: Rect) -> SplitLayout {
     let mut layout = match reading.figure {
-        Some(_) => Beside::square(area),
-        None => Beside::text_alone(area),
+        Some(_) => SplitLayout::square(area),
+        None => SplitLayout::text_alone(area),
     };
     if reading.notice.is_some() {
         // It has the last row of the text to itself.

@@ -8,7 +8,7 @@ use crate::screens::Context;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
 use crate::screens::list::first_shown;
-use crate::widgets::{Beside, Lines, Role, text};
+use crate::widgets::{Lines, Role, SplitLayout, text};
 
 /// What stands beside the level that is to be won next.
 const NEXT: &str = "next";
@@ -16,11 +16,11 @@ const NEXT: &str = "next";
 const NARROW_PANEL: u16 = 24;
 
 /// Where the list and the panel are.
-fn layout(area: Rect) -> Beside {
+fn layout(area: Rect) -> SplitLayout {
     if area.width < 80 {
-        Beside::with_panel(area, NARROW_PANEL)
+        SplitLayout::with_panel(area, NARROW_PANEL)
     } else {
-        Beside::new(area)
+        SplitLayout::new(area)
     }
 }
 

@@ -1,17 +1,16 @@
 //! The board of a level.
 
 use glam::DVec2;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::attempt::Attempt;
 use crate::levels::{Dial, Level, Scene};
 use crate::physics::units::m_from_mm;
-use crate::physics::{EventKind, Shot, State};
+use crate::physics::{DiscState, EventKind, Shot};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
-use crate::widgets::ink::{Body, Layer, Pen, Sheet, Side, View};
-use crate::widgets::{Look, Role, board};
+use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture, View};
+use crate::widgets::{Role, board};
 
 /// Length of the arrow of the shot, in metres for each m/s.
 const ARROW: f64 = 0.03;
@@ -63,31 +62,31 @@ pub(super) fn view(level: &Level, area: Rect) -> View {
 }
 
 /// The empty board with the circles of the goals.
-fn sheet(level: &Level, area: Rect, look: &Look) -> Sheet {
+fn ground(level: &Level, area: Rect) -> Picture {
     let view = view(level, area);
-    let mut sheet = Sheet::new(view, look.charset);
+    let mut picture = Picture::new(view);
     let board = &level.scene.board;
-    board::ground(&mut sheet, board);
+    board::ground(&mut picture, board);
     // A board with pockets that fills the picture is plain to see; of any other the
     // cushions are drawn, for discs turn back there.
     if view.area() != area || board.pocket_diameter <= 0.0 {
         let half = DVec2::splat(0.5 * board.side);
-        sheet.rectangle(-half, half, Role::BoardLine);
+        picture.rectangle(-half, half, Role::BoardLine);
     }
     for circle in level.goals.iter().filter_map(|goal| goal.circle()) {
         let pen = Pen::new(Role::Good).on(Layer::Ground);
-        sheet.circle(circle.centre, circle.radius, pen);
+        picture.circle(circle.centre, circle.radius, pen);
     }
-    sheet
+    picture
 }
 
 /// Writes which circle is whose, and tells discs of one kind apart.
-fn labels(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
+fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     for goal in &level.goals {
         if let Some(circle) = goal.circle() {
             let anchor = circle.centre + circle.radius * DVec2::Y;
-            let up = Side::towards(DVec2::Y);
-            sheet.label("goal", anchor, &up, Role::Good);
+            let up = LabelSide::towards(DVec2::Y);
+            picture.label("goal", anchor, &up, Role::Good);
         }
     }
     let pieces = &level.scene.pieces;
@@ -103,29 +102,23 @@ fn labels(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
                 .take_while(|(other, _)| other <= disc)
                 .count();
             let text = ordinal.to_string();
-            sheet.label(&text, *at, &Side::ALL, face(piece.kind).role);
+            picture.label(&text, *at, &LabelSide::ALL, face(piece.kind).role);
         }
     }
 }
 
-fn discs(level: &Level, sheet: &mut Sheet, discs: &[(usize, DVec2)]) {
+fn discs(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     let body = |&(disc, at): &(usize, DVec2)| {
         let piece = level.scene.pieces.get(disc)?;
         let face = face(piece.kind);
-        Some(Body {
-            at,
-            radius: piece.disc.radius,
-            role: face.role,
-            letter: face.letter,
-            pointed_out: false,
-        })
+        Some(Body::new(at, piece.disc.radius, face.role, face.letter))
     };
-    sheet.discs(&discs.iter().filter_map(body).collect::<Vec<_>>());
+    picture.discs(discs.iter().filter_map(body));
 }
 
 /// The board with the shot as it is aimed, up to the first thing it meets.
-pub(super) fn draw_aim(level: &Level, scene: &Scene, area: Rect, buf: &mut Buffer, look: &Look) {
-    let mut sheet = sheet(level, area, look);
+pub(super) fn of_aim(level: &Level, scene: &Scene, area: Rect) -> Picture {
+    let mut picture = ground(level, area);
     let places = scene.pieces.iter().map(|piece| piece.at).enumerate();
     let places: Vec<_> = places.collect();
     let aimed = scene.stroke.disc;
@@ -136,19 +129,19 @@ pub(super) fn draw_aim(level: &Level, scene: &Scene, area: Rect, buf: &mut Buffe
         if let Ok(shot) = scene.play()
             && let Some((end, touches)) = first_met(&shot, aimed)
         {
-            sheet.line(piece.at, end, Pen::new(Role::Aim).dotted());
+            picture.line(piece.at, end, Pen::new(Role::Aim).dotted());
             if touches {
-                board::ghost(&mut sheet, end, piece.disc.radius, Role::Predicted);
+                board::ghost(&mut picture, end, piece.disc.radius, Role::Predicted);
             }
         }
-        discs(level, &mut sheet, &places);
+        discs(level, &mut picture, &places);
         let from = piece.at + piece.disc.radius * heading;
-        sheet.arrow(from, from + ARROW * velocity, Role::Incoming);
+        picture.arrow(from, from + ARROW * velocity, Role::Incoming);
     } else {
-        discs(level, &mut sheet, &places);
+        discs(level, &mut picture, &places);
     }
-    labels(level, &mut sheet, &places);
-    sheet.draw(buf, &look.theme);
+    labels(level, &mut picture, &places);
+    picture
 }
 
 /// Where a disc first meets something or stops, and whether it is another disc.
@@ -166,14 +159,8 @@ fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
 }
 
 /// A shot at the time its clock shows, with the ways so far.
-pub(super) fn draw_attempt(
-    level: &Level,
-    attempt: &Attempt,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
-    let mut sheet = sheet(level, area, look);
+pub(super) fn of_attempt(level: &Level, attempt: &Attempt, area: Rect) -> Picture {
+    let mut picture = ground(level, area);
     let (shot, now) = (&attempt.shot, attempt.clock.time());
     for disc in 0..shot.discs().len() {
         let role = if disc == level.scene.stroke.disc {
@@ -181,11 +168,11 @@ pub(super) fn draw_attempt(
         } else {
             Role::CoinOut
         };
-        trail(&mut sheet, shot, disc, now, role);
+        trail(&mut picture, shot, disc, now, role);
     }
     let places = (0..shot.discs().len()).filter_map(|disc| {
         let sample = shot.at(disc, now);
-        (sample.state != State::Pocketed).then_some((disc, sample.position))
+        (sample.state != DiscState::Pocketed).then_some((disc, sample.position))
     });
     let places: Vec<_> = places.collect();
     if level.is_of_the_first_hit()
@@ -195,17 +182,17 @@ pub(super) fn draw_attempt(
         for disc in impact.discs {
             let at = shot.at(disc, impact.time).position;
             let radius = shot.discs().get(disc).map_or(0.0, |disc| disc.radius);
-            board::ghost(&mut sheet, at, radius, Role::Trail);
+            board::ghost(&mut picture, at, radius, Role::Trail);
         }
     }
-    discs(level, &mut sheet, &places);
-    said(&mut sheet, level, attempt);
-    labels(level, &mut sheet, &places);
-    sheet.draw(buf, &look.theme);
+    discs(level, &mut picture, &places);
+    said(&mut picture, level, attempt);
+    labels(level, &mut picture, &places);
+    picture
 }
 
 /// The way of a disc up to now.
-fn trail(sheet: &mut Sheet, shot: &Shot, disc: usize, now: f64, role: Role) {
+fn trail(picture: &mut Picture, shot: &Shot, disc: usize, now: f64, role: Role) {
     let pen = Pen::new(role).on(Layer::Trail).dotted();
     for leg in shot.path(disc).take_while(|leg| leg.start < now) {
         let to = if leg.end <= now {
@@ -213,12 +200,12 @@ fn trail(sheet: &mut Sheet, shot: &Shot, disc: usize, now: f64, role: Role) {
         } else {
             shot.at(disc, now).position
         };
-        sheet.line(leg.from, to, pen);
+        picture.line(leg.from, to, pen);
     }
 }
 
 /// What was said of the first impact, once it has come.
-fn said(sheet: &mut Sheet, level: &Level, attempt: &Attempt) {
+fn said(picture: &mut Picture, level: &Level, attempt: &Attempt) {
     let (Some(said), Some(impact)) = (&attempt.said, attempt.impacts.first()) else {
         return;
     };
@@ -246,8 +233,8 @@ fn said(sheet: &mut Sheet, level: &Level, attempt: &Attempt) {
             RAY
         };
         let tip = centre + length * way;
-        sheet.line(centre, tip, Pen::new(Role::Predicted).dashed());
-        sheet.label("you", tip, &Side::towards(way), Role::Predicted);
+        picture.line(centre, tip, Pen::new(Role::Predicted).dashed());
+        picture.label("you", tip, &LabelSide::towards(way), Role::Predicted);
     }
 }
 

@@ -176,9 +176,9 @@ impl Play {
     fn leave_shot(&mut self, cx: &mut Context) {
         if let Phase::Watch(attempt) = &self.phase {
             self.keep(attempt, cx);
-            let findings = &attempt.verdict.0;
-            let told = findings.iter().find(|finding| !finding.met);
-            if let Some(finding) = told.or(findings.first()) {
+            let findings = attempt.verdict.told(&self.level);
+            let unmet = findings.iter().find(|finding| !finding.met);
+            if let Some(finding) = unmet.or(findings.first()) {
                 self.tries.push(Try {
                     number: self.shots,
                     set: self.dials.setting(&self.level),

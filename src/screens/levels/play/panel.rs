@@ -4,6 +4,7 @@
 use super::attempt::{Attempt, Zoom};
 use super::{Phase, Play, Saying, dials};
 use crate::levels::{FEW_SHOTS, Win};
+use crate::numbers;
 use crate::physics::Frame;
 use crate::physics::units::mm_from_m;
 use crate::quiz::Ray;
@@ -77,7 +78,7 @@ fn tries(play: &Play, lines: &mut Lines) {
     for made in play.tries.iter().skip(earlier) {
         lines.gap();
         lines.line(&format!("shot {}: {}", made.number, made.set), Role::Dim);
-        lines.paragraph(&format!("{}.", words::capital(&made.told)), Role::Dim);
+        lines.paragraph(&format!("{}.", numbers::capital(&made.told)), Role::Dim);
     }
     if !play.tries.is_empty() {
         lines.gap();
@@ -111,7 +112,7 @@ fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
     offset(collision, lines);
     if saying.rays.asks(Ray::Target) {
         // The angle itself is what is asked for.
-        let reach = format!("{:.1} mm", mm_from_m(collision.reach()));
+        let reach = format!("{:.1} mm", mm_from_m(collision.contact_distance()));
         lines.pair("r₁ + r₂", &reach, Role::Dim, Role::Text);
     } else {
         impact_angle(collision, lines);
@@ -174,13 +175,13 @@ fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
         }
     }
     lines.gap();
-    for finding in &attempt.verdict.0 {
+    for finding in attempt.verdict.told(&play.level) {
         let (mark, role) = if finding.met {
             ("✓", Role::Good)
         } else {
             ("✗", Role::Warn)
         };
-        let told = words::capital(&finding.told);
+        let told = numbers::capital(&finding.told);
         lines.paragraph(&format!("{mark} {told}."), role);
     }
     if let Some(impact) = attempt.impacts.first() {
@@ -244,7 +245,7 @@ fn enlarged(play: &Play, attempt: &Attempt, zoom: &Zoom, lines: &mut Lines) {
     };
     let watch = &zoom.watch;
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
-    let met = words::capital(&format!("{first} on {second}"));
+    let met = numbers::capital(&format!("{first} on {second}"));
     lines.paragraph(&met, Role::Title);
     // What a win has shown is no secret any more.
     let secret = match attempt.win {

@@ -7,8 +7,8 @@ use super::{Phase, Play, Saying, board, panel};
 use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
-use crate::widgets::Beside;
-use crate::widgets::hit::{Markings, draw_setup_of};
+use crate::widgets::SplitLayout;
+use crate::widgets::hit::{Markings, setup_picture};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
 /// is asked for, for along the line of impact the other disc leaves.
@@ -21,11 +21,11 @@ fn shown(saying: &Saying) -> Markings {
 }
 
 /// Where the parts are: a square board, or a hit that takes all the room there is.
-pub(super) fn layout(play: &Play, area: Rect) -> Beside {
+pub(super) fn layout(play: &Play, area: Rect) -> SplitLayout {
     if play.is_enlarged() || play.level.is_of_the_first_hit() {
-        Beside::new(area)
+        SplitLayout::new(area)
     } else {
-        Beside::square(area)
+        SplitLayout::square(area)
     }
 }
 
@@ -36,22 +36,22 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, cx: &Context) {
     let level = &play.level;
     let (title, side_title) = titles(play);
     layout.draw(buf, &look, &title, &side_title);
-    match &play.phase {
+    let picture = match &play.phase {
         Phase::Aim => {
             let scene = level.aimed(&play.dials.aim);
-            board::draw_aim(level, &scene, layout.picture, buf, &look);
+            board::of_aim(level, &scene, layout.picture)
         }
         Phase::Say(saying) => {
             let faces = saying.impact.discs.map(|disc| face_of(&level.scene, disc));
             let (collision, rays) = (&saying.impact.collision, Some(&saying.rays));
-            let given = shown(saying);
-            draw_setup_of(faces, layout.picture, buf, &look, collision, given, rays);
+            setup_picture(layout.picture, faces, collision, shown(saying), rays)
         }
         Phase::Watch(attempt) => match &attempt.zoom {
-            Some(zoom) => zoom.watch.draw(layout.picture, buf, &look),
-            None => board::draw_attempt(level, attempt, layout.picture, buf, &look),
+            Some(zoom) => zoom.watch.picture(layout.picture),
+            None => board::of_attempt(level, attempt, layout.picture),
         },
-    }
+    };
+    picture.draw(buf, &look);
     play.scroll.draw(layout.panel, buf, look, |lines| {
         panel::write(play, lines, cx);
     });

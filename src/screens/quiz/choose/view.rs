@@ -9,7 +9,7 @@ use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::screens::recall::Recall;
 use crate::widgets::input::{ListView, TextField};
-use crate::widgets::{Beside, Lines, Look, Role, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Why rounds are mixed.
 const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
@@ -18,7 +18,7 @@ const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a 
 
 /// The line of the page at a cell.
 pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Option<usize> {
-    let list = Beside::new(cx.body).picture;
+    let list = SplitLayout::new(cx.body).picture;
     if !list.contains(cell.into()) {
         return None;
     }
@@ -54,7 +54,7 @@ fn first_topic(choosing: &Choosing, list: Rect) -> usize {
 /// Draws the page.
 pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = Beside::new(area);
+    let layout = SplitLayout::new(area);
     let (list, about) = match choosing.page {
         ChoosingPage::Rounds => ("choose a round", "this round"),
         ChoosingPage::Topics => ("choose a topic", "this topic"),

@@ -2,9 +2,9 @@
 
 use super::{notice, score};
 use crate::game::Game;
+use crate::screens::table::active_game::{ActiveGame, Hinted};
 use crate::screens::table::aim::SPEEDS;
 use crate::screens::table::preview::{FirstHit, WayEnd};
-use crate::screens::table::sitting::{Hinted, Sitting};
 use crate::screens::table::words;
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role};
@@ -15,12 +15,12 @@ const BAR: u16 = 10;
 const NAME_AND_SPEED: u16 = 18;
 
 /// The aim, what it will meet first, and how the game stands.
-pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
-    let game = sitting.game();
-    turn(sitting, lines);
-    let aim = sitting.aimed();
-    let direction = if sitting.entry.is_open() {
-        format!("{}_", sitting.entry.text())
+pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
+    let game = active.game();
+    turn(active, lines);
+    let aim = active.aimed();
+    let direction = if active.entry.is_open() {
+        format!("{}_", active.entry.text())
     } else {
         format!("{:.1}°", aim.direction_deg)
     };
@@ -33,31 +33,31 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
     );
     lines.pair("strength", &strength, Role::Dim, Role::Text);
     lines.pair("place", &aim.place_words(game), Role::Dim, Role::Text);
-    if sitting.entry.is_open() {
+    if active.entry.is_open() {
         lines.paragraph("[ ]: as the place, +: as the strength", Role::Key);
     }
     lines.gap();
-    if sitting.notice.is_some() {
-        notice(sitting, lines);
-    } else if let Some(hinted) = &sitting.hint {
+    if active.notice.is_some() {
+        notice(active, lines);
+    } else if let Some(hinted) = &active.hint {
         hint(hinted, lines);
     } else if let Err(why) = aim.check(game) {
         lines.paragraph(&format!("Not from here: {why}."), Role::Warn);
     } else {
-        ahead(sitting, lines);
+        ahead(active, lines);
     }
     lines.gap();
-    score::draw(sitting, lines);
+    score::draw(active, lines);
 }
 
 /// Whose turn it is, with what colour, and what the laws ask of the stroke.
-fn turn(sitting: &Sitting, lines: &mut Lines) {
-    if sitting.is_practice() {
+fn turn(active: &ActiveGame, lines: &mut Lines) {
+    if active.is_practice() {
         return;
     }
-    let game = sitting.game();
-    let colour = game.colour(game.team(sitting.seat()));
-    let name = sitting.options.seat_name(sitting.seat());
+    let game = active.game();
+    let colour = game.colour(game.team(active.seat()));
+    let name = active.options.seat_name(active.seat());
     let does = if game.play().is_unbroken() {
         "breaks"
     } else {
@@ -87,16 +87,16 @@ fn hint(hinted: &Hinted, lines: &mut Lines) {
 }
 
 /// What the striker will meet first.
-fn ahead(sitting: &Sitting, lines: &mut Lines) {
-    let Some(preview) = &sitting.preview else {
+fn ahead(active: &ActiveGame, lines: &mut Lines) {
+    let Some(preview) = &active.preview else {
         return;
     };
     match &preview.end {
-        WayEnd::Meets(hit) => first_hit(sitting.game(), hit, lines),
+        WayEnd::Meets(hit) => first_hit(active.game(), hit, lines),
         WayEnd::Falls => lines.line("no hit: into the pocket", Role::Warn),
         WayEnd::Stops => lines.line("no hit", Role::Dim),
     }
-    if sitting.options.call {
+    if active.options.call {
         lines.line("you will call this hit", Role::Key);
     }
 }

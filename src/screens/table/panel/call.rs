@@ -1,7 +1,7 @@
 //! The panel while the first impact is called.
 
 use crate::quiz::Ray;
-use crate::screens::table::sitting::Calling;
+use crate::screens::table::active_game::Calling;
 use crate::widgets::panels::{impact_angle, masses, offset};
 use crate::widgets::{Lines, Role};
 

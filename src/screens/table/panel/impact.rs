@@ -1,17 +1,17 @@
 //! The panel beside an enlarged impact: the explanation of the lab.
 
 use crate::physics::Frame;
-use crate::screens::table::sitting::Zoom;
+use crate::screens::table::replay::StrokeReplay;
 use crate::screens::table::words;
 use crate::screens::why;
+use crate::widgets::hit::Watch;
 use crate::widgets::panels::{impact_angle, masses, offset, separation};
 use crate::widgets::{Lines, Role};
 
 /// Which two met, in numbers, and why they go where they go.
-pub(super) fn draw(zoom: &Zoom, lines: &mut Lines) {
-    let watch = &zoom.watch;
+pub(super) fn draw(replay: &StrokeReplay, watch: &Watch, lines: &mut Lines) {
     let collision = watch.collision();
-    let names = names(zoom);
+    let names = names(replay);
     lines.line(&format!("{} on {}", names[0], names[1]), Role::Title);
     offset(collision, lines);
     impact_angle(collision, lines);
@@ -37,11 +37,11 @@ pub(super) fn draw(zoom: &Zoom, lines: &mut Lines) {
 }
 
 /// What the two are.
-fn names(zoom: &Zoom) -> [&'static str; 2] {
-    let impact = zoom.replay.impact();
+fn names(replay: &StrokeReplay) -> [&'static str; 2] {
+    let impact = replay.player.chosen().map(|(_, impact)| impact);
     [0, 1].map(|body| {
         let disc = impact.map(|impact| impact.discs[body]);
-        let piece = disc.and_then(|disc| zoom.replay.pieces.get(disc).copied());
+        let piece = disc.and_then(|disc| replay.pieces.get(disc).copied());
         piece.map_or("disc", words::short)
     })
 }

@@ -12,66 +12,57 @@ use ratatui::layout::Rect;
 
 pub(super) use stroke::impact_at;
 
-use super::sitting::{Phase, Sitting};
+use super::active_game::{ActiveGame, TablePhase};
 use super::words;
 use crate::screens::Context;
 use crate::widgets::{Lines, Role};
 
 /// Draws what belongs to what is being done.
-pub(super) fn draw(sitting: &Sitting, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    sitting
+    active
         .scroll
-        .draw(area, buf, look, |lines| write(sitting, lines));
+        .draw(area, buf, look, |lines| write(active, lines));
 }
 
 /// Writes what belongs to what is being done.
-pub(super) fn write(sitting: &Sitting, lines: &mut Lines) {
-    if let Some(trouble) = sitting.keeping.trouble() {
+pub(super) fn write(active: &ActiveGame, lines: &mut Lines) {
+    if let Some(trouble) = active.keeping.trouble() {
         lines.paragraph(trouble, Role::Warn);
         lines.gap();
     }
-    if sitting.leaving {
-        lines.paragraph("Leave this game?", Role::Warn);
-        lines.gap();
-        if sitting.keeping.is_safe() {
-            let kept = "It is saved: on the page of a new game, s brings it back.";
-            lines.paragraph(kept, Role::Text);
-            lines.gap();
-        }
-        lines.paragraph("Esc or y: leave it. Any other key: play on.", Role::Key);
-        return;
-    }
-    match &sitting.phase {
-        Phase::Aim => aim::draw(sitting, lines),
-        Phase::Think { .. } => thinking(sitting, lines),
-        Phase::Call(calling) => call::draw(calling, lines),
-        Phase::Watch(replay) if replay.chosen.is_some() => stroke::list(replay, lines),
-        Phase::Watch(replay) => stroke::draw(sitting, replay, lines),
-        Phase::Impact(zoom) => impact::draw(zoom, lines),
-        Phase::Arrange(arrange) => arrange_help(sitting, arrange.held.is_some(), lines),
-        Phase::Over => over::draw(sitting, lines),
+    match &active.phase {
+        TablePhase::Aim => aim::draw(active, lines),
+        TablePhase::Think { .. } => thinking(active, lines),
+        TablePhase::Call(calling) => call::draw(calling, lines),
+        TablePhase::Watch(replay) if replay.player.list().is_some() => stroke::list(replay, lines),
+        TablePhase::Watch(replay) => match replay.player.zoom() {
+            Some(watch) => impact::draw(replay, watch, lines),
+            None => stroke::draw(active, replay, lines),
+        },
+        TablePhase::Arrange(arrange) => arrange_help(active, arrange.held.is_some(), lines),
+        TablePhase::Over => over::draw(active, lines),
     }
 }
 
 /// What just has to be said.
-fn notice(sitting: &Sitting, lines: &mut Lines) {
-    if let Some(notice) = &sitting.notice {
+fn notice(active: &ActiveGame, lines: &mut Lines) {
+    if let Some(notice) = &active.notice {
         lines.paragraph(notice, Role::Warn);
     }
 }
 
-fn thinking(sitting: &Sitting, lines: &mut Lines) {
-    let name = sitting.options.seat_name(sitting.seat());
+fn thinking(active: &ActiveGame, lines: &mut Lines) {
+    let name = active.options.seat_name(active.seat());
     let thinks = words::does(name, "thinks");
     lines.line(&format!("{} …", words::sentence(&thinks)), Role::Title);
     lines.gap();
-    notice(sitting, lines);
+    notice(active, lines);
     lines.gap();
-    score::draw(sitting, lines);
+    score::draw(active, lines);
 }
 
-fn arrange_help(sitting: &Sitting, holding: bool, lines: &mut Lines) {
+fn arrange_help(active: &ActiveGame, holding: bool, lines: &mut Lines) {
     let what = if holding {
         "Move the coin and lay it down with Space."
     } else {
@@ -79,9 +70,9 @@ fn arrange_help(sitting: &Sitting, holding: bool, lines: &mut Lines) {
     };
     lines.paragraph(what, Role::Text);
     lines.gap();
-    notice(sitting, lines);
+    notice(active, lines);
     lines.gap();
-    score::pieces(sitting, lines);
+    score::pieces(active, lines);
     lines.gap();
     lines.paragraph("p: done", Role::Key);
 }

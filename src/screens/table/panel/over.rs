@@ -1,26 +1,26 @@
 //! The panel at the end of a board, a game or the match.
 
 use super::{notice, score};
-use crate::game::{Game, Rules, Seat, Stage, Team};
-use crate::screens::table::sitting::Sitting;
+use crate::game::{Game, GameStage, Rules, Seat, Team};
+use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::words;
 use crate::widgets::{Lines, Role};
 
 /// Who won what, and what follows.
-pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
-    let game = sitting.game();
-    let name = |team: Team| sitting.options.team_name(team);
+pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
+    let game = active.game();
+    let name = |team: Team| active.options.team_name(team);
     let headline = match game.stage() {
-        Stage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
-        Stage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
-        Stage::BoardOver(_) if sitting.is_practice() => "The board is empty.".into(),
-        Stage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
-        Stage::Playing => String::new(),
+        GameStage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
+        GameStage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
+        GameStage::BoardOver(_) if active.is_practice() => "The board is empty.".into(),
+        GameStage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
+        GameStage::Playing => String::new(),
     };
     lines.line(&words::sentence(&headline), Role::Title);
     lines.gap();
-    if let Some(last) = sitting.session.len().checked_sub(1)
-        && let Some(past) = sitting.session.past(last)
+    if let Some(last) = active.history.len().checked_sub(1)
+        && let Some(past) = active.history.past(last)
     {
         for ruling in &past.rulings {
             lines.paragraph(&words::ruling(ruling), Role::Text);
@@ -48,16 +48,16 @@ pub(super) fn draw(sitting: &Sitting, lines: &mut Lines) {
         );
         lines.pair("games before this", &games, Role::Dim, Role::Text);
     }
-    score::calls(sitting, lines);
-    notice(sitting, lines);
+    score::calls(active, lines);
+    notice(active, lines);
     lines.gap();
     if let Some(breaker) = next_breaker(game) {
-        let breaks = words::does(sitting.options.seat_name(breaker), "breaks");
+        let breaks = words::does(active.options.seat_name(breaker), "breaks");
         lines.line(&format!("{} next.", words::sentence(&breaks)), Role::Text);
     }
     let next = match game.stage() {
-        Stage::MatchOver(_) => "Enter: a new game.",
-        Stage::GameOver(_) => "Enter: the next game.",
+        GameStage::MatchOver(_) => "Enter: a new game.",
+        GameStage::GameOver(_) => "Enter: the next game.",
         _ => "Enter: the next board.",
     };
     lines.paragraph(next, Role::Key);

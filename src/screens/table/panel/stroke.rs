@@ -4,11 +4,12 @@ use ratatui::layout::Rect;
 
 use super::{notice, score};
 use crate::game::Piece;
+use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::calls::Called;
-use crate::screens::table::replay::Replay;
-use crate::screens::table::sitting::Sitting;
+use crate::screens::table::replay::StrokeReplay;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
+use crate::widgets::input::ListView;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{Lines, Role};
 
@@ -18,19 +19,20 @@ const ROOMY: u16 = 31;
 const HEAD: usize = 2;
 
 /// What came of the stroke, once it is over.
-pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
-    let Some(past) = sitting.session.past(replay.number) else {
+pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines) {
+    let Some(past) = active.history.past(replay.number) else {
         return;
     };
-    if !replay.clock.is_over() {
-        let name = sitting.options.seat_name(past.before.seat());
-        let speed = replay.shot.start(0).velocity.length();
+    if !replay.player.clock().is_over() {
+        let name = active.options.seat_name(past.before.seat());
+        let speed = replay.player.shot().start(0).velocity.length();
         lines.pair("stroke of", name, Role::Dim, Role::Text);
         lines.pair("at", &format!("{speed:.1} m/s"), Role::Dim, Role::Text);
         let so_far = replay
-            .impacts
+            .player
+            .impacts()
             .iter()
-            .filter(|impact| impact.time <= replay.clock.time());
+            .filter(|impact| impact.time <= replay.player.clock().time());
         lines.pair(
             "impacts",
             &so_far.count().to_string(),
@@ -46,7 +48,7 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
     }
     lines.gap();
     if let Some(told) = &past.told {
-        let name = sitting.options.seat_name(past.before.seat());
+        let name = active.options.seat_name(past.before.seat());
         lines.line(&format!("{}:", words::sentence(name)), Role::Title);
         lines.paragraph(told, Role::Text);
         lines.gap();
@@ -54,12 +56,12 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
     if let Some(called) = &past.called {
         call(called, lines);
     }
-    notice(sitting, lines);
-    if replay.number + 1 == sitting.session.len() {
-        score::draw(sitting, lines);
+    notice(active, lines);
+    if replay.number + 1 == active.history.len() {
+        score::draw(active, lines);
     }
     lines.gap();
-    let enter = match sitting.session.stroke_after(replay.number) {
+    let enter = match active.history.stroke_after(replay.number) {
         Some(_) => "Enter: the next stroke.  Esc: back to the game.",
         None => "Enter: go on.",
     };
@@ -68,7 +70,7 @@ pub(super) fn draw(sitting: &Sitting, replay: &Replay, lines: &mut Lines) {
 }
 
 /// What lies on the board at this moment.
-fn left(replay: &Replay, lines: &mut Lines) {
+fn left(replay: &StrokeReplay, lines: &mut Lines) {
     for piece in [Piece::White, Piece::Black, Piece::Queen] {
         let sign = token(words::role(piece), lines.charset());
         let count = replay
@@ -90,15 +92,22 @@ fn call(called: &Called, lines: &mut Lines) {
 }
 
 /// All impacts of the stroke, the chosen one marked.
-pub(super) fn list(replay: &Replay, lines: &mut Lines) {
+pub(super) fn list(replay: &StrokeReplay, lines: &mut Lines) {
     lines.line("Choose one, Enter looks closer.", Role::Key);
     lines.gap();
-    let chosen = replay.chosen.unwrap_or(0);
-    let rows = usize::from(lines.left());
+    let chosen = replay.player.chosen().map_or(0, |(number, _)| number);
+    let rows = lines.left();
     let roomy = lines.width() >= ROOMY;
     let charset = lines.charset();
-    let first = first_row(chosen, rows, replay.impacts.len());
-    for (i, impact) in replay.impacts.iter().enumerate().skip(first).take(rows) {
+    let first = ListView::first_shown(chosen, replay.player.impacts().len(), rows);
+    for (i, impact) in replay
+        .player
+        .impacts()
+        .iter()
+        .enumerate()
+        .skip(first)
+        .take(rows.into())
+    {
         let name = |disc: usize| {
             let piece = replay.pieces.get(disc).copied().unwrap_or(Piece::White);
             if roomy {
@@ -118,24 +127,18 @@ pub(super) fn list(replay: &Replay, lines: &mut Lines) {
     }
 }
 
-/// The first row of a list of `count` in which `chosen` is to be seen.
-fn first_row(chosen: usize, rows: usize, count: usize) -> usize {
-    let last_start = count.saturating_sub(rows);
-    chosen.saturating_sub(rows / 2).min(last_start)
-}
-
 /// Which impact of the list is at a cell of the panel.
 pub(in crate::screens::table) fn impact_at(
-    replay: &Replay,
+    replay: &StrokeReplay,
     panel: Rect,
     (column, row): (u16, u16),
 ) -> Option<usize> {
-    let chosen = replay.chosen?;
+    let chosen = replay.player.list()?.chosen(replay.player.impacts().len());
     if !panel.contains((column, row).into()) {
         return None;
     }
-    let rows = usize::from(panel.height).saturating_sub(HEAD);
+    let rows = panel.height.saturating_sub(HEAD as u16);
     let line = usize::from(row - panel.y).checked_sub(HEAD)?;
-    let number = first_row(chosen, rows, replay.impacts.len()) + line;
-    (number < replay.impacts.len()).then_some(number)
+    let number = ListView::first_shown(chosen, replay.player.impacts().len(), rows) + line;
+    (number < replay.player.impacts().len()).then_some(number)
 }

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 /// A block element, and whether it is drawn in the background's colour upon the
 /// disc's, which gives the shapes Unicode has no character for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) struct Block {
+pub(in super::super) struct BlockGlyph {
     pub(in super::super) symbol: char,
     pub(in super::super) inverse: bool,
     /// The cells of the 8 × 8 grid it covers, row by row from the top left.
@@ -18,10 +18,10 @@ const QUADRANTS: [char; 16] = [
 const LOWER: [char; 7] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇'];
 const LEFT: [char; 7] = ['▏', '▎', '▍', '▌', '▋', '▊', '▉'];
 
-static BLOCKS: LazyLock<Vec<Block>> = LazyLock::new(|| {
+static BLOCKS: LazyLock<Vec<BlockGlyph>> = LazyLock::new(|| {
     let mut blocks = Vec::new();
     let mut add = |symbol, inverse, cover| {
-        blocks.push(Block {
+        blocks.push(BlockGlyph {
             symbol,
             inverse,
             cover,
@@ -54,13 +54,13 @@ fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
 }
 
 /// The block nearest to `cover`; inverse ones only where `inverse` allows them.
-pub(in super::super) fn nearest(cover: u64, inverse: bool) -> Block {
+pub(in super::super) fn nearest(cover: u64, inverse: bool) -> BlockGlyph {
     BLOCKS
         .iter()
         .filter(|block| inverse || !block.inverse)
         .min_by_key(|block| (block.cover ^ cover).count_ones())
         .copied()
-        .unwrap_or(Block {
+        .unwrap_or(BlockGlyph {
             symbol: ' ',
             inverse: false,
             cover: 0,

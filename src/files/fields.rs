@@ -1,0 +1,543 @@
+//! Reading TOML from outside field by field, so that every error names file, line and
+//! field, and says what was expected and what was found.
+//!
+//! What is wrong is noted and the reading goes on: who asks for a value that is none gets
+//! `None`, asks for the others all the same, and gives up only when it needs the value. So
+//! one run tells all that is wrong with a file.
+
+use std::ops::RangeInclusive;
+
+use serde::de::DeserializeOwned;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+use super::number::{NumberSpec, Range};
+use super::source::Rank;
+use super::{FileErrors, Source, escape_control};
+
+/// What word processors make of straight quotes.
+const TYPOGRAPHIC_QUOTES: [char; 8] = ['“', '”', '„', '‟', '‘', '’', '«', '»'];
+
+type Value<'a> = &'a Spanned<DeValue<'a>>;
+
+/// A table whose fields are asked for one by one.
+#[derive(Debug, Clone)]
+pub struct Fields<'a> {
+    source: &'a Source<'a>,
+    path: String,
+    /// Where the table begins in the text.
+    at: usize,
+    table: &'a DeTable<'a>,
+    /// The fields it may have; `[]` where their names are free.
+    known: Vec<&'static str>,
+}
+
+impl Source<'_> {
+    /// Reads TOML that says `format = FORMAT`. `what` it is to be stands in messages, as "a
+    /// saved game"; `known` are its fields.
+    ///
+    /// # Errors
+    /// All that is wrong with it; of a file of a newer format only that.
+    pub(crate) fn document<T>(
+        self,
+        what: &str,
+        format: u32,
+        known: &[&'static str],
+        read: impl FnOnce(&Fields) -> Option<T>,
+    ) -> Result<T, FileErrors> {
+        let made = self.tables(what, format, known, read);
+        self.finish(made)
+    }
+
+    /// As [`Self::document`], with what is wrong noted in the source.
+    pub(crate) fn tables<T>(
+        &self,
+        what: &str,
+        format: u32,
+        known: &[&'static str],
+        read: impl FnOnce(&Fields) -> Option<T>,
+    ) -> Option<T> {
+        let (document, errors) = DeTable::parse_recoverable(self.text());
+        let mut broken = None;
+        for error in errors {
+            let at = error.span().map_or(0, |span| span.start);
+            // What else is wrong on the same line mostly follows from the first.
+            let line = self.line_near(at).as_ptr();
+            if broken.replace(line) == Some(line) {
+                continue;
+            }
+            let message = self.syntax_error(at, error.message());
+            self.note(Rank::Syntax, at, self.key_near(at), message);
+        }
+        let fields = Fields::new(self, "", 0, document.get_ref()).only(known);
+        let expected = format!("{what} with `format = {format}`");
+        let found = fields.whole("format", &expected, 0..=u32::MAX as usize)?;
+        if found > format as usize {
+            self.forget();
+            fields.refuse("format", newer(found, format))
+        } else if found < format as usize {
+            fields.refuse("format", format!("expected {expected}, found {found}"))
+        } else {
+            read(&fields)
+        }
+    }
+
+    /// What a reader of TOML found wrong at a byte, with a hint where the reason is likely.
+    fn syntax_error(&self, at: usize, message: &str) -> String {
+        let line = self.line_near(at);
+        let value = line.split_once('=').map_or("", |(_, value)| value);
+        let value = value.split_whitespace().next().unwrap_or_default();
+        if let Some(number) = with_a_point(value) {
+            return format!("expected a number, found {value}; write {number} with a point");
+        }
+        let message = message.trim();
+        if line.contains(TYPOGRAPHIC_QUOTES) {
+            return format!("{message}; use straight quotes: \"...\"");
+        }
+        message.into()
+    }
+}
+
+/// A number that was written with a comma, as it should be.
+fn with_a_point(text: &str) -> Option<String> {
+    let number = text.replacen(',', ".", 1);
+    let is_one = text.contains(',') && number.parse::<f64>().is_ok();
+    is_one.then_some(number)
+}
+
+/// What is said of a file of a newer format than the one that is read.
+pub fn newer(found: impl std::fmt::Display, format: u32) -> String {
+    format!(
+        "{found} is newer than the {format} this carrom reads; a newer carrom may open the file"
+    )
+}
+
+impl<'a> Fields<'a> {
+    fn new(source: &'a Source<'a>, path: &str, at: usize, table: &'a DeTable<'a>) -> Self {
+        Self {
+            source,
+            path: path.into(),
+            at,
+            table,
+            known: Vec::new(),
+        }
+    }
+
+    /// The table with the fields it may have; notes those that are not among them.
+    pub(crate) fn only(mut self, known: &[&'static str]) -> Self {
+        self.known = known.into();
+        for key in self.table.keys() {
+            let name = key.get_ref().as_ref();
+            if self.is_known(name) {
+                continue;
+            }
+            let mut message = format!("unknown field; expected one of {}", known.join(", "));
+            if let Some(meant) = self.meant_by(name) {
+                message += &format!("; did you mean {meant}?");
+            }
+            let path = self.path_of(name);
+            self.source
+                .note(Rank::UnknownField, key.span().start, &path, message);
+        }
+        self
+    }
+
+    fn is_known(&self, name: &str) -> bool {
+        self.known.is_empty() || self.known.contains(&name)
+    }
+
+    /// The missing field that an unknown one looks like.
+    fn meant_by(&self, name: &str) -> Option<&'static str> {
+        let missing = self.known.iter().copied().filter(|it| !self.has(it));
+        missing
+            .map(|it| (strsim::osa_distance(name, it), it))
+            .filter(|(distance, _)| *distance <= 2 && distance * 2 <= name.len())
+            .min()
+            .map(|(_, it)| it)
+    }
+
+    /// Notes what is wrong with a field, at its value, or at the table where it is
+    /// missing; always `None`, for whoever wanted its value.
+    pub(crate) fn refuse<T>(&self, name: &str, message: impl Into<String>) -> Option<T> {
+        let at = self.table.get(name).map_or(self.at, |v| v.span().start);
+        self.refuse_at(at, name, message)
+    }
+
+    /// Notes what is wrong with the table itself; always `None`.
+    pub(crate) fn refuse_table<T>(&self, message: impl Into<String>) -> Option<T> {
+        self.source.note(Rank::Value, self.at, &self.path, message);
+        None
+    }
+
+    /// Notes what is wrong with an item of a list, counted from 0; always `None`.
+    pub(crate) fn refuse_item<T>(
+        &self,
+        name: &str,
+        item: usize,
+        message: impl Into<String>,
+    ) -> Option<T> {
+        let list = self.table.get(name).and_then(|it| it.get_ref().as_array());
+        let item = list.and_then(|list| list.get(item));
+        self.refuse_at(item.map_or(self.at, |it| it.span().start), name, message)
+    }
+
+    fn refuse_at<T>(&self, at: usize, name: &str, message: impl Into<String>) -> Option<T> {
+        let path = self.path_of(name);
+        self.source.note(Rank::Value, at, &path, message);
+        None
+    }
+
+    fn path_of(&self, name: &str) -> String {
+        if self.path.is_empty() {
+            name.into()
+        } else {
+            format!("{}.{name}", self.path)
+        }
+    }
+
+    /// The line of the file on which the table begins.
+    pub(crate) fn line(&self) -> usize {
+        self.source.line_of(self.at)
+    }
+
+    /// Whether the table has the field.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.table.contains_key(name)
+    }
+
+    /// What `read` makes of a field, or `usual` where it is left out.
+    pub(crate) fn or<T>(
+        &self,
+        name: &'static str,
+        usual: T,
+        read: impl FnOnce(&'static str) -> Option<T>,
+    ) -> Option<T> {
+        if self.has(name) {
+            read(name)
+        } else {
+            Some(usual)
+        }
+    }
+
+    /// What `read` makes of a field that must be there; `expected` says what it is to be.
+    fn value<T>(
+        &self,
+        name: &str,
+        expected: &str,
+        read: impl FnOnce(Value<'a>) -> Option<T>,
+    ) -> Option<T> {
+        debug_assert!(self.is_known(name), "{name} is not among the known fields");
+        match self.table.get(name) {
+            Some(value) => read(value).or_else(|| self.unlike(name, expected, value)),
+            // It has been asked whether the unknown one was meant.
+            None if self.is_misspelt(name) => None,
+            None => self.refuse(name, format!("expected {expected}, found nothing")),
+        }
+    }
+
+    fn is_misspelt(&self, name: &str) -> bool {
+        let keys = self.table.keys().map(|key| key.get_ref().as_ref());
+        keys.filter(|key| !self.is_known(key))
+            .any(|key| self.meant_by(key) == Some(name))
+    }
+
+    fn unlike<T>(&self, name: &str, expected: &str, found: Value) -> Option<T> {
+        let (at, value) = (found.span().start, found.get_ref());
+        let mut message = format!("expected {expected}, found {}", shown(value));
+        let number = match value {
+            DeValue::String(text) => with_a_point(text.trim()),
+            // Two numbers that became three or four.
+            DeValue::Array(list) if list.len() > 2 => {
+                let written = self.source.text().get(found.span()).unwrap_or_default();
+                let mut words = written.trim_matches(['[', ']']).split_whitespace();
+                words.find_map(|word| with_a_point(word.trim_end_matches(',')))
+            }
+            _ => None,
+        };
+        if let Some(number) = number {
+            message += &format!("; write {number} with a point");
+        }
+        self.refuse_at(at, name, message)
+    }
+
+    /// A table that must be there, with the fields it may have.
+    pub(crate) fn table(&self, name: &str, known: &[&'static str]) -> Option<Self> {
+        let table = self.value(name, &format!("a table [{name}]"), |value| {
+            self.inner(name, value)
+        })?;
+        Some(table.only(known))
+    }
+
+    /// So many tables of the same name, with the fields they may have.
+    pub(crate) fn tables(
+        &self,
+        name: &str,
+        count: RangeInclusive<usize>,
+        known: &[&'static str],
+    ) -> Option<Vec<Self>> {
+        let expected = format!("{} to {} tables [[{name}]]", count.start(), count.end());
+        let tables = self.list(name, &expected, count, |value| self.inner(name, value))?;
+        Some(tables.into_iter().map(|it| it.only(known)).collect())
+    }
+
+    /// The tables in this one, whose names are free, each with its name.
+    pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
+        let names = self.table.keys().map(|key| key.get_ref().as_ref());
+        all(names
+            .map(|name| Some((name, self.table(name, known)?)))
+            .collect())
+    }
+
+    fn inner(&self, name: &str, value: Value<'a>) -> Option<Self> {
+        let table = value.get_ref().as_table()?;
+        let path = self.path_of(name);
+        Some(Self::new(self.source, &path, value.span().start, table))
+    }
+
+    /// A list of so many items.
+    fn list<T>(
+        &self,
+        name: &str,
+        expected: &str,
+        count: RangeInclusive<usize>,
+        mut item: impl FnMut(Value<'a>) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let list = self.value(name, expected, |value| {
+            let list = value.get_ref().as_array()?;
+            count.contains(&list.len()).then_some(list)
+        })?;
+        let read = list
+            .iter()
+            .map(|value| item(value).or_else(|| self.unlike(name, expected, value)));
+        all(read.collect())
+    }
+
+    /// A number within the bounds of its kind, in the unit of the file.
+    pub(crate) fn number(&self, name: &str, spec: &NumberSpec) -> Option<f64> {
+        self.value(name, &spec.to_string(), |value| {
+            number(value.get_ref()).filter(|&x| spec.allows(x))
+        })
+    }
+
+    /// Two numbers in a list, each within the bounds of its kind; `names` are theirs, as
+    /// "[x, y]".
+    pub(crate) fn pair(&self, name: &str, names: &str, spec: &NumberSpec) -> Option<[f64; 2]> {
+        self.value(name, &format!("{names}, {spec}"), |value| {
+            pair(value.get_ref()).filter(|pair| pair.iter().all(|&x| spec.allows(x)))
+        })
+    }
+
+    /// A range `[from, to]` with both ends within the bounds of a kind of number.
+    pub(crate) fn range(&self, name: &str, spec: &NumberSpec) -> Option<Range> {
+        self.value(name, &format!("[from, to], {spec}"), |value| {
+            let [from, to] = pair(value.get_ref())?;
+            let good = spec.allows(from) && spec.allows(to) && from < to;
+            good.then_some(Range { from, to })
+        })
+    }
+
+    /// A whole number within bounds; `expected` says what it stands for.
+    pub(crate) fn whole(
+        &self,
+        name: &str,
+        expected: &str,
+        bounds: RangeInclusive<usize>,
+    ) -> Option<usize> {
+        self.value(name, expected, |value| {
+            whole(value.get_ref()).filter(|n| bounds.contains(n))
+        })
+    }
+
+    /// A list of so many different whole numbers below `end`.
+    pub(crate) fn different(
+        &self,
+        name: &str,
+        expected: &str,
+        count: RangeInclusive<usize>,
+        end: usize,
+    ) -> Option<Vec<usize>> {
+        let mut seen = Vec::new();
+        self.list(name, expected, count, |value| {
+            let n = whole(value.get_ref()).filter(|n| *n < end && !seen.contains(n))?;
+            seen.push(n);
+            Some(n)
+        })
+    }
+
+    /// Printable text of 1 to `most` characters, as it is written; line breaks count as
+    /// spaces do.
+    pub(crate) fn text(&self, name: &str, most: usize) -> Option<&'a str> {
+        let expected = format!("text of 1 to {most} printable characters");
+        self.value(name, &expected, |value| text(value.get_ref(), most))
+    }
+
+    /// A list of so many texts, with no blanks around them.
+    pub(crate) fn texts(
+        &self,
+        name: &str,
+        count: RangeInclusive<usize>,
+        most: usize,
+    ) -> Option<Vec<String>> {
+        let (least, items) = (count.start(), count.end());
+        let expected =
+            format!("a list of {least} to {items} texts of 1 to {most} printable characters");
+        self.list(name, &expected, count, |value| {
+            Some(text(value.get_ref(), most)?.trim().to_owned())
+        })
+    }
+
+    /// What `read` makes of a text, or the message that it gives.
+    pub(crate) fn text_as<T>(
+        &self,
+        name: &str,
+        read: impl FnOnce(&'a str) -> Result<T, String>,
+    ) -> Option<T> {
+        let text = self.value(name, "text", |value| value.get_ref().as_str())?;
+        match read(text) {
+            Ok(made) => Some(made),
+            Err(message) => self.refuse(name, message),
+        }
+    }
+
+    /// A list of any texts.
+    pub(crate) fn any_texts(&self, name: &str) -> Option<Vec<&'a str>> {
+        self.list(name, "a list of texts", 0..=usize::MAX, |value| {
+            value.get_ref().as_str()
+        })
+    }
+
+    /// A name of 1 to 40 lower-case letters, digits and hyphens.
+    pub(crate) fn id(&self, name: &str) -> Option<&'a str> {
+        let expected = "1 to 40 lower-case letters, digits and hyphens";
+        self.value(name, expected, |value| {
+            value.get_ref().as_str().filter(|id| is_id(id))
+        })
+    }
+
+    /// One of some words, with what it stands for.
+    pub(crate) fn word<T: Clone>(&self, name: &str, words: &[(&str, T)]) -> Option<T> {
+        let names: Vec<_> = words.iter().map(|(word, _)| *word).collect();
+        let expected = format!("one of {}", names.join(", "));
+        self.value(name, &expected, |value| {
+            let found = value.get_ref().as_str()?;
+            let (_, meant) = words.iter().find(|(word, _)| found == *word)?;
+            Some(meant.clone())
+        })
+    }
+
+    /// Gives every field to `set` as it is written, a number in decimals; what that says is
+    /// wrong with it is noted.
+    pub(crate) fn each(&self, mut set: impl FnMut(&str, &str) -> Result<(), String>) -> Option<()> {
+        let fields = self
+            .table
+            .iter()
+            .filter(|(key, _)| self.is_known(key.get_ref()));
+        let set = fields.map(|(key, value)| {
+            let written = match value.get_ref() {
+                DeValue::Boolean(truth) => truth.to_string(),
+                DeValue::String(text) => text.to_string(),
+                other => number(other).map_or_else(|| shown(other), |n| n.to_string()),
+            };
+            let name = key.get_ref().as_ref();
+            let Err(message) = set(name, &written) else {
+                return Some(());
+            };
+            let without_name = message
+                .strip_prefix(name)
+                .and_then(|it| it.strip_prefix(": "));
+            self.refuse(name, without_name.unwrap_or(&message))
+        });
+        all(set.collect()).map(|_: Vec<()>| ())
+    }
+
+    /// Whatever serde makes of a field.
+    pub(crate) fn parsed<T: DeserializeOwned>(&self, name: &str, expected: &str) -> Option<T> {
+        let value = self.value(name, expected, Some)?;
+        self.parse(name, value)
+    }
+
+    /// Whatever serde makes of the items of a list.
+    pub(crate) fn all_parsed<T: DeserializeOwned>(
+        &self,
+        name: &str,
+        expected: &str,
+    ) -> Option<Vec<T>> {
+        let list = self.value(name, expected, |value| value.get_ref().as_array())?;
+        all(list.iter().map(|value| self.parse(name, value)).collect())
+    }
+
+    fn parse<T: DeserializeOwned>(&self, name: &str, value: Value<'a>) -> Option<T> {
+        T::deserialize(ValueDeserializer::from(value.clone()))
+            .map_err(|error| {
+                let at = error.span().unwrap_or(value.span()).start;
+                self.refuse_at::<T>(at, name, error.message().trim())
+            })
+            .ok()
+    }
+}
+
+/// All items, if there are no gaps: collected first, so that every item is read.
+pub(crate) fn all<T>(items: Vec<Option<T>>) -> Option<Vec<T>> {
+    items.into_iter().collect()
+}
+
+/// Whether this is an id: 1 to 40 lower-case letters, digits and hyphens.
+pub(crate) fn is_id(id: &str) -> bool {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    (1..=40).contains(&id.len()) && id.chars().all(plain)
+}
+
+fn number(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Integer(n) if n.radix() == 10 => n.as_str().parse().ok(),
+        DeValue::Integer(n) => i32::from_str_radix(n.as_str(), n.radix())
+            .ok()
+            .map(f64::from),
+        DeValue::Float(x) => x.as_str().parse().ok(),
+        _ => None,
+    }
+}
+
+fn whole(value: &DeValue) -> Option<usize> {
+    let n = value.as_integer()?;
+    usize::from_str_radix(n.as_str(), n.radix()).ok()
+}
+
+fn pair(value: &DeValue) -> Option<[f64; 2]> {
+    let list = value.as_array()?;
+    let at = |i: usize| list.get(i).and_then(|item| number(item.get_ref()));
+    (list.len() == 2).then_some([at(0)?, at(1)?])
+}
+
+fn text<'a>(value: &'a DeValue, most: usize) -> Option<&'a str> {
+    // Line breaks are laid out anew.
+    let printable = |c: char| !c.is_control() || c == '\n' || c == '\r';
+    let text = value.as_str()?;
+    let good =
+        !text.trim().is_empty() && text.chars().count() <= most && text.chars().all(printable);
+    good.then_some(text)
+}
+
+/// A value as a message shows it.
+fn shown(value: &DeValue) -> String {
+    match value {
+        DeValue::String(text) => format!("the text \"{}\"", escape_control(text, 40)),
+        DeValue::Integer(n) => escape_control(&n.to_string(), 40),
+        DeValue::Float(x) => escape_control(x.as_str(), 40),
+        DeValue::Boolean(truth) => truth.to_string(),
+        DeValue::Datetime(_) => "a date".into(),
+        DeValue::Array(list) if list.is_empty() => "an empty list".into(),
+        DeValue::Array(list) => {
+            let number = |item: &Spanned<DeValue>| {
+                let item = item.get_ref();
+                (item.is_integer() || item.is_float()).then(|| shown(item))
+            };
+            let numbers: Option<Vec<_>> = list.iter().take(5).map(number).collect();
+            match numbers {
+                Some(numbers) if numbers.len() < 5 => format!("[{}]", numbers.join(", ")),
+                _ => format!("a list of {}", list.len()),
+            }
+        }
+        DeValue::Table(_) => "a table".into(),
+    }
+}

@@ -1,0 +1,71 @@
+//! Numbers of a file: what they stand for and how large they may be.
+
+use std::fmt;
+
+/// A kind of number with its unit and bounds, in the unit of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NumberSpec {
+    what: &'static str,
+    unit: &'static str,
+    bounds: Range,
+}
+
+impl NumberSpec {
+    /// A number that is `what`, as "a mass", with its unit after it, as " g", and its
+    /// bounds, both allowed.
+    pub(crate) const fn new(what: &'static str, unit: &'static str, from: f64, to: f64) -> Self {
+        let bounds = Range { from, to };
+        Self { what, unit, bounds }
+    }
+
+    /// Whether a number lies within the bounds; one that is not finite never does.
+    pub(crate) fn allows(&self, number: f64) -> bool {
+        self.bounds.holds(number)
+    }
+}
+
+impl fmt::Display for NumberSpec {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Range { from, to } = self.bounds;
+        write!(f, "{} from {from} to {to}{}", self.what, self.unit)
+    }
+}
+
+/// Two bounds, both included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The lower bound.
+    pub from: f64,
+    /// The upper bound.
+    pub to: f64,
+}
+
+impl Range {
+    /// Whether a number lies between the bounds.
+    pub fn holds(&self, number: f64) -> bool {
+        (self.from..=self.to).contains(&number)
+    }
+
+    /// The number between the bounds that is nearest.
+    pub fn nearest(&self, number: f64) -> f64 {
+        number.max(self.from).min(self.to)
+    }
+
+    /// The number that divides the range as `share`, 0 to 1, says.
+    pub fn at(&self, share: f64) -> f64 {
+        self.from + share * (self.to - self.from)
+    }
+
+    /// Distance between the bounds.
+    pub fn width(&self) -> f64 {
+        self.to - self.from
+    }
+
+    /// Both bounds times a factor above 0: the change of a unit.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            from: self.from * factor,
+            to: self.to * factor,
+        }
+    }
+}

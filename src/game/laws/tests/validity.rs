@@ -1,0 +1,96 @@
+//! What no game can be, whatever was played: an oracle for the other tests.
+
+use glam::DVec2;
+
+use super::super::{BoardWon, MOST_POINTS, Rules};
+use crate::game::score::Score;
+use crate::game::validity::check_coins;
+use crate::game::{Coin, Game, GameSetup, Hands, Piece, Seat, Team};
+
+/// The first thing that is wrong with a game, if anything is.
+pub(super) fn flaw(game: &Game) -> Option<&'static str> {
+    let (play, setup) = (game.play(), game.setup());
+    if check_coins(game.coins(), setup.set).is_err() {
+        return Some("coins cannot lie like this");
+    }
+    if !(setup.hands.plays(play.seat()) && setup.hands.plays(setup.first_breaker)) {
+        return Some("nobody sits where the turn is");
+    }
+    if play.queen_on_board() && play.queen_covered_by().is_some() {
+        return Some("the queen cannot be covered while she lies on the board");
+    }
+    for team in Team::BOTH {
+        let colour = game.colour(team);
+        if play.owed(team) > 0 && play.in_pockets(colour) > 0 {
+            return Some("a coin is owed although there is one to pay with");
+        }
+        let cleared = play.on_board(colour) == 0;
+        if cleared && play.won().is_none() && setup.rules != Rules::Practice {
+            return Some("a colour has no coins left, yet the board has not ended");
+        }
+    }
+    let mut boards = game.finished.iter().chain(game.play.won.as_ref());
+    if boards.any(|won| won.points > MOST_POINTS) {
+        return Some("a board brings at most 12 points");
+    }
+    let ended = |played: usize| {
+        let score = Score::after(setup.rules, game.finished.iter().take(played));
+        score.match_winner(setup.rules).is_some()
+    };
+    let on = (1..=game.finished.len()).any(ended);
+    on.then_some("a board was played after the match had ended")
+}
+
+fn spoilt(spoil: impl FnOnce(&mut Game)) -> &'static str {
+    let mut game = Game::new(GameSetup::default());
+    assert_eq!(flaw(&game), None);
+    spoil(&mut game);
+    flaw(&game).unwrap_or("none")
+}
+
+#[test]
+fn the_oracle_finds_what_no_game_can_be() {
+    let white = |at| Coin {
+        piece: Piece::White,
+        at,
+    };
+    let won = |points| BoardWon {
+        winner: Team::First,
+        points,
+    };
+    let found = [
+        spoilt(|game| game.play.coins.push(white(DVec2::splat(0.2)))),
+        spoilt(|game| game.play.coins[3].at = game.play.coins[4].at),
+        spoilt(|game| game.play.coins[3].at.y = f64::NAN),
+        spoilt(|game| game.play.seat = Seat::East),
+        spoilt(|game| game.play.queen_covered_by = Some(Team::Second)),
+        spoilt(|game| {
+            game.play.coins.pop();
+            game.play.owed[Team::Second] = 1;
+        }),
+        spoilt(|game| game.play.coins.retain(|coin| coin.piece != Piece::Black)),
+        spoilt(|game| game.play.won = Some(won(13))),
+        spoilt(|game| game.finished = vec![won(12); 6]),
+    ];
+    let words = [
+        "lie", "lie", "lie", "sits", "queen", "owed", "ended", "12", "after",
+    ];
+    for (flaw, word) in found.iter().zip(words) {
+        assert!(flaw.contains(word), "{flaw}: {word}");
+    }
+}
+
+#[test]
+fn doubles_may_be_broken_from_any_side_and_singles_from_two() {
+    for seat in Seat::ALL {
+        for hands in [Hands::Two, Hands::Four] {
+            let game = Game::new(GameSetup {
+                hands,
+                first_breaker: seat,
+                ..GameSetup::default()
+            });
+            assert_eq!(flaw(&game), None);
+            assert_eq!(hands.plays(seat), game.seat() == seat);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! What became of the goals of a level, in words.
+
+use super::goal::{Goal, between, between_deg};
+use super::judge::{Judged, Judgement, Seen};
+use super::level::Level;
+use super::scene::{figures, tidy};
+use crate::numbers::degrees;
+use crate::physics::units::mm_from_m;
+
+/// What became of one goal.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// Whether it is met.
+    pub met: bool,
+    /// What happened, in words with numbers.
+    pub told: String,
+}
+
+impl Judgement {
+    /// It in words, a finding for each goal of the level that was judged.
+    pub fn told(&self, level: &Level) -> Vec<Finding> {
+        let judged = level.goals.iter().zip(&self.0);
+        let found = judged.map(|(goal, judged)| Finding {
+            met: judged.met,
+            told: told(level, goal, judged),
+        });
+        found.collect()
+    }
+}
+
+fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
+    let name = |disc: &usize| level.scene.name(*disc);
+    let pocket = level.scene.board.pocket_diameter;
+    match (goal, seen) {
+        (_, Seen::NotFallen(disc, Some(near))) => {
+            let short = mm_from_m(near - 0.5 * pocket).max(0.0);
+            let name = name(disc);
+            format!("{name} came within {} mm of a pocket", figures(short))
+        }
+        (_, Seen::NotFallen(_, None)) => "there are no pockets".into(),
+        (_, Seen::FellInOrder(order)) => {
+            let names: Vec<_> = order.iter().map(name).collect();
+            let order = if *met { "" } else { ": the wrong order" };
+            format!("{} fell{order}", names.join(", then "))
+        }
+        (Goal::Keep { disc } | Goal::Rest { disc, .. }, Seen::Fell) => {
+            format!("{} fell into a pocket", name(disc))
+        }
+        (Goal::Keep { disc }, _) => format!("{} did not fall into a pocket", name(disc)),
+        (Goal::Untouched { disc, .. }, Seen::HitBy(by)) => {
+            format!("{} hit {}", name(by), name(disc))
+        }
+        (Goal::Untouched { disc, by: Some(by) }, _) => did_not_hit(&name(by), &name(disc)),
+        (Goal::Untouched { disc, by: None }, _) => format!("nothing hit {}", name(disc)),
+        (Goal::Hit { disc, by, least }, Seen::Cushions(met)) => {
+            let hit = format!("{} hit {}", name(by), name(disc));
+            match least {
+                0 => hit,
+                _ => format!("{hit} off {}", counted(*met)),
+            }
+        }
+        (Goal::Hit { disc, by, .. }, _) => did_not_hit(&name(by), &name(disc)),
+        (Goal::Rest { disc, .. }, Seen::NeverResting) => {
+            format!("{} never came to rest", name(disc))
+        }
+        (Goal::Rest { disc, circle } | Goal::Pass { disc, circle }, Seen::Point(point)) => {
+            let rests = matches!(goal, Goal::Rest { .. });
+            let came = if rests { "came to rest" } else { "passed" };
+            let place = if *met {
+                let off = figures(mm_from_m(circle.centre.distance(*point)));
+                format!("{off} mm from the middle of the circle")
+            } else {
+                let off = figures(circle.outside_mm(*point));
+                format!("{off} mm outside the circle")
+            };
+            format!("{} {came} {place}", name(disc))
+        }
+        (Goal::Bank { disc, target, .. }, seen) => {
+            let (name, target) = (name(disc), name(target));
+            match seen {
+                Seen::OtherFirst => format!("{name} met another disc first"),
+                Seen::Cushions(0) => format!("{name} met {target} without a cushion"),
+                Seen::Cushions(met) => format!("{name} met {target} off {}", counted(*met)),
+                _ => format!("{name} never met {target}"),
+            }
+        }
+        (Goal::Cushions { disc, .. }, Seen::Cushions(met)) => {
+            format!("{} met {}", name(disc), counted(*met))
+        }
+        (Goal::Separation { .. }, Seen::NoDirection) => {
+            "one of the two stopped, so there is no angle".into()
+        }
+        (Goal::Turn { disc, .. }, Seen::NoDirection) => {
+            format!("{} stopped, so it has no direction", name(disc))
+        }
+        (Goal::Speed { disc, range }, Seen::Number(speed)) => {
+            let told = format!("{} left the hit at {} m/s", name(disc), tidy(*speed));
+            wanted(*met, told, || between(range, " m/s"))
+        }
+        (Goal::Turn { disc, range }, Seen::Number(angle)) => {
+            let told = format!("{} left at {}", name(disc), degrees(*angle));
+            wanted(*met, told, || between_deg(range))
+        }
+        (Goal::Separation { range }, Seen::Number(angle)) => {
+            let told = format!("they went {} apart", degrees(*angle));
+            wanted(*met, told, || between_deg(range))
+        }
+        (Goal::Energy { disc, range }, Seen::Number(share)) => {
+            let percent = tidy(100.0 * share);
+            let told = format!("{} took {percent} % of the energy", name(disc));
+            wanted(*met, told, || between(&range.scaled(100.0), " %"))
+        }
+        (Goal::Speed { disc, .. } | Goal::Turn { disc, .. } | Goal::Energy { disc, .. }, _) => {
+            format!("{} had no part in a first hit", name(disc))
+        }
+        _ => "no disc was hit".into(),
+    }
+}
+
+fn did_not_hit(one: &str, other: &str) -> String {
+    format!("{one} did not hit {other}")
+}
+
+/// What was measured, with what was wanted where that was something else.
+fn wanted(met: bool, told: String, wanted: impl Fn() -> String) -> String {
+    if met {
+        told
+    } else {
+        format!("{told}, wanted {}", wanted())
+    }
+}
+
+/// A number of cushions in words.
+fn counted(cushions: usize) -> String {
+    match cushions {
+        0 => "no cushion".into(),
+        1 => "1 cushion".into(),
+        _ => format!("{cushions} cushions"),
+    }
+}

@@ -1,0 +1,261 @@
+//! Numbers and words as they are printed: decimals, figures that count, units, signs.
+//!
+//! What prints a quantity gives a hyphen for a minus, as files and programs want it; what
+//! is set in formulas passes through [`true_minus`], and the Unicode screen makes minus
+//! signs of the rest.
+
+/// `x` with so many decimals, and without the sign of what rounds to nothing: "63.4",
+/// "0.0".
+pub fn fixed(x: f64, decimals: usize) -> String {
+    let text = format!("{x:.decimals$}");
+    let is_nothing = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+    match text.strip_prefix('-').filter(|_| is_nothing) {
+        Some(size) => size.to_owned(),
+        None => text,
+    }
+}
+
+/// `x` with at most so many decimals: "3.46", "0.5", "60".
+pub fn short(x: f64, decimals: usize) -> String {
+    trimmed(&fixed(x, decimals)).to_owned()
+}
+
+/// `x` to three significant figures, trailing zeros kept: "15.0", "5.50", "0.707".
+pub fn significant(x: f64) -> String {
+    fixed(x, decimals_for(x, 3))
+}
+
+/// `x` to four significant figures, without trailing zeros, and by a power of ten where
+/// it is very large or small: "3.464", "10", "1.23e-5".
+pub fn four_figures(x: f64) -> String {
+    if x.abs() <= 0.0 {
+        return "0".to_owned();
+    }
+    let scientific = format!("{x:.3e}");
+    if (1e-4..1e6).contains(&x.abs()) {
+        // Rounded first, or 99996 would keep all its digits.
+        let rounded = scientific.parse().unwrap_or(x);
+        return short(rounded, decimals_for(x, 4));
+    }
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) => format!("{}e{exponent}", trimmed(mantissa)),
+        None => scientific,
+    }
+}
+
+/// `x` as one would type it: "90", "0.5", "1e12".
+pub fn typed(x: f64) -> String {
+    if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
+        format!("{}", x + 0.0)
+    } else {
+        format!("{x:e}")
+    }
+}
+
+/// `x` without what a change of units left of rounding: 30 for 29.999999999999996.
+pub fn tidy(x: f64) -> f64 {
+    (x * 1e9).round() / 1e9
+}
+
+/// An angle of `angle` radians in tenths of a degree, rounded.
+pub fn tenths(angle: f64) -> i64 {
+    (angle.to_degrees() * 10.0).round() as i64
+}
+
+/// An angle of `angle` radians to a tenth of a degree, with its unit: "63.4°".
+pub fn degrees(angle: f64) -> String {
+    format!("{}°", bare_degrees(angle))
+}
+
+/// An angle of `angle` radians to a tenth of a degree, without a unit: "63.4".
+pub fn bare_degrees(angle: f64) -> String {
+    format!("{:.1}", tenths(angle) as f64 / 10.0)
+}
+
+/// Points to a tenth: "8.0", "-2.0".
+pub fn points(points: f64) -> String {
+    fixed((10.0 * points).round() / 10.0, 1)
+}
+
+/// A length of `length_mm` millimetres to a hundredth, as discs are measured, and with
+/// three figures at least: "8.60", "30.0", "36.55".
+pub fn bare_millimetres(length_mm: f64) -> String {
+    let exact = format!("{length_mm:.2}");
+    match exact.strip_suffix('0') {
+        Some(_) => significant(length_mm),
+        None => exact,
+    }
+}
+
+/// The same with its unit: "36.55 mm".
+pub fn millimetres(length_mm: f64) -> String {
+    with_unit(&bare_millimetres(length_mm), "mm")
+}
+
+/// A number and its unit: "36.55 mm", "63.4°", "0.5".
+pub fn with_unit(number: &str, unit: &str) -> String {
+    let gap = if matches!(unit, "" | "°") { "" } else { " " };
+    format!("{number}{gap}{unit}")
+}
+
+/// The same text with minus signs for its hyphens.
+pub fn true_minus(text: &str) -> String {
+    text.replace('-', "−")
+}
+
+/// The same text with a capital letter first.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// The FNV-1a hash of nothing, to begin with.
+pub const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// The 64-bit FNV-1a hash of these bytes after those that gave `hash`.
+pub fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(hash, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// How many decimals `x` needs for so many significant figures. The exponent is taken
+/// after rounding: 9.999 is 10.0, not 10.00.
+fn decimals_for(x: f64, figures: u8) -> usize {
+    let digits = i32::from(figures) - 1;
+    let scientific = format!("{x:.*e}", usize::from(figures) - 1);
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    usize::try_from(digits - exponent.unwrap_or(0)).unwrap_or(0)
+}
+
+fn trimmed(decimal: &str) -> &str {
+    match decimal.contains('.') {
+        true => decimal.trim_end_matches('0').trim_end_matches('.'),
+        false => decimal,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn three_figures() {
+        for (x, text) in [
+            (15.0, "15.0"),
+            (5.5, "5.50"),
+            (0.5, "0.500"),
+            (1.0, "1.00"),
+            (9.999, "10.0"),
+            (0.99999, "1.00"),
+            (0.0707, "0.0707"),
+            (108.43, "108"),
+            (1234.0, "1234"),
+            (-3.4641, "-3.46"),
+        ] {
+            assert_eq!(significant(x), text);
+        }
+    }
+
+    #[test]
+    fn four_digits_and_no_more_than_needed() {
+        for (x, text) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (15.0, "15"),
+            (2.0 * 3.0_f64.sqrt(), "3.464"),
+            (-0.5, "-0.5"),
+            (9.999_96, "10"),
+            (99_996.0, "100000"),
+            (0.000_123_456, "0.0001235"),
+            (0.000_012_3, "1.23e-5"),
+            (1.5e9, "1.5e9"),
+            (1234.5, "1234"),
+            (90.0 - 1e-13, "90"),
+        ] {
+            assert_eq!(four_figures(x), text);
+        }
+    }
+
+    #[test]
+    fn points_to_a_tenth() {
+        for (x, text) in [(8.0, "8.0"), (-2.0, "-2.0"), (-0.04, "0.0"), (9.96, "10.0")] {
+            assert_eq!(points(x), text);
+        }
+    }
+
+    #[test]
+    fn lengths_to_a_hundredth() {
+        assert_eq!(millimetres(8.6), "8.60 mm");
+        assert_eq!(millimetres(30.0), "30.0 mm");
+        assert_eq!(millimetres(20.65 + 15.9), "36.55 mm");
+    }
+
+    #[test]
+    fn angles_to_a_tenth() {
+        assert_eq!(degrees(2_f64.atan()), "63.4°");
+        assert_eq!(degrees(-1e-9), "0.0°");
+        assert_eq!(bare_degrees(-0.5), "-28.6");
+    }
+
+    #[test]
+    fn units_stand_off_but_for_degrees() {
+        assert_eq!(with_unit("4", "m/s"), "4 m/s");
+        assert_eq!(with_unit("60", "°"), "60°");
+        assert_eq!(with_unit("0.5", ""), "0.5");
+        assert_eq!(true_minus("-1.5e-7"), "−1.5e−7");
+    }
+
+    #[test]
+    fn words_and_hashes() {
+        assert_eq!(capital("élan vital"), "Élan vital");
+        assert_eq!(capital(""), "");
+        // Test vectors of the FNV reference.
+        assert_eq!(fnv1a(FNV_START, b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv1a(FNV_START, b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv1a(FNV_START, b"foobar"), 0x8594_4171_f739_67e8);
+    }
+
+    fn any_number() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            -1e-3..1e-3_f64,
+            -10.0..10.0_f64,
+            -1e5..1e5_f64,
+            -1e12..1e12_f64
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Half a unit of the last place, and what the reading itself rounds.
+        #[test]
+        fn what_is_printed_reads_back(x in any_number(), decimals in 0_usize..5) {
+            let half = |decimals: i32| 0.5 * 10.0_f64.powi(-decimals) + 4.0 * f64::EPSILON * x.abs();
+            for text in [fixed(x, decimals), short(x, decimals)] {
+                let read: f64 = text.parse().unwrap();
+                prop_assert!((read - x).abs() <= half(decimals as i32), "{text}");
+            }
+            for (text, figures) in [(significant(x), 3), (four_figures(x), 4)] {
+                let read: f64 = text.parse().unwrap();
+                let last = x.abs().log10().floor() as i32 - (figures - 1);
+                prop_assert!((read - x).abs() <= half(-last), "{text}");
+            }
+            prop_assert_eq!(typed(x).parse(), Ok(x));
+        }
+
+        #[test]
+        fn nothing_has_no_sign(x in -1e-2..1e-2_f64, decimals in 0_usize..3) {
+            for text in [fixed(x, decimals), short(x, decimals), points(x), bare_degrees(x), four_figures(x)] {
+                let read: f64 = text.parse().unwrap();
+                prop_assert!(read != 0.0 || !text.starts_with('-'), "{text}");
+            }
+        }
+    }
+}

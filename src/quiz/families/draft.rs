@@ -1,0 +1,244 @@
+//! A question in the making.
+
+use serde_json::{Map, Value};
+
+use super::where_to::figures;
+use crate::quiz::dice::Dice;
+use crate::quiz::{
+    AimTask, Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Misconception,
+    Question, Response, Topic, WrongAnswer,
+};
+
+/// A wrong answer as it is declared, whether or not it can be given.
+struct DraftAnswer {
+    /// Whoever gives it follows this; `None` for a wrong choice that follows nothing known.
+    misconception: Option<&'static Misconception>,
+    response: Response,
+    says: String,
+}
+
+/// A question in the making: what is told, what is asked, what is true, and what is wrong.
+///
+/// Wrong answers are declared whether or not they make sense for the figures drawn;
+/// [`finish`](Self::finish) leaves out those that cannot be given or happen to be right.
+pub(super) struct Draft {
+    question: Question,
+    wrong: Vec<DraftAnswer>,
+}
+
+impl Draft {
+    /// A question that begins with this text beside this picture.
+    pub(super) fn new(text: impl Into<String>, picture: Illustration) -> Self {
+        let question = Question {
+            // The generator sets both.
+            family: Family::WhereTo,
+            difficulty: Difficulty::Middle,
+            topic: Topic::with_id(""),
+            text: text.into(),
+            picture,
+            form: Form::Choice {
+                options: Vec::new(),
+                right: 0,
+            },
+            beliefs: Vec::new(),
+            replies: std::collections::BTreeMap::new(),
+            why: String::new(),
+            figures: Map::new(),
+        };
+        Self {
+            question,
+            wrong: Vec::new(),
+        }
+    }
+
+    /// A question about a hit that is given in full.
+    pub(super) fn about(hit: &Hit) -> Self {
+        let picture = Illustration::before(hit.collision(), Markings::given(hit));
+        Self::told(hit, hit.setting(), picture)
+    }
+
+    /// A question about a hit that is told in other words, beside another picture.
+    pub(super) fn told(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
+        let mut draft = Self::new(text, picture);
+        draft.question.figures = figures(hit);
+        draft
+    }
+
+    /// What is asked, after what has been told, and the id of the topic.
+    pub(super) fn ask(mut self, topic: &'static str, text: impl AsRef<str>) -> Self {
+        self.question.topic = Topic::with_id(topic);
+        self.question.text += " ";
+        self.question.text += text.as_ref();
+        self
+    }
+
+    /// The topic, where all is told that is asked.
+    pub(super) fn topic(mut self, topic: impl Into<Topic>) -> Self {
+        self.question.topic = topic.into();
+        self
+    }
+
+    /// A figure that fixes the question, to be kept with its answers.
+    pub(super) fn figure(mut self, name: &str, value: impl Into<Value>) -> Self {
+        self.question.figures.insert(name.into(), value.into());
+        self
+    }
+
+    /// A number is asked for, and this is it.
+    pub(super) fn number(mut self, quantity: Measure, truth: f64) -> Self {
+        self.question.form = Form::Number { quantity, truth };
+        self
+    }
+
+    /// A shot is asked for.
+    pub(super) fn shot(mut self, aim: AimTask) -> Self {
+        self.question.form = Form::Shot(aim);
+        self
+    }
+
+    /// One of these texts is asked for, which stand as they are.
+    pub(super) fn options<const N: usize>(mut self, options: [&str; N], right: usize) -> Self {
+        self.question.form = Form::Choice {
+            options: options.map(str::to_owned).into(),
+            right,
+        };
+        self
+    }
+
+    /// What a misconception answers, as a number of the quantity asked for or an offset in
+    /// metres; `None` or NaN where it answers nothing here.
+    pub(super) fn wrong(
+        mut self,
+        misconception: &'static Misconception,
+        answer: impl Into<Option<f64>>,
+    ) -> Self {
+        let answer = answer.into().unwrap_or(f64::NAN);
+        let response = match self.question.form {
+            Form::Shot(_) => Response::Shot(answer),
+            _ => Response::Number(answer),
+        };
+        self.push(Some(misconception), response);
+        self
+    }
+
+    /// Which of the [`options`](Self::options) a misconception chooses. Of those that choose
+    /// alike the first counts.
+    pub(super) fn chooses(mut self, misconception: &'static Misconception, choice: usize) -> Self {
+        self.push(Some(misconception), Response::Choice(choice));
+        self
+    }
+
+    /// What to say to whoever gives the wrong answer declared last.
+    pub(super) fn says(mut self, says: impl Into<String>) -> Self {
+        if let Some(last) = self.wrong.last_mut() {
+            last.says = says.into();
+        }
+        self
+    }
+
+    fn push(&mut self, misconception: Option<&'static Misconception>, response: Response) {
+        self.wrong.push(DraftAnswer {
+            misconception,
+            response,
+            says: String::new(),
+        });
+    }
+
+    /// Adds a choice, and gives its place.
+    fn add_option(&mut self, text: impl Into<String>) -> usize {
+        match &mut self.question.form {
+            Form::Choice { options, .. } => {
+                options.push(text.into());
+                options.len() - 1
+            }
+            _ => 0,
+        }
+    }
+
+    /// Adds the right choice.
+    pub(super) fn right(mut self, text: impl Into<String>) -> Self {
+        let place = self.add_option(text);
+        if let Form::Choice { right, .. } = &mut self.question.form {
+            *right = place;
+        }
+        self
+    }
+
+    /// Adds a wrong choice, which follows a misconception or none that is known.
+    pub(super) fn choice(
+        mut self,
+        misconception: impl Into<Option<&'static Misconception>>,
+        text: impl Into<String>,
+    ) -> Self {
+        let place = self.add_option(text);
+        self.push(misconception.into(), Response::Choice(place));
+        self
+    }
+
+    /// Puts the choices added so far into any order.
+    pub(super) fn shuffled(mut self, dice: &mut Dice) -> Self {
+        if let Form::Choice { options, right } = &mut self.question.form {
+            let mut order: Vec<usize> = (0..options.len()).collect();
+            dice.shuffle(&mut order);
+            let place = |old: usize| order.iter().position(|it| *it == old).unwrap_or(old);
+            *options = order.iter().map(|old| options[*old].clone()).collect();
+            *right = place(*right);
+            for wrong in &mut self.wrong {
+                if let Response::Choice(choice) = &mut wrong.response {
+                    *choice = place(*choice);
+                }
+            }
+            self.wrong.sort_by_key(|wrong| match wrong.response {
+                Response::Choice(choice) => choice,
+                _ => 0,
+            });
+        }
+        self
+    }
+
+    /// Why the truth is true.
+    pub(super) fn why(mut self, why: impl Into<String>) -> Self {
+        self.question.why = why.into();
+        self
+    }
+
+    /// The question, with the wrong answers that can be given and are not right by accident.
+    pub(super) fn finish(self) -> Question {
+        /// What rounding alone may do.
+        const SAME: f64 = 1e-6;
+        let mut question = self.question;
+        let form = &question.form;
+        for DraftAnswer {
+            misconception,
+            response,
+            says,
+        } in self.wrong
+        {
+            let can_be_given = match (form, response) {
+                (Form::Number { quantity, .. }, Response::Number(x)) => {
+                    (0.0..=quantity.largest()).contains(&x)
+                }
+                (Form::Choice { .. }, _) => {
+                    let same = |other: &WrongAnswer| other.said == response;
+                    !question.beliefs.iter().any(same)
+                }
+                (_, Response::Shot(offset)) => offset.is_finite(),
+                _ => true,
+            };
+            if !can_be_given || form.spacing(&response, &form.truth()) <= SAME {
+                continue;
+            }
+            match (misconception, response) {
+                (Some(misconception), _) => {
+                    let wrong = WrongAnswer::new(misconception, response, says);
+                    question.beliefs.push(wrong);
+                }
+                (None, Response::Choice(choice)) => {
+                    question.replies.insert(choice, says);
+                }
+                (None, _) => {}
+            }
+        }
+        question
+    }
+}

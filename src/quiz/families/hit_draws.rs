@@ -1,0 +1,102 @@
+//! Hits that more than one family asks about.
+
+use std::ops::RangeInclusive;
+
+use crate::numbers::{bare_millimetres, degrees, significant};
+use crate::physics::Disc;
+use crate::quiz::dice::Dice;
+use crate::quiz::{Difficulty, Hit, Illustration, Markings, Pieces, Placement};
+
+pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];
+pub(super) const UNEQUAL: &[Pieces] = &[Pieces::Tournament, Pieces::Marbles];
+pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::Marbles];
+
+/// No loss.
+pub(super) const NO_LOSS: &[f64] = &[1.0];
+
+/// What a hit on a resting target is drawn from.
+pub(super) struct HitDraws<'a> {
+    pieces: &'a [Pieces],
+    fives_deg: RangeInclusive<u32>,
+    restitutions: &'a [f64],
+}
+
+impl<'a> HitDraws<'a> {
+    /// These sets of pieces, impact angles in degrees in steps of five, and e.
+    pub(super) const fn new(
+        pieces: &'a [Pieces],
+        fives_deg: RangeInclusive<u32>,
+        restitutions: &'a [f64],
+    ) -> Self {
+        Self {
+            pieces,
+            fives_deg,
+            restitutions,
+        }
+    }
+
+    /// A hit: the pieces, α, e, a speed of 2 to 5 m/s, the side, and a direction that is
+    /// the freer the harder the question.
+    pub(super) fn draw(&self, difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
+        let pieces = *dice.pick(self.pieces)?;
+        let (from, to) = (self.fives_deg.start() / 5, self.fives_deg.end() / 5);
+        let alpha_deg = f64::from(5 * (from + dice.below((to + 1).saturating_sub(from))));
+        let restitution = *dice.pick(self.restitutions)?;
+        let speed = f64::from(2 + dice.below(4));
+        let left = dice.coin();
+        Some(Hit {
+            pieces,
+            given: Placement::Angle {
+                // 0.0 - x, not -x: a head-on hit has no side.
+                alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
+            },
+            restitution,
+            speed,
+            direction_deg: direction_deg(difficulty, dice),
+        })
+    }
+}
+
+/// A direction of the striker on the picture, in degrees.
+pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
+    let turn = difficulty.turn_deg();
+    f64::from(turn * dice.below(360 / turn))
+}
+
+/// Two discs of one size with these masses in grams.
+pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
+    let disc = |mass_g| Disc::from_g_mm(f64::from(mass_g), 15.0);
+    Pieces::Own {
+        striker: disc(m1_g),
+        target: disc(m2_g),
+    }
+}
+
+/// A picture of a hit about to happen that shows nothing of where the two will meet.
+pub(super) fn unmarked(hit: &Hit) -> Illustration {
+    Illustration::before(hit.collision(), Markings::FIGURES)
+}
+
+/// The hit with its masses, its speed and where the two meet, without a word on loss.
+pub(super) fn in_short(hit: &Hit) -> String {
+    let place = match hit.given {
+        Placement::Angle { .. } => format!(
+            "the line of impact makes {} with its path",
+            degrees(hit.alpha().abs())
+        ),
+        Placement::Offset { offset_mm } => format!(
+            "the offset is {} mm, the two radii make {} mm together",
+            bare_millimetres(offset_mm.abs()),
+            bare_millimetres(hit.reach_mm())
+        ),
+    };
+    format!("{} at {} m/s; {place}.", who(hit), significant(hit.speed))
+}
+
+/// What hits what: "A striker of 15.0 g hits a resting coin of 5.50 g".
+pub(super) fn who(hit: &Hit) -> String {
+    let (m1, m2) = hit.masses_g();
+    let [m1, m2] = [m1, m2].map(significant);
+    let name = hit.pieces.target_name();
+    format!("A striker of {m1} g hits a resting {name} of {m2} g")
+}

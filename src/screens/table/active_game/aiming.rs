@@ -1,0 +1,184 @@
+//! Aiming: the keys and the mouse.
+
+use glam::DVec2;
+
+use super::{ActiveGame, Calling, Grip, TablePhase};
+use crate::game::Move;
+use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
+use crate::messages::{Mouse, MouseKind};
+use crate::physics::Board;
+use crate::physics::units::m_from_mm;
+use crate::screens::Context;
+use crate::screens::table::aim::{Aim, along_the_screen, rightwards};
+use crate::screens::table::arrange::Arrange;
+use crate::screens::table::keys::{AimAid, TableAction};
+use crate::screens::table::replay::StrokeReplay;
+use crate::screens::table::view;
+use crate::widgets::hit::side;
+use crate::widgets::{RayInput, board};
+
+/// A step of the speed, in m/s.
+const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
+/// A step of the direction, in degrees.
+const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
+/// How near the mouse has to be to take hold of the striker, in its radii.
+const HOLD: f64 = 1.6;
+
+impl ActiveGame {
+    /// Aims, or does what can be done beside it. A number that was typed is a direction,
+    /// unless the key after it says that it is a place or a speed.
+    pub(super) fn act_on_aim(&mut self, action: TableAction, cx: &mut Context) {
+        if let Some(number) = self.entry.take() {
+            match action {
+                TableAction::Strength(1) => self.aim.set_speed(number),
+                TableAction::Place(1) => self.stand(m_from_mm(number)),
+                TableAction::Place(-1) => self.stand(-m_from_mm(number)),
+                _ => self.aim.set_direction(number),
+            }
+            self.look_ahead();
+            if let TableAction::Strength(1) | TableAction::Place(1 | -1) = action {
+                return;
+            }
+        }
+        let right = rightwards(self.seat());
+        match action {
+            TableAction::Turn(tenths) => self.turn(f64::from(tenths) * DIRECTION_STEP * right),
+            TableAction::TurnFar(tens) => self.turn(10.0 * f64::from(tens) * right),
+            TableAction::Strength(steps) => {
+                self.aim
+                    .set_speed(self.aim.speed + f64::from(steps) * SPEED_STEP);
+                self.look_ahead();
+            }
+            TableAction::Place(steps) => self.shift(f64::from(steps) * PLACE_STEP, false),
+            TableAction::PlaceUp(steps) => self.shift(f64::from(steps) * PLACE_STEP, true),
+            TableAction::Aid(AimAid::Line) => self.options.aids.line ^= true,
+            TableAction::Aid(AimAid::Ghost) => self.options.aids.ghost ^= true,
+            TableAction::Aid(AimAid::Rays) => self.options.aids.rays ^= true,
+            TableAction::Call => self.options.call ^= true,
+            TableAction::LayOut => self.phase = TablePhase::Arrange(Arrange::new()),
+            TableAction::Undo => self.take_back(),
+            TableAction::Hint => self.ask_for_hint(cx),
+            TableAction::Strike => self.strike(cx),
+            _ => {}
+        }
+    }
+
+    fn turn(&mut self, degrees: f64) {
+        self.aim.set_direction(self.aim.direction_deg + degrees);
+        self.look_ahead();
+    }
+
+    /// Moves the striker along the screen, or up it.
+    fn shift(&mut self, metres: f64, upwards: bool) {
+        let along = if upwards {
+            DVec2::Y
+        } else {
+            along_the_screen(self.seat(), self.game().setup().rules)
+        };
+        self.aim.move_by(metres * along, self.history.game());
+        self.look_ahead();
+    }
+
+    /// Puts the striker so many metres beside the middle, to the right on the screen
+    /// (or up it).
+    fn stand(&mut self, metres: f64) {
+        let game = self.history.game();
+        let along = along_the_screen(game.seat(), game.setup().rules);
+        let beside = self.aim.place - along * self.aim.place.dot(along);
+        self.aim.put(beside + metres * along, game);
+    }
+
+    /// Takes the last move back; after a stroke, with its aim, to try it again.
+    fn take_back(&mut self) {
+        let last = self.history.len().checked_sub(1);
+        let strike = last.and_then(|last| self.history.strike(last).copied());
+        if self.history.undo() {
+            self.begin_turn();
+            if let Some(strike) = strike {
+                self.aim = Aim::of(&strike, self.seat());
+                self.look_ahead();
+            }
+        } else {
+            self.notice = Some("There is nothing to take back.".into());
+        }
+    }
+
+    /// From aiming to the stroke, or to the call before it.
+    fn strike(&mut self, cx: &Context) {
+        let board = Board::default();
+        if !self.is_practice()
+            && self
+                .game()
+                .base_lines(&board)
+                .nearest(DVec2::ZERO)
+                .is_none()
+        {
+            self.pass();
+            return;
+        }
+        if let Err(why) = self.aim.check(self.game()) {
+            self.notice = Some(format!("Not from there: {why}."));
+            return;
+        }
+        let hit = self
+            .preview
+            .as_ref()
+            .and_then(|preview| preview.first_hit());
+        match hit {
+            Some(hit) if self.options.call => {
+                self.phase = TablePhase::Call(Box::new(Calling {
+                    hit: *hit,
+                    rays: RayInput::new(side(&hit.impact.collision)),
+                }));
+            }
+            _ => self.play(Move::Strike(self.aim.strike(self.seat())), cx),
+        }
+    }
+
+    /// Plays a stroke and watches it.
+    pub(super) fn play(&mut self, stroke: Move, cx: &Context) {
+        let number = self.history.len();
+        if let Some(shot) = self.make(stroke)
+            && let Some(past) = self.history.past(number)
+        {
+            let called = past.called.as_ref().map(|called| called.said);
+            let (before, settings) = (&past.before, &cx.settings);
+            let at_end = settings.reduced_motion;
+            let replay = StrokeReplay::new(number, shot, before, called, at_end, settings);
+            self.phase = TablePhase::Watch(Box::new(replay));
+        }
+    }
+
+    pub(super) fn aiming_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
+        let area = board::square(view::layout(cx.body, false).picture);
+        let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
+        let inside = area.contains((mouse.column, mouse.row).into());
+        match mouse.kind {
+            MouseKind::ScrollUp => self.aim.set_speed(self.aim.speed + SPEED_STEP),
+            MouseKind::ScrollDown => self.aim.set_speed(self.aim.speed - SPEED_STEP),
+            MouseKind::Down if inside => {
+                let reach = HOLD * self.game().setup().set.striker_radius();
+                self.grip = if self.aim.place.distance(at) < reach {
+                    Grip::Striker
+                } else {
+                    Grip::Aim
+                };
+                self.lead(at);
+            }
+            MouseKind::Drag => self.lead(at),
+            _ => return false,
+        }
+        self.look_ahead();
+        true
+    }
+
+    /// Moves what the mouse holds.
+    fn lead(&mut self, at: DVec2) {
+        self.entry.take();
+        self.notice = None;
+        match self.grip {
+            Grip::Striker => self.aim.put(at, self.history.game()),
+            Grip::Aim => self.aim.point_at(at, self.history.game().seat()),
+        }
+    }
+}

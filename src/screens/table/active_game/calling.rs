@@ -1,0 +1,42 @@
+//! Calling the first impact before the stroke.
+
+use super::{ActiveGame, TablePhase};
+use crate::game::{Move, Strike};
+use crate::messages::{Mouse, MouseKind};
+use crate::screens::Context;
+use crate::screens::table::calls::call;
+use crate::screens::table::view;
+use crate::widgets::Outcome;
+use crate::widgets::hit::point_at;
+use crate::widgets::input::RayAction;
+
+impl ActiveGame {
+    pub(super) fn act_on_call(&mut self, action: RayAction, cx: &Context) {
+        if let TablePhase::Call(calling) = &mut self.phase
+            && let Outcome::Done(()) = calling.rays.act(action)
+            && let Some(said) = calling.rays.said()
+        {
+            self.phase = TablePhase::Aim;
+            let strike = Strike {
+                call: Some(call(&said)),
+                ..self.aim.strike(self.seat())
+            };
+            self.play(Move::Strike(strike), cx);
+        }
+    }
+
+    pub(super) fn calling_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
+        let picture = view::layout(cx.body, true).picture;
+        let cell = (mouse.column, mouse.row);
+        let pressed = mouse.kind == MouseKind::Down;
+        let held = pressed || mouse.kind == MouseKind::Drag;
+        match &mut self.phase {
+            TablePhase::Call(calling) if held && picture.contains(cell.into()) => {
+                let collision = &calling.hit.impact.collision;
+                point_at(picture, collision, &mut calling.rays, cell, pressed);
+                true
+            }
+            _ => false,
+        }
+    }
+}

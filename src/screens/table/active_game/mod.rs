@@ -1,0 +1,555 @@
+//! A game in progress at the table.
+//!
+//! One file a thing that one does there: aiming, calling, watching a stroke,
+//! looking into one impact, laying coins out, keeping the game.
+
+mod aiming;
+mod arranging;
+mod calling;
+mod keeping;
+mod thinking;
+mod watching;
+
+use std::time::Duration;
+
+use super::aim::Aim;
+use super::arrange::Arrange;
+use super::game_history::GameHistory;
+use super::keys::TableAction;
+use super::options::Options;
+use super::pointer::Pointer;
+use super::preview::{FirstHit, Preview};
+use super::replay::StrokeReplay;
+use super::words::sentence;
+use super::{panel, view};
+use crate::game::opponent::StrokeHint;
+use crate::game::{Game, GameStage, Move, PieceSet, Record, RecordError, Rules, Seat};
+use crate::messages::{Input, Mouse, StoreRequest};
+use crate::physics::Shot;
+use crate::screens::{Confirmation, Context};
+use crate::widgets::replay::ShotAction;
+use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll};
+pub(super) use keeping::Keeping;
+
+/// A game in progress, and what is being done at the table.
+#[derive(Debug, Clone)]
+pub(super) struct ActiveGame {
+    pub(super) options: Options,
+    pub(super) history: GameHistory,
+    pub(super) aim: Aim,
+    /// What the aim will meet; kept, because it takes an engine to know.
+    pub(super) preview: Option<Preview>,
+    /// An angle being typed.
+    pub(super) entry: NumberEntry,
+    pub(super) phase: TablePhase,
+    /// What has to be said just now: why something cannot be done.
+    pub(super) notice: Option<String>,
+    /// Help with the next stroke.
+    pub(super) hint: Option<Hinted>,
+    /// How far the panel is scrolled.
+    pub(super) scroll: Scroll,
+    /// How it is kept.
+    pub(super) keeping: Keeping,
+    /// What the mouse holds while its button is down.
+    grip: Grip,
+}
+
+/// What is being done at the table.
+#[derive(Debug, Clone)]
+pub(super) enum TablePhase {
+    /// Aiming the next stroke.
+    Aim,
+    /// Waiting for the computer's stroke.
+    Think {
+        /// By which the answer is known.
+        ticket: u64,
+    },
+    /// Saying where the two of the first impact will go.
+    Call(Box<Calling>),
+    /// Watching a stroke.
+    Watch(Box<StrokeReplay>),
+    /// Laying coins out, in practice.
+    Arrange(Arrange),
+    /// The board has ended.
+    Over,
+}
+
+/// A hint on its way, or there.
+#[derive(Debug, Clone)]
+pub(super) enum Hinted {
+    /// Asked for.
+    Asked {
+        /// By which the answer is known.
+        ticket: u64,
+    },
+    /// There.
+    Told {
+        hint: Box<StrokeHint>,
+        /// What it speaks of on the board, if it speaks of a coin.
+        pointer: Option<Pointer>,
+        /// Whether all of it is told, or only where to look.
+        whole: bool,
+    },
+}
+
+/// A call in the making.
+#[derive(Debug, Clone)]
+pub(super) struct Calling {
+    pub(super) hit: FirstHit,
+    pub(super) rays: RayInput,
+}
+
+/// What follows from a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum GameStep {
+    /// The game goes on.
+    Stay,
+    /// The player is to be asked whether to leave it.
+    AskToLeave,
+    /// It is left.
+    Leave,
+}
+
+/// What the mouse holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Grip {
+    /// The direction of the aim.
+    Aim,
+    /// The striker.
+    Striker,
+}
+
+impl ActiveGame {
+    /// Sits down to a new game.
+    pub(super) fn new(options: Options, seed: u64) -> Self {
+        Self::with(options, GameHistory::new(options.setup(seed)))
+    }
+
+    /// Sits down to a game that has been begun. What the record was agreed on counts,
+    /// whatever the options say.
+    ///
+    /// # Errors
+    /// If the record cannot be played.
+    pub(super) fn resume(options: Options, record: Record) -> Result<Self, RecordError> {
+        let setup = *record.setup();
+        let options = Options {
+            rules: setup.rules,
+            hands: setup.hands,
+            set: setup.set,
+            ..options
+        };
+        let mut active = Self::with(options, GameHistory::from_record(record)?);
+        active.go_on();
+        Ok(active)
+    }
+
+    fn with(options: Options, history: GameHistory) -> Self {
+        let mut active = Self {
+            aim: Aim::begin(history.game()),
+            options,
+            history,
+            preview: None,
+            entry: NumberEntry::default(),
+            phase: TablePhase::Aim,
+            notice: None,
+            hint: None,
+            scroll: Scroll::default(),
+            keeping: Keeping::default(),
+            grip: Grip::Aim,
+        };
+        active.look_ahead();
+        active
+    }
+
+    /// Whether there is a long hint to read, for which the page keys are needed.
+    pub(super) fn reads_hint(&self) -> bool {
+        matches!(self.hint, Some(Hinted::Told { whole: true, .. }))
+    }
+
+    /// The game as it stands.
+    pub(super) fn game(&self) -> &Game {
+        self.history.game()
+    }
+
+    /// All that is needed to play the game again.
+    pub(super) fn record(&self) -> &Record {
+        self.history.record()
+    }
+
+    /// The pieces it is played with.
+    pub(super) fn set(&self) -> PieceSet {
+        self.game().setup().set
+    }
+
+    /// Whose turn it is.
+    pub(super) fn seat(&self) -> Seat {
+        self.game().seat()
+    }
+
+    /// Whether this is practice.
+    pub(super) fn is_practice(&self) -> bool {
+        self.game().setup().rules == Rules::Practice
+    }
+
+    /// Does what a key stands for. What it asks about is leaving the game.
+    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> GameStep {
+        self.hand_over(cx);
+        if let TableAction::Scroll(rows) = action {
+            self.scroll_by(rows, cx);
+            return GameStep::Stay;
+        }
+        self.scroll = Scroll::default();
+        self.notice = None;
+        let step = self.act_now(action, cx);
+        if let GameStep::Stay = step {
+            self.hand_over(cx);
+        }
+        self.save(cx);
+        step
+    }
+
+    fn act_now(&mut self, action: TableAction, cx: &mut Context) -> GameStep {
+        match action {
+            TableAction::Number(action) => {
+                if let Outcome::Done(degrees) = self.entry.act(action) {
+                    self.aim.set_direction(degrees);
+                }
+                self.look_ahead();
+            }
+            TableAction::Ray(action) => self.act_on_call(action, cx),
+            TableAction::Replay(action) => self.act_on_replay(action, cx),
+            TableAction::GoOn => self.go_on_from_stroke(cx),
+            TableAction::ToTheEnd => self.act_on_replay(ShotAction::Seek(f64::INFINITY), cx),
+            TableAction::StrokeBefore => self.look_beside(false, cx),
+            TableAction::StrokeAfter => self.look_beside(true, cx),
+            TableAction::LookBack => self.look_back(self.history.len(), cx),
+            TableAction::WatchAll => self.watch_all(cx),
+            TableAction::Export => {
+                let game = Box::new(self.saved(cx));
+                cx.ask(StoreRequest::Export(game));
+            }
+            TableAction::NextBoard => {
+                if let GameStage::MatchOver(_) = self.game().stage() {
+                    return GameStep::Leave;
+                }
+                self.make(Move::NextBoard);
+                self.go_on();
+            }
+            TableAction::Back => return self.back(),
+            action if matches!(self.phase, TablePhase::Arrange(_)) => self.act_on_layout(action),
+            action => self.act_on_aim(action, cx),
+        }
+        GameStep::Stay
+    }
+
+    /// One step back: out of a call, a stroke that is watched, or laying out; from there
+    /// out of the game.
+    fn back(&mut self) -> GameStep {
+        match self.phase {
+            TablePhase::Call(_) | TablePhase::Arrange(_) => self.phase = TablePhase::Aim,
+            TablePhase::Watch(_) => self.go_on(),
+            TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Over if self.is_running() => {
+                return GameStep::AskToLeave;
+            }
+            TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Over => {
+                return GameStep::Leave;
+            }
+        }
+        GameStep::Stay
+    }
+
+    /// What is asked before the game is left.
+    pub(super) fn parting(&self) -> Confirmation {
+        let kept = match self.keeping.is_safe() {
+            true => " It is saved: on the page of a new game, s brings it back.",
+            false => "",
+        };
+        Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
+    }
+
+    /// Takes an input that is no key. Says whether it meant anything.
+    pub(super) fn input(&mut self, input: &Input, cx: &mut Context) -> bool {
+        self.hand_over(cx);
+        let used = match input {
+            Input::Mouse(mouse) => self.mouse(mouse, cx),
+            Input::Searched(result) => {
+                self.take_result(result, cx);
+                true
+            }
+            Input::Kept(answer) => {
+                self.take_answer(answer);
+                true
+            }
+            _ => false,
+        };
+        self.hand_over(cx);
+        self.save(cx);
+        used
+    }
+
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
+        self.notice = None;
+        match &mut self.phase {
+            TablePhase::Aim => self.aiming_mouse(mouse, cx),
+            TablePhase::Call(_) => self.calling_mouse(mouse, cx),
+            TablePhase::Watch(_) => self.watching_mouse(mouse, cx),
+            TablePhase::Arrange(_) => self.arranging_mouse(mouse, cx),
+            TablePhase::Think { .. } | TablePhase::Over => false,
+        }
+    }
+
+    fn scroll_by(&mut self, rows: i16, cx: &Context) {
+        let area = view::layout(cx.body, view::is_enlarged(self)).panel;
+        let mut scroll = self.scroll;
+        scroll.by(rows, area, cx.settings.look(), |lines| {
+            panel::write(self, lines);
+        });
+        self.scroll = scroll;
+    }
+
+    /// Lets time pass on the screen.
+    pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        self.hand_over(cx);
+        match &mut self.phase {
+            TablePhase::Watch(replay) => replay.player.advance(passed),
+            _ => {}
+        }
+    }
+
+    /// When it next needs time.
+    pub(super) fn wake(&self) -> Option<Duration> {
+        match &self.phase {
+            TablePhase::Watch(replay) => replay.player.wake(),
+            TablePhase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
+            _ => None,
+        }
+    }
+
+    /// Whether leaving now would break a game off.
+    fn is_running(&self) -> bool {
+        self.history.len() > 0 && !matches!(self.game().stage(), GameStage::MatchOver(_))
+    }
+
+    /// Goes on with the game as it stands: aiming, or the end of the board.
+    fn go_on(&mut self) {
+        self.phase = match self.game().stage() {
+            GameStage::Playing => TablePhase::Aim,
+            _ => TablePhase::Over,
+        };
+    }
+
+    /// Makes a move and begins the turn that follows; says in words if it cannot be
+    /// made. Gives the shot if it was a stroke.
+    fn make(&mut self, next: Move) -> Option<Shot> {
+        match self.history.make(next) {
+            Ok(shot) => {
+                self.begin_turn();
+                shot
+            }
+            Err(error) => {
+                self.notice = Some(format!("{}.", sentence(&error.to_string())));
+                None
+            }
+        }
+    }
+
+    /// A fresh aim for the game as it stands. In practice the aim stays as long as it
+    /// can, to try the same again with a little more or less of something.
+    fn begin_turn(&mut self) {
+        if !self.is_practice() || self.aim.check(self.game()).is_err() {
+            let speed = self.aim.speed;
+            self.aim = Aim::begin(self.game());
+            if !self.game().play().is_unbroken() {
+                self.aim.speed = speed;
+            }
+        }
+        self.entry.take();
+        self.hint = None;
+        self.look_ahead();
+    }
+
+    /// Passes, because coins bar every place for the striker.
+    fn pass(&mut self) {
+        let number = self.history.len();
+        self.phase = TablePhase::Aim;
+        self.make(Move::NoPlace);
+        if let Some(past) = self.history.past(number) {
+            self.notice = past.rulings.first().map(|ruling| ruling.text.clone());
+        }
+    }
+
+    /// The aim with the number that is being typed for its direction.
+    pub(super) fn aimed(&self) -> Aim {
+        let mut aim = self.aim;
+        if let Some(degrees) = self.entry.value() {
+            aim.set_direction(degrees);
+        }
+        aim
+    }
+
+    /// Works out what the aim will meet.
+    fn look_ahead(&mut self) {
+        self.preview = Preview::of(&self.aimed().strike(self.seat()), self.game());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::SavedGame;
+    use crate::game::opponent;
+    use crate::messages::{Effect, Found, Key, SearchResult, SearchTask, Wanted};
+    use crate::physics::Board;
+    use crate::screens::Settings;
+
+    fn context() -> Context {
+        let settings = Settings {
+            reduced_motion: true,
+            ..Settings::default()
+        };
+        Context::new(settings, 1)
+    }
+
+    fn press(active: &mut ActiveGame, keys: &str, cx: &mut Context) {
+        for letter in keys.chars() {
+            let key = match letter {
+                '\n' => Key::Enter,
+                '\t' => Key::Tab,
+                '^' => Key::Up,
+                other => Key::Char(other),
+            };
+            let action = super::super::keys::keys(active).find(key);
+            if let Some(action) = action {
+                active.act(action, cx);
+            }
+        }
+    }
+
+    fn asked(cx: &mut Context) -> Vec<SearchTask> {
+        let effects = cx.take_asked().into_iter();
+        effects
+            .filter_map(|effect| match effect {
+                Effect::Search(task) => Some(*task),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// What was written down leads to what is on the table, to the last bit, also by
+    /// way of a file.
+    fn assert_recorded(active: &ActiveGame, cx: &Context) {
+        let text = active.saved(cx).text().unwrap();
+        let (read, game) = SavedGame::read("a game", text.as_bytes()).unwrap();
+        assert_eq!(&game, active.game());
+        let again = ActiveGame::resume_saved(&read, 1).unwrap();
+        assert_eq!(again.options, active.options);
+        assert_eq!(again.history.len(), active.history.len());
+        assert_eq!(again.history.calls(), active.history.calls());
+    }
+
+    #[test]
+    fn the_record_replays_to_the_game_on_the_table() {
+        let mut cx = context();
+        let mut active = ActiveGame::new(Options::two_people(), 4);
+        press(&mut active, "c[[97.3 60\n30\n\n", &mut cx);
+        press(&mut active, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
+        assert_eq!(active.history.len(), 4);
+        assert!(active.history.has_calls());
+        assert_recorded(&active, &cx);
+
+        let practice = Options {
+            rules: Rules::Practice,
+            ..Options::default()
+        };
+        let mut active = ActiveGame::new(practice, 4);
+        press(&mut active, "91 \np\t ^^^^^^^^ p80 \n85 \nz", &mut cx);
+        assert_eq!(active.history.len(), 3);
+        assert_recorded(&active, &cx);
+    }
+
+    #[test]
+    fn only_the_result_that_is_waited_for_is_taken_in() {
+        let mut cx = context();
+        let options = Options {
+            players: [super::super::options::Player::Computer; 4],
+            ..Options::default()
+        };
+        let mut active = ActiveGame::new(options, 4);
+        // Nobody has to press a key for it.
+        assert!(active.wake().is_some());
+        active.advance(Duration::ZERO, &mut cx);
+        assert_eq!(active.wake(), None);
+        let tasks = asked(&mut cx);
+        assert_eq!(tasks.len(), 1);
+        let SearchTask {
+            ticket,
+            game,
+            seed,
+            wanted: Wanted::Stroke(strength),
+        } = &tasks[0]
+        else {
+            panic!("a stroke was wanted");
+        };
+        let decision = opponent::think(game, &Board::default(), *strength, *seed);
+        let result = SearchResult {
+            ticket: *ticket,
+            found: Found::Stroke(decision),
+        };
+        let stale = SearchResult {
+            ticket: result.ticket + 1,
+            ..result
+        };
+        for unwanted in [
+            stale,
+            SearchResult {
+                found: Found::Hint(None),
+                ..result
+            },
+        ] {
+            active.input(&Input::Searched(Box::new(unwanted)), &mut cx);
+            assert!(matches!(active.phase, TablePhase::Think { .. }));
+        }
+        let mut failing = active.clone();
+        active.input(&Input::Searched(Box::new(result)), &mut cx);
+        assert!(matches!(active.phase, TablePhase::Watch(_)));
+        assert!(active.history.past(0).unwrap().told.is_some());
+        // The same result again comes too late.
+        active.input(&Input::Searched(Box::new(result)), &mut cx);
+        assert_eq!(active.history.len(), 1);
+        assert_recorded(&active, &cx);
+        assert_eq!(asked(&mut cx), vec![]);
+        press(&mut active, "\n", &mut cx);
+        assert_eq!(asked(&mut cx).len(), 1);
+        // Where the computer fails a person plays on, and is told so.
+        failing.input(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
+        assert!(matches!(failing.phase, TablePhase::Aim));
+        assert!(failing.notice.is_some() && !failing.is_computers_turn());
+        assert_eq!(asked(&mut cx), vec![]);
+        press(&mut failing, " ", &mut cx);
+        assert_eq!(failing.history.len(), 1);
+    }
+
+    #[test]
+    fn a_hint_that_fails_is_told_and_can_be_asked_for_again() {
+        let mut cx = context();
+        let mut active = ActiveGame::new(Options::two_people(), 4);
+        for _ in 0..2 {
+            active.ask_for_hint(&mut cx);
+            let tasks = asked(&mut cx);
+            assert_eq!(tasks.len(), 1);
+            active.input(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
+            assert!(active.hint.is_none() && active.notice.is_some());
+        }
+    }
+
+    #[test]
+    fn nothing_moves_but_a_stroke_that_is_watched() {
+        let mut cx = Context::new(Settings::default(), 1);
+        let mut active = ActiveGame::new(Options::two_people(), 4);
+        assert_eq!(active.wake(), None);
+        press(&mut active, " ", &mut cx);
+        assert!(active.wake().is_some());
+        active.advance(Duration::from_secs(60), &mut cx);
+        assert_eq!(active.wake(), None);
+    }
+}

@@ -1,0 +1,125 @@
+//! The computer's strokes and the player's hints: asked for, and what comes back.
+
+use super::{ActiveGame, Hinted, TablePhase};
+use crate::game::opponent::{Decision, StrokeHint};
+use crate::game::{Move, Strike};
+use crate::messages::{Found, SearchResult, Wanted};
+use crate::physics::Motion;
+use crate::screens::Context;
+use crate::screens::table::aim::Aim;
+use crate::screens::table::options::Player;
+use crate::screens::table::pointer::Pointer;
+
+impl ActiveGame {
+    /// Whether the computer is to play and has not been asked yet.
+    pub(super) fn is_computers_turn(&self) -> bool {
+        matches!(self.phase, TablePhase::Aim)
+            && self.options.player(self.seat()) == Player::Computer
+    }
+
+    /// Asks the computer for its stroke, if it is to play.
+    pub(super) fn hand_over(&mut self, cx: &mut Context) {
+        if self.is_computers_turn() {
+            let wanted = Wanted::Stroke(self.options.strength);
+            let ticket = cx.think(self.game().clone(), self.next_seed(), wanted);
+            self.phase = TablePhase::Think { ticket };
+        }
+    }
+
+    /// Asks for a hint; once it is there, tells more of it; at last sets it.
+    pub(super) fn ask_for_hint(&mut self, cx: &mut Context) {
+        match &mut self.hint {
+            Some(Hinted::Told { hint, whole, .. }) if *whole => {
+                let stroke = hint.stroke;
+                self.aim = Aim::of(&meant(stroke), self.seat());
+                self.look_ahead();
+            }
+            Some(Hinted::Told { whole, .. }) => *whole = true,
+            Some(Hinted::Asked { .. }) => {}
+            None => {
+                let ticket = cx.think(self.game().clone(), self.next_seed(), Wanted::Hint);
+                self.hint = Some(Hinted::Asked { ticket });
+            }
+        }
+    }
+
+    /// What is left to chance in the next stroke: another each time, and the same
+    /// when the game is played again.
+    fn next_seed(&self) -> u64 {
+        let seed = self.game().setup().seed.unwrap_or(0);
+        seed.rotate_left(32) ^ self.history.len() as u64
+    }
+
+    /// Takes the result of a search in, if it is still waited for.
+    pub(super) fn take_result(&mut self, result: &SearchResult, cx: &Context) {
+        match (&self.phase, &self.hint, result.found) {
+            (TablePhase::Think { ticket }, _, Found::Stroke(decision))
+                if *ticket == result.ticket =>
+            {
+                match decision {
+                    Some(decision) => self.play_for_the_computer(&decision, cx),
+                    None => self.pass(),
+                }
+            }
+            (_, Some(Hinted::Asked { ticket }), Found::Hint(hint)) if *ticket == result.ticket => {
+                self.take_hint(hint);
+            }
+            (TablePhase::Think { ticket }, _, Found::Failed) if *ticket == result.ticket => {
+                self.phase = TablePhase::Aim;
+                self.hand_to_person();
+                let notice =
+                    "The computer has come upon a fault of its own. Please play on in its place.";
+                self.notice = Some(notice.into());
+            }
+            (_, Some(Hinted::Asked { ticket }), Found::Failed) if *ticket == result.ticket => {
+                self.hint = None;
+                self.notice =
+                    Some("No hint: the computer has come upon a fault of its own.".into());
+            }
+            _ => {}
+        }
+    }
+
+    fn play_for_the_computer(&mut self, decision: &Decision, cx: &Context) {
+        self.phase = TablePhase::Aim;
+        let number = self.history.len();
+        for motion in [decision.struck(), decision.meant] {
+            self.play(Move::Strike(meant(motion)), cx);
+            if self.history.len() > number {
+                self.history.tell(number, decision.afterwards());
+                self.notice = None;
+                return;
+            }
+        }
+        // Neither can be played.
+        self.hand_to_person();
+    }
+
+    /// Lets a person play where the computer cannot: else the game would stand still.
+    fn hand_to_person(&mut self) {
+        let seat = self.seat();
+        self.options.set_player(seat, Player::Person);
+    }
+
+    fn take_hint(&mut self, hint: Option<StrokeHint>) {
+        self.hint = match hint {
+            Some(hint) => Some(Hinted::Told {
+                pointer: Pointer::of(&hint, &meant(hint.stroke), self.game()),
+                hint: Box::new(hint),
+                whole: false,
+            }),
+            None => {
+                self.notice = Some("There is no stroke to be found here.".into());
+                None
+            }
+        };
+    }
+}
+
+fn meant(motion: Motion) -> Strike {
+    Strike {
+        place: motion.position,
+        velocity: motion.velocity,
+        call: None,
+    }
+}

@@ -1,0 +1,191 @@
+//! A game being played, with all that led to it.
+
+use std::mem;
+
+use super::calls::Called;
+use crate::game::{
+    ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike, Team,
+};
+use crate::physics::Shot;
+
+/// A game and its record, always in step.
+#[derive(Debug, Clone)]
+pub(super) struct GameHistory {
+    record: Record,
+    game: Game,
+    past: Vec<Past>,
+    /// Whether it has changed since it was last given away to be saved.
+    unsaved: bool,
+}
+
+/// A move that was made.
+#[derive(Debug, Clone)]
+pub(super) struct Past {
+    /// The game before it.
+    pub(super) before: Game,
+    /// What the referee announced.
+    pub(super) rulings: Vec<Ruling>,
+    /// How good the player's call was, if one was made and something was hit.
+    pub(super) called: Option<Called>,
+    /// What the computer says of its stroke.
+    pub(super) told: Option<String>,
+}
+
+impl Past {
+    fn new(before: Game, made: &Move, shot: Option<&Shot>, rulings: Vec<Ruling>) -> Self {
+        Self {
+            before,
+            rulings,
+            called: match (made, shot) {
+                (Move::Strike(strike), Some(shot)) => Called::new(strike, shot),
+                _ => None,
+            },
+            told: None,
+        }
+    }
+}
+
+/// What the calls of a team have brought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct CallTally {
+    /// Points earned.
+    pub(super) points: u32,
+    /// Points that could have been earned.
+    pub(super) most: u32,
+}
+
+impl GameHistory {
+    /// A new game.
+    pub(super) fn new(setup: GameSetup) -> Self {
+        Self {
+            record: Record::new(setup),
+            game: Game::new(setup),
+            past: Vec::new(),
+            unsaved: false,
+        }
+    }
+
+    /// The game that a record leads to, with all that led to it.
+    ///
+    /// # Errors
+    /// If the record cannot be played.
+    pub(super) fn from_record(record: Record) -> Result<Self, RecordError> {
+        let mut past = Vec::new();
+        let game = record.play_through(|before, made, shot, rulings| {
+            past.push(Past::new(before, made, shot.as_ref(), rulings));
+        })?;
+        Ok(Self {
+            record,
+            game,
+            past,
+            unsaved: false,
+        })
+    }
+
+    /// Whether it has changed since this was last asked.
+    pub(super) fn take_unsaved(&mut self) -> bool {
+        mem::take(&mut self.unsaved)
+    }
+
+    /// The game as it stands.
+    pub(super) fn game(&self) -> &Game {
+        &self.game
+    }
+
+    /// All that is needed to play it again.
+    pub(super) fn record(&self) -> &Record {
+        &self.record
+    }
+
+    /// A move that was made, by its number from 0.
+    pub(super) fn past(&self, number: usize) -> Option<&Past> {
+        self.past.get(number)
+    }
+
+    /// How many moves were made.
+    pub(super) fn len(&self) -> usize {
+        self.past.len()
+    }
+
+    /// Makes a move; gives the shot if it was a stroke.
+    ///
+    /// # Errors
+    /// Why it cannot be made; nothing has then changed.
+    pub(super) fn make(&mut self, next: Move) -> Result<Option<Shot>, MoveError> {
+        let before = self.game.clone();
+        let (shot, rulings) = next.make(&mut self.game)?;
+        self.past
+            .push(Past::new(before, &next, shot.as_ref(), rulings));
+        self.record.push(next);
+        self.unsaved = true;
+        Ok(shot)
+    }
+
+    /// Adds what the computer says of a stroke it has made.
+    pub(super) fn tell(&mut self, number: usize, told: String) {
+        if let Some(past) = self.past.get_mut(number) {
+            past.told = Some(told);
+        }
+    }
+
+    /// Takes the last move back; says whether there was one.
+    pub(super) fn undo(&mut self) -> bool {
+        let Some(past) = self.past.pop() else {
+            return false;
+        };
+        self.record.pop();
+        self.unsaved = true;
+        self.game = past.before;
+        true
+    }
+
+    /// The stroke that a move was, if it was one.
+    pub(super) fn strike(&self, number: usize) -> Option<&Strike> {
+        match self.record.moves().get(number)? {
+            Move::Strike(strike) => Some(strike),
+            _ => None,
+        }
+    }
+
+    /// How many strokes there are before the move of this number.
+    pub(super) fn strokes_before(&self, number: usize) -> usize {
+        let moves = self.record.moves().iter().take(number);
+        moves.filter(|made| matches!(made, Move::Strike(_))).count()
+    }
+
+    /// Plays a stroke that was made once more.
+    pub(super) fn shot(&self, number: usize) -> Option<Shot> {
+        let before = &self.past(number)?.before;
+        self.strike(number)?.shot(before).ok()
+    }
+
+    /// The number of the stroke nearest before `number`.
+    pub(super) fn stroke_before(&self, number: usize) -> Option<usize> {
+        (0..number.min(self.len()))
+            .rev()
+            .find(|i| self.strike(*i).is_some())
+    }
+
+    /// The number of the stroke nearest after `number`.
+    pub(super) fn stroke_after(&self, number: usize) -> Option<usize> {
+        (number + 1..self.len()).find(|i| self.strike(*i).is_some())
+    }
+
+    /// What the calls have brought so far; they never count in the score.
+    pub(super) fn calls(&self) -> ByTeam<CallTally> {
+        let mut calls = ByTeam::<CallTally>::default();
+        for past in &self.past {
+            if let Some(called) = &past.called {
+                let tally = &mut calls[past.before.team(past.before.seat())];
+                tally.points += called.points();
+                tally.most += Called::MOST;
+            }
+        }
+        calls
+    }
+
+    /// Whether anybody has called anything.
+    pub(super) fn has_calls(&self) -> bool {
+        Team::BOTH.iter().any(|team| self.calls()[*team].most > 0)
+    }
+}

@@ -1,0 +1,166 @@
+//! Pictures on paper that are drawn in with a pencil: a protractor for where both go,
+//! and a scale for an offset.
+
+use glam::DVec2;
+
+use super::Markings;
+use super::setup::{about_to_meet, moving};
+use super::sketch::Sketch;
+use super::stage::HitLayout;
+use super::watch::Face;
+use crate::physics::Collision;
+use crate::physics::units::m_from_mm;
+use crate::quiz::{AimTask, Ray};
+use crate::widgets::Role;
+use crate::widgets::picture::{Pen, Picture};
+
+/// Columns for the radius of the larger disc.
+const COLUMNS: f64 = 4.7;
+/// The same where a scale is to be read.
+const LARGE_COLUMNS: f64 = 6.0;
+/// Millimetres between two ticks of the scale, and between two that are numbered.
+const TICK_MM: i32 = 5;
+const NUMBER_MM: i32 = 10;
+/// Length of the wanted way and radius of its arc, in radii of the larger disc.
+const WAY: f64 = 2.8;
+const ARC: f64 = 1.9;
+
+/// The corners of what holds circles, given by centres and radii.
+fn around(circles: impl IntoIterator<Item = (DVec2, f64)>) -> [DVec2; 2] {
+    let mut corners = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    for (centre, radius) in circles {
+        corners[0] = corners[0].min(centre - DVec2::splat(radius));
+        corners[1] = corners[1].max(centre + DVec2::splat(radius));
+    }
+    corners
+}
+
+fn along(collision: &Collision) -> DVec2 {
+    collision
+        .relative_velocity()
+        .try_normalize()
+        .unwrap_or(DVec2::X)
+}
+
+/// Two discs about to meet, with an empty protractor round the striker's place at
+/// contact. Both departures begin in its middle: the target's, too, runs along the line
+/// through both centres.
+pub fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
+    let unit = collision.striker.radius.max(collision.target.radius);
+    let (c1, c2) = collision.placed_at_contact();
+    let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
+    let fastest = collision.u1.length().max(collision.u2.length());
+    // So far away that its arrow, too, is outside the protractor.
+    let time = (radius + 2.9 * unit) / fastest;
+    let places: [DVec2; 2] = match time.is_finite() {
+        true => collision.positions_before(time).into(),
+        false => [c1, c2],
+    };
+    let along = along(collision);
+    let far = radius + 1.2 * unit;
+    let corners = around([
+        (c1, radius + 0.9 * unit),
+        (places[0], 1.4 * unit),
+        (places[1], 1.4 * unit),
+        (
+            c1 + far * along,
+            if given.offset { 1.4 * unit } else { 0.0 },
+        ),
+    ]);
+    let mut sketch = Sketch::new(HitLayout::between(collision, corners, COLUMNS));
+    let stage = sketch.stage;
+    let heading = collision.u1.try_normalize().unwrap_or(along);
+    let picture = &mut sketch.picture;
+    picture.circle(c1, radius, Role::BoardLine);
+    for angle in (-170..=180).step_by(10) {
+        let direction = DVec2::from_angle(f64::from(angle).to_radians()).rotate(heading);
+        let (length, role) = match angle % 30 {
+            0 => (0.26, Role::Dim),
+            _ => (0.14, Role::BoardLine),
+        };
+        let from = c1 + (radius - length * unit) * direction;
+        picture.line(from, c1 + radius * direction, Pen::new(role));
+        let at = c1 + (radius + 0.4 * unit) * direction;
+        let under = |body: usize| at.distance(places[body]) < stage.radius(body) + 0.4 * unit;
+        // Straight back the striker comes in.
+        if angle % 30 == 0 && angle != 180 && !under(0) && !under(1) {
+            picture.text(at, i32::abs(angle).to_string(), Role::Dim);
+        }
+    }
+    picture.dot(c1, Role::Contact);
+    let ahead = far - (c2 - c1).dot(along);
+    about_to_meet(
+        &mut sketch,
+        Face::STRIKER_AND_COIN,
+        places,
+        given,
+        [ahead, 0.0],
+    );
+    sketch.picture
+}
+
+/// A shot whose offset is to be chosen: the striker on its way, a scale of offsets in
+/// millimetres across it, true to the size of the discs, and the way that one of the two
+/// is to go. The target's place is to be marked on the scale; at 0, where it is hit
+/// head-on, it is drawn in dots.
+pub fn scale_picture(aim: &AimTask) -> Picture {
+    let collision = aim.with(0.0);
+    let unit = collision.striker.radius.max(collision.target.radius);
+    let (start, zero) = collision.placed_at_contact();
+    let (heading, reach) = (along(&collision), collision.contact_distance());
+    let start = start - (0.9 * collision.striker.radius + 2.1 * unit) * heading;
+    let right = -heading.perp();
+    let (name, turn) = match aim.ray {
+        Ray::Striker => ("striker", aim.wanted),
+        Ray::Target => ("target", -aim.wanted),
+    };
+    let way = DVec2::from_angle(turn).rotate(heading);
+    let tip = zero + WAY * unit * way;
+    let corners = around([
+        (start, 1.6 * unit),
+        (zero, (ARC + 0.9) * unit),
+        (tip, 1.2 * unit),
+        (zero - reach * right, 1.3 * unit),
+        (zero + reach * right, 1.3 * unit),
+    ]);
+    let mut sketch = Sketch::new(HitLayout::between(&collision, corners, LARGE_COLUMNS));
+    let picture = &mut sketch.picture;
+    let dotted = Pen::new(Role::Trail).dotted();
+    picture.line(start, zero + (ARC + 0.6) * unit * heading, dotted);
+    picture.circle(zero, collision.target.radius, dotted);
+    let [striker, _] = Face::STRIKER_AND_COIN;
+    picture.disc(
+        start,
+        collision.striker.radius,
+        striker.role,
+        striker.letter,
+    );
+    picture.line(zero - reach * right, zero + reach * right, Role::Text);
+    let last = (1e3 * reach / f64::from(TICK_MM)).floor() as i32;
+    // Every second number where there is no room for each.
+    let crowded = m_from_mm(f64::from(NUMBER_MM)) / unit * LARGE_COLUMNS < 3.5;
+    let every = if crowded { 2 * NUMBER_MM } else { NUMBER_MM };
+    for offset_mm in (-last..=last).map(|tick| TICK_MM * tick) {
+        let at = zero + m_from_mm(f64::from(offset_mm)) * right;
+        let long = offset_mm % NUMBER_MM == 0;
+        let length = if long { 0.2 } else { 0.1 } * unit * heading;
+        picture.line(at - length, at + length, Role::Text);
+        if offset_mm != 0 && offset_mm % every == 0 {
+            let below = at - 0.5 * unit * heading;
+            picture.text(below, offset_mm.abs().to_string(), Role::Dim);
+        }
+    }
+    picture.arrow(zero, tip, Pen::new(Role::CoinOut).bold());
+    if turn.abs() > 1e-6 {
+        let start = heading.to_angle();
+        picture.arc(zero, ARC * unit, start, start + turn, Role::Arc);
+        let middle = DVec2::from_angle(turn / 2.0).rotate(heading);
+        sketch.angle(turn, zero + ARC * unit * middle, middle);
+    }
+    sketch.label(format!("{name}'s way"), tip, way, Role::CoinOut);
+    for (side, name) in [(-right, "left, mm"), (right, "right, mm")] {
+        sketch.label(name, zero + (reach + 0.25 * unit) * side, side, Role::Dim);
+    }
+    moving(&mut sketch, [start, zero], true);
+    sketch.picture
+}

@@ -1,0 +1,209 @@
+//! Pictures of all kinds of hits as they are printed, and what must hold of each.
+
+use glam::{DVec2, dvec2};
+use ratatui::layout::Rect;
+use roxmltree::Document;
+
+use super::*;
+use crate::physics::{Bond, Collision, Disc};
+use crate::quiz::{AimTask, Ray};
+use crate::widgets::picture::Picture;
+use crate::widgets::svg::Svg;
+use crate::widgets::{Charset, Look, Theme};
+
+const AREA: Rect = Rect::new(0, 0, 44, 18);
+
+const PIECES: [(f64, f64, f64, f64); 6] = [
+    (15.0, 15.0, 15.0, 15.0),
+    (15.0, 20.65, 5.5, 15.9),
+    (20.0, 12.4, 40.0, 15.6),
+    (1.0, 4.0, 1000.0, 20.0),
+    (1000.0, 20.0, 1.0, 4.0),
+    (15.0, 15.0, 15.0, 6.0),
+];
+
+fn collisions() -> Vec<Collision> {
+    let mut all = Vec::new();
+    for (m1, r1, m2, r2) in PIECES {
+        let (striker, target) = (Disc::from_g_mm(m1, r1), Disc::from_g_mm(m2, r2));
+        for direction in [0.0_f64, 125.0] {
+            let u1 = 4.0 * DVec2::from_angle(direction.to_radians());
+            for alpha in [
+                -89.0_f64, -60.0, -33.0, -5.0, 0.0, 1.0, 15.0, 30.0, 45.0, 75.0, 90.0,
+            ] {
+                all.push(Collision::at_angle(striker, target, u1, alpha.to_radians()));
+            }
+            let beside = 1.3 * (striker.radius + target.radius);
+            all.push(Collision::at_offset(striker, target, u1, beside));
+            let hit = Collision::at_angle(striker, target, u1, 0.5);
+            let u2 = dvec2(-1.0, 0.7);
+            all.push(Collision { u2, ..hit });
+            all.push(Collision { u2: -u1, ..hit });
+            let (u1, u2) = (DVec2::ZERO, -u1);
+            all.push(Collision { u1, u2, ..hit });
+            let bond = Bond::Stick;
+            all.push(Collision { bond, ..hit });
+            let restitution = 0.3;
+            all.push(Collision { restitution, ..hit });
+        }
+    }
+    all
+}
+
+/// A picture as it is printed.
+fn file(picture: &Picture) -> String {
+    let look = Look {
+        charset: Charset::Unicode,
+        theme: Theme::default(),
+    };
+    Svg::new("a hit", picture, &look, 0.75).file()
+}
+
+/// What is written in a picture, once it is plain that it is whole: as large as paper
+/// takes it, well-formed, and made of lines and circles of finite numbers.
+fn labels(picture: &Picture) -> Vec<String> {
+    let area = picture.area();
+    assert!(area.width.min(area.height) >= 10, "{area}");
+    assert!(area.width <= 100 && area.height <= 50, "{area}");
+    let file = file(picture);
+    assert!(!file.contains("NaN") && !file.contains("inf"), "{file}");
+    let read = Document::parse(&file).unwrap();
+    assert!(read.descendants().any(|it| it.has_tag_name("circle")));
+    let texts = read.descendants().filter(|it| it.has_tag_name("text"));
+    texts
+        .map(|it| it.text().unwrap_or_default().to_owned())
+        .collect()
+}
+
+fn told(collision: &Collision) -> Picture {
+    let mut layers = Overlays::default();
+    layers.toggle(Overlay::Triangle);
+    let watch = Watch::new(*collision, None, true).with_layers(layers);
+    watch.with_measures().picture(AREA)
+}
+
+const GIVEN: Markings = Markings {
+    offset: true,
+    angle: true,
+    figures: true,
+};
+
+#[test]
+fn every_hit_can_be_printed_before_it_and_after_it() {
+    for collision in collisions() {
+        let before = labels(&protractor_picture(&collision, GIVEN));
+        for angle in ["30", "60", "90", "120", "150"] {
+            let marks = before.iter().filter(|it| *it == angle).count();
+            assert!(marks >= 1, "{angle} {before:?} {collision:?}");
+        }
+        if collision.alpha().is_some() {
+            let is_told = before.iter().any(|it| it.starts_with("α = "));
+            assert!(is_told, "{before:?} {collision:?}");
+        }
+        let after = labels(&told(&collision));
+        let masses = after.iter().filter(|it| it.ends_with(" g")).count();
+        assert_eq!(masses, 2, "{after:?} {collision:?}");
+    }
+}
+
+#[test]
+fn a_hit_that_was_seen_tells_its_angles_alone() {
+    for collision in collisions() {
+        // As fast again, with masses twice as large, it looks the same.
+        let heavier = |disc: Disc| Disc {
+            mass: 2.0 * disc.mass,
+            ..disc
+        };
+        let other = Collision {
+            striker: heavier(collision.striker),
+            target: heavier(collision.target),
+            u1: 2.0 * collision.u1,
+            u2: 2.0 * collision.u2,
+            ..collision
+        };
+        let [one, two] = [collision, other].map(|it| after_picture(AREA, &it));
+        assert_eq!(file(&one), file(&two));
+        assert!(!labels(&one).iter().any(|it| it.contains("m/s")));
+    }
+}
+
+#[test]
+fn a_shot_to_be_set_has_its_angle_and_a_scale_true_to_size() {
+    for (m1, r1, m2, r2) in PIECES {
+        let (striker, target) = (Disc::from_g_mm(m1, r1), Disc::from_g_mm(m2, r2));
+        for turn in 0..12 {
+            let u1 = 4.0 * DVec2::from_angle(f64::from(30 * turn).to_radians());
+            for wanted_deg in [-120.0_f64, -80.0, -35.0, 15.0, 45.0, 75.0, 130.0] {
+                for ray in Ray::BOTH {
+                    let aim = AimTask {
+                        collision: Collision::at_offset(striker, target, u1, 0.0),
+                        ray,
+                        wanted: wanted_deg.to_radians(),
+                        offset: 0.01,
+                    };
+                    let found = labels(&scale_picture(&aim));
+                    let angle = format!("{:.1}°", wanted_deg.abs());
+                    for text in [&angle, "left, mm", "right, mm", "u = 4.00 m/s"] {
+                        assert!(
+                            found.iter().any(|it| it == text),
+                            "{text} {found:?} {aim:?}"
+                        );
+                    }
+                    // What does it is not given away.
+                    let other = AimTask {
+                        offset: -0.02,
+                        ..aim
+                    };
+                    assert_eq!(file(&scale_picture(&other)), file(&scale_picture(&aim)));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn letters_and_numbers_are_those_of_the_hit() {
+    let piece = Disc::from_g_mm(15.0, 15.0);
+    let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
+    // 4 m/s sin 30° and cos 30°.
+    let mut found = labels(&told(&hit));
+    found.sort();
+    let mut expected = [
+        "S",
+        "C",
+        "15.0 g",
+        "15.0 g",
+        "n",
+        "t",
+        "α = 30.0°",
+        "u = 4.00 m/s",
+        "v₁ = 2.00 m/s",
+        "v₂ = 3.46 m/s",
+        "60.0°",
+        "30.0°",
+    ];
+    expected.sort_unstable();
+    assert_eq!(found, expected);
+    // What is asked is not given away.
+    let found = labels(&protractor_picture(&hit, Markings::default()));
+    let is_letter = |it: &String| it.parse::<f64>().is_err();
+    let letters: Vec<_> = found.into_iter().filter(is_letter).collect();
+    assert_eq!(letters, ["S", "C", "u"]);
+    let angle = Markings {
+        angle: true,
+        ..Markings::default()
+    };
+    let found = labels(&protractor_picture(&hit, angle));
+    assert!(found.contains(&"α".to_owned()) && !found.iter().any(|it| it.contains('=')));
+}
+
+#[test]
+fn what_stands_still_and_what_misses_is_said() {
+    let piece = Disc::from_g_mm(15.0, 15.0);
+    let head_on = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.0);
+    let found = labels(&told(&head_on));
+    let still = "v₁ = 0: it stands still".to_owned();
+    assert!(found.contains(&still), "{found:?}");
+    let miss = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.04);
+    assert!(!labels(&told(&miss)).iter().any(|it| it.contains('α')));
+}

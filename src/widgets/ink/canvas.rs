@@ -1,0 +1,344 @@
+//! The cells that a picture is drawn on.
+
+use glam::{DVec2, dvec2};
+use ratatui::{
+    buffer::Buffer,
+    style::{Modifier, Style},
+};
+
+use super::{
+    cell::Cell,
+    glyphs::{ascii, block, braille},
+    grid,
+    label::PlacedLabel,
+    stroke::StrokeSamples,
+};
+use crate::widgets::picture::{Dash, Layer, Mark, Pen, Picture, View};
+use crate::widgets::{Charset, Role, Theme};
+
+/// The cells that a picture is drawn on: strokes, discs and labels in world
+/// coordinates, then all at once [`Canvas::draw`]n into a buffer.
+#[derive(Debug, Clone)]
+pub(in crate::widgets) struct Canvas {
+    view: View,
+    pub(super) charset: Charset,
+    pub(super) cells: Vec<Cell>,
+    pub(super) labels: Vec<PlacedLabel>,
+    /// What labels are written for, in cells from the corner of the area.
+    pub(super) expected: Vec<(i32, i32)>,
+    stroke: StrokeSamples,
+}
+
+impl Canvas {
+    /// An empty canvas over the area of `view`.
+    pub(super) fn new(view: View, charset: Charset) -> Self {
+        let size = (
+            usize::from(view.area().width),
+            usize::from(view.area().height),
+        );
+        Self {
+            view,
+            charset,
+            cells: vec![Cell::EMPTY; size.0 * size.1],
+            labels: Vec::new(),
+            expected: Vec::new(),
+            stroke: StrokeSamples::new(grid(charset), size),
+        }
+    }
+
+    /// A canvas with all of a picture on it.
+    pub(in crate::widgets) fn of(picture: &Picture, charset: Charset) -> Self {
+        let mut canvas = Self::new(*picture.view(), charset);
+        for mark in picture.marks() {
+            canvas.mark(mark);
+        }
+        canvas.write(&picture.labels);
+        canvas
+    }
+
+    fn mark(&mut self, mark: &Mark) {
+        match mark {
+            Mark::Line { from, to, pen } => self.line(*from, *to, *pen),
+            Mark::Curve { points, pen } => self.polyline(points.iter().copied(), *pen),
+            Mark::Arc {
+                centre,
+                radius,
+                from,
+                to,
+                pen,
+            } => self.arc(*centre, *radius, *from, *to, *pen),
+            Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
+            Mark::Dot { at, pen } => self.dot(*at, *pen),
+            Mark::Disc(body) => self.disc(body),
+            Mark::Ring { body, letter } => self.ring(body, *letter),
+            Mark::Discs(bodies) => self.discs(bodies),
+            Mark::Area { low, high, .. } => self.reserve_area(*low, *high),
+            Mark::Text { at, text, .. } => self.reserve_text(*at, text),
+            Mark::Reserved(at) => self.reserve(*at),
+            Mark::Axes(_) => self.reserve_axes(),
+        }
+    }
+
+    /// The labels that have found a place.
+    pub(in crate::widgets) fn labels(&self) -> &[PlacedLabel] {
+        &self.labels
+    }
+
+    /// Where the world is on this canvas.
+    pub(super) const fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// A straight line. A level or upright one is shifted into the middles of its
+    /// cells (in Unicode: of its dots), so that it looks the same wherever it lies.
+    pub(super) fn line(&mut self, from: DVec2, to: DVec2, pen: impl Into<Pen>) {
+        let pen = pen.into();
+        let (from, to) = self.snapped(self.paper(from), self.paper(to), pen);
+        self.stroke.piece(from, to, pen);
+        self.stroke.end(to, pen);
+        self.commit(pen);
+    }
+
+    /// A line through many points. It breaks at points that are not finite.
+    pub(super) fn polyline(
+        &mut self,
+        points: impl IntoIterator<Item = DVec2>,
+        pen: impl Into<Pen>,
+    ) {
+        self.through(points, pen.into(), true);
+    }
+
+    /// A line through many points; an open one has its last point too.
+    fn through(&mut self, points: impl IntoIterator<Item = DVec2>, pen: Pen, open: bool) {
+        let mut last: Option<DVec2> = None;
+        for point in points {
+            let here = self.paper(point);
+            if let Some(last) = last {
+                self.stroke.piece(last, here, pen);
+            }
+            last = Some(here);
+        }
+        if let Some(last) = last
+            && open
+        {
+            self.stroke.end(last, pen);
+        }
+        self.commit(pen);
+    }
+
+    /// A dot.
+    pub(super) fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
+        let (at, pen) = (self.paper(at), pen.into());
+        self.stroke.end(at, pen);
+        self.commit(pen);
+    }
+
+    /// Part of a circle, from one angle to another (radians, anticlockwise from
+    /// +x; to < from goes clockwise). A whole turn or more is a circle.
+    pub(super) fn arc(
+        &mut self,
+        centre: DVec2,
+        radius: f64,
+        from: f64,
+        to: f64,
+        pen: impl Into<Pen>,
+    ) {
+        let pen = pen.into();
+        let turn = (to - from).clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
+        let reach = radius.abs() / self.view.per_column();
+        if !(turn.is_finite() && reach.is_finite()) {
+            return;
+        }
+        // About half a column a piece; the sagitta is then out of sight.
+        let pieces = (turn.abs() * reach * 2.0).ceil().clamp(4.0, 720.0) as u32;
+        let step = DVec2::from_angle(turn / f64::from(pieces));
+        let mut arm = DVec2::from_angle(from) * radius;
+        let points = (0..=pieces).map(move |_| {
+            let point = centre + arm;
+            arm = step.rotate(arm);
+            point
+        });
+        self.through(points, pen, turn.abs() < std::f64::consts::TAU);
+    }
+
+    /// A circle.
+    pub(super) fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
+        self.arc(centre, radius, 0.0, std::f64::consts::TAU, pen);
+    }
+
+    /// Keeps labels off the cell at a point of the world.
+    pub(super) fn reserve(&mut self, at: DVec2) {
+        if let Some(cell) = self.cell_at(self.paper(at)) {
+            cell.reserved = true;
+        }
+    }
+
+    /// Draws the canvas into `buffer`. Cells on which nothing was drawn keep what
+    /// they have.
+    pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
+        let area = self.view.area();
+        let inside = area.intersection(buffer.area);
+        for y in inside.top()..inside.bottom() {
+            for x in inside.left()..inside.right() {
+                let (column, row) = (usize::from(x - area.x), usize::from(y - area.y));
+                let cell = self.cells.get(row * usize::from(area.width) + column);
+                if let Some(cell) = cell
+                    && !cell.is_empty()
+                {
+                    let target = &mut buffer[(x, y)];
+                    let (symbol, style) = self.look(cell, theme);
+                    target.set_char(symbol).set_style(style);
+                }
+            }
+        }
+        for label in &self.labels {
+            label.draw(buffer, theme);
+        }
+    }
+
+    /// What a cell looks like in the end.
+    fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
+        if let Some(glyph) = cell.glyph {
+            let upon = glyph.upon && self.charset == Charset::Unicode;
+            let style = if upon {
+                theme.on(glyph.role)
+            } else {
+                theme.style(glyph.role)
+            };
+            let style = if glyph.reversed {
+                style.add_modifier(Modifier::REVERSED)
+            } else {
+                style
+            };
+            return (glyph.symbol, style);
+        }
+        let pen = cell.pen;
+        let mut stroke = theme.faded(pen.role, pen.age);
+        if pen.bold {
+            stroke = stroke.add_modifier(Modifier::BOLD);
+        }
+        match self.charset {
+            Charset::Ascii if cell.ink != 0 => (ascii::nearest(cell.ink), stroke),
+            Charset::Ascii => (' ', Style::new()),
+            Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
+                let upon = if pen.layer < Layer::Vector {
+                    theme.faintly_on(cell.disc)
+                } else {
+                    theme.on(cell.disc)
+                };
+                (braille(cell.ink), upon)
+            }
+            // At a disc's edge the disc stays round and the stroke pauses.
+            Charset::Unicode if cell.ink != 0 && !cell.has_edge() => (braille(cell.ink), stroke),
+            Charset::Unicode => self.disc_look(cell, theme),
+        }
+    }
+
+    fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
+        let mono = theme.is_mono();
+        if cell.cover == u64::MAX {
+            let symbol = if theme.is_hollow(cell.disc) {
+                ' '
+            } else {
+                '█'
+            };
+            return (symbol, theme.fill(cell.disc));
+        }
+        let block = block::nearest(cell.cover, !mono);
+        if mono {
+            return (block.symbol, theme.style(cell.disc));
+        }
+        let disc = theme.colour(cell.disc);
+        let rest = theme.colour(cell.beside.unwrap_or(Role::Background));
+        let (ink, paper) = if block.inverse {
+            (rest, disc)
+        } else {
+            (disc, rest)
+        };
+        (block.symbol, Style::new().fg(ink).bg(paper))
+    }
+
+    /// A point of the world on paper.
+    pub(super) fn paper(&self, world: DVec2) -> DVec2 {
+        let area = self.view.area();
+        let cell = self.view.to_cell(world) - dvec2(f64::from(area.x), f64::from(area.y));
+        dvec2(cell.x, 2.0 * cell.y)
+    }
+
+    /// Whether anything is drawn in a cell of the screen.
+    pub(super) fn is_drawn(&self, (column, row): (u16, u16)) -> bool {
+        let area = self.view.area();
+        let (x, y) = (column.wrapping_sub(area.x), row.wrapping_sub(area.y));
+        let index = usize::from(y) * usize::from(area.width) + usize::from(x);
+        let inside = area.contains((column, row).into());
+        inside
+            && self
+                .cells
+                .get(index)
+                .is_some_and(|cell| cell.layer().is_some())
+    }
+
+    /// The cell at a point on paper.
+    pub(super) fn cell_at(&mut self, paper: DVec2) -> Option<&mut Cell> {
+        let area = self.view.area();
+        let (column, row) = (paper.x.floor(), (paper.y / 2.0).floor());
+        let inside = (0.0..f64::from(area.width)).contains(&column)
+            && (0.0..f64::from(area.height)).contains(&row);
+        if !inside {
+            return None;
+        }
+        self.cells
+            .get_mut(row as usize * usize::from(area.width) + column as usize)
+    }
+
+    /// The ends of a line on paper, shifted to where the samples are if it is level
+    /// or upright: into the middles of the cells in ASCII, else onto the dots.
+    pub(super) fn snapped(&self, mut from: DVec2, mut to: DVec2, pen: Pen) -> (DVec2, DVec2) {
+        let step = match self.charset {
+            Charset::Ascii => dvec2(1.0, 2.0),
+            Charset::Unicode => dvec2(0.5, 0.5),
+        };
+        // A bold line runs between two dots.
+        let shift = if pen.bold && self.charset == Charset::Unicode {
+            0.0
+        } else {
+            0.5
+        };
+        let snap = |at: f64, step: f64| ((at / step - shift).round() + shift) * step;
+        let along = (to - from).abs();
+        if along.y < 0.2 && along.x >= 1.0 {
+            let middle = snap((from.y + to.y) / 2.0, step.y);
+            (from.y, to.y) = (middle, middle);
+        } else if along.x < 0.2 && along.y >= 1.0 {
+            let middle = snap((from.x + to.x) / 2.0, step.x);
+            (from.x, to.x) = (middle, middle);
+        }
+        (from, to)
+    }
+
+    pub(super) fn stroke_mut(&mut self) -> &mut StrokeSamples {
+        &mut self.stroke
+    }
+
+    /// Ends a stroke: its samples go into the cells.
+    pub(super) fn commit(&mut self, pen: Pen) {
+        let (cells, charset) = (&mut self.cells, self.charset);
+        self.stroke.take(|order, index, samples| {
+            let inked = charset == Charset::Unicode
+                || match pen.dash {
+                    Dash::Solid => true,
+                    Dash::Dashed => order % 3 != 2,
+                    Dash::Dotted => order % 2 == 0,
+                };
+            if inked && let Some(cell) = cells.get_mut(index) {
+                cell.stroke(samples, pen, charset);
+            }
+        });
+    }
+
+    /// Columns and rows of the canvas.
+    pub(super) fn size(&self) -> (i32, i32) {
+        let area = self.view.area();
+        (i32::from(area.width), i32::from(area.height))
+    }
+}

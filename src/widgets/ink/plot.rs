@@ -1,0 +1,204 @@
+//! What stands in whole cells: axes, bars and signs.
+
+use glam::{DVec2, dvec2};
+use ratatui::buffer::Buffer;
+use ratatui::style::Style;
+
+use super::canvas::Canvas;
+use crate::widgets::picture::{Axes, Mark, Picture};
+use crate::widgets::{Charset, Look, Role, text};
+
+impl Canvas {
+    /// Keeps labels off the cells of the axes.
+    pub(super) fn reserve_axes(&mut self) {
+        let view = *self.view();
+        let paper = view.area();
+        for column in paper.left()..paper.right() {
+            self.reserve(view.world_at(column, paper.bottom().saturating_sub(1)));
+        }
+        for row in paper.top()..paper.bottom() {
+            self.reserve(view.world_at(paper.x, row));
+        }
+    }
+
+    /// Keeps labels off the cells of a text centred on a point.
+    pub(super) fn reserve_text(&mut self, at: DVec2, text: &str) {
+        let width = self.view().per_column() * text::width(text) as f64;
+        let half = (width - self.view().per_column()) / 2.0 * DVec2::X;
+        self.reserve_area(at - half, at + half);
+        self.reserve(at);
+    }
+
+    /// Keeps labels off the cells that a filled area touches.
+    pub(super) fn reserve_area(&mut self, low: DVec2, high: DVec2) {
+        let view = *self.view();
+        let half = dvec2(view.per_column(), view.per_row()) / 2.0;
+        for cell in view.area().positions() {
+            let at = view.world_at(cell.x, cell.y);
+            if (at + half).cmpgt(low).all() && (at - half).cmplt(high).all() {
+                self.reserve(at);
+            }
+        }
+    }
+
+    /// Draws a picture that is on this canvas.
+    pub(in crate::widgets) fn draw_picture(
+        &self,
+        picture: &Picture,
+        buf: &mut Buffer,
+        look: &Look,
+    ) {
+        let cells = Cells {
+            canvas: self,
+            picture,
+            look,
+        };
+        cells.areas(buf);
+        for mark in picture.marks() {
+            if let Mark::Axes(axes) = mark {
+                cells.axes(axes, buf);
+            }
+        }
+        self.draw(buf, &look.theme);
+        for mark in picture.marks() {
+            if let Mark::Text { at, text, role } = mark
+                && let Some((column, row)) = self.view().cell_at(*at)
+            {
+                let text = look.charset.text(text);
+                let start = column.saturating_sub((text::width(&text) as u16 - 1) / 2);
+                cells.write(buf, (start, row), &text, look.theme.style(*role));
+            }
+        }
+    }
+}
+
+/// Draws what stands in whole cells.
+struct Cells<'a> {
+    canvas: &'a Canvas,
+    picture: &'a Picture,
+    look: &'a Look,
+}
+
+impl Cells<'_> {
+    /// Every column but that of the axis takes the area that its middle is in. A first bar
+    /// so narrow that it would be lost in the axis has the column beside it.
+    fn areas(&self, buf: &mut Buffer) {
+        let view = self.canvas.view();
+        let paper = view.area();
+        let areas = self.picture.marks().iter().filter_map(|mark| match mark {
+            Mark::Area { low, high, pen } => Some((*low, *high, pen.role)),
+            _ => None,
+        });
+        let areas: Vec<_> = areas.collect();
+        let first = paper.left() + 1;
+        for column in first..paper.right() {
+            let x = view.world_at(column, paper.y).x;
+            let over = |(low, high, _): &&(DVec2, DVec2, Role)| low.x <= x && x < high.x;
+            let lost = areas.first().filter(|(_, high, _)| high.x <= x);
+            let narrow = lost.filter(|_| column == first);
+            let Some((low, high, role)) = narrow.or_else(|| areas.iter().find(over)) else {
+                continue;
+            };
+            // In cells; the last row belongs to the axis.
+            let [top, foot] = [high, low].map(|end| view.to_cell(dvec2(x, end.y)).y);
+            for row in paper.top()..paper.bottom().saturating_sub(1) {
+                let filled = f64::from(row) + 1.0 - top;
+                if filled > 0.0 && f64::from(row) + 0.5 < foot {
+                    self.fill(buf, (column, row), filled.min(1.0), *role);
+                }
+            }
+        }
+    }
+
+    /// Fills a cell from below: to the eighth in Unicode, to the whole in ASCII and where
+    /// a curve runs over it, which leaves only the paper behind it to fill.
+    fn fill(&self, buf: &mut Buffer, at: (u16, u16), share: f64, role: Role) {
+        const EIGHTHS: [&str; 8] = ["", "▁", "▂", "▃", "▄", "▅", "▆", "▇"];
+        let theme = &self.look.theme;
+        let share = match self.canvas.is_drawn(at) {
+            true => share.round(),
+            false => share,
+        };
+        let eighths = (share * 8.0).round() as usize;
+        match (self.look.charset, EIGHTHS.get(eighths)) {
+            (Charset::Ascii, _) if share < 0.5 => {}
+            (Charset::Ascii, _) => self.write(buf, at, ":", theme.style(role)),
+            (Charset::Unicode, Some(part)) => self.write(buf, at, part, theme.style(role)),
+            (Charset::Unicode, None) if theme.is_mono() => {
+                self.write(buf, at, "░", theme.style(role));
+            }
+            // As paper of another colour, so that a curve can run over it.
+            (Charset::Unicode, None) => self.write(buf, at, " ", theme.fill(role)),
+        }
+    }
+
+    fn axes(&self, axes: &Axes, buf: &mut Buffer) {
+        let view = self.canvas.view();
+        let (paper, area) = (view.area(), self.picture.area());
+        if area.is_empty() {
+            return;
+        }
+        let charset = self.look.charset;
+        let named = self.look.theme.style(Role::Text);
+        let [x, y] = axes.names.each_ref().map(|name| charset.text(name));
+        self.write(buf, (area.x, area.y), &y, named);
+        let spare = paper.width.saturating_sub(text::width(&x) as u16);
+        let last = area.bottom() - 1;
+        if last > paper.bottom() {
+            self.write(buf, (paper.x + spare / 2, last), &x, named);
+        }
+        if paper.is_empty() {
+            return;
+        }
+        let style = self.look.theme.style(Role::Axis);
+        let [upright, level, corner, y_tick, x_tick] = match charset {
+            Charset::Ascii => ["|", "-", "+", "+", "+"],
+            Charset::Unicode => ["│", "─", "└", "┤", "┬"],
+        };
+        let foot = paper.bottom() - 1;
+        for row in paper.top()..foot {
+            self.write(buf, (paper.x, row), upright, style);
+        }
+        for column in paper.left() + 1..paper.right() {
+            self.write(buf, (column, foot), level, style);
+        }
+        self.write(buf, (paper.x, foot), corner, style);
+        let numbers = self.look.theme.style(Role::Dim);
+        let origin = view.world_at(paper.x, foot);
+        let mut free = area.x;
+        for (place, text) in &axes.ticks[0] {
+            let Some((column, row)) = view.cell_at(dvec2(*place, origin.y)) else {
+                continue;
+            };
+            if column > paper.x {
+                self.write(buf, (column, row), x_tick, style);
+            }
+            let text = charset.text(text);
+            let width = text::width(&text) as u16;
+            let start = column.saturating_sub(width.saturating_sub(1) / 2).max(free);
+            if start + width <= area.right() {
+                self.write(buf, (start, row + 1), &text, numbers);
+                free = start + width + 1;
+            }
+        }
+        for (place, text) in &axes.ticks[1] {
+            let Some((column, row)) = view.cell_at(dvec2(origin.x, *place)) else {
+                continue;
+            };
+            if row < foot {
+                self.write(buf, (column, row), y_tick, style);
+            }
+            let text = charset.text(text);
+            let start = column.saturating_sub(text::width(&text) as u16);
+            self.write(buf, (start.max(area.x), row), &text, numbers);
+        }
+    }
+
+    /// Writes within the picture's area; what does not fit is cut off.
+    fn write(&self, buf: &mut Buffer, (column, row): (u16, u16), text: &str, style: Style) {
+        let room = self.picture.area().right().saturating_sub(column);
+        if buf.area.contains((column, row).into()) && room > 0 {
+            buf.set_stringn(column, row, text, room.into(), style);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! What is written into a picture.
+
+use glam::DVec2;
+
+use crate::widgets::Role;
+
+/// A text beside a point of the world.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Label {
+    /// What is written.
+    pub text: String,
+    /// What it is.
+    pub role: Role,
+    /// The points it may stand beside, the dearest first, each with the sides it would
+    /// like; there is always one.
+    pub places: Vec<(DVec2, Vec<LabelSide>)>,
+    /// Whether others leave the surroundings of its point to it.
+    pub(in crate::widgets) keeps_others_off: bool,
+}
+
+impl Label {
+    /// The same for what stands apart, so that nobody takes it for the name of
+    /// something else: others need not keep away from its point.
+    pub fn apart(&mut self) -> &mut Self {
+        self.keeps_others_off = false;
+        self
+    }
+
+    /// Another place, where there is no room at those before.
+    pub fn or(&mut self, anchor: DVec2, sides: &[LabelSide]) -> &mut Self {
+        self.places.push((anchor, sides.to_vec()));
+        self
+    }
+}
+
+/// On which side of its anchor a label stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LabelSide {
+    /// In the row of the anchor, to the right.
+    Right,
+    /// Above and to the right.
+    AboveRight,
+    /// Centred above.
+    Above,
+    /// Above and to the left.
+    AboveLeft,
+    /// In the row of the anchor, to the left.
+    Left,
+    /// Below and to the left.
+    BelowLeft,
+    /// Centred below.
+    Below,
+    /// Below and to the right.
+    BelowRight,
+    /// Centred on the anchor itself.
+    Over,
+}
+
+use LabelSide as S;
+
+impl LabelSide {
+    /// All sides but [`LabelSide::Over`], anticlockwise from the right.
+    pub const ALL: [Self; 8] = [
+        S::Right,
+        S::AboveRight,
+        S::Above,
+        S::AboveLeft,
+        S::Left,
+        S::BelowLeft,
+        S::Below,
+        S::BelowRight,
+    ];
+
+    /// All sides, those nearest to a direction of the world first: for a label at
+    /// the tip of an arrow, in the arrow's own direction.
+    #[must_use]
+    pub fn towards(direction: DVec2) -> [Self; 8] {
+        let mut sides = Self::ALL;
+        sides.sort_by(|a, b| {
+            let along = |side: Self| side.direction().dot(direction);
+            along(*b).total_cmp(&along(*a))
+        });
+        sides
+    }
+
+    /// The direction of the world a side lies in, a unit vector.
+    fn direction(self) -> DVec2 {
+        let eighths = Self::ALL.iter().position(|&side| side == self);
+        DVec2::from_angle(eighths.unwrap_or(0) as f64 * std::f64::consts::FRAC_PI_4)
+    }
+
+    /// The sense in which a label to one side moves away from its anchor, in columns.
+    pub(in crate::widgets) fn outwards(self) -> i32 {
+        match self {
+            S::Right | S::AboveRight | S::BelowRight => 1,
+            S::Above | S::Below | S::Over => 0,
+            S::AboveLeft | S::Left | S::BelowLeft => -1,
+        }
+    }
+
+    /// The cell in which a label `width` wide begins that stands `away` cells from
+    /// its anchor: columns count double, as they are half as wide.
+    pub(in crate::widgets) fn start(
+        self,
+        (column, row): (i32, i32),
+        width: i32,
+        away: i32,
+    ) -> (i32, i32) {
+        let x = match self {
+            S::Right => column + 2 * away,
+            S::AboveRight | S::BelowRight => column + away,
+            S::Above | S::Below | S::Over => column - width / 2,
+            S::AboveLeft | S::BelowLeft => column - width + 1 - away,
+            S::Left => column - width + 1 - 2 * away,
+        };
+        let y = match self {
+            S::Right | S::Left | S::Over => row,
+            S::Above | S::AboveLeft | S::AboveRight => row - away,
+            S::Below | S::BelowLeft | S::BelowRight => row + away,
+        };
+        (x, y)
+    }
+}

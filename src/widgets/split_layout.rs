@@ -1,0 +1,124 @@
+//! A picture with a panel of text beside it, each in its frame.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Look;
+use super::panel::draw_panel;
+
+/// Columns of the panel, with its frame.
+const PANEL: u16 = 30;
+/// Fewest columns of the panel beside a square picture, with its frame.
+const LEAST: u16 = 24;
+/// Columns that it has more on a wide screen.
+const MORE: u16 = 8;
+/// Most columns of a panel of text alone, with its frame.
+const TEXT: u16 = 76;
+/// Columns and rows of a card at most, with its frame.
+const CARD: (u16, u16) = (68, 22);
+/// From this width on a screen is wide.
+const WIDE: u16 = 110;
+
+/// Where a picture and the panel beside it are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SplitLayout {
+    /// The inside of the picture's frame.
+    pub picture: Rect,
+    /// The inside of the panel's frame.
+    pub panel: Rect,
+    frames: [Rect; 2],
+}
+
+impl SplitLayout {
+    /// Lays them out in `area`.
+    pub fn new(area: Rect) -> Self {
+        let wanted = if area.width >= WIDE {
+            PANEL + MORE
+        } else {
+            PANEL
+        };
+        Self::with_panel(area, wanted.min(area.width / 2))
+    }
+
+    /// Lays them out with a picture just as wide as a square board of its height
+    /// needs, and the rest for the panel.
+    pub fn square(area: Rect) -> Self {
+        let needed = (2 * area.height.saturating_sub(2)).saturating_sub(1) + 2;
+        let panel_width = area.width.saturating_sub(needed);
+        Self::with_panel(area, panel_width.max(LEAST.min(area.width / 2)))
+    }
+
+    /// Lays out a panel of text alone, in the middle.
+    pub fn text_alone(area: Rect) -> Self {
+        let width = area.width.min(TEXT);
+        let panel = Rect {
+            x: area.x + (area.width - width) / 2,
+            width,
+            ..area
+        };
+        let nothing = Rect { width: 0, ..area };
+        Self {
+            picture: nothing,
+            panel: inside(panel),
+            frames: [nothing, panel],
+        }
+    }
+
+    /// Lays out a card of text alone, in the middle, with a margin where there is room.
+    pub fn card(area: Rect) -> Self {
+        let (width, height) = (area.width.min(CARD.0), area.height.min(CARD.1));
+        let card = Rect {
+            x: area.x + (area.width - width) / 2,
+            y: area.y + (area.height - height) / 2,
+            width,
+            height,
+        };
+        let text = inside(card);
+        let (across, down) = (2 * u16::from(width == CARD.0), u16::from(height == CARD.1));
+        let nothing = Rect { width: 0, ..card };
+        Self {
+            picture: nothing,
+            panel: Rect {
+                x: text.x + across,
+                y: text.y + down,
+                width: text.width - 2 * across,
+                height: text.height - 2 * down,
+            },
+            frames: [nothing, card],
+        }
+    }
+
+    /// Lays them out with a panel of so many columns, its frame included.
+    pub fn with_panel(area: Rect, panel_width: u16) -> Self {
+        let panel_width = panel_width.min(area.width);
+        let picture = Rect {
+            width: area.width - panel_width,
+            ..area
+        };
+        let panel = Rect {
+            x: picture.right(),
+            width: panel_width,
+            ..area
+        };
+        Self {
+            picture: inside(picture),
+            panel: inside(panel),
+            frames: [picture, panel],
+        }
+    }
+
+    /// Draws both frames with their titles.
+    pub fn draw(&self, buf: &mut Buffer, look: &Look, picture: &str, panel: &str) {
+        draw_panel(buf, self.frames[0], picture, look.charset, &look.theme);
+        draw_panel(buf, self.frames[1], panel, look.charset, &look.theme);
+    }
+}
+
+fn inside(frame: Rect) -> Rect {
+    Rect {
+        x: frame.x + 1,
+        y: frame.y + 1,
+        width: frame.width.saturating_sub(2),
+        height: frame.height.saturating_sub(2),
+    }
+}

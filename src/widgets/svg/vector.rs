@@ -1,0 +1,498 @@
+//! Pictures as true vectors: lines are lines and discs are circles.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt::{Display, Write};
+
+use glam::{DVec2, dvec2};
+
+use super::{CELL, Number, escape};
+use crate::widgets::ink::Canvas;
+use crate::widgets::picture::{Axes, Body, Dash, LabelSide, Layer, Mark, Pen, Picture, View};
+use crate::widgets::theme::Rgb;
+use crate::widgets::{Look, Role};
+
+/// Height of letters, in units of the picture.
+const LETTERS: f64 = 14.0;
+/// Length and half the width of an arrow's head.
+const HEAD: (f64, f64) = (11.0, 4.2);
+/// The ring round a disc that is pointed out, in its radii.
+const POINTED_OUT: f64 = 1.25;
+/// Pieces of an arc that is not wholly in the view.
+const PIECES: u32 = 180;
+/// A disc of a smaller radius is a plain dot of this one.
+const DOT: f64 = 3.5;
+
+/// What is drawn of a picture, in units of a screen of [`CELL`]s.
+pub(super) fn draw(picture: &Picture, look: &Look) -> String {
+    let mut vectors = Vectors {
+        view: picture.view(),
+        look,
+        body: String::new(),
+    };
+    let mut marks: Vec<&Mark> = picture.marks().iter().collect();
+    marks.sort_by_key(|mark| layer(mark));
+    vectors.put(format_args!(
+        "<g font-family=\"Helvetica Neue,Helvetica,Arial,Liberation Sans,DejaVu Sans,sans-serif\" \
+         font-size=\"{LETTERS}\">\n<g stroke-linecap=\"round\" \
+         stroke-linejoin=\"round\">\n"
+    ));
+    marks.iter().for_each(|mark| vectors.mark(mark));
+    vectors.put("</g>\n");
+    // What may stand out over the edges of the view.
+    for mark in marks {
+        match mark {
+            Mark::Axes(axes) => vectors.axes(axes, picture),
+            Mark::Text { at, text, role } => vectors.sign(*at, text, *role),
+            Mark::Disc(body) => vectors.letter(body),
+            _ => {}
+        }
+    }
+    let canvas = Canvas::of(picture, look.charset);
+    for label in canvas.labels() {
+        let (left, right) = (
+            f64::from(label.place.left()),
+            f64::from(label.place.right()),
+        );
+        let (column, anchor) = match label.side {
+            LabelSide::Right | LabelSide::AboveRight | LabelSide::BelowRight => {
+                (left, Anchor::Start)
+            }
+            LabelSide::Left | LabelSide::AboveLeft | LabelSide::BelowLeft => (right, Anchor::End),
+            LabelSide::Above | LabelSide::Below | LabelSide::Over => {
+                (f64::midpoint(left, right), Anchor::Middle)
+            }
+        };
+        let at = dvec2(column, f64::from(label.place.y) + 0.5) * cell();
+        vectors.text(&label.text, at, anchor, label.role);
+    }
+    vectors.put("</g>\n");
+    vectors.body
+}
+
+/// The layer that a mark is drawn on.
+fn layer(mark: &Mark) -> Layer {
+    match mark {
+        Mark::Line { pen, .. }
+        | Mark::Curve { pen, .. }
+        | Mark::Arc { pen, .. }
+        | Mark::Arrow { pen, .. }
+        | Mark::Dot { pen, .. } => pen.layer,
+        Mark::Disc(_) | Mark::Ring { .. } | Mark::Discs(_) => Layer::Disc,
+        Mark::Area { .. } | Mark::Axes(_) => Layer::Ground,
+        Mark::Text { .. } | Mark::Reserved(_) => Layer::Mark,
+    }
+}
+
+/// Which end of a text stands at its place.
+#[derive(Clone, Copy)]
+enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+fn cell() -> DVec2 {
+    dvec2(CELL.0 as f64, CELL.1 as f64)
+}
+
+/// The part of a straight line that lies in a rectangle, if any does.
+fn clipped([from, to]: [DVec2; 2], low: DVec2, high: DVec2) -> Option<[DVec2; 2]> {
+    let way = to - from;
+    // Where along the way each pair of edges is crossed; no way along them is no crossing.
+    let [a, b] = [(low - from) / way, (high - from) / way];
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        if way[axis] == 0.0 {
+            if !(low[axis]..=high[axis]).contains(&from[axis]) {
+                return None;
+            }
+        } else {
+            first = first.max(a[axis].min(b[axis]));
+            last = last.min(a[axis].max(b[axis]));
+        }
+    }
+    let end = |share: f64| match share {
+        0.0 => from,
+        1.0 => to,
+        _ => from + share * way,
+    };
+    (way.is_finite() && first <= last).then(|| [end(first), end(last)])
+}
+
+struct Vectors<'a> {
+    view: &'a View,
+    look: &'a Look,
+    body: String,
+}
+
+impl Vectors<'_> {
+    fn put(&mut self, text: impl Display) {
+        let _ = write!(self.body, "{text}");
+    }
+
+    fn at(&self, world: DVec2) -> DVec2 {
+        self.view.to_cell(world) * cell()
+    }
+
+    fn length(&self, world: f64) -> f64 {
+        world / self.view.per_column() * cell().x
+    }
+
+    fn rgb(&self, role: Role) -> Rgb {
+        self.look.theme.rgb(role)
+    }
+
+    fn mark(&mut self, mark: &Mark) {
+        match mark {
+            Mark::Line { from, to, pen } => self.curve(&[*from, *to], *pen),
+            Mark::Curve { points, pen } => self.curve(points, *pen),
+            Mark::Arc {
+                centre,
+                radius,
+                from,
+                to,
+                pen,
+            } => self.arc((*centre, *radius), *from, *to, *pen),
+            Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
+            Mark::Dot { at, pen } => self.circle(*at, 1.2, Some(self.inked(*pen)), ""),
+            Mark::Disc(body) => self.disc(body),
+            Mark::Ring { body, letter } => {
+                let stroke = self.stroke(Pen::new(body.role).bold());
+                let radius = self.length(body.radius);
+                self.circle(body.at, radius, None, &stroke);
+                let at = self.at(*letter);
+                self.text(&body.letter.to_string(), at, Anchor::Middle, body.role);
+            }
+            Mark::Discs(bodies) => bodies.iter().for_each(|body| self.solid(body)),
+            Mark::Area { low, high, pen } => {
+                let (a, b) = (self.at(*low), self.at(*high));
+                let (least, size) = (a.min(b), (a - b).abs());
+                let fill = self.inked(*pen);
+                self.put(format_args!(
+                    "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{fill}\"/>\n",
+                    Number(least.x),
+                    Number(least.y),
+                    Number(size.x),
+                    Number(size.y)
+                ));
+            }
+            Mark::Text { .. } | Mark::Axes(_) | Mark::Reserved(_) => {}
+        }
+    }
+
+    /// The colour of a pen.
+    fn inked(&self, pen: Pen) -> Rgb {
+        self.rgb(pen.role)
+            .mixed(self.rgb(Role::Background), 0.75 * pen.age)
+    }
+
+    fn stroke(&self, pen: Pen) -> String {
+        let width = match pen.layer {
+            _ if pen.bold => 2.6,
+            Layer::Ground => 1.1,
+            _ => 1.5,
+        };
+        let dashes = match pen.dash {
+            Dash::Solid => "",
+            Dash::Dashed => " stroke-dasharray=\"6 4.5\"",
+            Dash::Dotted => " stroke-dasharray=\"0.1 4\"",
+        };
+        format!(
+            " stroke=\"{}\" stroke-width=\"{width}\"{dashes}",
+            self.inked(pen)
+        )
+    }
+
+    fn path(&mut self, path: &str, fill: Option<Rgb>, stroke: &str) {
+        let fill = fill.map_or("none".into(), |fill| fill.to_string());
+        self.put(format_args!(
+            "<path d=\"{path}\" fill=\"{fill}\"{stroke}/>\n"
+        ));
+    }
+
+    fn circle(&mut self, centre: DVec2, radius: f64, fill: Option<Rgb>, stroke: &str) {
+        let at = self.at(centre);
+        let fill = fill.map_or("none".into(), |fill| fill.to_string());
+        let (x, y, r) = (Number(at.x), Number(at.y), Number(radius));
+        self.put(format_args!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"{stroke}/>\n"
+        ));
+    }
+
+    /// A line through points of the world, as far as it lies in the view.
+    fn curve(&mut self, points: &[DVec2], pen: Pen) {
+        let mut path = String::new();
+        let mut last = None;
+        let [low, high] = self.corners();
+        for pair in points.windows(2) {
+            let Some([from, to]) = clipped([self.at(pair[0]), self.at(pair[1])], low, high) else {
+                continue;
+            };
+            if last != Some(from) {
+                let _ = write!(path, "M{} {}", Number(from.x), Number(from.y));
+            }
+            let _ = write!(path, "L{} {}", Number(to.x), Number(to.y));
+            last = Some(to);
+        }
+        if !path.is_empty() {
+            let stroke = self.stroke(pen);
+            self.path(&path, None, &stroke);
+        }
+    }
+
+    /// The corners of the view.
+    fn corners(&self) -> [DVec2; 2] {
+        let area = self.view.area();
+        let corner = |x: u16, y: u16| dvec2(f64::from(x), f64::from(y)) * cell();
+        [
+            corner(area.left(), area.top()),
+            corner(area.right(), area.bottom()),
+        ]
+    }
+
+    fn arc(&mut self, (centre, radius): (DVec2, f64), from: f64, to: f64, pen: Pen) {
+        let r = self.length(radius);
+        let (middle, [low, high]) = (self.at(centre), self.corners());
+        let is_inside = (middle - r).cmpge(low).all() && (middle + r).cmple(high).all();
+        if !is_inside {
+            let at = |i: u32| from + (to - from) * f64::from(i) / f64::from(PIECES);
+            let points = (0..=PIECES).map(|i| centre + radius * DVec2::from_angle(at(i)));
+            return self.curve(&points.collect::<Vec<_>>(), pen);
+        }
+        let stroke = self.stroke(pen);
+        if (to - from).abs() >= TAU {
+            return self.circle(centre, r, None, &stroke);
+        }
+        let [start, end] = [from, to].map(|it| self.at(centre + radius * DVec2::from_angle(it)));
+        let long = u8::from((to - from).abs() > PI);
+        let sweep = u8::from(to < from);
+        let path = format!(
+            "M{} {}A{r} {r} 0 {long} {sweep} {} {}",
+            Number(start.x),
+            Number(start.y),
+            Number(end.x),
+            Number(end.y),
+            r = Number(r),
+        );
+        self.path(&path, None, &stroke);
+    }
+
+    fn arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) {
+        let (tail, tip) = (self.at(from), self.at(to));
+        let Some(along) = (tip - tail).try_normalize() else {
+            return;
+        };
+        let full = if pen.bold { 1.2 } else { 1.0 };
+        let size = f64::min(full, 0.6 * (tip - tail).length() / HEAD.0);
+        let neck = tip - size * HEAD.0 * along;
+        let across = size * HEAD.1 * along.perp();
+        // The line ends within the head, so that it does not blunt the tip.
+        let end = self
+            .view
+            .to_world((tip - 0.8 * size * HEAD.0 * along) / cell());
+        self.curve(&[from, end], pen);
+        let mut path = String::new();
+        for (order, at) in [('M', tip), ('L', neck + across), ('L', neck - across)] {
+            let _ = write!(path, "{order}{} {}", Number(at.x), Number(at.y));
+        }
+        self.path(&(path + "Z"), Some(self.inked(pen)), "");
+    }
+
+    /// A disc of a hit: pale, so that what is drawn over it is plain to see.
+    fn disc(&mut self, body: &Body) {
+        let radius = self.length(body.radius);
+        let role = self.rgb(body.role);
+        if radius <= DOT {
+            return self.circle(body.at, DOT, Some(role), "");
+        }
+        let stroke = format!(" stroke=\"{role}\" stroke-width=\"1.8\"");
+        self.circle(body.at, radius, Some(self.pale(body.role)), &stroke);
+    }
+
+    fn pale(&self, role: Role) -> Rgb {
+        self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
+    }
+
+    /// The letter of a disc of a hit, over what is drawn on the disc.
+    fn letter(&mut self, body: &Body) {
+        let radius = self.length(body.radius);
+        if body.letter != ' ' && radius > DOT {
+            let colours = [self.rgb(Role::Text), self.pale(body.role)];
+            let at = self.at(body.at);
+            self.write(&body.letter.to_string(), at, Anchor::Middle, colours);
+        }
+    }
+
+    /// A disc among others, in its full colour.
+    fn solid(&mut self, body: &Body) {
+        let radius = self.length(body.radius).max(DOT);
+        let role = self.rgb(body.role);
+        let rim = self.rgb(Role::Background).mixed(role, 0.4);
+        let stroke = format!(" stroke=\"{rim}\" stroke-width=\"1\"");
+        self.circle(body.at, radius, Some(role), &stroke);
+        if radius >= 0.5 * LETTERS {
+            let at = self.at(body.at);
+            let sign = body.letter.to_string();
+            self.write(&sign, at, Anchor::Middle, [role.ink(), role]);
+        }
+        if body.pointed_out {
+            let stroke = self.stroke(Pen::new(Role::Good).bold());
+            self.circle(body.at, POINTED_OUT * radius, None, &stroke);
+        }
+    }
+
+    /// A text on the background whose middle line is at a place.
+    fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
+        let colours = [self.rgb(role), self.rgb(Role::Background)];
+        self.write(text, at, anchor, colours);
+    }
+
+    /// A text with a rim of what is behind it, which keeps it readable where a line runs
+    /// there.
+    fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, [ink, rim]: [Rgb; 2]) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        self.put(format_args!(
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{ink}\" stroke=\"{rim}\" \
+             stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
+            Number(at.x),
+            Number(at.y + 0.35 * LETTERS),
+            escape(text)
+        ));
+    }
+
+    /// A sign, as a shape where it stands for one.
+    fn sign(&mut self, world: DVec2, text: &str, role: Role) {
+        let ink = self.rgb(role);
+        let at = self.at(world);
+        let stroke = format!(" stroke=\"{ink}\" stroke-width=\"1.8\"");
+        match text {
+            "●" | "o" | "O" => self.circle(world, DOT, Some(ink), ""),
+            "○" => self.circle(world, DOT, Some(self.rgb(Role::Background)), &stroke),
+            "×" | "x" => {
+                let (x, y, size) = (Number(at.x - DOT), Number(at.y - DOT), Number(2.0 * DOT));
+                let path = format!("M{x} {y}l{size} {size}m-{size} 0l{size} -{size}");
+                self.path(&path, None, &stroke);
+            }
+            _ => self.text(text, at, Anchor::Middle, role),
+        }
+    }
+
+    fn axes(&mut self, axes: &Axes, picture: &Picture) {
+        let (paper, area) = (self.view.area(), picture.area());
+        if paper.is_empty() {
+            return;
+        }
+        let pen = Pen::new(Role::Axis);
+        let foot = paper.bottom() - 1;
+        let origin = self.view.world_at(paper.x, foot);
+        let corner = self.view.world_at(paper.right() - 1, paper.y);
+        let ends = [dvec2(origin.x, corner.y), origin, dvec2(corner.x, origin.y)];
+        self.curve(&ends, pen);
+        let tick = dvec2(self.view.per_column(), self.view.per_row()) * dvec2(0.45, 0.22);
+        let names = axes
+            .names
+            .each_ref()
+            .map(|name| self.look.charset.text(name));
+        for (place, text) in &axes.ticks[0] {
+            let at = dvec2(*place, origin.y);
+            self.curve(&[at, at - tick.y * DVec2::Y], pen);
+            let below = self.at(at) + DVec2::Y * cell().y;
+            self.text(
+                &self.look.charset.text(text),
+                below,
+                Anchor::Middle,
+                Role::Dim,
+            );
+        }
+        for (place, text) in &axes.ticks[1] {
+            let at = dvec2(origin.x, *place);
+            self.curve(&[at, at - tick.x * DVec2::X], pen);
+            let beside = self.at(at) - 0.8 * DVec2::X * cell().x;
+            self.text(
+                &self.look.charset.text(text),
+                beside,
+                Anchor::End,
+                Role::Dim,
+            );
+        }
+        let top = dvec2(f64::from(area.x), f64::from(area.y) + 0.5) * cell();
+        self.text(&names[1], top, Anchor::Start, Role::Text);
+        let middle = f64::midpoint(f64::from(paper.left()), f64::from(paper.right()));
+        let below = dvec2(middle, f64::from(area.bottom()) - 0.5) * cell();
+        self.text(&names[0], below, Anchor::Middle, Role::Text);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ratatui::layout::Rect;
+
+    use super::*;
+    use crate::widgets::{Charset, Theme};
+
+    fn drawn(make: impl Fn(&mut Picture)) -> String {
+        // One metre is one column, nine units; the origin is in the middle of cell (5, 2).
+        let view = View::new(Rect::new(0, 0, 11, 5), DVec2::ZERO, 1.0);
+        let mut picture = Picture::new(view);
+        make(&mut picture);
+        let look = Look {
+            charset: Charset::Unicode,
+            theme: Theme::default(),
+        };
+        draw(&picture, &look)
+    }
+
+    #[test]
+    fn arcs_turn_as_they_are_seen() {
+        // A quarter up from the right: it ends above its centre, where y is less.
+        let found = drawn(|it| it.arc(DVec2::ZERO, 2.0, 0.0, PI / 2.0, Role::Arc));
+        assert!(found.contains("M67.5 45A18 18 0 0 0 49.5 27"), "{found}");
+    }
+
+    #[test]
+    fn discs_are_circles_and_a_whole_turn_is_one() {
+        let found = drawn(|it| {
+            it.disc(DVec2::ZERO, 2.0, Role::Coin, 'C');
+            it.circle(DVec2::ZERO, 1.0, Role::Arc);
+        });
+        assert!(
+            found.contains("<circle cx=\"49.5\" cy=\"45\" r=\"18\""),
+            "{found}"
+        );
+        assert!(found.contains("r=\"9\" fill=\"none\" stroke="), "{found}");
+        assert!(found.contains(">C</text>"), "{found}");
+    }
+
+    #[test]
+    fn an_arrow_without_length_is_none_and_a_curve_breaks_where_it_has_no_place() {
+        let found = drawn(|it| it.arrow(DVec2::ONE, DVec2::ONE, Role::CoinOut));
+        assert!(!found.contains("<path"), "{found}");
+        let points = [DVec2::ZERO, DVec2::X, DVec2::NAN, DVec2::Y, DVec2::ONE];
+        let found = drawn(|it| it.curve(points, Role::CoinOut));
+        assert!(
+            found.contains("M49.5 45L58.5 45M49.5 36L58.5 36"),
+            "{found}"
+        );
+    }
+
+    #[test]
+    fn what_lies_higher_is_drawn_later_whatever_the_order() {
+        let found = drawn(|it| {
+            it.line(DVec2::ZERO, DVec2::X, Role::StrikerOut);
+            it.disc(DVec2::ZERO, 2.0, Role::Coin, ' ');
+        });
+        assert!(found.find("<circle") < found.find("<path"), "{found}");
+    }
+
+    #[test]
+    fn labels_are_text() {
+        let found = drawn(|it| {
+            it.label("<b>", DVec2::ZERO, &[LabelSide::Right], Role::Text);
+        });
+        assert!(found.contains(">&lt;b&gt;</text>"), "{found}");
+    }
+}

@@ -1,0 +1,379 @@
+//! Holds every room of the crate to its floor: higher rooms may use lower ones, never
+//! the reverse, and rooms of one floor do not know each other. The floors are read from
+//! the maps that the documentation shows: that of the crate in `lib.rs`, and those
+//! inside a room in its `mod.rs`.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::collections::{BTreeSet, HashMap};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rooms with a map of their own floors.
+const MAPPED: [&str; 0] = [];
+
+/// The floors of the crate (`room` is empty) or inside one of its rooms.
+struct Map {
+    room: String,
+    floors: Vec<Vec<String>>,
+    /// What the `mod.rs` of the room takes from the rooms inside, and from which.
+    taken: HashMap<String, String>,
+}
+
+impl Map {
+    /// Reads the map in the documentation at the head of `source`: lines of dashes part
+    /// the floors, from the top; each room begins a line, its description is indented
+    /// further.
+    fn parse(room: &str, source: &str) -> Self {
+        let mut floors = vec![Vec::new()];
+        let lines = source.lines().map_while(|line| line.strip_prefix("//!"));
+        let map = lines
+            .skip_while(|line| line.trim() != "```text")
+            .skip(1)
+            .take_while(|line| line.trim() != "```");
+        let mut indent = None;
+        for line in map {
+            let entry = line.trim_start();
+            let blanks = line.len() - entry.len();
+            if entry.starts_with('─') {
+                floors.push(Vec::new());
+            } else if blanks == *indent.get_or_insert(blanks) {
+                let name = entry.split_whitespace().next().unwrap_or_default();
+                let name = name.trim_end_matches('/').trim_end_matches(".rs");
+                floors.last_mut().unwrap().push(name.to_owned());
+            }
+        }
+        let mut uses = Vec::new();
+        for statement in code(source).split("use ").skip(1) {
+            branches(statement, &[], &mut uses);
+        }
+        let taken = uses.iter().filter_map(|path| match path.as_slice() {
+            [from, .., name] => Some((name.clone(), from.clone())),
+            _ => None,
+        });
+        Self {
+            room: room.to_owned(),
+            taken: taken.collect(),
+            floors,
+        }
+    }
+
+    fn read(room: &str) -> Self {
+        let file = if room.is_empty() { "lib.rs" } else { "mod.rs" };
+        let source = fs::read_to_string(src().join(room).join(file)).unwrap();
+        Self::parse(room, &source)
+    }
+
+    /// The floor of a room, counted from the top.
+    fn floor(&self, room: &str) -> Option<usize> {
+        let rooms = |floor: &Vec<String>| floor.iter().any(|other| other == room);
+        self.floors.iter().position(rooms)
+    }
+
+    /// The part of a path of modules that this map is about.
+    fn place<'a>(&self, path: &'a [String]) -> Option<&'a str> {
+        let inner = match path {
+            [room, inner @ ..] if !self.room.is_empty() && *room == self.room => inner,
+            _ if self.room.is_empty() => path,
+            _ => return None,
+        };
+        inner.first().map(String::as_str)
+    }
+
+    /// What the map says against code in `from` that uses `to`.
+    fn fault(&self, from: &[String], to: &[String]) -> Option<String> {
+        let (from, to) = (self.place(from)?, self.place(to)?);
+        let to = match self.taken.get(to) {
+            Some(room) if self.floor(to).is_none() => room,
+            _ => to,
+        };
+        let below = match (self.floor(from), self.floor(to)) {
+            (Some(from), Some(to)) => from < to,
+            // What stands in the `mod.rs` itself is above all rooms inside.
+            (Some(_), None) => self.room.is_empty(),
+            (None, _) => true,
+        };
+        (from != to && !below).then(|| format!("{from} uses {to}"))
+    }
+}
+
+fn src() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+/// `source` without its comments, whose links may point anywhere.
+fn code(source: &str) -> String {
+    let lines = source.lines().map(|line| {
+        let comment = line.find("//").unwrap_or(line.len());
+        &line[..comment]
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Adds every path from the root of the crate that is written in `code`, which stands
+/// in the module `here`: those that begin with `crate::` or with `super::`.
+fn paths(code: &str, here: &[String], found: &mut Vec<Vec<String>>) {
+    let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+    let mut rest = code;
+    while let Some(start) = rest
+        .find("crate::")
+        .into_iter()
+        .chain(rest.find("super::"))
+        .min()
+    {
+        let apart = !rest[..start].ends_with(of_name);
+        rest = &rest[start..];
+        let mut above = here.len();
+        if let Some(after) = rest.strip_prefix("crate::") {
+            (rest, above) = (after, 0);
+        }
+        while let Some(after) = rest.strip_prefix("super::") {
+            (rest, above) = (after, above.saturating_sub(1));
+        }
+        if apart {
+            branches(rest, &here[..above], found);
+        }
+    }
+}
+
+/// Adds the paths that `tree`, a path or a list in braces, leads to from `trunk`.
+fn branches(tree: &str, trunk: &[String], found: &mut Vec<Vec<String>>) {
+    let tree = tree.trim_start();
+    if let Some(list) = tree.strip_prefix('{') {
+        let (mut depth, mut start) = (0, 0);
+        for (i, c) in list.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' | ',' if depth == 0 => {
+                    branches(&list[start..i], trunk, found);
+                    start = i + 1;
+                }
+                '}' => depth -= 1,
+                _ => {}
+            }
+            if c == '}' && start == i + 1 {
+                break;
+            }
+        }
+        return;
+    }
+    let end = tree.find(|c: char| !c.is_alphanumeric() && c != '_');
+    let (name, after) = tree.split_at(end.unwrap_or(tree.len()));
+    let mut path = trunk.to_vec();
+    if !name.is_empty() && name != "self" {
+        path.push(name.to_owned());
+    }
+    match after.strip_prefix("::") {
+        Some(after) if !name.is_empty() => branches(after, &path, found),
+        _ => found.push(path),
+    }
+}
+
+/// The uses in `source` that a map does not allow; `path` is its place in `src`.
+fn trespasses(maps: &[Map], path: &str, source: &str) -> Vec<String> {
+    let module = path.trim_end_matches(".rs").trim_end_matches("/mod");
+    let module: Vec<_> = module.split('/').map(str::to_owned).collect();
+    let code = code(source);
+    let (code, tests) = code.split_once("\nmod tests {").unwrap_or((&code, ""));
+    let mut used = Vec::new();
+    paths(code, &module, &mut used);
+    let inside = [module.as_slice(), &["tests".to_owned()]].concat();
+    paths(tests, &inside, &mut used);
+    let faults = used
+        .iter()
+        .flat_map(|to| maps.iter().filter_map(|map| map.fault(&module, to)));
+    let faults: BTreeSet<_> = faults.collect();
+    let told = faults.iter().map(|fault| format!("src/{path}: {fault}"));
+    told.collect()
+}
+
+/// Calls `look` on every source file below `folder`.
+fn each_source(folder: &Path, look: &mut impl FnMut(&Path)) {
+    for entry in folder.read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            each_source(&path, look);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            look(&path);
+        }
+    }
+}
+
+/// The map of the crate and those inside its rooms.
+fn maps() -> Vec<Map> {
+    let rooms = [""].into_iter().chain(MAPPED);
+    rooms.map(Map::read).collect()
+}
+
+#[test]
+fn every_room_uses_only_lower_ones() {
+    let maps = maps();
+    let mut found = Vec::new();
+    let mut seen = 0;
+    each_source(&src(), &mut |path| {
+        let place = path.strip_prefix(src()).unwrap().to_str().unwrap();
+        if place != "lib.rs" && place != "main.rs" {
+            seen += 1;
+            let place = place.replace('\\', "/");
+            let source = fs::read_to_string(path).unwrap();
+            found.extend(trespasses(&maps, &place, &source));
+        }
+    });
+    assert!(seen > 20, "only {seen} files were found");
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn the_maps_show_every_room_and_no_other() {
+    for map in maps() {
+        let entries = src().join(&map.room).read_dir().unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let rooms: BTreeSet<String> = names
+            .map(|name| name.trim_end_matches(".rs").to_owned())
+            .filter(|name| !["lib", "mod", "tests"].contains(&name.as_str()))
+            .collect();
+        let shown: Vec<_> = map.floors.concat();
+        let once: BTreeSet<_> = shown.iter().cloned().collect();
+        assert_eq!(once, rooms, "the map of src/{}", map.room);
+        assert_eq!(once.len(), shown.len(), "a room is shown twice");
+        assert!(map.floors.len() > 1, "src/{} has one floor", map.room);
+    }
+}
+
+/// Two maps to try the reading of code by: of a crate and of its room `quiz`.
+fn example() -> [Map; 2] {
+    let crate_map = "//! # Rooms\n//!\n//! ```text\n\
+        //!   main.rs    runs\n//!   cli/       commands\n//!   ────\n\
+        //!   shells/    what drives the app: a terminal,\n//!              a tape\n//!   ────\n\
+        //!   app/\n//!   ────\n//!   screens/\n//!   ────\n//!   widgets/\n//!   ────\n\
+        //!   messages/\n//!   ────\n//!   quiz/\n//!   levels/\n//!   ────\n\
+        //!   physics/\n//! ```\n\npub mod app;\n";
+    let quiz_map = "//! ```text\n//!   rounds/\n//!   ──\n//!   families/\n//!   concepts/\n\
+        //!   ──\n//!   question/\n//! ```\n\
+        pub use question::Question;\npub use rounds::{Round, code::Code};\npub struct Quiz;\n";
+    [Map::parse("", crate_map), Map::parse("quiz", quiz_map)]
+}
+
+#[test]
+fn a_map_is_read_as_it_is_drawn() {
+    let [whole, quiz] = example();
+    assert_eq!(whole.floors[0], ["main", "cli"]);
+    assert_eq!(whole.floors[1], ["shells"]);
+    assert_eq!(whole.floors[6], ["quiz", "levels"]);
+    assert_eq!(whole.floors.len(), 8);
+    assert_eq!(quiz.floors[1], ["families", "concepts"]);
+    assert_eq!(quiz.taken["Code"], "rounds");
+}
+
+#[test]
+fn a_trespass_is_found_however_it_is_written() {
+    for (path, source, expected) in [
+        (
+            "physics/disc.rs",
+            "use crate::widgets::Role;",
+            "physics uses widgets",
+        ),
+        (
+            "physics/mod.rs",
+            "fn f() { crate::app::f() }",
+            "physics uses app",
+        ),
+        (
+            "quiz/mod.rs",
+            "use crate::{physics::Disc, levels};",
+            "quiz uses levels",
+        ),
+        (
+            "quiz/a.rs",
+            "use crate::{\n  physics::{Disc, A},\n  screens,\n};",
+            "quiz uses screens",
+        ),
+        (
+            "levels/scene.rs",
+            "use super::super::quiz::Question;",
+            "levels uses quiz",
+        ),
+        (
+            "widgets/mod.rs",
+            "use super::screens::Screen;",
+            "widgets uses screens",
+        ),
+        (
+            "screens/home/view.rs",
+            "use super::super::super::app::App;",
+            "screens uses app",
+        ),
+        ("app/mod.rs", "pub(crate) use crate::cli;", "app uses cli"),
+        (
+            "levels/scene.rs",
+            "#[cfg(test)]\nmod tests {\n    use super::super::super::quiz;\n}",
+            "levels uses quiz",
+        ),
+        // Inside a room.
+        (
+            "quiz/question/mod.rs",
+            "use super::rounds::Round;",
+            "question uses rounds",
+        ),
+        (
+            "quiz/families/speeds.rs",
+            "use crate::quiz::{concepts::Library, question::Question};",
+            "families uses concepts",
+        ),
+        (
+            "quiz/question/grade.rs",
+            "use super::super::Round;",
+            "question uses rounds",
+        ),
+        (
+            "quiz/question/grade.rs",
+            "use crate::{physics::Disc, quiz::{Quiz}};",
+            "question uses Quiz",
+        ),
+    ] {
+        let found = trespasses(&example(), path, source);
+        assert_eq!(found, [format!("src/{path}: {expected}")]);
+    }
+}
+
+#[test]
+fn what_is_allowed_is_let_be() {
+    for (path, source) in [
+        ("cli/tape.rs", "use crate::shells::tape;"),
+        (
+            "quiz/mod.rs",
+            "use crate::physics::Disc; use super::quiz::x; pub use rounds::Round;",
+        ),
+        (
+            "physics/disc.rs",
+            "/// See [`crate::widgets`].\n// crate::app\nuse crate::physics::x;",
+        ),
+        (
+            "screens/home/view.rs",
+            "use super::super::Place; use crate::screens::Context;",
+        ),
+        (
+            "shells/tape/mod.rs",
+            "use crate::{app::App, messages::{Key, Input}};",
+        ),
+        (
+            "quiz/rounds/code.rs",
+            "use super::Round; use super::super::{families::{self, Family}, question::*};",
+        ),
+        (
+            "quiz/rounds/code.rs",
+            "use super::Round;\n#[cfg(test)]\nmod tests {\n    use super::super::Round;\n}",
+        ),
+        (
+            "quiz/families/speeds.rs",
+            "use crate::quiz::{Question, question::Hit}; use super::super::Question;",
+        ),
+        ("screens/quiz/mod.rs", "use crate::quiz::Round;"),
+    ] {
+        assert_eq!(
+            trespasses(&example(), path, source),
+            Vec::<String>::new(),
+            "{path}"
+        );
+    }
+}
