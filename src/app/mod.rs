@@ -269,7 +269,7 @@ impl App {
     }
 
     /// Tells the player something, over whatever the screen shows, until a key is pressed.
-    fn tell(&mut self, words: String) {
+    pub fn tell(&mut self, words: String) {
         self.layers
             .retain(|layer| !matches!(layer, AppLayer::Notice(_)));
         self.layers.push(AppLayer::Notice(words));

@@ -4,10 +4,10 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
-use super::{Failure, Options};
-use crate::files::{self, FileErrors, Source};
+use super::{Failure, GlobalOptions};
+use crate::files::{self, Fields, FileErrors, Source};
 use crate::messages::Key;
-use crate::shells::tour::all_keys;
+use crate::shells::tour::{AllKeys, all_keys};
 use crate::widgets::input::Rebound;
 
 /// Name of the file in the folder for data.
@@ -17,11 +17,7 @@ const FORMAT: u32 = 1;
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
 
-/// Print all keys, as a file to change some in
-#[derive(Debug, clap::Args)]
-pub(super) struct Args {}
-
-pub(super) fn run(options: &Options) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let place = options.data_dir().map(|folder| folder.join(FILE));
     let place = place.map_or(FILE.into(), |place| place.display().to_string());
     let mut text = format!(
@@ -33,7 +29,10 @@ pub(super) fn run(options: &Options) -> Result<ExitCode, Failure> {
          format = {FORMAT}\n\n[keys]\n"
     );
     for (id, (keys, help)) in all_keys() {
-        let keys: Vec<_> = keys.into_iter().map(|key| quoted(&key.to_string())).collect();
+        let keys: Vec<_> = keys
+            .into_iter()
+            .map(|key| quoted(&key.to_string()))
+            .collect();
         let _ = writeln!(text, "\"{id}\" = [{}]  # {help}", keys.join(", "));
     }
     super::print(text.as_bytes())?;
@@ -54,31 +53,27 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
     }
     let bytes = files::read(path, LARGEST)?;
     let name = path.display().to_string();
-    let source = Source::new(&name, &bytes, LARGEST)?;
-    let all = all_keys();
-    source.document("keys of carrom", FORMAT, &["format", "keys"], |fields| {
+    let source = Source::of_bytes(&name, &bytes, LARGEST)?;
+    let known = ["format", "keys"];
+    source.document("keys of carrom", FORMAT, &known, |fields| {
         let table = fields.table("keys", &[])?;
-        let mut rebound = Rebound::new();
-        for name in table.names() {
-            let keys = table.texts(name, 16);
-            let Some((usual, _)) = all.get(name) else {
-                table.refuse::<()>(name, "no such action; carrom keys lists them all");
-                continue;
-            };
-            let Some(keys) = keys else { continue };
-            let parsed: Vec<_> = keys.iter().map(|key| Key::parse(key)).collect();
-            for (item, key) in parsed.iter().enumerate() {
-                if key.is_none() {
-                    let expected = "expected a key, such as \"x\", \"Up\", \"F5\" or \"Ctrl+X\"";
-                    table.refuse_item::<()>(name, item, expected);
-                }
-            }
-            if keys.is_empty() || keys.len() > usual.len() {
-                let most = usual.len();
-                table.refuse::<()>(name, format!("expected 1 to {most} keys, found {}", keys.len()));
-            }
-            rebound.insert(name.to_owned(), parsed.into_iter().flatten().collect());
-        }
-        Some(rebound)
+        let all = all_keys();
+        let rows = table
+            .names()
+            .map(|id| Some((id.to_owned(), row(&table, id, &all)?)));
+        files::all(rows.collect()).map(Rebound::from_iter)
     })
+}
+
+/// The keys that a line of the file gives.
+fn row(table: &Fields, id: &str, all: &AllKeys) -> Option<Vec<Key>> {
+    let Some((usual, _)) = all.get(id) else {
+        return table.refuse(id, "there is no such action; carrom keys lists them all");
+    };
+    let keys = table.texts(id, 1..=usual.len(), 9)?;
+    let key = |(item, text): (usize, &String)| {
+        let expected = "expected a key, such as \"x\", \"Up\", \"F5\" or \"Ctrl+X\"";
+        Key::parse(text).or_else(|| table.refuse_item(id, item, expected))
+    };
+    files::all(keys.iter().enumerate().map(key).collect())
 }

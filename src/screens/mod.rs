@@ -8,14 +8,14 @@ mod place;
 mod recall;
 pub(crate) mod why;
 
-pub mod class;
-pub mod foil;
-pub mod home;
-pub mod lab;
+pub(crate) mod class;
+pub(crate) mod foil;
+pub(crate) mod home;
+pub(crate) mod lab;
 pub mod learn;
-pub mod levels;
-pub mod progress;
-pub mod quiz;
+pub(crate) mod levels;
+pub(crate) mod progress;
+pub(crate) mod quiz;
 pub mod table;
 
 use std::time::Duration;

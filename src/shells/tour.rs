@@ -125,9 +125,12 @@ impl TourStop {
     }
 }
 
+/// Keys by their rows' names, each row with what it does.
+pub type AllKeys = BTreeMap<String, (Vec<Key>, &'static str)>;
+
 /// All keys there are, by their names in `keys.toml`: the keys that do it unless they are
 /// rebound, and what it is.
-pub fn all_keys() -> BTreeMap<String, (Vec<Key>, &'static str)> {
+pub fn all_keys() -> AllKeys {
     let mut all = BTreeMap::new();
     for moment in TOUR {
         for row in moment.keys(Settings::default()).rows() {

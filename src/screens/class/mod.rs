@@ -40,7 +40,7 @@ use set_up::{SetUp, SetUpAction, SetUpEnd};
 /// What keys do in a class round.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum ClassAction {
+pub(crate) enum ClassAction {
     /// set up the round
     SetUp(SetUpAction),
     /// choose an earlier round
@@ -83,7 +83,7 @@ pub enum ClassAction {
 
 /// A round for a class round one screen.
 #[derive(Debug, Clone)]
-pub struct Class {
+pub(crate) struct Class {
     scene: ClassScene,
     /// Whether the screen is blank until someone goes on.
     paused: bool,
@@ -99,7 +99,7 @@ enum ClassScene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
+    pub(crate) fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
         Self {
             scene: ClassScene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
             paused: false,

@@ -76,7 +76,7 @@ impl RoundKind {
 /// What keys do where a round is set up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum SetUpAction {
+pub(crate) enum SetUpAction {
     /// choose a row, or do what it says
     List(ListAction),
     /// another topic

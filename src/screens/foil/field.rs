@@ -7,7 +7,7 @@ use crate::physics::beam::Beam;
 
 /// One setting of the foil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Field {
+pub(crate) enum Field {
     /// What stands in the way.
     Obstacle,
     /// Plane or space.
@@ -28,7 +28,7 @@ use Field as F;
 
 impl Field {
     /// The settings that mean something on a page, in the order of its panel.
-    pub fn on(page: Page, setup: &Setup) -> &'static [Self] {
+    pub(crate) fn on(page: Page, setup: &Setup) -> &'static [Self] {
         match (page, setup.obstacle) {
             (Page::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
             (Page::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
@@ -62,7 +62,7 @@ impl Field {
     }
 
     /// Its name on the panel.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Obstacle => "target",
             Self::Beam => "beam",
@@ -75,18 +75,18 @@ impl Field {
     }
 
     /// Whether a number can be typed for it.
-    pub fn is_number(self) -> bool {
+    pub(crate) fn is_number(self) -> bool {
         matches!(self, Self::Energy | Self::Thickness | Self::Offset)
     }
 
     /// Whether a number is in its range.
-    pub fn allows(self, setup: &Setup, value: f64) -> bool {
+    pub(crate) fn allows(self, setup: &Setup, value: f64) -> bool {
         let (low, high, _) = self.scale(setup);
         (low..=high).contains(&value)
     }
 
     /// Its range, as shown.
-    pub fn range(self, setup: &Setup) -> String {
+    pub(crate) fn range(self, setup: &Setup) -> String {
         let (low, high, _) = self.scale(setup);
         let unit = match (self, setup.obstacle) {
             (Self::Energy, _) => " MeV",
@@ -114,7 +114,7 @@ impl Field {
     }
 
     /// Its value with its unit, as shown.
-    pub fn shown(self, setup: &Setup) -> String {
+    pub(crate) fn shown(self, setup: &Setup) -> String {
         match self {
             Self::Obstacle => match setup.obstacle {
                 Obstacle::Hard => "hard".into(),
@@ -139,7 +139,7 @@ impl Field {
     }
 
     /// Sets it, held to its range.
-    pub fn set(self, setup: &mut Setup, value: f64) {
+    pub(crate) fn set(self, setup: &mut Setup, value: f64) {
         let (low, high, _) = self.scale(setup);
         // Adding 0 makes a plain 0 of -0.
         let value = value.clamp(low, high) + 0.0;
@@ -161,7 +161,7 @@ impl Field {
     }
 
     /// Moves it by `steps` steps and onto the grid of steps; choices go round.
-    pub fn step(self, setup: &mut Setup, steps: f64) {
+    pub(crate) fn step(self, setup: &mut Setup, steps: f64) {
         let (low, high, size) = self.scale(setup);
         if matches!(self, Self::Obstacle | Self::Beam | Self::Metal) {
             let next = (self.value(setup) + steps.signum()).rem_euclid(high - low + 1.0);

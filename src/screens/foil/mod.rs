@@ -21,9 +21,9 @@ use super::{Context, Help, Hint, Next, OldScreen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::{NumberEntry, Outcome, Scroll, svg};
 
-pub use field::Field;
-pub use plot::FoilFigure;
-pub use setup::{Obstacle, Setup};
+pub(crate) use field::Field;
+pub(crate) use plot::FoilFigure;
+pub(crate) use setup::Setup;
 
 use run::Run;
 use setup::Obstacle::{Hard, Nucleus};
@@ -56,7 +56,7 @@ impl Page {
 
 /// The foil.
 #[derive(Debug, Clone, Default)]
-pub struct Foil {
+pub(crate) struct Foil {
     setup: Setup,
     page: Page,
     /// The setting that keys change, and the number being typed for it.
@@ -80,7 +80,7 @@ pub struct Foil {
 
 impl Foil {
     /// The foil at one of its pages.
-    pub fn at(page: Page) -> Self {
+    pub(crate) fn at(page: Page) -> Self {
         Self {
             page,
             ..Self::default()

@@ -21,12 +21,12 @@ const LEAP: f64 = 10.0;
 
 /// The picture of a page of the foil.
 #[derive(Debug, Clone)]
-pub struct FoilFigure(Foil);
+pub(crate) struct FoilFigure(Foil);
 
 impl FoilFigure {
     /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A
     /// beam is thrown: at once, or so that one can watch it if it is `watched`.
-    pub fn new(page: Page, levelled: bool, watched: bool) -> Self {
+    pub(crate) fn new(page: Page, levelled: bool, watched: bool) -> Self {
         let mut setup = Setup {
             particles_exponent: PARTICLES_EXPONENT,
             ..Setup::default()
@@ -49,7 +49,7 @@ impl FoilFigure {
     }
 
     /// Its title.
-    pub fn title(&self) -> &'static str {
+    pub(crate) fn title(&self) -> &'static str {
         view::title(&self.0)
     }
 
@@ -59,7 +59,7 @@ impl FoilFigure {
     }
 
     /// What its keys are, for the bottom line.
-    pub fn keys(&self) -> Vec<(&'static str, &'static str)> {
+    pub(crate) fn keys(&self) -> Vec<(&'static str, &'static str)> {
         match self.0.page {
             Page::Tracks => vec![("Left Right", "offset")],
             Page::Counts if self.is_running() => vec![("Space", "stop"), ("l", "scale")],
@@ -69,7 +69,7 @@ impl FoilFigure {
     }
 
     /// Takes a key; says whether it meant anything.
-    pub fn update(&mut self, key: Key) -> bool {
+    pub(crate) fn update(&mut self, key: Key) -> bool {
         let by = match key {
             Key::Left => -1.0,
             Key::Right => 1.0,
@@ -93,7 +93,7 @@ impl FoilFigure {
     }
 
     /// Takes the mouse over its picture; says whether it meant anything.
-    pub fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
+    pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;
         match (self.0.page, mouse.kind) {
@@ -110,17 +110,17 @@ impl FoilFigure {
     }
 
     /// Throws the particles between two pictures.
-    pub fn advance(&mut self) {
+    pub(crate) fn advance(&mut self) {
         self.0.run.iter_mut().for_each(Run::advance);
     }
 
     /// When it next needs time.
-    pub fn wake(&self) -> Option<Duration> {
+    pub(crate) fn wake(&self) -> Option<Duration> {
         self.is_running().then_some(Duration::ZERO)
     }
 
     /// What it shows.
-    pub fn picture(&self, area: Rect, look: &Look) -> Picture {
+    pub(crate) fn picture(&self, area: Rect, look: &Look) -> Picture {
         view::picture(&self.0, area, *look)
     }
 }

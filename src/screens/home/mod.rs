@@ -16,7 +16,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// The first screen.
 #[derive(Debug, Clone)]
-pub struct Home {
+pub(crate) struct Home {
     list: ListView,
     picture: Watch,
 }

@@ -5,7 +5,7 @@ use crate::physics::Bond;
 
 /// One setting of the lab.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Field {
+pub(crate) enum Field {
     /// Impact parameter b.
     Offset,
     /// Impact angle α: the same as the offset, said by the line of impact.
@@ -43,7 +43,7 @@ struct Scale {
 
 impl Field {
     /// All settings, in the order of the panel.
-    pub const ALL: [Self; 12] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Offset,
         Self::ImpactAngle,
         Self::Aim,
@@ -85,13 +85,13 @@ impl Field {
     }
 
     /// Its name on the panel.
-    pub fn name(self, setup: &Setup) -> &'static str {
+    pub(crate) fn name(self, setup: &Setup) -> &'static str {
         self.scale(setup).name
     }
 
     /// Its value in the units of the screen; slip is 0 and stick is 1, and the impact
     /// angle of a miss is that of the graze it comes nearest to.
-    pub fn value(self, setup: &Setup) -> f64 {
+    pub(crate) fn value(self, setup: &Setup) -> f64 {
         match self {
             Self::Offset => setup.offset_mm,
             Self::ImpactAngle => (setup.offset_mm / setup.reach_mm())
@@ -112,7 +112,7 @@ impl Field {
     }
 
     /// Its value with its unit, as shown.
-    pub fn shown(self, setup: &Setup) -> String {
+    pub(crate) fn shown(self, setup: &Setup) -> String {
         if self == Self::Contact {
             let word = match setup.bond {
                 Bond::Slip => "slip",
@@ -134,13 +134,13 @@ impl Field {
     }
 
     /// Whether a number is in its range; of a direction every one is.
-    pub fn allows(self, setup: &Setup, value: f64) -> bool {
+    pub(crate) fn allows(self, setup: &Setup, value: f64) -> bool {
         let (low, high) = self.scale(setup).range;
         matches!(self, Self::Aim | Self::CoinAim) || (low..=high).contains(&value)
     }
 
     /// Its range, as shown.
-    pub fn range(self, setup: &Setup) -> String {
+    pub(crate) fn range(self, setup: &Setup) -> String {
         let scale = self.scale(setup);
         let (low, high) = scale.range;
         let unit = match scale.unit {
@@ -152,7 +152,7 @@ impl Field {
 
     /// Sets it, held to its range; directions wrap round. What is out of range is
     /// brought to the nearest value that is in it.
-    pub fn set(self, setup: &mut Setup, value: f64) {
+    pub(crate) fn set(self, setup: &mut Setup, value: f64) {
         let scale = self.scale(setup);
         let (low, high) = scale.range;
         let value = match self {
@@ -181,7 +181,7 @@ impl Field {
     }
 
     /// Moves it by `steps` steps and onto the grid of steps.
-    pub fn step(self, setup: &mut Setup, steps: f64) {
+    pub(crate) fn step(self, setup: &mut Setup, steps: f64) {
         if self == Self::Contact {
             let other = 1.0 - self.value(setup);
             return self.set(setup, other);

@@ -21,12 +21,12 @@ use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, SplitLayout};
 use mystery::Mystery;
 
 pub(super) use explain::explain;
-pub use field::Field;
-pub use setup::{PIECE_SETS, PieceSet, Setup};
+pub(crate) use field::Field;
+pub(crate) use setup::{PIECE_SETS, Setup};
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
-pub struct Lab {
+pub(crate) struct Lab {
     setup: Setup,
     /// The setting that keys change, and the number being typed for it.
     field: usize,
@@ -54,7 +54,7 @@ enum Phase {
 
 impl Lab {
     /// The lab with a hit set up.
-    pub fn of(setup: Setup) -> Self {
+    pub(crate) fn of(setup: Setup) -> Self {
         Self {
             setup,
             ..Self::default()

@@ -47,7 +47,7 @@ const NARROW_PANEL: u16 = 26;
 
 /// The screen.
 #[derive(Debug, Clone)]
-pub struct Progress {
+pub(crate) struct Progress {
     history: Recall,
     page: ProgressPage,
     scroll: Scrolls,
@@ -62,7 +62,7 @@ struct Scrolls {
 
 impl Progress {
     /// The screen, with what the player has done asked for.
-    pub fn ask(cx: &mut Context) -> Self {
+    pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
             history: Recall::ask(cx),

@@ -8,7 +8,7 @@ mod summary;
 mod tests;
 mod view;
 
-pub use choose::Choosing;
+pub(crate) use choose::Choosing;
 
 use std::time::Duration;
 
@@ -37,7 +37,7 @@ const PAGE: i16 = 8;
 /// What keys do in a round of the quiz.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum QuizAction {
+pub(crate) enum QuizAction {
     /// give an answer
     Answer(AnswerAction),
     /// guess, think so, sure
@@ -62,7 +62,7 @@ pub enum QuizAction {
 
 /// A round of the quiz.
 #[derive(Debug, Clone)]
-pub struct Quiz {
+pub(crate) struct Quiz {
     round: Round,
     /// What has been answered, in the order of the questions.
     answers: Vec<Answer>,
@@ -107,12 +107,12 @@ struct AnsweredQuestion {
 
 impl Quiz {
     /// The round of a code, at its first question.
-    pub fn new(code: Code) -> Self {
+    pub(crate) fn new(code: Code) -> Self {
         Self::of(Round::of(code))
     }
 
     /// A round, at its first question.
-    pub fn of(round: Round) -> Self {
+    pub(crate) fn of(round: Round) -> Self {
         let mut quiz = Self {
             round,
             answers: Vec::new(),

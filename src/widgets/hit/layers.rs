@@ -47,7 +47,7 @@ impl Overlay {
 
 /// Which layers are on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Overlays {
+pub(crate) struct Overlays {
     on: [bool; Overlay::ALL.len()],
 }
 
@@ -64,12 +64,12 @@ impl Default for Overlays {
 
 impl Overlays {
     /// Whether `layer` is on.
-    pub fn shows(self, layer: Overlay) -> bool {
+    pub(crate) fn shows(self, layer: Overlay) -> bool {
         self.on[layer as usize]
     }
 
     /// Switches `layer`.
-    pub fn toggle(&mut self, layer: Overlay) {
+    pub(crate) fn toggle(&mut self, layer: Overlay) {
         self.on[layer as usize] ^= true;
     }
 }

@@ -149,7 +149,7 @@ fn eighths(from: f64, to: f64, column: f64) -> u8 {
 
 /// What a disc too small to be round looks like.
 #[must_use]
-pub const fn token(role: Role, charset: Charset) -> &'static str {
+pub(crate) const fn token(role: Role, charset: Charset) -> &'static str {
     match (role, charset) {
         (Role::Striker, _) => "(S)",
         (Role::Queen, _) => "Q",

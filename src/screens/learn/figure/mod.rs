@@ -16,8 +16,8 @@ use ratatui::layout::Rect;
 use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::physics::{Bond, Collision, Meeting};
-use crate::quiz::{self, Hit, Rays};
+use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
+use crate::quiz::{Hit, Rays};
 use crate::screens::foil as foil_screen;
 use crate::screens::lab::{Field, Setup};
 use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, point_at, setup_picture};
@@ -126,7 +126,7 @@ impl LiveFigure {
         let at_rest = collision.u2 == glam::DVec2::ZERO && collision.bond == Bond::Slip;
         let by_angle = hit && at_rest && !self.figure.shot.is_by_offset();
         by_angle.then(|| Hit {
-            given: quiz::Placement::Angle {
+            given: ImpactPoint::Angle {
                 alpha_deg: self.alpha_deg(),
             },
             ..self.setup().question()

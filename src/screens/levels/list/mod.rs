@@ -12,7 +12,7 @@ use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]
-pub struct Levels {
+pub(crate) struct Levels {
     /// Whether the player has chosen for themselves.
     moved: bool,
 }
@@ -20,7 +20,7 @@ pub struct Levels {
 impl Levels {
     /// The list, at the first level that was never won. Which ones the player has won
     /// before is asked for, and the list goes on to the next when that is known.
-    pub fn new(cx: &mut Context) -> Self {
+    pub(crate) fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
         let player = cx.settings.player.clone();
         cx.ask(StoreRequest::Stars(player));

@@ -33,7 +33,7 @@ const PAGE: i16 = 8;
 
 /// A level being played.
 #[derive(Debug, Clone)]
-pub struct Play {
+pub(crate) struct Play {
     /// Its number on the shelf, from 0.
     number: usize,
     level: Level,
@@ -82,7 +82,7 @@ struct Saying {
 
 impl Play {
     /// The level of this number; `None` if there is none.
-    pub fn new(number: usize, cx: &mut Context) -> Option<Self> {
+    pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let (_, level) = cx.shelf.get(number)?;
         let level = level.clone();
         cx.shelf.at = number;

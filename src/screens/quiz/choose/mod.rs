@@ -20,7 +20,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 /// What keys do where a round is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum ChoosingAction {
+pub(crate) enum ChoosingAction {
     /// choose a round or a topic, or begin it
     List(ListAction),
     /// begin at once
@@ -35,7 +35,7 @@ pub enum ChoosingAction {
 
 /// The screen.
 #[derive(Debug, Clone)]
-pub struct Choosing {
+pub(crate) struct Choosing {
     history: Recall,
     page: ChoosingPage,
     /// The rounds.
@@ -107,7 +107,7 @@ impl RoundChoice {
 
 impl Choosing {
     /// The screen, with what the player has done asked for.
-    pub fn ask(cx: &mut Context) -> Self {
+    pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
             history: Recall::ask(cx),
             page: ChoosingPage::Rounds,
