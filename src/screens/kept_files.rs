@@ -10,7 +10,7 @@ use crate::widgets::{Lines, Outcome, Role, text};
 /// What keys do to a list of kept files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub(crate) enum KeptAction {
+pub enum KeptAction {
     /// choose a file, or open it
     List(ListAction),
     /// remove the chosen file for good
