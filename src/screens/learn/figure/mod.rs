@@ -19,7 +19,7 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil as foil_screen;
-use crate::screens::lab::{Field, Setup};
+use crate::screens::lab::{LabField, Setup};
 use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, point_at, setup_picture};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
@@ -135,11 +135,11 @@ impl LiveFigure {
 
     /// The page of the foil that shows more of it, if it is the foil, which has a
     /// screen of its own.
-    pub(super) fn foil_page(&self) -> Option<foil_screen::Page> {
+    pub(super) fn foil_page(&self) -> Option<foil_screen::FoilPage> {
         let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
         };
-        let pages = foil_screen::Page::ALL;
+        let pages = foil_screen::FoilPage::ALL;
         pages.get(usize::from(page).checked_sub(1)?).copied()
     }
 
@@ -312,7 +312,7 @@ impl LiveFigure {
         }
     }
 
-    fn change(&mut self, field: Field, by: f64) {
+    fn change(&mut self, field: LabField, by: f64) {
         let mut setup = self.setup();
         field.step(&mut setup, by);
         self.collision = setup.collision();
