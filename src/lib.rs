@@ -62,7 +62,7 @@ pub mod game;
 pub mod lessons;
 pub mod levels;
 pub mod messages;
-pub mod numbers;
+pub(crate) mod numbers;
 pub mod paper;
 pub mod physics;
 pub mod progress;

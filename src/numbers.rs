@@ -6,7 +6,7 @@
 
 /// `x` with so many decimals, and without the sign of what rounds to nothing: "63.4",
 /// "0.0".
-pub fn fixed(x: f64, decimals: usize) -> String {
+pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     let is_nothing = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
     match text.strip_prefix('-').filter(|_| is_nothing) {
@@ -16,18 +16,18 @@ pub fn fixed(x: f64, decimals: usize) -> String {
 }
 
 /// `x` with at most so many decimals: "3.46", "0.5", "60".
-pub fn short(x: f64, decimals: usize) -> String {
+pub(crate) fn short(x: f64, decimals: usize) -> String {
     trimmed(&fixed(x, decimals)).to_owned()
 }
 
 /// `x` to three significant figures, trailing zeros kept: "15.0", "5.50", "0.707".
-pub fn significant(x: f64) -> String {
+pub(crate) fn significant(x: f64) -> String {
     fixed(x, decimals_for(x, 3))
 }
 
 /// `x` to four significant figures, without trailing zeros, and by a power of ten where
 /// it is very large or small: "3.464", "10", "1.23e-5".
-pub fn four_figures(x: f64) -> String {
+pub(crate) fn four_figures(x: f64) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
     }
@@ -44,7 +44,7 @@ pub fn four_figures(x: f64) -> String {
 }
 
 /// `x` as one would type it: "90", "0.5", "1e12".
-pub fn typed(x: f64) -> String {
+pub(crate) fn typed(x: f64) -> String {
     if x.abs() <= 0.0 || (1e-4..1e6).contains(&x.abs()) {
         format!("{}", x + 0.0)
     } else {
@@ -53,33 +53,33 @@ pub fn typed(x: f64) -> String {
 }
 
 /// `x` without what a change of units left of rounding: 30 for 29.999999999999996.
-pub fn tidy(x: f64) -> f64 {
+pub(crate) fn tidy(x: f64) -> f64 {
     (x * 1e9).round() / 1e9
 }
 
 /// An angle of `angle` radians in tenths of a degree, rounded.
-pub fn tenths(angle: f64) -> i64 {
+pub(crate) fn tenths(angle: f64) -> i64 {
     (angle.to_degrees() * 10.0).round() as i64
 }
 
 /// An angle of `angle` radians to a tenth of a degree, with its unit: "63.4°".
-pub fn degrees(angle: f64) -> String {
+pub(crate) fn degrees(angle: f64) -> String {
     format!("{}°", bare_degrees(angle))
 }
 
 /// An angle of `angle` radians to a tenth of a degree, without a unit: "63.4".
-pub fn bare_degrees(angle: f64) -> String {
+pub(crate) fn bare_degrees(angle: f64) -> String {
     format!("{:.1}", tenths(angle) as f64 / 10.0)
 }
 
 /// Points to a tenth: "8.0", "-2.0".
-pub fn points(points: f64) -> String {
+pub(crate) fn points(points: f64) -> String {
     fixed((10.0 * points).round() / 10.0, 1)
 }
 
 /// A length of `length_mm` millimetres to a hundredth, as discs are measured, and with
 /// three figures at least: "8.60", "30.0", "36.55".
-pub fn bare_millimetres(length_mm: f64) -> String {
+pub(crate) fn bare_millimetres(length_mm: f64) -> String {
     let exact = format!("{length_mm:.2}");
     match exact.strip_suffix('0') {
         Some(_) => significant(length_mm),
@@ -88,23 +88,23 @@ pub fn bare_millimetres(length_mm: f64) -> String {
 }
 
 /// The same with its unit: "36.55 mm".
-pub fn millimetres(length_mm: f64) -> String {
+pub(crate) fn millimetres(length_mm: f64) -> String {
     with_unit(&bare_millimetres(length_mm), "mm")
 }
 
 /// A number and its unit: "36.55 mm", "63.4°", "0.5".
-pub fn with_unit(number: &str, unit: &str) -> String {
+pub(crate) fn with_unit(number: &str, unit: &str) -> String {
     let gap = if matches!(unit, "" | "°") { "" } else { " " };
     format!("{number}{gap}{unit}")
 }
 
 /// The same text with minus signs for its hyphens.
-pub fn true_minus(text: &str) -> String {
+pub(crate) fn true_minus(text: &str) -> String {
     text.replace('-', "−")
 }
 
 /// The same text with a capital letter first.
-pub fn capital(text: &str) -> String {
+pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| {
         first.to_uppercase().chain(letters).collect()
@@ -112,10 +112,10 @@ pub fn capital(text: &str) -> String {
 }
 
 /// The FNV-1a hash of nothing, to begin with.
-pub const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
+pub(crate) const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
 /// The 64-bit FNV-1a hash of these bytes after those that gave `hash`.
-pub fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
+pub(crate) fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
     })

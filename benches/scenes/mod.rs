@@ -7,14 +7,14 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-pub const COIN: Disc = Disc::from_g_mm(5.5, 15.9);
-pub const STRIKER: Disc = Disc::from_g_mm(15.0, 20.65);
+pub(crate) const COIN: Disc = Disc::from_g_mm(5.5, 15.9);
+pub(crate) const STRIKER: Disc = Disc::from_g_mm(15.0, 20.65);
 
 /// Discs and how they start.
 #[derive(Debug, Clone, Default)]
-pub struct Table {
-    pub discs: Vec<Disc>,
-    pub start: Vec<Motion>,
+pub(crate) struct Table {
+    pub(crate) discs: Vec<Disc>,
+    pub(crate) start: Vec<Motion>,
 }
 
 impl Table {
@@ -24,7 +24,7 @@ impl Table {
     }
 
     /// A striker with a velocity and a coin at rest.
-    pub fn pair(striker: (f64, f64), velocity: (f64, f64), coin: (f64, f64)) -> Self {
+    pub(crate) fn pair(striker: (f64, f64), velocity: (f64, f64), coin: (f64, f64)) -> Self {
         let mut table = Self::default();
         table.push(STRIKER, striker.into(), velocity.into());
         table.push(COIN, coin.into(), DVec2::ZERO);
@@ -54,7 +54,7 @@ impl Table {
 }
 
 /// The board of the break: friction 0.12, e = 1, cushions 0.8, no pockets.
-pub fn closed_board() -> Board {
+pub(crate) fn closed_board() -> Board {
     Board {
         pocket_diameter: 0.0,
         ..Board::default()
@@ -63,7 +63,7 @@ pub fn closed_board() -> Board {
 
 /// 64 breaks: the striker at 4 m/s into the pack of 19 coins with gaps of 0.1 mm,
 /// from places along the base line and aimed at places across the pack.
-pub fn breaks() -> Vec<Table> {
+pub(crate) fn breaks() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(1);
     (0..64).map(|_| one_break(&mut rng)).collect()
 }
@@ -87,7 +87,7 @@ fn one_break(rng: &mut Pcg64) -> Table {
 
 /// 64 strokes of the middle of a board: 19 coins scattered, the striker on the base
 /// line, 2.5 m/s at one of the coins.
-pub fn mid_game() -> Vec<Table> {
+pub(crate) fn mid_game() -> Vec<Table> {
     let mut rng = Pcg64::seed_from_u64(2);
     (0..64)
         .map(|_| {
@@ -105,7 +105,7 @@ pub fn mid_game() -> Vec<Table> {
 }
 
 /// `count` coins scattered as densely as 20 on a board, every one moving at 1 m/s.
-pub fn crowd(count: u32) -> (Board, Table) {
+pub(crate) fn crowd(count: u32) -> (Board, Table) {
     let mut rng = Pcg64::seed_from_u64(u64::from(count));
     let side = 0.740 * f64::from(count / 20).sqrt();
     let board = Board {

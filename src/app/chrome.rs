@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 use ratatui::widgets::{Clear, Widget};
 
-use super::layer::Layer;
+use super::layer::AppLayer;
 use super::{App, SMALLEST};
 use crate::screens::{AnyScreen, Settings};
 use crate::widgets::panel::draw_panel;
@@ -37,20 +37,20 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     screen_keys(app, screen.as_ref(), area, buf);
     for layer in &app.layers {
         match layer {
-            Layer::Help { scrolled } => {
+            AppLayer::Help { scrolled } => {
                 help_page(app, screen.as_ref(), *scrolled, body(area), buf);
             }
-            Layer::Notice(words) => show_note("please note", words, settings, area, buf),
-            Layer::Confirm(question) => {
+            AppLayer::Notice(words) => show_note("please note", words, settings, area, buf),
+            AppLayer::Confirm(question) => {
                 show_note("please say", &question.text, settings, area, buf);
             }
         }
     }
     if let Some(layer) = app.layers.last() {
         let close = match layer {
-            Layer::Help { .. } => Some("back"),
-            Layer::Notice(_) => Some("go on"),
-            Layer::Confirm(_) => None,
+            AppLayer::Help { .. } => Some("back"),
+            AppLayer::Notice(_) => Some("go on"),
+            AppLayer::Confirm(_) => None,
         };
         let table = layer.keys();
         let rows = table.rows().iter().map(|row| (row.shown(), row.name));

@@ -3,13 +3,13 @@
 use strum::{EnumMessage, IntoStaticStr};
 
 use crate::messages::Key;
-use crate::screens::Question;
+use crate::screens::Confirmation;
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
 /// One thing over the screen.
 #[derive(Debug, Clone)]
-pub(super) enum Layer {
+pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
         /// Lines it is scrolled by.
@@ -18,7 +18,7 @@ pub(super) enum Layer {
     /// Something the player is told, until a key is pressed.
     Notice(String),
     /// Something the player is asked.
-    Confirm(Question),
+    Confirm(Confirmation),
 }
 
 /// What keys do to a layer.
@@ -33,7 +33,7 @@ pub(super) enum LayerAction {
     Decline,
 }
 
-impl Layer {
+impl AppLayer {
     /// Its keys. Where nothing is asked, any other key closes it.
     pub(super) fn keys(&self) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Scroll};

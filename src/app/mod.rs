@@ -19,11 +19,11 @@ use crate::levels::Shelf;
 use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
-use crate::screens::foil::Foil;
+use crate::screens::foil::FoilScreen;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
-use crate::screens::levels::{Levels, Play};
+use crate::screens::levels::{LevelPlay, Levels};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
@@ -31,7 +31,7 @@ use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, Sha
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
-use layer::Layer;
+use layer::AppLayer;
 
 /// The size below which nothing but a line of advice is drawn.
 pub const SMALLEST: (u16, u16) = (60, 20);
@@ -53,7 +53,7 @@ pub struct App {
     context: Context,
     size: Rect,
     /// What lies over the screen, the topmost last.
-    layers: Vec<Layer>,
+    layers: Vec<AppLayer>,
     /// The tickets of what is being kept and takes long.
     saving: BTreeSet<u64>,
     /// How many things could not be kept.
@@ -235,7 +235,7 @@ impl App {
 
     /// When the app next needs time; `None` while nothing moves.
     pub fn wake(&self) -> Option<Duration> {
-        let stands = |layer: &Layer| !matches!(layer, Layer::Notice(_));
+        let stands = |layer: &AppLayer| !matches!(layer, AppLayer::Notice(_));
         if self.layers.iter().any(stands) || self.too_small() {
             return None;
         }
@@ -269,10 +269,10 @@ impl App {
     }
 
     /// Tells the player something, over whatever the screen shows, until a key is pressed.
-    fn tell(&mut self, words: String) {
+    pub fn tell(&mut self, words: String) {
         self.layers
-            .retain(|layer| !matches!(layer, Layer::Notice(_)));
-        self.layers.push(Layer::Notice(words));
+            .retain(|layer| !matches!(layer, AppLayer::Notice(_)));
+        self.layers.push(AppLayer::Notice(words));
     }
 
     /// Gives a key to what lies on top.
@@ -318,7 +318,7 @@ impl App {
     fn share(&mut self, action: SharedAction) -> Vec<Effect> {
         let settings = &mut self.context.settings;
         match action {
-            SharedAction::Help => self.layers.push(Layer::Help { scrolled: 0 }),
+            SharedAction::Help => self.layers.push(AppLayer::Help { scrolled: 0 }),
             SharedAction::Charset => settings.charset = settings.charset.other(),
             SharedAction::Theme => settings.palette = settings.palette.next(),
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
@@ -343,7 +343,7 @@ impl App {
                     return vec![Effect::Quit];
                 }
             }
-            Next::Confirm(question) => self.layers.push(Layer::Confirm(question)),
+            Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
             Next::Shared(action) => return self.share(action),
             Next::Quit => return vec![Effect::Quit],
         }
@@ -353,25 +353,25 @@ impl App {
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
             Place::Home => Box::new(Hosted::new(Home::default())),
-            Place::Lab => Box::new(Old(Lab::default())),
-            Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
+            Place::Lab => Box::new(Hosted::new(Lab::default())),
+            Place::LabOf { setup } => Box::new(Hosted::new(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
             Place::Chapter { number } => match Reading::new(number, &mut self.context) {
                 Some(reading) => Box::new(Old(reading)),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
-            Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
-            Place::Levels => Box::new(Old(Levels::new(&mut self.context))),
-            Place::Level { number } => match Play::new(number, &mut self.context) {
-                Some(play) => Box::new(Old(play)),
+            Place::Quiz { code: Some(code) } => Box::new(Hosted::new(Quiz::new(code))),
+            Place::Quiz { code: None } => Box::new(Hosted::new(Choosing::ask(&mut self.context))),
+            Place::Levels => Box::new(Hosted::new(Levels::new(&mut self.context))),
+            Place::Level { number } => match LevelPlay::new(number, &mut self.context) {
+                Some(play) => Box::new(Hosted::new(play)),
                 None => return,
             },
             Place::Class { code, teams } => {
-                Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
+                Box::new(Hosted::new(Class::new(code.as_ref(), teams, &self.context)))
             }
-            Place::Foil => Box::new(Old(Foil::default())),
-            Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
+            Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
+            Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
             Place::Table => Box::new(Hosted::new(Table::default())),
             Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };

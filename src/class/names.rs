@@ -1,6 +1,7 @@
 //! The names of teams.
 
 use thiserror::Error;
+use unicode_segmentation::UnicodeSegmentation;
 
 use crate::files::tidy_name;
 
@@ -55,7 +56,8 @@ pub fn team_names<'a>(
 
 /// A name of at most so many letters.
 fn tidy(name: &str) -> String {
-    let short: String = tidy_name(name).chars().take(LONGEST_NAME).collect();
+    let name = tidy_name(name);
+    let short: String = name.graphemes(true).take(LONGEST_NAME).collect();
     short.trim_end().to_owned()
 }
 

@@ -5,6 +5,7 @@ mod concept;
 mod failure;
 mod figure;
 mod given;
+mod keys;
 mod lesson;
 mod level;
 mod man;
@@ -22,6 +23,7 @@ mod written;
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -93,6 +95,8 @@ enum Command {
     Figure(figure::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
+    /// Print all keys, as a file in which some can be changed
+    Keys,
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
     Man,
@@ -277,6 +281,7 @@ fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
 fn app(
     screen: Option<&OpenCommand>,
     options: &GlobalOptions,
+    folder: Option<&Path>,
     auto: Auto,
     seed: u64,
 ) -> Result<App, String> {
@@ -286,7 +291,13 @@ fn app(
         own: options.own(),
     };
     let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&data, options))?;
-    Ok(App::with_data(data, place, options.settings(auto), seed))
+    let mut app = App::with_data(data, place, options.settings(auto), seed);
+    match folder.map(|folder| keys::read(&folder.join(keys::FILE))) {
+        None => {}
+        Some(Ok(rebound)) => app.settings_mut().keys = rebound,
+        Some(Err(errors)) => app.tell(format!("The usual keys hold. {errors}")),
+    }
+    Ok(app)
 }
 
 impl Cli {
@@ -352,6 +363,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
+        Some(Command::Keys) => keys::run(&cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
     }
@@ -397,7 +409,13 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     };
     let options = cli.options.or(outer);
     let seed = options.seed.unwrap_or(1);
-    let app = app(screen, &options, Auto::PLAINEST, seed)?;
+    let app = app(
+        screen,
+        &options,
+        options.given_data_dir(),
+        Auto::PLAINEST,
+        seed,
+    )?;
     Ok((app, options))
 }
 

@@ -26,7 +26,8 @@ pub(super) fn run(
         depth: terminal::depth(env),
     };
     let seed = options.seed.unwrap_or_else(any_seed);
-    let app = app(screen, options, auto, seed).map_err(|error| Failure::Input(anyhow!(error)))?;
+    let app = app(screen, options, options.data_dir().as_deref(), auto, seed)
+        .map_err(|error| Failure::Input(anyhow!(error)))?;
     let store = options.store().with_own(app.own());
     Ok(match terminal::run(app, store)? {
         Ending::Quit => ExitCode::SUCCESS,

@@ -14,9 +14,9 @@ pub const UNFINISHED: &str = ".new-";
 /// A whole file that is not yet in its place: it was brought to the disk beside that
 /// place, in the same folder, and is removed again if it is never put there.
 #[derive(Debug)]
-pub struct Draft(TempPath);
+pub struct UnplacedFile(TempPath);
 
-impl Draft {
+impl UnplacedFile {
     /// Writes a text to a file in `folder` that is not there yet, and brings it to the
     /// disk.
     ///

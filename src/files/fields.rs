@@ -286,6 +286,11 @@ impl<'a> Fields<'a> {
         Some(tables.into_iter().map(|it| it.only(known)).collect())
     }
 
+    /// The names of all fields that are there.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        self.table.keys().map(|key| key.get_ref().as_ref())
+    }
+
     /// The tables in this one, whose names are free, each with its name.
     pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
         let names = self.table.keys().map(|key| key.get_ref().as_ref());

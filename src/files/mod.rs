@@ -11,7 +11,7 @@ mod put;
 mod read;
 mod source;
 
-pub use draft::{Draft, UNFINISHED, fsync_dir};
+pub use draft::{UNFINISHED, UnplacedFile, fsync_dir};
 pub use error::{FileError, FileErrors, escape_control, escape_control_lines};
 pub use fields::{Fields, newer};
 pub(crate) use fields::{all, is_id};

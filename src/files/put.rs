@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::draft::{Draft, is_there};
+use super::draft::{UnplacedFile, is_there};
 
 /// A text, and the file that is to hold it.
 pub type Document = (PathBuf, String);
@@ -55,7 +55,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
                 let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
                 let folder = folder(&place);
                 made.make(folder)?;
-                drafts.push((Draft::write(folder, text).map_err(failed)?, place));
+                drafts.push((UnplacedFile::write(folder, text).map_err(failed)?, place));
             }
         }
     }

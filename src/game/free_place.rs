@@ -25,7 +25,7 @@ struct Circle {
 ///
 /// Should the outer circle be full, the coin goes to the free place nearest to
 /// that one instead of waiting for room (52a).
-pub fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
+pub(crate) fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
     let radius = set.coin_radius();
     let rim = OUTER_CIRCLE_RADIUS - radius;
     let wanted = seat.turn(DVec2::new(0.0, rim));
@@ -37,7 +37,7 @@ pub fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
 
 /// The place for the queen when she goes back: the centre (66), or the free
 /// place nearest to it (67).
-pub fn for_the_queen(set: PieceSet, coins: &[Coin]) -> DVec2 {
+pub(crate) fn for_the_queen(set: PieceSet, coins: &[Coin]) -> DVec2 {
     nearest(set, coins, DVec2::ZERO, 0.0, f64::INFINITY).unwrap_or(DVec2::ZERO)
 }
 

@@ -23,18 +23,18 @@
 //! | `saved` | a record as a file, with who plays |
 //! | `opponent` | the computer opponent, and hints for the player |
 
-pub mod free_place;
-pub mod laws;
+pub(crate) mod free_place;
+pub(crate) mod laws;
 pub mod opponent;
-pub mod pack;
-pub mod pieces;
-pub mod placing;
+pub(crate) mod pack;
+pub(crate) mod pieces;
+pub(crate) mod placing;
 mod play;
 mod record;
 mod saved;
 mod score;
 mod seat;
-pub mod steps;
+pub(crate) mod steps;
 mod stroke;
 mod table;
 mod validity;

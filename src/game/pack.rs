@@ -17,7 +17,7 @@ use super::seat::Seat;
 /// mirror-symmetric about their line of sight, with [`GAP`] between neighbours.
 ///
 /// The queen comes first, then the first row, then the second.
-pub fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
+pub(crate) fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
     let spacing = 2.0 * set.coin_radius() + GAP;
     let place = |piece, at: DVec2| Coin {
         piece,
@@ -54,7 +54,7 @@ pub fn pack(set: PieceSet, breaker: Seat) -> Vec<Coin> {
 /// breaks are alike; the same seed gives the same pack.
 ///
 /// Neighbours may come closer, but never touch.
-pub fn jittered_pack(set: PieceSet, breaker: Seat, seed: u64) -> Vec<Coin> {
+pub(crate) fn jittered_pack(set: PieceSet, breaker: Seat, seed: u64) -> Vec<Coin> {
     // Two neighbours shifted along both axes approach by at most 2√2 × 0.3 gaps.
     const SHIFT: f64 = 0.3 * GAP;
     let mut hand = Pcg64::seed_from_u64(seed);

@@ -13,24 +13,24 @@ use serde::{Deserialize, Serialize};
 use crate::physics::Disc;
 
 /// Coins of each colour on a full board.
-pub const COINS_EACH: u8 = 9;
+pub(crate) const COINS_EACH: u8 = 9;
 
 /// Distance from the frame to the outer base line: 10.15 cm.
-pub const BASE_LINE_FROM_FRAME: f64 = 0.1015;
+pub(crate) const BASE_LINE_FROM_FRAME: f64 = 0.1015;
 /// Distance between the two base lines of a side: 3.18 cm.
-pub const BASE_LINE_GAP: f64 = 0.0318;
+pub(crate) const BASE_LINE_GAP: f64 = 0.0318;
 /// Length of a pair of base lines with the circles that close it: 47 cm.
-pub const BASE_LINE_LENGTH: f64 = 0.470;
+pub(crate) const BASE_LINE_LENGTH: f64 = 0.470;
 /// Radius of a base circle, 1.59 cm: as wide as the lines are apart.
-pub const BASE_CIRCLE_RADIUS: f64 = 0.0159;
+pub(crate) const BASE_CIRCLE_RADIUS: f64 = 0.0159;
 /// Radius of the centre circle, 1.59 cm: it holds the queen.
-pub const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
+pub(crate) const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
 /// Radius of the outer circle, 8.5 cm: it holds the pack (14) and receives the
 /// coins that are put back.
-pub const OUTER_CIRCLE_RADIUS: f64 = 0.085;
+pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
 /// Air left between coins that are laid out, 0.1 mm. Discs that touch exactly
 /// make an impact with no single answer.
-pub const GAP: f64 = 0.0001;
+pub(crate) const GAP: f64 = 0.0001;
 
 /// One of the four kinds of piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -114,7 +114,7 @@ pub struct Coin {
 }
 
 /// How many of `piece` lie among `coins`.
-pub fn count(coins: &[Coin], piece: Piece) -> u8 {
+pub(crate) fn count(coins: &[Coin], piece: Piece) -> u8 {
     let found = coins.iter().filter(|coin| coin.piece == piece).count();
     u8::try_from(found).unwrap_or(u8::MAX)
 }

@@ -163,7 +163,7 @@ impl<'a> BaseLines<'a> {
 ///
 /// # Errors
 /// The first reason why not.
-pub fn check_anywhere(
+pub(crate) fn check_anywhere(
     board: &Board,
     set: PieceSet,
     coins: &[Coin],

@@ -12,17 +12,17 @@ use crate::physics::angle::unit_vector;
 use crate::physics::units::deg_from_rad;
 
 /// A step of the striker along the base lines, in metres.
-pub const PLACE_STEP: f64 = 0.002;
+pub(crate) const PLACE_STEP: f64 = 0.002;
 /// What rounding leaves of a step of nothing, in metres.
 const SLACK: f64 = 1e-9;
 /// Steps of the direction in a degree.
-pub const STEPS_PER_DEGREE: f64 = 10.0;
+pub(crate) const STEPS_PER_DEGREE: f64 = 10.0;
 /// Steps of the speed in 1 m/s.
-pub const STEPS_PER_SPEED: f64 = 10.0;
+pub(crate) const STEPS_PER_SPEED: f64 = 10.0;
 
 /// The same stroke with direction and speed on the nearest steps, seen from `seat`;
 /// at least one step of speed. `None` for one that does not move.
-pub fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
+pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
     let way = seat.turn_back(stroke.velocity.try_normalize()?);
     let degrees = deg_from_rad(way.to_angle());
     let direction = (degrees * STEPS_PER_DEGREE).round() / STEPS_PER_DEGREE;

@@ -68,11 +68,11 @@ impl Formula {
 }
 
 /// `text` as a subscript, if Unicode has all its letters.
-pub fn subscript(text: &str) -> Option<String> {
+pub(crate) fn subscript(text: &str) -> Option<String> {
     text.chars().map(letters::lowered).collect()
 }
 
 /// `text` as a superscript, if Unicode has all its letters.
-pub fn superscript(text: &str) -> Option<String> {
+pub(crate) fn superscript(text: &str) -> Option<String> {
     text.chars().map(letters::raised).collect()
 }

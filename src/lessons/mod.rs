@@ -16,7 +16,7 @@ mod bookmark;
 mod chapter;
 mod checkpoint;
 mod figure;
-pub mod formula;
+pub(crate) mod formula;
 mod header;
 mod inline;
 mod library;

@@ -9,7 +9,7 @@ use super::impact::reduced_mass;
 
 /// The turning of a captured pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Capture {
+pub(crate) struct Capture {
     /// Angular velocity ω in rad/s, positive clockwise for a positive offset, as
     /// the recoil angle is.
     pub spin: f64,
@@ -25,7 +25,7 @@ pub struct Capture {
 /// Angular momentum μ b w about the common centre of mass is kept, so
 /// ω = μ b w / I with I = ½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²: each disc about its own
 /// centre, and the two centres about the common one.
-pub fn capture(striker: Disc, target: Disc, b: f64, w: f64) -> Capture {
+pub(crate) fn capture(striker: Disc, target: Disc, b: f64, w: f64) -> Capture {
     let mu = reduced_mass(striker.mass, target.mass);
     let inertia = moment_of_inertia(striker, target);
     let spin = mu * b * w / inertia;
@@ -40,7 +40,7 @@ pub fn capture(striker: Disc, target: Disc, b: f64, w: f64) -> Capture {
 
 /// Moment of inertia of two uniform discs stuck rim to rim, about their common
 /// centre of mass, in kg·m²: ½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)².
-pub fn moment_of_inertia(disc1: Disc, disc2: Disc) -> f64 {
+pub(crate) fn moment_of_inertia(disc1: Disc, disc2: Disc) -> f64 {
     let own = |d: Disc| 0.5 * d.mass * d.radius * d.radius;
     let reach = disc1.radius + disc2.radius;
     own(disc1) + own(disc2) + reduced_mass(disc1.mass, disc2.mass) * reach * reach

@@ -49,7 +49,7 @@ impl Frame {
 ///
 /// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
 /// `None` where both stop (head-on at e = 0).
-pub fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
+pub(crate) fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
     let (sin, cos) = alpha.sin_cos();
     let along = sin * sin - restitution * cos * cos;
     let across = (1.0 + restitution) * sin * cos;
@@ -59,7 +59,7 @@ pub fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
 /// Scattering angle θ₁ in the laboratory, where the target was at rest, from the
 /// angle Θ in the centre-of-mass frame at e = 1: θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
 /// `None` where the striker stops.
-pub fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
+pub(crate) fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
     let (sin, cos) = cm_angle.sin_cos();
     let along = m2 * cos + m1;
     let across = m2 * sin;

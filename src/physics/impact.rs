@@ -7,7 +7,7 @@ use glam::DVec2;
 
 /// Two bodies at the instant they touch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub(crate) struct Contact {
     /// Mass of body 1 in kilograms, positive.
     pub m1: f64,
     /// Mass of body 2 in kilograms, positive.
@@ -24,7 +24,7 @@ pub struct Contact {
 
 /// What a contact did.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Impact {
+pub(crate) struct Impact {
     /// Velocity of body 1 after, in m/s.
     pub v1: DVec2,
     /// Velocity of body 2 after, in m/s.
@@ -37,13 +37,13 @@ pub struct Impact {
 
 impl Contact {
     /// Reduced mass μ = m₁m₂ / (m₁ + m₂) in kilograms.
-    pub fn reduced_mass(&self) -> f64 {
+    pub(crate) fn reduced_mass(&self) -> f64 {
         reduced_mass(self.m1, self.m2)
     }
 
     /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive
     /// while the two close in.
-    pub fn approach_speed(&self) -> f64 {
+    pub(crate) fn approach_speed(&self) -> f64 {
         (self.u1 - self.u2).dot(self.normal)
     }
 
@@ -52,7 +52,7 @@ impl Contact {
     /// v₁ = u₁ − (J/m₁) n and v₂ = u₂ + (J/m₂) n with J = (1+e) μ (u₁ₙ − u₂ₙ), which
     /// is the decomposition in n and t put together again. A body that is brought
     /// to rest comes out with a velocity of exactly zero, not with rounding noise.
-    pub fn resolve(&self) -> Option<Impact> {
+    pub(crate) fn resolve(&self) -> Option<Impact> {
         let approach = self.approach_speed();
         if approach.is_nan() || approach <= 0.0 {
             return None;
@@ -72,12 +72,12 @@ impl Contact {
 }
 
 /// Reduced mass μ = m₁m₂ / (m₁ + m₂), in the unit of the masses.
-pub fn reduced_mass(m1: f64, m2: f64) -> f64 {
+pub(crate) fn reduced_mass(m1: f64, m2: f64) -> f64 {
     m1 * (m2 / (m1 + m2))
 }
 
 /// Kinetic energy ½ m v² in joules.
-pub fn kinetic_energy(mass: f64, velocity: DVec2) -> f64 {
+pub(crate) fn kinetic_energy(mass: f64, velocity: DVec2) -> f64 {
     0.5 * mass * velocity.length_squared()
 }
 

@@ -190,7 +190,7 @@ impl RestingTarget {
 ///
 /// k = sin θ₁ / (cos θ₂ sin(θ₁+θ₂)), which is
 /// tan θ₁ (1+T²) / (T + tan θ₁) with T = tan θ₂, without the poles.
-pub fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
+pub(crate) fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
     let k = theta1.sin() / (theta2.cos() * (theta1 + theta2).sin());
     let offset = theta2.sin().abs() > ROUNDING && theta2.cos() > ROUNDING;
     let turned = theta1.sin().abs() > ROUNDING && (theta1 + theta2).sin().abs() > ROUNDING;
@@ -199,7 +199,7 @@ pub fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
 
 /// Weighing by angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is
 /// sin(θ₁+2θ₂) / sin θ₁; `None` where the angles cannot tell.
-pub fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
+pub(crate) fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
     let ratio = (1.0 + restitution) / k_from_angles(theta1, theta2)? - 1.0;
     (ratio > 0.0).then_some(ratio)
 }

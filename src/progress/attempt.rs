@@ -139,12 +139,13 @@ fn said(form: &Form, said: &Response) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::ImpactPoint;
     use crate::quiz::misconceptions::{COPIED_ANGLE, LOSSLESS};
-    use crate::quiz::{Hit, Pieces, Placement, Ray, Rays};
+    use crate::quiz::{Hit, Pieces, Ray, Rays};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
-        given: Placement::Angle { alpha_deg: 30.0 },
+        given: ImpactPoint::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
         speed: 4.0,
         direction_deg: 90.0,

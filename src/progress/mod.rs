@@ -17,7 +17,7 @@ mod export;
 mod schedule;
 mod tally;
 mod topics;
-pub mod words;
+pub(crate) mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};

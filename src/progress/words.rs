@@ -1,7 +1,7 @@
 //! Figures in words.
 
 /// "1 answer", "7 answers".
-pub fn answers(count: usize) -> String {
+pub(crate) fn answers(count: usize) -> String {
     match count {
         1 => "1 answer".into(),
         _ => format!("{count} answers"),
@@ -9,7 +9,7 @@ pub fn answers(count: usize) -> String {
 }
 
 /// "1 angle", "7 angles".
-pub fn angles(count: usize) -> String {
+pub(crate) fn angles(count: usize) -> String {
     match count {
         1 => "1 angle".into(),
         _ => format!("{count} angles"),
@@ -17,12 +17,12 @@ pub fn angles(count: usize) -> String {
 }
 
 /// A share as a percentage; "-" where there is none.
-pub fn percent(share: Option<f64>) -> String {
+pub(crate) fn percent(share: Option<f64>) -> String {
     share.map_or("-".into(), |share| format!("{:.0} %", 100.0 * share))
 }
 
 /// An angle in degrees to a tenth; "-" where there is none.
-pub fn degrees(angle_deg: Option<f64>) -> String {
+pub(crate) fn degrees(angle_deg: Option<f64>) -> String {
     match angle_deg {
         Some(angle) if angle.is_finite() => format!("{angle:.1}°"),
         _ => "-".into(),

@@ -2,7 +2,7 @@
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::Question;
+use super::Confirmation;
 use crate::messages::{Kept, Key, Mouse};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{Lines, Outcome, Role, text};
@@ -117,8 +117,8 @@ impl<T> KeptFiles<T> {
     }
 
     /// Asks whether the chosen one is to be removed; `what` it is: "game".
-    pub(super) fn ask_to_remove(what: &str) -> Question {
-        Question::new(
+    pub(super) fn ask_to_remove(what: &str) -> Confirmation {
+        Confirmation::new(
             format!("Remove this {what} for good?"),
             "remove it",
             "keep it",

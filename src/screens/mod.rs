@@ -8,14 +8,14 @@ mod place;
 mod recall;
 pub(crate) mod why;
 
-pub mod class;
-pub mod foil;
-pub mod home;
-pub mod lab;
+pub(crate) mod class;
+pub(crate) mod foil;
+pub(crate) mod home;
+pub(crate) mod lab;
 pub mod learn;
-pub mod levels;
-pub mod progress;
-pub mod quiz;
+pub(crate) mod levels;
+pub(crate) mod progress;
+pub(crate) mod quiz;
 pub mod table;
 
 use std::time::Duration;
@@ -134,7 +134,7 @@ pub enum Next {
     /// Return to the screen below.
     Back,
     /// Ask the player first; if they agree, the same is done by [`Screen::confirmed`].
-    Confirm(Question),
+    Confirm(Confirmation),
     /// A key that means the same on every screen.
     Shared(SharedAction),
     /// Leave the program.
@@ -143,7 +143,7 @@ pub enum Next {
 
 /// What is asked before something is done that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Question {
+pub struct Confirmation {
     /// The question, with what follows from a yes.
     pub text: String,
     /// What a yes is called.
@@ -152,7 +152,7 @@ pub struct Question {
     pub no: &'static str,
 }
 
-impl Question {
+impl Confirmation {
     /// A question, and what its answers are called.
     pub fn new(text: impl Into<String>, yes: &'static str, no: &'static str) -> Self {
         Self {

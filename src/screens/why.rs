@@ -1,7 +1,7 @@
 //! Reasons that more than one screen gives.
 
-use crate::physics::{Collision, Meeting};
-use crate::quiz::{self, Answer, Confidence, Hit, Pieces, Placement, Rays, Response};
+use crate::physics::{Collision, ImpactPoint, Meeting};
+use crate::quiz::{self, Answer, Confidence, Hit, Pieces, Rays, Response};
 
 /// Why two that both move go where they go, in their own numbers; nothing for a miss.
 pub(super) fn both_moving(collision: &Collision) -> String {
@@ -35,7 +35,7 @@ pub(crate) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, S
             striker: collision.striker,
             target: collision.target,
         },
-        given: Placement::Offset {
+        given: ImpactPoint::Offset {
             // A head-on hit is exactly that in words too, whatever rounding left.
             offset_mm: (collision.offset * 1e9).round() / 1e6,
         },

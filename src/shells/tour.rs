@@ -12,21 +12,37 @@ use crate::widgets::input::KeyTable;
 
 /// One moment: where the game is opened, and the keys that lead there from that place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Moment {
+pub struct TourStop {
     /// What it is called.
     pub name: &'static str,
     /// The place, as in the command line: "quiz mixed-7".
     place: &'static str,
     /// The keys that lead there, as [`Headless::press`] takes them.
     keys: &'static str,
+    /// Whether letters are typed into a text there.
+    pub types: bool,
 }
 
-const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> Moment {
-    Moment { name, place, keys }
+const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> TourStop {
+    TourStop {
+        name,
+        place,
+        keys,
+        types: false,
+    }
+}
+
+impl TourStop {
+    const fn typing(self) -> Self {
+        Self {
+            types: true,
+            ..self
+        }
+    }
 }
 
 /// Every phase of every screen.
-pub const TOUR: &[Moment] = &[
+pub const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),
     moment("a page of a chapter", "chapter 2", ""),
@@ -51,7 +67,7 @@ pub const TOUR: &[Moment] = &[
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
     moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<Enter>"),
-    moment("class, setting up", "class", ""),
+    moment("class, setting up", "class", "").typing(),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
     moment("a level, saying where", "level 4", "<Enter>"),
@@ -75,7 +91,7 @@ pub const TOUR: &[Moment] = &[
     moment("progress", "progress", ""),
 ];
 
-impl Moment {
+impl TourStop {
     /// The game at this moment, on a screen of 80 by 24.
     pub fn game(&self, settings: Settings) -> Headless {
         let (place, rest) = self.place.split_once(' ').unwrap_or((self.place, ""));
@@ -109,9 +125,12 @@ impl Moment {
     }
 }
 
+/// Keys by their rows' names, each row with what it does.
+pub type AllKeys = BTreeMap<String, (Vec<Key>, &'static str)>;
+
 /// All keys there are, by their names in `keys.toml`: the keys that do it unless they are
 /// rebound, and what it is.
-pub fn all_keys() -> BTreeMap<String, (Vec<Key>, &'static str)> {
+pub fn all_keys() -> AllKeys {
     let mut all = BTreeMap::new();
     for moment in TOUR {
         for row in moment.keys(Settings::default()).rows() {

@@ -7,7 +7,7 @@ use std::time::{Duration, SystemTime};
 
 use super::folder_lock::FolderLock;
 use super::text_store::{TextStore, free_number, number};
-use crate::files::{self, Draft, FileError, UNFINISHED, fsync_dir};
+use crate::files::{self, FileError, UNFINISHED, UnplacedFile, fsync_dir};
 
 /// The file that stands for the right to write to a folder.
 const LOCK: &str = ".lock";
@@ -46,7 +46,7 @@ impl Disk {
         if turn.is_certain() {
             self.clear_up();
         }
-        let draft = Draft::write(&self.folder, text)?;
+        let draft = UnplacedFile::write(&self.folder, text)?;
         let mut names = self.names()?;
         loop {
             let free = free_number(names.iter().map(String::as_str), kind);
@@ -65,7 +65,7 @@ impl Disk {
         if !holds(&path, old)? {
             return Ok(false);
         }
-        Draft::write(&self.folder, text)?.replace(&path)?;
+        UnplacedFile::write(&self.folder, text)?.replace(&path)?;
         fsync_dir(&self.folder)?;
         Ok(true)
     }

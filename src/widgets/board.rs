@@ -4,7 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{Layer, Pen, Picture, View};
+use super::picture::{DrawLayer, Pen, Picture, View};
 use crate::levels::pockets;
 use crate::physics::Board;
 
@@ -22,7 +22,7 @@ const CENTRE_CIRCLE: f64 = 0.0159;
 
 /// The largest part of `area` on which a board is square, as a cell is twice as
 /// high as wide; at its left, in the middle of its height.
-pub fn square(area: Rect) -> Rect {
+pub(crate) fn square(area: Rect) -> Rect {
     // One column less than twice the rows: the board's edges run through the middles
     // of the outermost cells.
     let height = area.height.min(area.width.div_ceil(2));
@@ -36,7 +36,7 @@ pub fn square(area: Rect) -> Rect {
 
 /// The view of a whole board on a [`square`] area. An open surface shows as large as
 /// a tournament board.
-pub fn view(area: Rect, board: &Board) -> View {
+pub(crate) fn view(area: Rect, board: &Board) -> View {
     let half = DVec2::splat(side(board) / 2.0);
     View::stretch(area, -half, half)
 }
@@ -51,13 +51,13 @@ fn side(board: &Board) -> f64 {
 
 /// The middle of the pocket in a corner, numbered as the engine does: lower left, lower
 /// right, upper left, upper right. `None` if there is no such corner or no pocket.
-pub fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
+pub(crate) fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
     let middle = pockets(board).nth(corner)?;
     middle.is_finite().then_some(middle)
 }
 
 /// Draws pockets and lines.
-pub fn ground(picture: &mut Picture, board: &Board) {
+pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     let half = side(board) / 2.0;
     let radius = board.pocket_diameter / 2.0;
     if radius <= 0.0 || !board.side.is_finite() {
@@ -79,8 +79,8 @@ pub fn ground(picture: &mut Picture, board: &Board) {
 
 /// A disc where it touches, as a dotted ring; only its middle where it is too small to
 /// be round.
-pub fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
-    let pen = Pen::new(role).on(Layer::Trail);
+pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
+    let pen = Pen::new(role).on(DrawLayer::Trail);
     if radius > picture.view().per_row() {
         picture.circle(at, radius, pen.dotted());
     } else {

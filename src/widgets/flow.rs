@@ -29,7 +29,7 @@ type FlowWord = Vec<Run>;
 /// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in
 /// `charset`; a number keeps its unit beside it, and a word longer than a row is
 /// broken where it must be.
-pub fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
+pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Run>> {
     let columns = columns.max(1);
     let mut rows = vec![Vec::new()];
     let mut used = 0;

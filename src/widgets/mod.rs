@@ -5,23 +5,23 @@
 //! and the [`Theme`] (which colours).
 
 pub mod bar;
-pub mod big;
-pub mod board;
+pub(crate) mod big;
+pub(crate) mod board;
 pub mod cells;
-pub mod charset;
-pub mod ink;
+pub(crate) mod charset;
+pub(crate) mod ink;
 pub mod keys;
-pub mod panel;
+pub(crate) mod panel;
 pub(crate) mod panels;
 pub mod picture;
-pub mod plot;
-pub mod replay;
-pub mod svg;
-pub mod theme;
+pub(crate) mod plot;
+pub(crate) mod replay;
+pub(crate) mod svg;
+pub(crate) mod theme;
 
-pub mod flow;
+pub(crate) mod flow;
 pub mod formula;
-pub mod hit;
+pub(crate) mod hit;
 pub mod input;
 mod lines;
 mod look;
@@ -30,7 +30,7 @@ mod scroll;
 pub(crate) mod signs;
 mod split_layout;
 pub mod text;
-pub mod tracks;
+pub(crate) mod tracks;
 
 pub use charset::Charset;
 pub use input::{AnswerInput, NumberEntry, NumberInput, Outcome, RayInput, brief, shown};

@@ -25,7 +25,7 @@ const ASCII: border::Set<'static> = border::Set {
 /// A framed block with a title, for use with any widget of ratatui: `+- title --+`
 /// in ASCII, rounded lines in Unicode. An empty title leaves the frame whole.
 #[must_use]
-pub fn panel(title: &str, charset: Charset, theme: &Theme) -> Block<'static> {
+pub(crate) fn panel(title: &str, charset: Charset, theme: &Theme) -> Block<'static> {
     let lines = match charset {
         Charset::Ascii => ASCII,
         Charset::Unicode => border::ROUNDED,
@@ -42,7 +42,7 @@ pub fn panel(title: &str, charset: Charset, theme: &Theme) -> Block<'static> {
 }
 
 /// Draws an empty [`panel`] and says what room is inside it.
-pub fn draw_panel(
+pub(crate) fn draw_panel(
     buffer: &mut Buffer,
     area: Rect,
     title: &str,

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::time::Duration;
 
+use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
 /// Columns that `text` takes.
@@ -238,11 +239,11 @@ pub fn clipped(text: &str, columns: usize) -> String {
         return text.to_owned();
     }
     let mut clipped = String::new();
-    for c in text.chars() {
-        if width(&clipped) + c.to_string().width() + 2 > columns {
+    for letter in text.graphemes(true) {
+        if width(&clipped) + width(letter) + 2 > columns {
             break;
         }
-        clipped.push(c);
+        clipped += letter;
     }
     clipped + &".."[..columns.min(2)]
 }

@@ -15,7 +15,11 @@ const PIECES: u32 = 160;
 
 /// Draws a way and the head of an arrow where it leaves the picture; gives the tip of
 /// that and its direction, if the way is seen at all.
-pub fn draw_way(picture: &mut Picture, points: &[DVec2], pen: Pen) -> Option<(DVec2, DVec2)> {
+pub(crate) fn draw_way(
+    picture: &mut Picture,
+    points: &[DVec2],
+    pen: Pen,
+) -> Option<(DVec2, DVec2)> {
     picture.curve(points.iter().copied(), pen);
     let view = *picture.view();
     let (from, tip) = exit(points, |at| view.cell_at(*at).is_some())?;
@@ -36,7 +40,7 @@ fn exit(points: &[DVec2], shown: impl Fn(&DVec2) -> bool) -> Option<(DVec2, DVec
 
 /// Two particles that a nucleus turns by these angles in radians, one on either side,
 /// each on its exact hyperbola, with the angles written beside.
-pub fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
+pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
     // Head-on, or not turned at all, has no place beside another one.
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
     let offsets = angles.map(|angle| rutherford.impact_parameter(angle).unwrap_or(0.0));

@@ -3,7 +3,7 @@
 use carrom::quiz::{Form, Response};
 
 /// The keys with which this is said to a question of this form.
-pub fn said(form: &Form, said: &Response) -> String {
+pub(crate) fn said(form: &Form, said: &Response) -> String {
     match (form, said) {
         (Form::Rays { side, .. }, Response::Rays(rays)) => [rays.striker, rays.target]
             .map(|angle| match angle {

@@ -17,7 +17,7 @@ use vt100::MouseProtocolMode;
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A program in a terminal.
-pub struct Pty {
+pub(crate) struct Pty {
     child: Box<dyn Child + Send + Sync>,
     seen: Arc<Mutex<Seen>>,
     closing: Arc<AtomicBool>,
@@ -48,12 +48,12 @@ fn size(columns: u16, rows: u16) -> PtySize {
 }
 
 /// `carrom` with these arguments, in a surrounding that is the same everywhere.
-pub fn carrom(arguments: &[&str]) -> CommandBuilder {
+pub(crate) fn carrom(arguments: &[&str]) -> CommandBuilder {
     command(env!("CARGO_BIN_EXE_carrom"), arguments)
 }
 
 /// A program with these arguments, in a surrounding that is the same everywhere.
-pub fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
+pub(crate) fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
     let mut command = CommandBuilder::new(program);
     command.args(arguments);
     command.env_clear();
@@ -68,7 +68,7 @@ pub fn command(program: &str, arguments: &[&str]) -> CommandBuilder {
 
 impl Pty {
     /// Starts a program in a terminal of 80 by 24.
-    pub fn start(command: CommandBuilder) -> Self {
+    pub(crate) fn start(command: CommandBuilder) -> Self {
         let pair = native_pty_system().openpty(size(80, 24)).unwrap();
         let before = settings(pair.master.as_ref());
         let seen = Arc::new(Mutex::new(Seen {
@@ -105,14 +105,14 @@ impl Pty {
     }
 
     /// Types these bytes.
-    pub fn press(&mut self, keys: &str) {
+    pub(crate) fn press(&mut self, keys: &str) {
         let writer = self.writer.as_mut().unwrap();
         writer.write_all(keys.as_bytes()).unwrap();
         writer.flush().unwrap();
     }
 
     /// Gives the window another size.
-    pub fn resize(&self, columns: u16, rows: u16) {
+    pub(crate) fn resize(&self, columns: u16, rows: u16) {
         let mut seen = self.seen.lock().unwrap();
         seen.screen.set_size(cells(rows), cells(columns));
         drop(seen);
@@ -121,32 +121,32 @@ impl Pty {
     }
 
     /// The process's number.
-    pub fn pid(&self) -> i32 {
+    pub(crate) fn pid(&self) -> i32 {
         self.child.process_id().unwrap().try_into().unwrap()
     }
 
     /// Sends a signal to the program.
-    pub fn signal(&self, signal: Signal) {
+    pub(crate) fn signal(&self, signal: Signal) {
         kill_process(Pid::from_raw(self.pid()).unwrap(), signal).unwrap();
     }
 
     /// What the screen shows now.
-    pub fn screen(&self) -> String {
+    pub(crate) fn screen(&self) -> String {
         self.seen.lock().unwrap().screen.screen().contents()
     }
 
     /// Every byte that was ever written.
-    pub fn bytes(&self) -> Vec<u8> {
+    pub(crate) fn bytes(&self) -> Vec<u8> {
         self.seen.lock().unwrap().bytes.clone()
     }
 
     /// Waits until the screen shows `text`.
-    pub fn wait_for(&self, text: &str) {
+    pub(crate) fn wait_for(&self, text: &str) {
         self.wait_until(text, |screen| screen.contains(text));
     }
 
     /// Waits until the screen is as `wanted`.
-    pub fn wait_until(&self, what: &str, wanted: impl Fn(&str) -> bool) {
+    pub(crate) fn wait_until(&self, what: &str, wanted: impl Fn(&str) -> bool) {
         let start = Instant::now();
         while !wanted(&self.screen()) {
             assert!(
@@ -159,7 +159,7 @@ impl Pty {
     }
 
     /// Waits for the program's end and gives its exit status.
-    pub fn wait(&mut self) -> u32 {
+    pub(crate) fn wait(&mut self) -> u32 {
         let start = Instant::now();
         loop {
             if let Some(status) = self.child.try_wait().unwrap() {
@@ -174,7 +174,7 @@ impl Pty {
 
     /// Closes the window. The program is made to write once more (`key` must make it
     /// do so), so that nobody is left in the middle of reading from it.
-    pub fn hang_up(&mut self, key: &str) {
+    pub(crate) fn hang_up(&mut self, key: &str) {
         self.closing.store(true, Ordering::SeqCst);
         self.press(key);
         self.reader.take().unwrap().join().unwrap();
@@ -185,7 +185,7 @@ impl Pty {
 
     /// Asserts that the terminal is a game's: raw, on the alternate screen, with the
     /// mouse, without a cursor.
-    pub fn assert_taken(&self) {
+    pub(crate) fn assert_taken(&self) {
         let seen = self.seen.lock().unwrap();
         let screen = seen.screen.screen();
         assert!(screen.alternate_screen());
@@ -198,7 +198,7 @@ impl Pty {
 
     /// Waits until the terminal is as it was before the program started, and asserts
     /// that it is so in every respect.
-    pub fn assert_restored(&self) {
+    pub(crate) fn assert_restored(&self) {
         self.wait_until("the terminal to be restored", |_| {
             let seen = self.seen.lock().unwrap();
             seen.bytes.ends_with(b"\x1b[?25h")

@@ -10,23 +10,23 @@ use proptest::prelude::*;
 
 /// A folder of bad files: `NAME.expected` is the message for `NAME.ENDING`, or for the
 /// folder `NAME`.
-pub struct BadFiles {
+pub(crate) struct BadFiles {
     /// Its name below `tests`.
-    pub folder: &'static str,
+    pub(crate) folder: &'static str,
     /// How the names of the files end.
-    pub ending: &'static str,
+    pub(crate) ending: &'static str,
 }
 
 impl BadFiles {
     /// The folder.
-    pub fn path(&self) -> PathBuf {
+    pub(crate) fn path(&self) -> PathBuf {
         Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("tests")
             .join(self.folder)
     }
 
     /// Runs carrom in the folder.
-    pub fn carrom(&self, arguments: &[&str]) -> Output {
+    pub(crate) fn carrom(&self, arguments: &[&str]) -> Output {
         Command::new(env!("CARGO_BIN_EXE_carrom"))
             .args(arguments)
             .current_dir(self.path())
@@ -35,7 +35,7 @@ impl BadFiles {
     }
 
     /// The names of the messages without their ending.
-    pub fn names(&self) -> Vec<String> {
+    pub(crate) fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.path()).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
         let names: Vec<_> = names.collect();
@@ -52,14 +52,14 @@ impl BadFiles {
     }
 
     /// The message that must be given for a name.
-    pub fn expected(&self, name: &str) -> String {
+    pub(crate) fn expected(&self, name: &str) -> String {
         let path = self.path().join(format!("{name}.expected"));
         fs::read_to_string(path).unwrap().trim_end().to_owned()
     }
 
     /// Gives each file or folder to a command, which must tell its message and leave with
     /// 2. What it printed otherwise is given to `printed`, with whether it read a file.
-    pub fn each(&self, command: [&str; 2], printed: impl Fn(&str, bool, &[u8])) {
+    pub(crate) fn each(&self, command: [&str; 2], printed: impl Fn(&str, bool, &[u8])) {
         for name in self.names() {
             let file = format!("{name}.{}", self.ending);
             let is_file = self.path().join(&file).exists();
@@ -73,7 +73,7 @@ impl BadFiles {
 }
 
 /// Standard error without the name of the program before the message.
-pub fn message(output: &Output) -> String {
+pub(crate) fn message(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
     let text = text.trim_end();
     text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
@@ -86,7 +86,7 @@ pub fn files(errors: &[FileError]) -> usize {
 }
 
 /// A good file of a folder with a stretch of it replaced by a `piece`.
-pub fn mutated(
+pub(crate) fn mutated(
     folder: &str,
     piece: impl Strategy<Value = String>,
 ) -> impl Strategy<Value = Vec<u8>> {

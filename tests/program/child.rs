@@ -14,7 +14,7 @@ const SAID: &str = "said ";
 
 /// A process that does something again and again, and says a number each time as soon as
 /// the screen shows that it is done.
-pub struct Player {
+pub(crate) struct Player {
     child: Child,
     said: BufReader<ChildStdout>,
 }
@@ -22,7 +22,7 @@ pub struct Player {
 impl Player {
     /// Runs the test of this name (with its module: `kill::child_plays`) alone, which finds
     /// `folder` and `words` by [`told`].
-    pub fn start(test: &str, folder: &Path, words: &[&str]) -> Self {
+    pub(crate) fn start(test: &str, folder: &Path, words: &[&str]) -> Self {
         let mut child = Command::new(env::current_exe().unwrap())
             .args([test, "--exact", "--nocapture"])
             .env(FOLDER, folder)
@@ -36,7 +36,7 @@ impl Player {
     }
 
     /// The next number that is said; `None` once there will be no more.
-    pub fn next(&mut self) -> Option<usize> {
+    pub(crate) fn next(&mut self) -> Option<usize> {
         loop {
             let mut line = String::new();
             if self.said.read_line(&mut line).unwrap() == 0 {
@@ -49,7 +49,7 @@ impl Player {
     }
 
     /// Kills it after so many numbers, a moment later, and gives the last one it said.
-    pub fn kill(mut self, numbers: usize, chance: &mut Pcg64) -> Option<usize> {
+    pub(crate) fn kill(mut self, numbers: usize, chance: &mut Pcg64) -> Option<usize> {
         let mut last = None;
         for _ in 0..numbers {
             last = self.next();
@@ -62,7 +62,7 @@ impl Player {
     }
 
     /// Waits until it ends by itself, and gives the last number it said.
-    pub fn end(mut self) -> Option<usize> {
+    pub(crate) fn end(mut self) -> Option<usize> {
         let last = self.rest();
         assert!(self.child.wait().unwrap().success());
         last
@@ -82,14 +82,14 @@ fn wait_a_moment(chance: &mut Pcg64) {
 
 /// What a [`Player`] was started with; `None` when the test is run as a test, which has
 /// nothing to do then.
-pub fn told() -> Option<(PathBuf, Vec<String>)> {
+pub(crate) fn told() -> Option<(PathBuf, Vec<String>)> {
     let folder = env::var_os(FOLDER)?;
     let words = env::var(WORDS).unwrap();
     Some((folder.into(), words.lines().map(str::to_owned).collect()))
 }
 
 /// Says a number to whoever started the [`Player`].
-pub fn say(number: usize) {
+pub(crate) fn say(number: usize) {
     println!("{SAID}{number}");
     std::io::stdout().flush().unwrap();
 }

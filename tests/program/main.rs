@@ -15,6 +15,7 @@ mod memory;
 mod old_files;
 mod plain;
 mod play;
+mod rebound;
 mod report;
 mod safe;
 mod saves;

@@ -7,7 +7,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 
 /// Makes a move that can be made, nearly always a hard stroke, and gives it.
-pub fn random_move(game: &mut Game, chance: &mut Pcg64) -> Move {
+pub(crate) fn random_move(game: &mut Game, chance: &mut Pcg64) -> Move {
     loop {
         let board = Board::default();
         let lines = game.base_lines(&board);

@@ -444,7 +444,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
     let mut game = table(Store::in_folder(folder.path()));
     game.press("<Enter> <Enter>80 <Enter>100 <Enter>");
     let left = game.screen();
-    game.press("<Escape><Escape>");
+    game.press("<Escape>y");
     assert!(game.screen().contains("a new game"), "{}", game.screen());
 
     // Another day.
@@ -468,7 +468,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
     assert!(game.screen().contains("strength"), "{}", game.screen());
 
     // Removed only when that is confirmed.
-    game.press("<Escape><Escape>sd");
+    game.press("<Escape>ysd");
     assert!(
         game.screen().contains("Remove this game"),
         "{}",

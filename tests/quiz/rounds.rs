@@ -3,10 +3,11 @@
 
 use std::sync::LazyLock;
 
+use carrom::physics::ImpactPoint;
 use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{
-    Answer, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Placement, Question,
-    RIGHT_DEG, Ray, Rays, Response, Round, Summary, explain, hits,
+    Answer, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG, Ray,
+    Rays, Response, Round, Summary, explain, hits,
 };
 use carrom::widgets::text::wrap;
 use glam::DVec2;
@@ -68,8 +69,8 @@ fn by_impulse(question: &Hit) -> Rays {
     };
     let u = question.speed * DVec2::from_angle(question.direction_deg.to_radians());
     let sine = match question.given {
-        Placement::Angle { alpha_deg } => alpha_deg.to_radians().sin(),
-        Placement::Offset { offset_mm } => offset_mm / (r1 + r2),
+        ImpactPoint::Angle { alpha_deg } => alpha_deg.to_radians().sin(),
+        ImpactPoint::Offset { offset_mm } => offset_mm / (r1 + r2),
     };
     // The target's centre lies `sine` of the way to the right of the path.
     let right = DVec2::new(u.y, -u.x) / question.speed;

@@ -8,6 +8,7 @@ mod colours;
 mod every_screen;
 mod foil;
 mod keeping;
+mod key_tables;
 mod lab;
 mod learn;
 mod levels;

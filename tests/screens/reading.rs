@@ -6,7 +6,7 @@ use carrom::lessons::{ChapterPage, CheckpointKind};
 use carrom::shells::Headless;
 
 /// Presses what answers a page's question, if it has one: anything will do.
-pub fn answer(game: &mut Headless, page: &ChapterPage) {
+pub(crate) fn answer(game: &mut Headless, page: &ChapterPage) {
     match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
         None => return,
         Some(CheckpointKind::Rays) => game.press("40<Enter>40<Enter>"),

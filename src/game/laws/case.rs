@@ -13,7 +13,7 @@ pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 /// The queen just before a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum QueenBefore {
+pub(crate) enum QueenBefore {
     /// On the board.
     OnBoard,
     /// Pocketed by the player's last stroke, and to be covered by this one.
@@ -27,7 +27,7 @@ pub enum QueenBefore {
 ///
 /// "Own" is the colour of the player who struck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Case {
+pub(crate) struct Case {
     /// The colour of the player who struck.
     pub colour: Colour,
     /// Own coins on the board before the stroke.
@@ -97,7 +97,7 @@ const fn queen_worth(score: u8) -> u8 {
 
 /// What becomes of the queen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum QueenFate {
+pub(crate) enum QueenFate {
     /// As the stroke left her: on the board, covered, or just pocketed and to
     /// be covered next.
     Stays,
@@ -109,7 +109,7 @@ pub enum QueenFate {
 
 /// Who strikes next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TurnFate {
+pub(crate) enum TurnFate {
     /// The same player.
     Continues,
     /// The next.
@@ -118,7 +118,7 @@ pub enum TurnFate {
 
 /// The end of a board, seen from the player who struck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BoardEnd {
+pub(crate) struct BoardEnd {
     /// Whether that player won it.
     pub won: bool,
     /// Points to the winner.
@@ -127,7 +127,7 @@ pub struct BoardEnd {
 
 /// What the rules decide.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Verdict {
+pub(crate) struct Verdict {
     /// The law that decides; `None` for a rule of the house.
     pub law: Option<Law>,
     /// What happened and what it means, in one sentence.

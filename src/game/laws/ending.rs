@@ -4,7 +4,7 @@ use super::case::{BoardEnd, Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
 /// The most points a board can bring (28).
-pub const MOST_POINTS: u8 = 12;
+pub(crate) const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if it goes on.
 ///

@@ -9,7 +9,7 @@ use crate::game::pieces::Colour;
 /// (`struck`) and may have the queen to cover.
 ///
 /// Only the tournament game knows fouls; elsewhere the turn just passes.
-pub fn foul(rules: Rules, player: Colour, struck: bool, to_cover: bool) -> Verdict {
+pub(crate) fn foul(rules: Rules, player: Colour, struck: bool, to_cover: bool) -> Verdict {
     match (rules, struck) {
         (Rules::Practice, _) => Verdict::continues(None, "In practice there are no fouls.".to_owned()),
         (Rules::Friendly, _) => uncover(
@@ -34,7 +34,7 @@ pub fn foul(rules: Rules, player: Colour, struck: bool, to_cover: bool) -> Verdi
 
 /// The verdict when coins bar every place for the striker. The Laws do not
 /// foresee it; the turn passes without a penalty.
-pub fn no_place(player: Colour, to_cover: bool) -> Verdict {
+pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
     let text = format!("Coins bar every place for the striker, so {player}'s turn passes.");
     uncover(Verdict::passes(None, text), to_cover)
 }

@@ -40,9 +40,8 @@ mod ruling;
 #[cfg(test)]
 mod tests;
 
-pub use case::{BoardEnd, Case, QueenBefore, QueenFate, TurnFate, Verdict};
-pub use ending::MOST_POINTS;
-pub use fouls::{foul, no_place};
+pub(crate) use case::{Case, QueenBefore, QueenFate, TurnFate, Verdict};
+pub(crate) use fouls::{foul, no_place};
 pub use ruling::{BoardWon, Law, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
@@ -61,7 +60,7 @@ pub enum Rules {
 }
 
 /// What the rules say of a stroke.
-pub fn judge(rules: Rules, case: &Case) -> Verdict {
+pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     match rules {
         Rules::Tournament => opening::judge(case)
             .or_else(|| ending::judge(case))

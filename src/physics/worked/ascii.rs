@@ -2,7 +2,7 @@
 
 /// The text with every sign of a worked solution spelt in ASCII; a sign that has no
 /// spelling becomes `?`.
-pub fn ascii(text: &str) -> String {
+pub(crate) fn ascii(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for sign in text.chars() {
         match sign {

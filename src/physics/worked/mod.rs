@@ -11,8 +11,8 @@ mod slip;
 mod stick;
 mod words;
 
-pub use ascii::ascii;
-pub use number::number;
+pub(crate) use ascii::ascii;
+pub(crate) use number::number;
 
 use glam::DVec2;
 
@@ -34,7 +34,7 @@ pub struct WorkedStep {
 
 /// The whole solution: what is known, the working, a check and the result in words. The
 /// problem gives the impact angle or, `by_offset`, the offset and both radii.
-pub fn steps(collision: &Collision, by_offset: bool) -> Vec<WorkedStep> {
+pub(crate) fn steps(collision: &Collision, by_offset: bool) -> Vec<WorkedStep> {
     let outcome = collision.outcome();
     let mut steps = vec![knowns(collision, by_offset)];
     if by_offset {

@@ -8,7 +8,7 @@ use crate::numbers::{four_figures, true_minus};
 const NOISE: f64 = 1e-9;
 
 /// A number to four significant digits with a proper minus sign.
-pub fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     true_minus(&four_figures(x))
 }
 

@@ -17,9 +17,9 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::{Difficulty, Misconception, Topic};
 use crate::files::{FileError, FileErrors};
 use crate::physics::Collision;
+use crate::quiz::question::{Difficulty, Family, Misconception, Topic};
 
 pub use check::check;
 pub use library::Library;
@@ -123,6 +123,17 @@ impl Concept {
         let place = self.before_right.min(choices.len());
         choices.insert(place, ConceptChoice::Right(&self.right));
         choices
+    }
+}
+
+impl Topic {
+    /// The families that ask about it; none where nothing in the program does.
+    pub fn families(&self) -> Vec<Family> {
+        let mut families = self.families_of_figures().to_vec();
+        if all().iter().any(|it| it.topic() == *self) {
+            families.push(Family::Concept);
+        }
+        families
     }
 }
 

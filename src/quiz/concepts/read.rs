@@ -4,7 +4,7 @@ use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{self, Fields, FileErrors, Source, all, escape_control};
 use crate::physics::CollisionSpec;
-use crate::quiz::{Difficulty, Misconception};
+use crate::quiz::question::{Difficulty, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
@@ -29,13 +29,6 @@ const ITEM: [&str; 8] = [
     "why",
     "wrong",
     "hit",
-];
-
-/// The difficulties by their names.
-const DIFFICULTIES: [(&str, Difficulty); 3] = [
-    ("easy", Difficulty::Easy),
-    ("middle", Difficulty::Middle),
-    ("hard", Difficulty::Hard),
 ];
 
 /// Adds the questions of a file to `concepts`, which they are to differ from.
@@ -79,7 +72,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     // Where the hit is none, the texts are looked at with any other.
     let filled = hit.unwrap_or_else(|| Some(CollisionSpec::default()));
     let id = item.id("id");
-    let difficulty = item.word("difficulty", &DIFFICULTIES);
+    let difficulty = item.word("difficulty", &Difficulty::ALL.map(|it| (it.id(), it)));
     let ask = text(item, "ask", ASK, filled);
     let right = text(item, "right", CHOICE, filled);
     let why = text(item, "why", WHY, filled);

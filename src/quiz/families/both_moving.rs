@@ -8,12 +8,12 @@ use super::hit_draws::direction_deg;
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, CollisionOutcome};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::ALWAYS_SQUARE;
 use crate::quiz::misconceptions::catalogue::{
     FRAMES_MIXED, ONE_LINE_FORMULA, SINE_COSINE, SPEED_OPENS_ANGLE, SQUARE_ON_THE_GROUND,
 };
-use crate::quiz::{Difficulty, Illustration, Markings, Measure, Pieces, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Illustration, Markings, Measure, Pieces, Question};
 
 /// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
 const LEAST_COSINE: f64 = 0.3;

@@ -5,14 +5,15 @@ use super::draft::Draft;
 use super::hit_draws::{ALL, HitDraws, NO_LOSS, UNEQUAL, in_short, unmarked, who};
 use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Collision;
+use crate::physics::ImpactPoint;
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
-use crate::quiz::{Difficulty, Hit, Illustration, Markings, Measure, Pieces, Placement, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Measure, Pieces, Question};
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -99,7 +100,7 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Draft> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;
     let hit = Hit {
-        given: Placement::Offset {
+        given: ImpactPoint::Offset {
             offset_mm: hit.side() * offset_mm,
         },
         ..*hit

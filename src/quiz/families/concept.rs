@@ -2,8 +2,8 @@
 
 use super::draft::Draft;
 use crate::quiz::concepts::{self, Concept, ConceptChoice};
-use crate::quiz::dice::Dice;
-use crate::quiz::{Difficulty, Illustration, Markings, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Illustration, Markings, Question};
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {

@@ -3,8 +3,8 @@
 use serde_json::{Map, Value};
 
 use super::where_to::figures;
-use crate::quiz::dice::Dice;
-use crate::quiz::{
+use crate::quiz::question::Dice;
+use crate::quiz::question::{
     AimTask, Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Misconception,
     Question, Response, Topic, WrongAnswer,
 };

@@ -5,12 +5,12 @@ use super::hit_draws::{ALL, EQUAL, HitDraws, NO_LOSS, pair};
 use super::speeds::{SHRUNK, sine_for_cosine};
 use crate::numbers::{bare_degrees, significant};
 use crate::physics::RestingTarget;
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     E_AS_ENERGY, ENERGY_AS_SPEED, HEAVY_TAKES_ENERGY, LOSS_ON_EVERYTHING, SINE_COSINE,
 };
 use crate::quiz::misconceptions::{HALF_AND_HALF, LOSSLESS};
-use crate::quiz::{Difficulty, Hit, Measure, Pieces, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Measure, Pieces, Question};
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {

@@ -4,8 +4,9 @@ use std::ops::RangeInclusive;
 
 use crate::numbers::{bare_millimetres, degrees, significant};
 use crate::physics::Disc;
-use crate::quiz::dice::Dice;
-use crate::quiz::{Difficulty, Hit, Illustration, Markings, Pieces, Placement};
+use crate::physics::ImpactPoint;
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Pieces};
 
 pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];
 pub(super) const UNEQUAL: &[Pieces] = &[Pieces::Tournament, Pieces::Marbles];
@@ -46,7 +47,7 @@ impl<'a> HitDraws<'a> {
         let left = dice.coin();
         Some(Hit {
             pieces,
-            given: Placement::Angle {
+            given: ImpactPoint::Angle {
                 // 0.0 - x, not -x: a head-on hit has no side.
                 alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
             },
@@ -80,11 +81,11 @@ pub(super) fn unmarked(hit: &Hit) -> Illustration {
 /// The hit with its masses, its speed and where the two meet, without a word on loss.
 pub(super) fn in_short(hit: &Hit) -> String {
     let place = match hit.given {
-        Placement::Angle { .. } => format!(
+        ImpactPoint::Angle { .. } => format!(
             "the line of impact makes {} with its path",
             degrees(hit.alpha().abs())
         ),
-        Placement::Offset { offset_mm } => format!(
+        ImpactPoint::Offset { offset_mm } => format!(
             "the offset is {} mm, the two radii make {} mm together",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())

@@ -5,10 +5,11 @@ use std::sync::OnceLock;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use crate::numbers::tenths;
-use crate::quiz::dice::Dice;
+use crate::physics::ImpactPoint;
 use crate::quiz::misconceptions::OF_RAYS;
+use crate::quiz::question::Dice;
 use crate::quiz::question::MIN_SEPARATION;
-use crate::quiz::{Difficulty, Hit, Pieces, Placement, RIGHT_DEG, Rays};
+use crate::quiz::question::{Difficulty, Hit, Pieces, RIGHT_DEG, Rays};
 
 /// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,16 +85,16 @@ impl HitKind {
     fn find(self) -> Vec<Hit> {
         let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
             let given = steps
-                .map(|i| Placement::Angle {
+                .map(|i| ImpactPoint::Angle {
                     alpha_deg: f64::from(i * step),
                 })
                 .collect::<Vec<_>>();
             every(pieces, &given, losses)
         };
         let offsets = |pieces: Pieces| {
-            let head_on = plain(pieces, Placement::Angle { alpha_deg: 0.0 }, 1.0);
+            let head_on = plain(pieces, ImpactPoint::Angle { alpha_deg: 0.0 }, 1.0);
             let given = (1..=(10.0 * head_on.reach_mm()) as u32)
-                .map(|tenths| Placement::Offset {
+                .map(|tenths| ImpactPoint::Offset {
                     offset_mm: f64::from(tenths) / 10.0,
                 })
                 .collect::<Vec<_>>();
@@ -151,7 +152,7 @@ impl HitKind {
 }
 
 /// A hit with the target on the right and nothing else about it.
-fn plain(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
+fn plain(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
     Hit {
         pieces,
         given,
@@ -161,20 +162,20 @@ fn plain(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
     }
 }
 
-fn every(pieces: Pieces, given: &[Placement], losses: &[f64]) -> Vec<Hit> {
+fn every(pieces: Pieces, given: &[ImpactPoint], losses: &[f64]) -> Vec<Hit> {
     given
         .iter()
         .flat_map(|&given| losses.iter().map(move |&e| plain(pieces, given, e)))
         .collect()
 }
 
-fn mirrored(given: Placement) -> Placement {
+fn mirrored(given: ImpactPoint) -> ImpactPoint {
     match given {
         // 0.0 - x, not -x: a head-on hit has no side.
-        Placement::Angle { alpha_deg } => Placement::Angle {
+        ImpactPoint::Angle { alpha_deg } => ImpactPoint::Angle {
             alpha_deg: 0.0 - alpha_deg,
         },
-        Placement::Offset { offset_mm } => Placement::Offset {
+        ImpactPoint::Offset { offset_mm } => ImpactPoint::Offset {
             offset_mm: 0.0 - offset_mm,
         },
     }

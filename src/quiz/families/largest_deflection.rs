@@ -4,10 +4,10 @@
 use super::draft::Draft;
 use super::hit_draws::{direction_deg, pair, unmarked};
 use crate::numbers::{bare_degrees, degrees, millimetres, significant};
+use crate::physics::ImpactPoint;
 use crate::physics::RestingTarget;
 use crate::physics::resting_target::LargestDeflection;
 use crate::physics::units::deg_from_rad;
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     BEYOND_LARGEST, DOUBLE_ANGLE_FORGOTTEN, SINE_COSINE, UPSIDE_DOWN,
 };
@@ -15,7 +15,8 @@ use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HALF_AND_HALF, HEAVY_UNMOVED, LOSSLESS, OFF_A_WALL,
     OFFSET_AS_ANGLE,
 };
-use crate::quiz::{Difficulty, Hit, Illustration, Measure, Placement, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.
 const LIMITS: [&str; 3] = [
@@ -78,7 +79,7 @@ fn turned_most(
     let left = dice.coin();
     let hit = Hit {
         pieces: pair(m1_g, m2_g),
-        given: Placement::Angle { alpha_deg: 30.0 },
+        given: ImpactPoint::Angle { alpha_deg: 30.0 },
         restitution: f64::from(e_tenths) / 10.0,
         speed: f64::from(2 + dice.below(4)),
         direction_deg: direction_deg(difficulty, dice),

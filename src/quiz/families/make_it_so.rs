@@ -4,12 +4,13 @@ use super::draft::Draft;
 use super::hit_draws::direction_deg;
 use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Disc;
+use crate::physics::ImpactPoint;
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
-use crate::quiz::{
-    AimTask, Difficulty, Hit, Illustration, Markings, Pieces, Placement, Question, Ray, Topic,
+use crate::quiz::question::Dice;
+use crate::quiz::question::{
+    AimTask, Difficulty, Hit, Illustration, Markings, Pieces, Question, Ray, Topic,
 };
 
 /// Lighter strikers, which can be turned by any angle.
@@ -39,7 +40,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
     let hit = Hit {
         pieces,
-        given: Placement::Angle { alpha_deg: 0.0 },
+        given: ImpactPoint::Angle { alpha_deg: 0.0 },
         restitution: 1.0,
         speed: f64::from(2 + dice.below(4)),
         direction_deg: direction_deg(difficulty, dice),

@@ -6,8 +6,7 @@
 //! draws again until they can. A new family is a file of its own, and a line in the table
 //! here; its topics stand in the table of topics.
 
-use super::dice::Dice;
-use super::{Difficulty, Question};
+use crate::quiz::question::{Dice, Difficulty, Family, Question};
 
 mod both_moving;
 mod centre_of_mass;
@@ -25,45 +24,6 @@ mod slip_or_stick;
 mod speeds;
 mod weigh;
 pub(super) mod where_to;
-
-/// A family of questions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Family {
-    /// Where will the two go, whatever the pieces and the loss?
-    WhereTo,
-    /// Both rays from the impact angle, equal masses.
-    FromAngle,
-    /// Both rays from the offset, equal masses.
-    FromOffset,
-    /// Both rays from the picture alone, without a figure.
-    FromPicture,
-    /// Both rays with unequal masses.
-    UnequalMasses,
-    /// How fast each one leaves.
-    Speeds,
-    /// What corner the two ways out make.
-    Separation,
-    /// What share of the energy each one has after the hit.
-    EnergyShare,
-    /// What the coefficient of restitution does, and what it is.
-    Restitution,
-    /// How far a striker can be turned at most.
-    LargestDeflection,
-    /// A mass from what is seen after the hit.
-    Weigh,
-    /// Slipping with e = 0 against sticking: how the two go on.
-    SlipOrStick,
-    /// Two equal discs that both move: who sees 90°?
-    BothMoving,
-    /// Its speed, and the angle Θ by which it sees both turned.
-    CentreOfMass,
-    /// How many are counted at two angles.
-    Rutherford,
-    /// Choose the offset that sends a disc where it is to go.
-    MakeItSo,
-    /// The written questions, one idea each.
-    Concept,
-}
 
 /// How many draws a question may take before a family is given up: a guard against a
 /// family that has nothing clear to ask. A test sees that none needs a twentieth of it.
@@ -159,7 +119,11 @@ impl Family {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+    use crate::quiz::concepts;
+    use crate::quiz::question::Topic;
 
     #[test]
     fn the_table_has_every_family_at_its_place() {
@@ -167,5 +131,36 @@ mod tests {
             assert_eq!(family as usize, place);
             assert_eq!(Family::with_id(family.id()), Some(family));
         }
+    }
+
+    #[test]
+    fn every_family_asks_about_its_topics_and_no_others() {
+        for family in Family::ALL {
+            let mut met = BTreeSet::new();
+            for (seed, difficulty) in (0..500).flat_map(|s| Difficulty::ALL.map(|d| (s, d))) {
+                let asked = family.ask(difficulty, &mut Dice::new(seed));
+                met.extend(asked.map(|(question, _)| question.topic));
+            }
+            let listed: BTreeSet<Topic> = match family {
+                Family::Concept => concepts::all().iter().map(|it| it.topic()).collect(),
+                family => Topic::all()
+                    .filter(|it| it.families_of_figures().contains(&family))
+                    .collect(),
+            };
+            assert_eq!(met, listed, "{family:?}");
+        }
+    }
+
+    #[test]
+    fn a_topic_may_belong_to_several_families_and_to_none() {
+        let asking = |id| Topic::with_id(id).families();
+        assert_eq!(asking("equal-masses"), [Family::WhereTo, Family::FromAngle]);
+        assert_eq!(
+            asking("corner-with-loss"),
+            [Family::Separation, Family::Restitution]
+        );
+        // In figures, and in words.
+        assert_eq!(asking("both-moving"), [Family::BothMoving, Family::Concept]);
+        assert_eq!(asking("momentum-is-a-vector"), []);
     }
 }

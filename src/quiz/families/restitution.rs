@@ -8,12 +8,12 @@ use super::weigh::seen_angles;
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::RestingTarget;
 use crate::physics::units::deg_from_rad;
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     E_AS_ENERGY, LOSS_FORBIDS_SQUARE, LOSS_ON_EVERYTHING, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, LOSSLESS};
-use crate::quiz::{Difficulty, Hit, Illustration, Measure, Pieces, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Pieces, Question};
 
 /// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
 const SQUARE: [(u32, u32, u32); 12] = [

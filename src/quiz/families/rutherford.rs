@@ -4,11 +4,11 @@ use super::draft::Draft;
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     EVERY_ANGLE_ALIKE, HALF_ANGLE_FORGOTTEN, TOO_GENTLE, UPSIDE_DOWN,
 };
-use crate::quiz::{Difficulty, Illustration, Measure, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Illustration, Measure, Question};
 
 /// Foils and their charge numbers.
 const FOILS: [(&str, f64); 4] = [

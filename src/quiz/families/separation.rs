@@ -7,12 +7,13 @@ use super::draft::Draft;
 use super::hit_draws::{HitDraws, NO_LOSS, UNEQUAL, pair, unmarked};
 use crate::numbers::{degrees, significant};
 use crate::physics::units::deg_from_rad;
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
+use crate::quiz::misconceptions::reasoning;
 use crate::quiz::misconceptions::{
     ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
 };
-use crate::quiz::{Difficulty, Hit, Measure, Question, reasoning};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Measure, Question};
 
 /// The choices, in their natural order.
 const CORNERS: [&str; 3] = ["more than 90°", "exactly 90°", "less than 90°"];

@@ -5,12 +5,12 @@ use super::hit_draws::{EQUAL, HitDraws, UNEQUAL, in_short};
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::physics::{Bond, Collision};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     GRIP_IGNORED, GRIP_STOPS_ALL, HALFWAY_CENTRE, MOMENTUM_LOST, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
-use crate::quiz::{Difficulty, Hit, Illustration, Markings, Measure, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Measure, Question};
 
 /// What the rims do.
 #[derive(Clone, Copy, PartialEq)]

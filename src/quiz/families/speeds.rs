@@ -3,12 +3,12 @@
 use super::draft::Draft;
 use super::hit_draws::{EQUAL, HitDraws, NO_LOSS, UNEQUAL};
 use crate::numbers::{bare_degrees, significant};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::LOSSLESS;
 use crate::quiz::misconceptions::catalogue::{
     LOSS_ON_EVERYTHING, ONE_LINE_FORMULA, SINE_COSINE, SPEEDS_ADD, UPSIDE_DOWN,
 };
-use crate::quiz::{Difficulty, Hit, Measure, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Measure, Question};
 
 const DRAWS: [HitDraws; 3] = [
     HitDraws::new(EQUAL, 15..=75, NO_LOSS),

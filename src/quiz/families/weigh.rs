@@ -7,12 +7,12 @@ use super::hit_draws::{HitDraws, NO_LOSS, pair};
 use super::separation::FOLLOWS_OR_BOUNCES;
 use crate::numbers::{degrees, significant, tenths};
 use crate::physics::resting_target::{k_from_angles, mass_ratio_from_angles};
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::catalogue::{
     DOUBLE_ANGLE_FORGOTTEN, SCALAR_MOMENTUM, SINE_COSINE, UPSIDE_DOWN,
 };
 use crate::quiz::misconceptions::{HEAVY_UNMOVED, LOSSLESS};
-use crate::quiz::{Difficulty, Hit, Illustration, Measure, Question};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.
 const WEIGHTS: [&str; 3] = [

@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 
 use super::hit_kinds::HitKind;
+use crate::physics::ImpactPoint;
 use crate::physics::units::mm_from_m;
-use crate::quiz::dice::Dice;
 use crate::quiz::misconceptions::OF_RAYS;
-use crate::quiz::{
-    Difficulty, Family, Form, Hit, Illustration, Markings, Placement, Question, Response,
-    WrongAnswer, reasoning,
+use crate::quiz::misconceptions::reasoning;
+use crate::quiz::question::Dice;
+use crate::quiz::question::{
+    Difficulty, Family, Form, Hit, Illustration, Markings, Question, Response, WrongAnswer,
 };
 
 /// How many hits a round of this family has.
@@ -147,8 +148,8 @@ pub(super) fn figures(hit: &Hit) -> Map<String, Value> {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
     let (m1_g, m2_g) = hit.masses_g();
     let place = match hit.given {
-        Placement::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
-        Placement::Offset { offset_mm } => ("offset_mm", offset_mm),
+        ImpactPoint::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
+        ImpactPoint::Offset { offset_mm } => ("offset_mm", offset_mm),
     };
     let figures = [
         ("m1_g", m1_g),

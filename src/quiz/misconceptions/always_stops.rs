@@ -1,7 +1,7 @@
 //! Head-on, the striker stops, whatever the masses.
 
-use super::super::{Ray, Rays};
 use super::{Misconception, Prediction};
+use crate::quiz::question::{Ray, Rays};
 
 /// What equal masses do head-on is taken to hold for all.
 pub static ALWAYS_STOPS: Misconception = Misconception {

@@ -1,8 +1,8 @@
 //! θ₁ = α: the striker leaves at the impact angle.
 
-use super::super::Ray;
 use super::{Misconception, Prediction, on_usual_sides};
 use crate::numbers;
+use crate::quiz::question::Ray;
 
 /// The scattering angle is taken to be the impact angle.
 pub static COPIED_ANGLE: Misconception = Misconception {

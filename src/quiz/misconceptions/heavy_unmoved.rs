@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::super::{Ray, Rays};
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::quiz::question::{Ray, Rays};
 
 /// The heavier disc is taken to go on, or to lie, as if nothing had hit it.
 pub static HEAVY_UNMOVED: Misconception = Misconception {

@@ -2,9 +2,9 @@
 
 use crate::physics::Collision;
 
-use super::super::Rays;
 use super::{Misconception, Prediction};
 use crate::numbers;
+use crate::quiz::question::Rays;
 
 /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
 pub static LOSSLESS: Misconception = Misconception {

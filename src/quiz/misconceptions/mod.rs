@@ -8,63 +8,38 @@
 
 mod always_square;
 mod always_stops;
-pub mod catalogue;
+pub(crate) mod catalogue;
 mod copied_angle;
+mod explain;
 mod half_and_half;
 mod heavy_unmoved;
 mod lossless;
 mod off_a_wall;
 mod offset_as_angle;
 mod pushed_ahead;
+mod reasoning;
 mod same_side;
 mod sides_exchanged;
 mod straight_on;
 mod swapped;
 
-use std::fmt;
-
-use super::{Hit, Ray, Rays};
+use crate::quiz::question::{Hit, Misconception, Prediction, Rays};
 
 pub use always_square::ALWAYS_SQUARE;
 pub use always_stops::ALWAYS_STOPS;
 pub use copied_angle::COPIED_ANGLE;
+pub use explain::{Explanation, explain};
 pub use half_and_half::HALF_AND_HALF;
 pub use heavy_unmoved::HEAVY_UNMOVED;
 pub use lossless::LOSSLESS;
 pub use off_a_wall::OFF_A_WALL;
 pub use offset_as_angle::OFFSET_AS_ANGLE;
 pub use pushed_ahead::PUSHED_AHEAD;
+pub use reasoning::reasoning;
 pub use same_side::SAME_SIDE;
 pub use sides_exchanged::SIDES_EXCHANGED;
 pub use straight_on::STRAIGHT_ON;
 pub use swapped::SWAPPED;
-
-/// A prediction that differs from the truth by less is the truth, in radians.
-const SAME: f64 = 1e-9;
-
-/// Something students are known to believe.
-pub struct Misconception {
-    /// Its name in files.
-    pub id: &'static str,
-    /// Its name as shown: "the angle was copied".
-    pub name: &'static str,
-    /// What to try next against it.
-    pub advice: &'static str,
-    /// Where it sends the two; `None` where it has nothing to say.
-    predicts: fn(&Hit) -> Option<Prediction>,
-    /// One or two sentences on what is wrong, on the figures of the hit.
-    says: fn(&Hit) -> String,
-}
-
-/// Where a misconception sends the two.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Prediction {
-    /// Both rays.
-    pub rays: Rays,
-    /// The ray that gives the misconception away whatever the other one does; `None`
-    /// if only both together do.
-    pub telltale: Option<Ray>,
-}
 
 /// The misconceptions that say where both discs of a hit will go. Where an answer fits
 /// two alike, the earlier one is named.
@@ -90,17 +65,6 @@ pub fn all() -> impl Iterator<Item = &'static Misconception> + Clone {
 }
 
 impl Misconception {
-    /// A misconception that says nothing of where both discs go.
-    const fn in_words(id: &'static str, name: &'static str, advice: &'static str) -> Self {
-        Self {
-            id,
-            name,
-            advice,
-            predicts: |_| None,
-            says: |_| String::new(),
-        }
-    }
-
     /// The misconception of an `id`; ids of former versions have theirs for ever.
     pub fn with_id(id: &str) -> Option<&'static Self> {
         let id = match id {
@@ -108,31 +72,6 @@ impl Misconception {
             id => id,
         };
         all().find(|misconception| misconception.id == id)
-    }
-
-    /// Where it sends the two of a hit; `None` where it has nothing to say or happens
-    /// to be right.
-    pub fn predict(&self, hit: &Hit) -> Option<Prediction> {
-        (self.predicts)(hit).filter(|prediction| prediction.rays.gap(&hit.truth()) > SAME)
-    }
-
-    /// What is wrong with its rays, in one or two sentences.
-    pub fn say(&self, hit: &Hit) -> String {
-        (self.says)(hit)
-    }
-}
-
-impl PartialEq for Misconception {
-    fn eq(&self, other: &Self) -> bool {
-        self.id == other.id
-    }
-}
-
-impl Eq for Misconception {}
-
-impl fmt::Debug for Misconception {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Misconception").field(&self.id).finish()
     }
 }
 
@@ -145,11 +84,12 @@ fn on_usual_sides(hit: &Hit, theta1: f64, theta2: f64) -> Rays {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Pieces, Placement};
     use super::*;
+    use crate::physics::ImpactPoint;
     use crate::physics::units::rad_from_deg;
+    use crate::quiz::question::Pieces;
 
-    fn hit(pieces: Pieces, given: Placement, restitution: f64) -> Hit {
+    fn hit(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
         Hit {
             pieces,
             given,
@@ -163,13 +103,13 @@ mod tests {
     #[test]
     fn predictions_in_degrees() {
         let still = f64::NAN;
-        let angle = |alpha_deg| Placement::Angle { alpha_deg };
+        let angle = |alpha_deg| ImpactPoint::Angle { alpha_deg };
         let equal = hit(Pieces::Equal, angle(30.0), 1.0);
         let to_the_left = hit(Pieces::Equal, angle(-30.0), 1.0);
         let tournament = hit(Pieces::Tournament, angle(30.0), 1.0);
         let marbles = hit(Pieces::Marbles, angle(30.0), 1.0);
         let lossy = hit(Pieces::Marbles, angle(45.0), 0.8);
-        let offset = hit(Pieces::Equal, Placement::Offset { offset_mm: 10.0 }, 1.0);
+        let offset = hit(Pieces::Equal, ImpactPoint::Offset { offset_mm: 10.0 }, 1.0);
         let head_on = hit(Pieces::Tournament, angle(0.0), 1.0);
         for (id, hit, theta1_deg, theta2_deg) in [
             ("copied-angle", equal, 30.0, 30.0),
@@ -201,9 +141,9 @@ mod tests {
 
     #[test]
     fn what_is_true_is_no_misconception() {
-        let equal = hit(Pieces::Equal, Placement::Angle { alpha_deg: 30.0 }, 1.0);
+        let equal = hit(Pieces::Equal, ImpactPoint::Angle { alpha_deg: 30.0 }, 1.0);
         // m1 = e m2 opens a right angle again.
-        let half = hit(Pieces::Marbles, Placement::Angle { alpha_deg: 30.0 }, 0.5);
+        let half = hit(Pieces::Marbles, ImpactPoint::Angle { alpha_deg: 30.0 }, 0.5);
         for hit in [equal, half] {
             assert_eq!(ALWAYS_SQUARE.predict(&hit), None);
         }

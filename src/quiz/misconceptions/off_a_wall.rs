@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::super::Ray;
 use super::{Misconception, Prediction, on_usual_sides};
 use crate::numbers;
+use crate::quiz::question::Ray;
 
 /// The target is taken to throw the striker back as a wall would.
 pub static OFF_A_WALL: Misconception = Misconception {

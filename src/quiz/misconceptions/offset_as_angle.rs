@@ -2,9 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::super::{Placement, Rays};
 use super::{Misconception, Prediction};
 use crate::numbers;
+use crate::physics::ImpactPoint;
+use crate::quiz::question::Rays;
 
 /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
 pub static OFFSET_AS_ANGLE: Misconception = Misconception {
@@ -12,8 +13,8 @@ pub static OFFSET_AS_ANGLE: Misconception = Misconception {
     name: "the offset read as an angle",
     advice: "In the lab, set half the largest offset and read the impact angle: 30°, not 45°.",
     predicts: |hit| match hit.given {
-        Placement::Angle { .. } => None,
-        Placement::Offset { offset_mm } => {
+        ImpactPoint::Angle { .. } => None,
+        ImpactPoint::Offset { offset_mm } => {
             let alpha = FRAC_PI_2 * offset_mm / hit.reach_mm();
             let outcome = hit.collision().with_alpha(alpha).outcome();
             Some(Prediction {

@@ -1,7 +1,7 @@
 //! The target goes the way the striker came.
 
-use super::super::{Ray, Rays};
 use super::{Misconception, Prediction};
+use crate::quiz::question::{Ray, Rays};
 
 /// The target is taken to be pushed along the striker's path, not along the line of
 /// impact.

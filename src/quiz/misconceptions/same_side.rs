@@ -1,7 +1,7 @@
 //! Both leave to the same side.
 
-use super::super::Rays;
 use super::{Misconception, Prediction};
+use crate::quiz::question::Rays;
 
 /// The striker is taken to be drawn after the target.
 pub static SAME_SIDE: Misconception = Misconception {

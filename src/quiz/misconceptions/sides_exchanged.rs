@@ -1,7 +1,7 @@
 //! Left and right mixed up.
 
-use super::super::Rays;
 use super::{Misconception, Prediction};
+use crate::quiz::question::Rays;
 
 /// Both angles right, each to the wrong side.
 pub static SIDES_EXCHANGED: Misconception = Misconception {

@@ -1,7 +1,7 @@
 //! The striker goes on as if nothing had happened.
 
-use super::super::Ray;
 use super::{Misconception, Prediction, on_usual_sides};
+use crate::quiz::question::Ray;
 
 /// The striker is taken to keep its direction, though it is not the heavier one
 /// (that is another belief).

@@ -1,8 +1,8 @@
 //! Both angles right, each given to the other disc.
 
-use super::super::Rays;
 use super::{Misconception, Prediction};
 use crate::numbers;
+use crate::quiz::question::Rays;
 
 /// The striker's angle is given to the target and the target's to the striker.
 pub static SWAPPED: Misconception = Misconception {

@@ -6,7 +6,7 @@ use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 
 /// What stands in the way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Obstacle {
+pub(crate) enum Obstacle {
     /// A hard disc, or a hard sphere.
     Hard,
     /// A nucleus, which repels by its charge.
@@ -15,7 +15,7 @@ pub enum Obstacle {
 
 /// The setting, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setup {
+pub(crate) struct FoilSetup {
     /// What stands in the way.
     pub obstacle: Obstacle,
     /// How the offsets of a beam are spread.
@@ -34,7 +34,7 @@ pub struct Setup {
     pub particles_exponent: u32,
 }
 
-impl Default for Setup {
+impl Default for FoilSetup {
     /// Radium C on the gold foil of 1913.
     fn default() -> Self {
         Self {
@@ -50,19 +50,19 @@ impl Default for Setup {
     }
 }
 
-impl Setup {
+impl FoilSetup {
     /// The metal of the foil.
-    pub fn metal(&self) -> Metal {
+    pub(crate) fn metal(&self) -> Metal {
         METALS[self.metal % METALS.len()]
     }
 
     /// The law by which the nucleus turns a particle.
-    pub fn scatterer(&self) -> Rutherford {
+    pub(crate) fn scatterer(&self) -> Rutherford {
         Rutherford::new(ALPHA_CHARGE, self.metal().charge, self.energy_mev * MEV)
     }
 
     /// The law that holds for a beam.
-    pub fn law(&self) -> ScatteringLaw {
+    pub(crate) fn law(&self) -> ScatteringLaw {
         let foil = Foil {
             metal: self.metal(),
             thickness: self.thickness_um * 1e-6,
@@ -77,12 +77,12 @@ impl Setup {
     }
 
     /// Particles in a beam.
-    pub fn particles(&self) -> u64 {
+    pub(crate) fn particles(&self) -> u64 {
         10_u64.saturating_pow(self.particles_exponent)
     }
 
     /// What the target is called.
-    pub fn obstacle_name(&self) -> &'static str {
+    pub(crate) fn obstacle_name(&self) -> &'static str {
         match (self.obstacle, self.beam) {
             (Obstacle::Hard, Beam::Board) => "hard disc",
             (Obstacle::Hard, Beam::Space) => "hard sphere",

@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Place, Question, Screen};
+use super::{Confirmation, Context, Next, Place, Screen};
 use crate::messages::{Input, Key};
 use crate::physics::{Collision, Disc};
 use crate::widgets::Outcome;
@@ -16,7 +16,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// The first screen.
 #[derive(Debug, Clone)]
-pub struct Home {
+pub(crate) struct Home {
     list: ListView,
     picture: Watch,
 }
@@ -159,7 +159,7 @@ impl Screen for Home {
                 _ => Next::Stay,
             },
             HomeAction::Open(line) => self.open(line),
-            HomeAction::Leave => Next::Confirm(Question::new("Leave carrom?", "leave", "stay")),
+            HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
             HomeAction::Quit => Next::Quit,
         }
     }

@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use crate::physics::angle::unit_vector;
-use crate::physics::{Bond, Collision, Disc};
-use crate::quiz::{Hit, Pieces, Placement};
+use crate::physics::{Bond, Collision, Disc, ImpactPoint};
+use crate::quiz::{Hit, Pieces};
 
 /// A named pair of discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +18,7 @@ pub struct PieceSet {
 }
 
 /// The pairs one key goes through.
-pub const PIECE_SETS: [PieceSet; 3] = [
+pub(crate) const PIECE_SETS: [PieceSet; 3] = [
     PieceSet {
         name: "equal masses",
         striker: (15.0, 15.0),
@@ -147,7 +147,7 @@ impl Setup {
                 striker: collision.striker,
                 target: collision.target,
             },
-            given: Placement::Offset {
+            given: ImpactPoint::Offset {
                 offset_mm: self.offset_mm,
             },
             restitution: self.restitution,

@@ -4,5 +4,5 @@ mod list;
 mod play;
 mod words;
 
-pub use list::Levels;
-pub use play::Play;
+pub(crate) use list::Levels;
+pub(crate) use play::LevelPlay;

@@ -20,7 +20,7 @@ use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::{Lines, Role, Scroll, SplitLayout};
-use page::Page;
+use page::ProgressPage;
 
 /// What keys do on the progress screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -47,9 +47,9 @@ const NARROW_PANEL: u16 = 26;
 
 /// The screen.
 #[derive(Debug, Clone)]
-pub struct Progress {
+pub(crate) struct Progress {
     history: Recall,
-    page: Page,
+    page: ProgressPage,
     scroll: Scrolls,
 }
 
@@ -62,11 +62,11 @@ struct Scrolls {
 
 impl Progress {
     /// The screen, with what the player has done asked for.
-    pub fn ask(cx: &mut Context) -> Self {
+    pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
             history: Recall::ask(cx),
-            page: Page::OverTime,
+            page: ProgressPage::OverTime,
             scroll: Scrolls::default(),
         }
     }
@@ -76,7 +76,7 @@ impl Progress {
         self.history.history()
     }
 
-    fn turn_to(&mut self, page: Page) {
+    fn turn_to(&mut self, page: ProgressPage) {
         self.page = page;
         self.scroll = Scrolls::default();
     }
@@ -108,10 +108,10 @@ impl Progress {
             return self.nothing(lines);
         };
         match self.page {
-            Page::OverTime | Page::SureOverTime => {}
-            Page::Topics => topics::table(history, book, lines),
-            Page::Sure => sure::table(history, lines),
-            Page::Beliefs => beliefs::table(history, lines),
+            ProgressPage::OverTime | ProgressPage::SureOverTime => {}
+            ProgressPage::Topics => topics::table(history, book, lines),
+            ProgressPage::Sure => sure::table(history, lines),
+            ProgressPage::Beliefs => beliefs::table(history, lines),
         }
     }
 
@@ -142,11 +142,11 @@ impl Progress {
     fn panel(&self, book: &Book, lines: &mut Lines) {
         if let Some(history) = self.history() {
             match self.page {
-                Page::OverTime => over_time::panel(history, book, lines),
-                Page::Topics => topics::panel(history, lines),
-                Page::Sure => sure::panel(history, lines),
-                Page::SureOverTime => sure_over_time::panel(history, lines),
-                Page::Beliefs => beliefs::panel(history, lines),
+                ProgressPage::OverTime => over_time::panel(history, book, lines),
+                ProgressPage::Topics => topics::panel(history, lines),
+                ProgressPage::Sure => sure::panel(history, lines),
+                ProgressPage::SureOverTime => sure_over_time::panel(history, lines),
+                ProgressPage::Beliefs => beliefs::panel(history, lines),
             }
             lines.gap();
         }
@@ -156,10 +156,10 @@ impl Progress {
     fn draw_picture(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
         match self.history() {
-            Some(history) if self.page == Page::OverTime => {
+            Some(history) if self.page == ProgressPage::OverTime => {
                 over_time::plot(history, area, buf, look);
             }
-            Some(history) if self.page == Page::SureOverTime => {
+            Some(history) if self.page == ProgressPage::SureOverTime => {
                 sure_over_time::plot(history, area, buf, look);
             }
             _ => self
@@ -195,7 +195,7 @@ impl Screen for Progress {
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
         use ProgressAction::{Back, Quiz, Scroll, Turn, TurnTo};
-        let pages = ('1'..).zip(0..Page::ALL.len());
+        let pages = ('1'..).zip(0..ProgressPage::ALL.len());
         let some = self.history().is_some();
         KeyTable::new("progress")
             .on(Key::Tab, Turn(1), "next page")
@@ -220,7 +220,7 @@ impl Screen for Progress {
     fn act(&mut self, action: ProgressAction, cx: &mut Context) -> Next {
         match action {
             ProgressAction::Turn(by) => self.turn_to(self.page.beside(by)),
-            ProgressAction::TurnTo(page) => self.turn_to(Page::ALL[page]),
+            ProgressAction::TurnTo(page) => self.turn_to(ProgressPage::ALL[page]),
             ProgressAction::Scroll(rows) => self.scroll_by(rows, cx),
             ProgressAction::Quiz => return Next::Replace(Place::Quiz { code: None }),
             ProgressAction::Back => return Next::Back,

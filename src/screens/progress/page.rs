@@ -2,7 +2,7 @@
 
 /// A page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Page {
+pub(super) enum ProgressPage {
     /// How far off the answers were as time went by.
     OverTime,
     /// How each topic stands.
@@ -15,7 +15,7 @@ pub(super) enum Page {
     Beliefs,
 }
 
-impl Page {
+impl ProgressPage {
     pub(super) const ALL: [Self; 5] = [
         Self::OverTime,
         Self::Topics,

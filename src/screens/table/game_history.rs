@@ -47,7 +47,7 @@ impl Past {
 
 /// What the calls of a team have brought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Tally {
+pub(super) struct CallTally {
     /// Points earned.
     pub(super) points: u32,
     /// Points that could have been earned.
@@ -172,8 +172,8 @@ impl GameHistory {
     }
 
     /// What the calls have brought so far; they never count in the score.
-    pub(super) fn calls(&self) -> ByTeam<Tally> {
-        let mut calls = ByTeam::<Tally>::default();
+    pub(super) fn calls(&self) -> ByTeam<CallTally> {
+        let mut calls = ByTeam::<CallTally>::default();
         for past in &self.past {
             if let Some(called) = &past.called {
                 let tally = &mut calls[past.before.team(past.before.seat())];

@@ -10,14 +10,14 @@ use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
 use crate::messages::Mouse;
 use crate::screens::Context;
-use crate::widgets::input::{Field, FieldValue, Form, FormAction, FormFields};
+use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, SettingsForm};
 use crate::widgets::{Lines, Outcome, Role};
 
 /// The page: what is chosen, and the line that keys change.
 #[derive(Debug, Clone, Default)]
 pub(super) struct NewGame {
     pub(super) options: Options,
-    pub(super) form: Form,
+    pub(super) form: SettingsForm,
 }
 
 /// One thing to be agreed.
@@ -39,7 +39,7 @@ impl NewGame {
     pub(super) fn with(options: Options) -> Self {
         Self {
             options,
-            form: Form::default(),
+            form: SettingsForm::default(),
         }
     }
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 
 use super::guard;
-use crate::files::Draft;
+use crate::files::UnplacedFile;
 
 /// The file a report is written to.
 const FILE: &str = "crash.log";
@@ -70,6 +70,6 @@ fn report(info: &PanicHookInfo) -> String {
 fn save(folder: &Path, report: &str) -> io::Result<PathBuf> {
     fs::create_dir_all(folder)?;
     let path = folder.join(FILE);
-    Draft::write(folder, report)?.replace(&path)?;
+    UnplacedFile::write(folder, report)?.replace(&path)?;
     Ok(path)
 }

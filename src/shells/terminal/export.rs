@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use crate::files::Draft;
+use crate::files::UnplacedFile;
 
 /// How many names are tried before giving up.
 const MOST: u32 = 1000;
@@ -20,7 +20,7 @@ pub(super) fn write(name: &str, content: &str) -> Result<String, String> {
 /// The same; `None` where all names that are tried are taken.
 fn write_beside(name: &str, content: &str) -> io::Result<Option<String>> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "txt"));
-    let draft = Draft::write(Path::new("."), content)?;
+    let draft = UnplacedFile::write(Path::new("."), content)?;
     for number in 1..=MOST {
         let name = match number {
             1 => format!("{stem}.{ending}"),

@@ -75,7 +75,7 @@ impl Size {
 
 /// Where a text stands in its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Align {
+pub(crate) enum Align {
     /// At the left.
     Left,
     /// In the middle.
@@ -86,7 +86,7 @@ pub enum Align {
 
 /// A text in large type.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Big {
+pub(crate) struct Big {
     size: Size,
     /// The rows of cells of each line.
     lines: Vec<Vec<Vec<char>>>,
@@ -97,7 +97,7 @@ impl Big {
     /// blanks; `None` if it does not fit at all or has letters that there are no large ones
     /// of.
     #[must_use]
-    pub fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
+    pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
         let sizes = Size::of_name(charset);
         Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
@@ -106,7 +106,7 @@ impl Big {
     /// Long texts in letters of one size, as large as they fit below each other with
     /// `gap` rows between any two; `None` as for one.
     #[must_use]
-    pub fn fit_all(
+    pub(crate) fn fit_all(
         texts: &[&str],
         gap: u16,
         columns: u16,
@@ -126,7 +126,7 @@ impl Big {
     /// Several names in letters of one size, each in one line of at most four rows;
     /// `None` as for one.
     #[must_use]
-    pub fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
+    pub(crate) fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
         Self::of_one_size(texts, Size::of_name(charset), columns, charset, fits)
     }
@@ -154,19 +154,19 @@ impl Big {
 
     /// The columns it takes.
     #[must_use]
-    pub fn columns(&self) -> u16 {
+    pub(crate) fn columns(&self) -> u16 {
         let widest = self.lines.iter().map(|line| width(line)).max().unwrap_or(0);
         u16::try_from(widest).unwrap_or(u16::MAX)
     }
 
     /// The rows it takes.
     #[must_use]
-    pub fn rows(&self) -> u16 {
+    pub(crate) fn rows(&self) -> u16 {
         u16::try_from(self.size.rows() * self.lines.len()).unwrap_or(u16::MAX)
     }
 
     /// Draws it at the top of an area.
-    pub fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
+    pub(crate) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
         let style = look.theme.style(role);
         for (i, line) in self.lines.iter().enumerate() {
             let free = usize::from(area.width).saturating_sub(width(line));

@@ -18,7 +18,7 @@ const ARROW: f64 = 2.1;
 const STILL: f64 = 1e-9;
 
 /// The ways that a striker and a coin came and went, with both angles.
-pub fn after_picture(area: Rect, collision: &Collision) -> Picture {
+pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
     let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let stage = sketch.stage;
     let outcome = collision.outcome();

@@ -1,7 +1,9 @@
 //! What is drawn on top of a hit, to be switched on and off.
 
+use strum::VariantArray;
+
 /// One layer of the explanation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub enum Overlay {
     /// Line of impact n and tangent t through the contact.
     Lines,
@@ -21,15 +23,7 @@ pub enum Overlay {
 
 impl Overlay {
     /// All layers, in the order of their keys.
-    pub const ALL: [Self; 7] = [
-        Self::Lines,
-        Self::Split,
-        Self::Velocities,
-        Self::Angles,
-        Self::Triangle,
-        Self::Trails,
-        Self::Prediction,
-    ];
+    pub const ALL: &'static [Self] = Self::VARIANTS;
 
     /// What it shows, in a few words.
     pub fn name(self) -> &'static str {
@@ -47,7 +41,7 @@ impl Overlay {
 
 /// Which layers are on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Overlays {
+pub(crate) struct Overlays {
     on: [bool; Overlay::ALL.len()],
 }
 
@@ -64,12 +58,12 @@ impl Default for Overlays {
 
 impl Overlays {
     /// Whether `layer` is on.
-    pub fn shows(self, layer: Overlay) -> bool {
+    pub(crate) fn shows(self, layer: Overlay) -> bool {
         self.on[layer as usize]
     }
 
     /// Switches `layer`.
-    pub fn toggle(&mut self, layer: Overlay) {
+    pub(crate) fn toggle(&mut self, layer: Overlay) {
         self.on[layer as usize] ^= true;
     }
 }

@@ -45,7 +45,7 @@ fn along(collision: &Collision) -> DVec2 {
 /// Two discs about to meet, with an empty protractor round the striker's place at
 /// contact. Both departures begin in its middle: the target's, too, runs along the line
 /// through both centres.
-pub fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
+pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
     let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
@@ -103,7 +103,7 @@ pub fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
 /// millimetres across it, true to the size of the discs, and the way that one of the two
 /// is to go. The target's place is to be marked on the scale; at 0, where it is hit
 /// head-on, it is drawn in dots.
-pub fn scale_picture(aim: &AimTask) -> Picture {
+pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);
     let unit = collision.striker.radius.max(collision.target.radius);
     let (start, zero) = collision.placed_at_contact();

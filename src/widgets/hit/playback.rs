@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 /// One frame at most every sixtieth of a second.
-pub const FRAME: Duration = Duration::from_micros(16_667);
+pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 
 /// Time the approach takes on the screen, without the slowing down, in seconds.
 const APPROACH: f64 = 1.1;
@@ -36,7 +36,7 @@ const TOLD: PlaybackStage = PlaybackStage::Contact(BEAT * BEATS as f64);
 /// is always derived from the stage, so that steps, scrubbing and slow motion are
 /// only other values of one number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Playback {
+pub(crate) struct Playback {
     contact: f64,
     end: f64,
     stage: PlaybackStage,
@@ -45,7 +45,7 @@ pub struct Playback {
 impl Playback {
     /// A clock at the start of a shot whose discs meet at `contact` and that is
     /// shown until `end`. With `reduced` motion it begins at the contact.
-    pub fn new(contact: f64, end: f64, reduced: bool) -> Self {
+    pub(crate) fn new(contact: f64, end: f64, reduced: bool) -> Self {
         Self {
             contact,
             end,
@@ -58,7 +58,7 @@ impl Playback {
     }
 
     /// Time of the shot to show, in its own seconds.
-    pub fn time(&self) -> f64 {
+    pub(crate) fn time(&self) -> f64 {
         match self.stage {
             PlaybackStage::Approach(s) => {
                 // Constant rate, then a rate that falls to 0 evenly over EASE.
@@ -78,12 +78,12 @@ impl Playback {
     }
 
     /// Seconds of the shot that pass in a second on the screen, where it runs evenly.
-    pub fn rate(&self) -> f64 {
+    pub(crate) fn rate(&self) -> f64 {
         self.contact / APPROACH
     }
 
     /// How much slower than life the hit is shown.
-    pub fn slowed(&self) -> f64 {
+    pub(crate) fn slowed(&self) -> f64 {
         1.0 / self.rate()
     }
 
@@ -93,7 +93,7 @@ impl Playback {
     }
 
     /// Whether time runs.
-    pub fn is_running(&self) -> bool {
+    pub(crate) fn is_running(&self) -> bool {
         match self.stage {
             PlaybackStage::Approach(_) => true,
             PlaybackStage::Contact(s) => s < BEAT * BEATS as f64,
@@ -103,23 +103,23 @@ impl Playback {
     }
 
     /// Whether the shot stands at, or is past, the contact.
-    pub fn has_met(&self) -> bool {
+    pub(crate) fn has_met(&self) -> bool {
         self.time() >= self.contact
     }
 
     /// Whether the shot stands exactly at the contact.
-    pub fn at_contact(&self) -> bool {
+    pub(crate) fn at_contact(&self) -> bool {
         self.has_met() && self.time() <= self.contact
     }
 
     /// Whether there is nothing more to show.
-    pub fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.time() >= self.end
     }
 
     /// How many of the layers are to be seen: they come one by one at
     /// the contact and stay.
-    pub fn beats(&self) -> usize {
+    pub(crate) fn beats(&self) -> usize {
         match self.stage {
             PlaybackStage::Contact(s) => ((s / BEAT) as usize + 1).min(BEATS),
             _ if self.has_met() => BEATS,
@@ -128,7 +128,7 @@ impl Playback {
     }
 
     /// Lets `passed` go by on the screen.
-    pub fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration) {
         if !self.is_running() {
             return;
         }
@@ -150,7 +150,7 @@ impl Playback {
 
     /// Goes on: to the contact at once while still approaching, to all the layers
     /// while they are coming, and from a halt or from the contact on to the end.
-    pub fn go_on(&mut self) {
+    pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
             PlaybackStage::Approach(_) => PlaybackStage::Contact(0.0),
             PlaybackStage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => TOLD,
@@ -167,18 +167,18 @@ impl Playback {
     }
 
     /// Goes to the contact at once, with all its layers.
-    pub fn tell(&mut self) {
+    pub(crate) fn tell(&mut self) {
         self.stage = TOLD;
     }
 
     /// Plays the whole again.
-    pub fn rewind(&mut self) {
+    pub(crate) fn rewind(&mut self) {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
     /// Halts, and moves by this share of the whole. A step that would leap over
     /// the contact lands on it.
-    pub fn scrub(&mut self, share: f64) {
+    pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
         let to = (from + share * self.end).clamp(0.0, self.end);
         let leaps = (from < self.contact && to > self.contact)

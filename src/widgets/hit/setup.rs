@@ -11,11 +11,11 @@ use crate::quiz::Ray;
 use crate::widgets::picture::{Pen, Picture};
 use crate::widgets::{RayInput, Role};
 
-pub use crate::quiz::Markings;
+pub(crate) use crate::quiz::Markings;
 
 /// What is being said of a hit.
 #[derive(Debug, Clone, Copy)]
-pub enum HitResponse<'a> {
+pub(crate) enum HitResponse<'a> {
     /// Nothing, or nothing that is seen.
     Nothing,
     /// Where both will go.
@@ -31,7 +31,7 @@ impl<'a> From<Option<&'a RayInput>> for HitResponse<'a> {
 }
 
 /// Two discs about to meet, with what is given of the hit and what is being said of it.
-pub fn setup_picture<'a>(
+pub(crate) fn setup_picture<'a>(
     area: Rect,
     faces: [Face; 2],
     collision: &Collision,
@@ -211,7 +211,7 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
 
 /// Points the ray at a cell of the picture: the one whose tip is nearer when the
 /// button goes down (`choose`), else the one being turned.
-pub fn point_at(
+pub(crate) fn point_at(
     area: Rect,
     collision: &Collision,
     rays: &mut RayInput,
@@ -247,7 +247,7 @@ pub fn point_at(
 
 /// The offset in metres that puts the coin beside the striker's way where a cell
 /// of the picture is.
-pub fn drag_offset(area: Rect, collision: &Collision, cell: (u16, u16)) -> f64 {
+pub(crate) fn drag_offset(area: Rect, collision: &Collision, cell: (u16, u16)) -> f64 {
     let stage = HitLayout::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
     let Some(along) = collision.relative_velocity().try_normalize() else {

@@ -26,7 +26,7 @@ const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
 /// Where one of the two discs is to be sent.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WantedWay {
+pub(crate) struct WantedWay {
     /// Which of the two.
     pub ray: Ray,
     /// Its way: θ₁ or θ₂ in radians, with the signs of [`Rays`](crate::quiz::Rays).

@@ -21,7 +21,7 @@ const LOW: u16 = 12;
 
 /// The geometry of a hit as drawn: the contact point is in the middle.
 #[derive(Debug, Clone, Copy)]
-pub struct HitLayout {
+pub(crate) struct HitLayout {
     /// Where the world is on the screen.
     pub view: View,
     /// The collision.
@@ -34,7 +34,7 @@ pub struct HitLayout {
 
 impl HitLayout {
     /// The stage of `collision` in `area`.
-    pub fn new(area: Rect, collision: &Collision) -> Self {
+    pub(crate) fn new(area: Rect, collision: &Collision) -> Self {
         let (c1, c2) = collision.placed_at_contact();
         let largest = collision.striker.radius.max(collision.target.radius);
         let half = if area.height < LOW {
@@ -67,39 +67,39 @@ impl HitLayout {
     }
 
     /// Radius of the larger disc: the picture's own unit of length.
-    pub fn unit(&self) -> f64 {
+    pub(crate) fn unit(&self) -> f64 {
         self.radius(0).max(self.radius(1))
     }
 
     /// Radius of the striker (0) or the target (1).
-    pub fn radius(&self, body: usize) -> f64 {
+    pub(crate) fn radius(&self, body: usize) -> f64 {
         [self.collision.striker, self.collision.target][body].radius
     }
 
     /// The direction that angles are measured from: that of the striker.
-    pub fn heading(&self) -> DVec2 {
+    pub(crate) fn heading(&self) -> DVec2 {
         self.collision.u1.try_normalize().unwrap_or(DVec2::X)
     }
 
     /// +1 where the coin lies to the right of the striker's way, −1 where to the left.
-    pub fn side(&self) -> f64 {
+    pub(crate) fn side(&self) -> f64 {
         side(&self.collision)
     }
 
     /// The direction of a ray at an angle in radians, with the signs of physics.
-    pub fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
+    pub(crate) fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
     }
 
     /// The angle in degrees that a player gives a ray in this direction: positive
     /// away from the coin for the striker, to the coin's side for the coin.
-    pub fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
+    pub(crate) fn angle_deg_of(&self, ray: Ray, direction: DVec2) -> f64 {
         self.side() * turn(ray) * self.heading().angle_to(direction).to_degrees()
     }
 
     /// Half the width and height of the picture, less a margin for arrow tips and
     /// labels; in a low picture hardly any, or no arrow would be left.
-    pub fn half_extent(&self) -> DVec2 {
+    pub(crate) fn half_extent(&self) -> DVec2 {
         let area = self.view.area();
         let margin = if area.height < LOW { 0.5 } else { 1.5 };
         let half =
@@ -111,7 +111,7 @@ impl HitLayout {
     }
 
     /// How far one can go from `from` along `direction` inside the picture.
-    pub fn room(&self, from: DVec2, direction: DVec2) -> f64 {
+    pub(crate) fn room(&self, from: DVec2, direction: DVec2) -> f64 {
         let half = self.half_extent();
         let along = |from: f64, step: f64, half: f64| {
             if step.abs() < 1e-9 {
@@ -154,7 +154,7 @@ pub(super) fn time_in_sight(collision: &Collision) -> f64 {
 
 /// +1 where the coin lies to the right of the striker's way, −1 where to the left;
 /// a player's angles count from the coin's side.
-pub fn side(collision: &Collision) -> f64 {
+pub(crate) fn side(collision: &Collision) -> f64 {
     if collision.offset < 0.0 { -1.0 } else { 1.0 }
 }
 
@@ -168,7 +168,7 @@ fn turn(ray: Ray) -> f64 {
 }
 
 /// Where both discs go or are said to go, in the degrees of the screen.
-pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
+pub(crate) fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
     Ray::BOTH.map(|ray| {
         let angle = rays.get(ray)?;
         Some(side(collision) * angle.to_degrees() + 0.0)

@@ -8,7 +8,7 @@ use crate::widgets::input::KeyTable;
 
 /// What is to be watched, if anything, and whether its outcome has been told.
 #[derive(Debug, Clone)]
-pub struct Telling {
+pub(crate) struct Telling {
     watch: Option<Watch>,
     told: bool,
 }
@@ -16,7 +16,7 @@ pub struct Telling {
 impl Telling {
     /// Before it is watched; where there is nothing to be watched, or no motion is wanted,
     /// it is told already.
-    pub fn new(watch: Option<Watch>) -> Self {
+    pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
             told: watch.as_ref().is_none_or(Watch::is_told),
             watch,
@@ -24,22 +24,22 @@ impl Telling {
     }
 
     /// The hit, where there is one.
-    pub fn watch(&self) -> Option<&Watch> {
+    pub(crate) fn watch(&self) -> Option<&Watch> {
         self.watch.as_ref()
     }
 
     /// Whether the outcome has been told; it stays so while the hit is seen again.
-    pub fn is_told(&self) -> bool {
+    pub(crate) fn is_told(&self) -> bool {
         self.told
     }
 
     /// Shows another hit; what has been told stays told.
-    pub fn show(&mut self, watch: Watch) {
+    pub(crate) fn show(&mut self, watch: Watch) {
         self.watch = Some(watch);
     }
 
     /// The keys of the hit, where there is one; at its end the space bar plays it again.
-    pub fn keys(&self) -> KeyTable<WatchAction> {
+    pub(crate) fn keys(&self) -> KeyTable<WatchAction> {
         let Some(watch) = &self.watch else {
             return KeyTable::new("hit");
         };
@@ -50,7 +50,7 @@ impl Telling {
     }
 
     /// Does what a key stands for.
-    pub fn act(&mut self, action: WatchAction) {
+    pub(crate) fn act(&mut self, action: WatchAction) {
         if let Some(watch) = &mut self.watch {
             watch.act(action);
             self.told |= watch.is_told();
@@ -58,7 +58,7 @@ impl Telling {
     }
 
     /// Takes a key of the hit's; says whether it was one.
-    pub fn update(&mut self, key: Key) -> bool {
+    pub(crate) fn update(&mut self, key: Key) -> bool {
         let action = self.keys().find(key);
         action.is_some_and(|action| {
             self.act(action);
@@ -67,7 +67,7 @@ impl Telling {
     }
 
     /// Lets time pass.
-    pub fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration) {
         if let Some(watch) = &mut self.watch {
             watch.advance(passed);
             self.told |= watch.is_told();
@@ -75,12 +75,12 @@ impl Telling {
     }
 
     /// When it next needs time; `None` while nothing moves.
-    pub fn wake(&self) -> Option<Duration> {
+    pub(crate) fn wake(&self) -> Option<Duration> {
         self.watch.as_ref().and_then(Watch::wake)
     }
 
     /// Tells what happened at once.
-    pub fn tell(&mut self) {
+    pub(crate) fn tell(&mut self) {
         if let Some(watch) = &mut self.watch {
             watch.tell();
         }
@@ -88,7 +88,7 @@ impl Telling {
     }
 
     /// What is drawn on top of the hit, where there is one.
-    pub fn layers(&self) -> Option<Overlays> {
+    pub(crate) fn layers(&self) -> Option<Overlays> {
         self.watch.as_ref().map(Watch::layers)
     }
 }

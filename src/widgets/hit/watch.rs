@@ -25,7 +25,7 @@ const SCRUB: f64 = 1.0 / 16.0;
 
 /// A hit being watched.
 #[derive(Debug, Clone)]
-pub struct Watch {
+pub(crate) struct Watch {
     collision: Collision,
     outcome: CollisionOutcome,
     shot: Option<Shot>,
@@ -63,7 +63,7 @@ pub enum WatchAction {
 
 /// How a disc of a hit is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Face {
+pub(crate) struct Face {
     /// Its colour.
     pub role: Role,
     /// The letter on it.
@@ -72,7 +72,7 @@ pub struct Face {
 
 impl Face {
     /// A striker and a coin.
-    pub const STRIKER_AND_COIN: [Self; 2] = [
+    pub(crate) const STRIKER_AND_COIN: [Self; 2] = [
         Self {
             role: Role::Striker,
             letter: 'S',
@@ -87,7 +87,7 @@ impl Face {
 impl Watch {
     /// The hit from its start, with what the player said of it. With `reduced`
     /// motion it begins at the contact.
-    pub fn new(collision: Collision, said: Option<Rays>, reduced: bool) -> Self {
+    pub(crate) fn new(collision: Collision, said: Option<Rays>, reduced: bool) -> Self {
         let (contact, end) = times(&collision);
         Self {
             collision,
@@ -106,13 +106,13 @@ impl Watch {
 
     /// The same hit of other pieces than a striker and a coin.
     #[must_use]
-    pub fn with_faces(self, faces: [Face; 2]) -> Self {
+    pub(crate) fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
     }
 
     /// The same with the way that one of the two was to be sent.
     #[must_use]
-    pub fn with_wanted(self, wanted: WantedWay) -> Self {
+    pub(crate) fn with_wanted(self, wanted: WantedWay) -> Self {
         Self {
             wanted: Some(wanted),
             ..self
@@ -121,7 +121,7 @@ impl Watch {
 
     /// The same with the masses and the impact angle written beside it.
     #[must_use]
-    pub fn with_measures(self) -> Self {
+    pub(crate) fn with_measures(self) -> Self {
         Self {
             measured: true,
             ..self
@@ -130,48 +130,48 @@ impl Watch {
 
     /// The same with these layers.
     #[must_use]
-    pub fn with_layers(self, layers: Overlays) -> Self {
+    pub(crate) fn with_layers(self, layers: Overlays) -> Self {
         Self { layers, ..self }
     }
 
     /// The collision that is watched.
-    pub fn collision(&self) -> &Collision {
+    pub(crate) fn collision(&self) -> &Collision {
         &self.collision
     }
 
     /// What becomes of it.
-    pub fn outcome(&self) -> &CollisionOutcome {
+    pub(crate) fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }
 
     /// Its clock.
-    pub fn clock(&self) -> &Playback {
+    pub(crate) fn clock(&self) -> &Playback {
         &self.clock
     }
 
     /// What is drawn on top.
-    pub fn layers(&self) -> Overlays {
+    pub(crate) fn layers(&self) -> Overlays {
         self.layers
     }
 
     /// From where it is seen.
-    pub fn frame(&self) -> Frame {
+    pub(crate) fn frame(&self) -> Frame {
         self.frame
     }
 
     /// What the player said.
-    pub fn said(&self) -> Option<&Rays> {
+    pub(crate) fn said(&self) -> Option<&Rays> {
         self.said.as_ref()
     }
 
     /// Whether it may be told what happened: once the contact is reached and the
     /// departures are drawn.
-    pub fn is_told(&self) -> bool {
+    pub(crate) fn is_told(&self) -> bool {
         self.clock.beats() == super::playback::BEATS
     }
 
     /// What the picture shows, and how: its title.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         match self.frame() {
             Frame::Laboratory => format!("the hit, slowed {:.0}×", self.clock.slowed()),
             Frame::CentreOfMass => "seen from the centre of mass".into(),
@@ -180,7 +180,7 @@ impl Watch {
     }
 
     /// What the picture is just showing, before it is told what happened.
-    pub fn telling(&self) -> &'static str {
+    pub(crate) fn telling(&self) -> &'static str {
         match self.clock.beats() {
             1 => {
                 "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
@@ -194,12 +194,12 @@ impl Watch {
     }
 
     /// Goes to the contact at once and tells what happened.
-    pub fn tell(&mut self) {
+    pub(crate) fn tell(&mut self) {
         self.clock.tell();
     }
 
     /// The keys that work it.
-    pub fn keys(&self) -> KeyTable<WatchAction> {
+    pub(crate) fn keys(&self) -> KeyTable<WatchAction> {
         use WatchAction::{Again, End, Frame, GoOn, Scrub, Start, Step, ToggleLayer};
         let layer = |digit: char| {
             let number = usize::from(digit as u8 - b'1');
@@ -218,13 +218,13 @@ impl Watch {
             .each(('1'..='7').map(layer), "layers")
             .each(
                 [(Key::Char('<'), Scrub(-1)), (Key::Char('>'), Scrub(1))],
-                "scrub",
+                "",
             )
             .each([(Key::Home, Start), (Key::End, End)], "")
     }
 
     /// Does what a key stands for.
-    pub fn act(&mut self, action: WatchAction) {
+    pub(crate) fn act(&mut self, action: WatchAction) {
         match action {
             WatchAction::GoOn => self.clock.go_on(),
             WatchAction::Step(by) => self.clock.scrub(STEP * f64::from(by)),
@@ -247,7 +247,7 @@ impl Watch {
     }
 
     /// Takes a key. Says whether it was one of its own.
-    pub fn update(&mut self, key: Key) -> bool {
+    pub(crate) fn update(&mut self, key: Key) -> bool {
         let action = self.keys().find(key);
         action.is_some_and(|action| {
             self.act(action);
@@ -256,18 +256,18 @@ impl Watch {
     }
 
     /// Lets time pass on the screen.
-    pub fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration) {
         self.clock.advance(passed);
     }
 
     /// When it next needs time.
-    pub fn wake(&self) -> Option<Duration> {
+    pub(crate) fn wake(&self) -> Option<Duration> {
         self.clock.is_running().then_some(FRAME)
     }
 
     /// The picture of the moment that its clock shows.
     #[must_use]
-    pub fn picture(&self, area: Rect) -> Picture {
+    pub(crate) fn picture(&self, area: Rect) -> Picture {
         let moment = Moment {
             stage: HitLayout::new(area, &self.collision),
             outcome: &self.outcome,

@@ -19,7 +19,7 @@ mod stroke;
 mod tests;
 
 pub(super) use canvas::Canvas;
-pub use disc::token;
+pub(crate) use disc::token;
 
 use super::Charset;
 

@@ -52,6 +52,29 @@ pub enum FieldValue {
     },
 }
 
+impl FieldValue {
+    /// The value so many steps further, onto the grid of steps.
+    pub fn stepped(self, steps: f64) -> f64 {
+        match self {
+            Self::Choice { at, count } => {
+                let by = steps.signum() as i64;
+                (at as i64 + by).rem_euclid(count.max(1) as i64) as f64
+            }
+            Self::Number { value, step, .. } => {
+                let size = step.abs() * steps.abs().min(1.0);
+                let by = steps * step / size;
+                // Within a thousandth of the grid counts as on it.
+                let onto = match by > 0.0 {
+                    true => (value / size + by + 1e-3).floor(),
+                    false => (value / size + by - 1e-3).ceil(),
+                };
+                // Without the dust that rounding leaves on a sum of tenths, and without a −0.
+                (onto * size * 1e6).round() / 1e6 + 0.0
+            }
+        }
+    }
+}
+
 /// What a form sets.
 pub trait FormFields {
     /// All fields as they stand, from the top.
@@ -81,14 +104,14 @@ pub enum FormAction {
 
 /// Which field of a form is selected, and the number that is being typed for it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Form {
+pub struct SettingsForm {
     at: usize,
     entry: NumberEntry,
     /// Whether the last number typed was out of range, and held to it.
     held: bool,
 }
 
-impl Form {
+impl SettingsForm {
     /// A form with this field selected.
     pub fn at(at: usize) -> Self {
         Self {
@@ -177,11 +200,16 @@ impl Form {
 
     /// Changes the selected field by so many steps.
     pub fn step(&mut self, steps: f64, form: &mut impl FormFields) {
+        self.step_at(self.at, steps, form);
+    }
+
+    /// Changes a field by so many steps, selected or not.
+    pub fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
-        let at = self.selected(fields.len());
+        let at = at.min(fields.len().saturating_sub(1));
         match fields.get(at) {
-            Some(field) if field.locked.is_none() => form.set(at, stepped(field.value, steps)),
+            Some(field) if field.locked.is_none() => form.set(at, field.value.stepped(steps)),
             _ => {}
         }
     }
@@ -279,27 +307,6 @@ impl Form {
     }
 }
 
-/// A value that was changed by so many steps, onto the grid of steps.
-fn stepped(value: FieldValue, steps: f64) -> f64 {
-    match value {
-        FieldValue::Choice { at, count } => {
-            let by = steps.signum() as i64;
-            (at as i64 + by).rem_euclid(count.max(1) as i64) as f64
-        }
-        FieldValue::Number { value, step, .. } => {
-            let size = step.abs() * steps.abs().min(1.0);
-            let by = steps * step / size;
-            // Within a thousandth of the grid counts as on it.
-            let onto = match by > 0.0 {
-                true => (value / size + by + 1e-3).floor(),
-                false => (value / size + by - 1e-3).ceil(),
-            };
-            // Without the dust that rounding leaves on a sum of tenths, and without a −0.
-            (onto * size * 1e6).round() / 1e6 + 0.0
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -345,7 +352,7 @@ mod tests {
         }
     }
 
-    fn press(form: &mut Form, hit: &mut Hit, keys: &[Key]) {
+    fn press(form: &mut SettingsForm, hit: &mut Hit, keys: &[Key]) {
         for key in keys {
             if let Some(action) = form.keys(hit).find(*key) {
                 form.act(action, hit);
@@ -359,7 +366,7 @@ mod tests {
             offset_mm: 7.3,
             stick: false,
         };
-        let mut form = Form::default();
+        let mut form = SettingsForm::default();
         for (key, value) in [
             (Key::Right, 7.5),
             (Key::Left, 7.0),
@@ -379,7 +386,7 @@ mod tests {
             offset_mm: 0.0,
             stick: false,
         };
-        let mut form = Form::default();
+        let mut form = SettingsForm::default();
         press(&mut form, &mut hit, &[Key::Char('9'), Key::Char('9')]);
         assert_eq!(hit.offset_mm, 0.0);
         press(&mut form, &mut hit, &[Key::Enter]);

@@ -156,6 +156,13 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
+    /// The same without these keys, which mean something else on the screen.
+    #[must_use]
+    pub fn without_keys(mut self, keys: &[Key]) -> Self {
+        self.rows.iter_mut().for_each(|row| row.lose(keys));
+        self
+    }
+
     /// Adds the keys of a part of the screen.
     #[must_use]
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {
@@ -206,6 +213,15 @@ impl<A: Copy> KeyTable<A> {
     /// meaning of its own.
     pub fn find(&self, key: Key) -> Option<A> {
         self.exact(key).or_else(|| self.folded(key))
+    }
+
+    /// All keys that do something, shown or not.
+    pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
+        let all = |row: &KeyRow<A>| {
+            let keys = row.keys.iter().chain(&row.aliases);
+            keys.map(|(key, _)| *key).collect::<Vec<_>>()
+        };
+        self.rows.iter().flat_map(all)
     }
 
     /// What a key does; a capital letter only what is said of the capital.

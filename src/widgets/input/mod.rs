@@ -12,7 +12,7 @@ mod ray_input;
 mod text_field;
 
 pub use answer_input::{AnswerAction, AnswerInput};
-pub use form::{Field, FieldValue, Form, FormAction, FormFields};
+pub use form::{Field, FieldValue, FormAction, FormFields, SettingsForm};
 pub use key_table::{KeyAction, KeyRow, KeyTable, Rebound};
 pub use list_view::{ListAction, ListView};
 pub use number_entry::{EntryAction, NumberEntry};

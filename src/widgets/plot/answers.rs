@@ -10,7 +10,7 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::{Look, Role};
 
 /// How many answers the line of errors takes the mean of.
-pub const REACH: usize = 5;
+pub(crate) const REACH: usize = 5;
 /// More answers than this are drawn as means of groups.
 const MOST_MARKS: usize = 120;
 
@@ -18,7 +18,7 @@ const MOST_MARKS: usize = 120;
 /// the means of groups of them. With how many are in a group. `None` where no answer had
 /// an angle to be off.
 #[must_use]
-pub fn errors_picture(
+pub(crate) fn errors_picture(
     attempts: &[Attempt],
     last: usize,
     area: Rect,
@@ -69,7 +69,7 @@ pub fn errors_picture(
 /// Of each confidence the share that was right among the `reach` answers before, for the
 /// last answers. `None` where too few were given.
 #[must_use]
-pub fn sureness_picture(
+pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,
     reach: usize,

@@ -4,7 +4,7 @@ use super::ticks::{Tick, decades, even};
 
 /// An axis of a plot.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub(crate) struct Axis {
     name: String,
     from: f64,
     to: f64,
@@ -24,7 +24,7 @@ impl Axis {
     /// An axis with equal steps for equal differences. `name` should hold the unit,
     /// `from` be below `to`.
     #[must_use]
-    pub fn linear(name: impl Into<String>, from: f64, to: f64) -> Self {
+    pub(crate) fn linear(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             name: name.into(),
             from,
@@ -37,7 +37,7 @@ impl Axis {
     /// An axis with equal steps for equal ratios, for 0 < `from` < `to`. Values of 0
     /// and below have no place on it.
     #[must_use]
-    pub fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
+    pub(crate) fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             scale: AxisScale::Log,
             ..Self::linear(name, from, to)
@@ -47,7 +47,7 @@ impl Axis {
     /// The same axis with ticks at the multiples of `step`, where they find room; has
     /// no meaning on a logarithmic axis.
     #[must_use]
-    pub fn every(self, step: f64) -> Self {
+    pub(crate) fn every(self, step: f64) -> Self {
         Self {
             step: Some(step),
             ..self
@@ -56,13 +56,13 @@ impl Axis {
 
     /// What it measures.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
     /// Where a value lies, in units in which the axis is even; `None` for what has no
     /// place on any such axis, however long.
-    pub fn place(&self, value: f64) -> Option<f64> {
+    pub(crate) fn place(&self, value: f64) -> Option<f64> {
         let place = match self.scale {
             AxisScale::Linear => value,
             AxisScale::Log => value.log10(),
@@ -79,7 +79,7 @@ impl Axis {
     }
 
     /// The ends as places: two different numbers in order, whatever was given.
-    pub fn ends(&self) -> (f64, f64) {
+    pub(crate) fn ends(&self) -> (f64, f64) {
         match (self.place(self.from), self.place(self.to)) {
             (Some(from), Some(to)) if from < to => (from, to),
             (Some(from), _) => (from, from + 1.0),
@@ -88,7 +88,7 @@ impl Axis {
     }
 
     /// Ticks for an axis that has room for `most` of them.
-    pub fn ticks(&self, most: usize) -> Vec<Tick> {
+    pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {
             AxisScale::Linear => even(ends, self.step, most),

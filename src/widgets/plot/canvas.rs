@@ -14,7 +14,7 @@ use crate::widgets::{Look, Role, text};
 /// What has no place on them (0 on a logarithmic axis, what is not a number) is left
 /// out, what lies beyond their ends is cut off.
 #[derive(Debug, Clone)]
-pub struct Plot {
+pub(crate) struct Plot {
     axes: [Axis; 2],
     look: Look,
     picture: Picture,
@@ -24,7 +24,7 @@ impl Plot {
     /// An empty plot that fills `area`: the name of `y` in the first row, that of `x`
     /// in the last.
     #[must_use]
-    pub fn new(area: Rect, look: Look, x: Axis, y: Axis) -> Self {
+    pub(crate) fn new(area: Rect, look: Look, x: Axis, y: Axis) -> Self {
         let rows = area.height.saturating_sub(3);
         let y_ticks = y.ticks(usize::from(rows / 3).max(1));
         let width_of = |tick: &Tick| text::width(&look.charset.text(&tick.text)) as u16;
@@ -57,14 +57,14 @@ impl Plot {
 
     /// The cells between the axes, theirs included.
     #[must_use]
-    pub fn paper(&self) -> Rect {
+    pub(crate) fn paper(&self) -> Rect {
         self.picture.view().area()
     }
 
     /// The values in the middle of a cell (column, row), where it lies on the
     /// [`Plot::paper`].
     #[must_use]
-    pub fn values_at(&self, (column, row): (u16, u16)) -> Option<DVec2> {
+    pub(crate) fn values_at(&self, (column, row): (u16, u16)) -> Option<DVec2> {
         self.paper().contains((column, row).into()).then(|| {
             let place = self.picture.view().world_at(column, row);
             dvec2(self.axes[0].value(place.x), self.axes[1].value(place.y))
@@ -73,7 +73,7 @@ impl Plot {
 
     /// The least value of y whose mark is clear of the x axis.
     #[must_use]
-    pub fn least_clear(&self) -> f64 {
+    pub(crate) fn least_clear(&self) -> f64 {
         let (low, _) = self.axes[1].ends();
         self.axes[1].value(low + self.picture.view().per_row())
     }
@@ -84,7 +84,7 @@ impl Plot {
     }
 
     /// A line through points; it breaks where one has no place.
-    pub fn curve(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
+    pub(crate) fn curve(&mut self, points: impl IntoIterator<Item = DVec2>, pen: impl Into<Pen>) {
         let place = |at| self.place(at).unwrap_or(DVec2::NAN);
         let places: Vec<DVec2> = points.into_iter().map(place).collect();
         self.picture.curve(places, pen);
@@ -92,7 +92,7 @@ impl Plot {
 
     /// The curve of a function over the whole of the x axis; it breaks where there is
     /// no value.
-    pub fn function(&mut self, y: impl Fn(f64) -> Option<f64>, pen: impl Into<Pen>) {
+    pub(crate) fn function(&mut self, y: impl Fn(f64) -> Option<f64>, pen: impl Into<Pen>) {
         // Four points a column are finer than any dot of it.
         let pieces = 4 * u32::from(self.paper().width.saturating_sub(1)).max(1);
         let (from, to) = self.axes[0].ends();
@@ -106,7 +106,7 @@ impl Plot {
     }
 
     /// An upright line over the whole height at `x`, down to the axis.
-    pub fn upright(&mut self, x: f64, pen: impl Into<Pen>) {
+    pub(crate) fn upright(&mut self, x: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[1].ends();
         if let Some(x) = self.axes[0].place(x) {
             let foot = low + self.picture.view().per_row();
@@ -115,7 +115,7 @@ impl Plot {
     }
 
     /// A level line over the whole width at `y`, up to the axis.
-    pub fn level(&mut self, y: f64, pen: impl Into<Pen>) {
+    pub(crate) fn level(&mut self, y: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[0].ends();
         if let Some(y) = self.axes[1].place(y) {
             let start = low + self.picture.view().per_column();
@@ -124,7 +124,7 @@ impl Plot {
     }
 
     /// A bar from the foot of the plot to `height`, between two values of x.
-    pub fn bar(&mut self, from: f64, to: f64, height: f64, pen: impl Into<Pen>) {
+    pub(crate) fn bar(&mut self, from: f64, to: f64, height: f64, pen: impl Into<Pen>) {
         let [x, y] = &self.axes;
         if let (Some(from), Some(to), Some(height)) = (x.place(from), x.place(to), y.place(height))
         {
@@ -134,7 +134,7 @@ impl Plot {
     }
 
     /// A sign, one letter wide, at a point.
-    pub fn mark(&mut self, at: DVec2, symbol: char, role: Role) {
+    pub(crate) fn mark(&mut self, at: DVec2, symbol: char, role: Role) {
         if let Some(place) = self.place(at) {
             self.picture.text(place, symbol, role);
         }
@@ -142,19 +142,25 @@ impl Plot {
 
     /// A label beside a point, on the first of `sides` that is free; the first labels
     /// have the first choice.
-    pub fn label(&mut self, text: &str, at: DVec2, sides: &[LabelSide], role: Role) -> &mut Label {
+    pub(crate) fn label(
+        &mut self,
+        text: &str,
+        at: DVec2,
+        sides: &[LabelSide],
+        role: Role,
+    ) -> &mut Label {
         let place = self.place(at).unwrap_or(DVec2::NAN);
         self.picture.label(text, place, sides, role)
     }
 
     /// What has been made.
     #[must_use]
-    pub fn picture(self) -> Picture {
+    pub(crate) fn picture(self) -> Picture {
         self.picture
     }
 
     /// Draws it all.
-    pub fn draw(&self, buf: &mut Buffer) {
+    pub(crate) fn draw(&self, buf: &mut Buffer) {
         self.picture.draw(buf, &self.look);
     }
 }

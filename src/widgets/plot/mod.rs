@@ -28,7 +28,6 @@ mod axis;
 mod canvas;
 mod ticks;
 
-pub use answers::{REACH, errors_picture, sureness_picture};
-pub use axis::Axis;
-pub use canvas::Plot;
-pub use ticks::Tick;
+pub(crate) use answers::{REACH, errors_picture, sureness_picture};
+pub(crate) use axis::Axis;
+pub(crate) use canvas::Plot;

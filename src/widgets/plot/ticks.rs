@@ -3,7 +3,7 @@
 use crate::numbers::{fixed, true_minus};
 /// A tick.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tick {
+pub(crate) struct Tick {
     /// Where it is, in units in which the axis is even.
     pub place: f64,
     /// What is written beside it.

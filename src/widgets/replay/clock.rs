@@ -36,7 +36,7 @@ impl WatchRate {
 
 /// The clock of a stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShotClock {
+pub(crate) struct ShotClock {
     time: f64,
     end: f64,
     rate: WatchRate,
@@ -46,7 +46,7 @@ pub struct ShotClock {
 impl ShotClock {
     /// A clock that runs at this speed, from the start of a stroke of `end` seconds;
     /// with `reduced` motion one that stands at its end.
-    pub fn new(end: f64, rate: WatchRate, reduced: bool) -> Self {
+    pub(crate) fn new(end: f64, rate: WatchRate, reduced: bool) -> Self {
         Self {
             time: if reduced { end } else { 0.0 },
             end,
@@ -56,37 +56,37 @@ impl ShotClock {
     }
 
     /// Seconds since the start of the stroke.
-    pub fn time(&self) -> f64 {
+    pub(crate) fn time(&self) -> f64 {
         self.time
     }
 
     /// Whether time runs.
-    pub fn is_running(&self) -> bool {
+    pub(crate) fn is_running(&self) -> bool {
         self.running
     }
 
     /// Whether all has come to rest.
-    pub fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.time >= self.end
     }
 
     /// When all has come to rest, in seconds since the start of the stroke.
-    pub fn end(&self) -> f64 {
+    pub(crate) fn end(&self) -> f64 {
         self.end
     }
 
     /// How fast time runs.
-    pub fn rate(&self) -> WatchRate {
+    pub(crate) fn rate(&self) -> WatchRate {
         self.rate
     }
 
     /// Lets time run at another speed.
-    pub fn set_rate(&mut self, rate: WatchRate) {
+    pub(crate) fn set_rate(&mut self, rate: WatchRate) {
         self.rate = rate;
     }
 
     /// Lets `passed` go by on the screen.
-    pub fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration) {
         if self.running {
             self.time = (self.time + passed.as_secs_f64() * self.rate.seconds()).min(self.end);
             self.running = self.time < self.end;
@@ -94,7 +94,7 @@ impl ShotClock {
     }
 
     /// Goes on from a halt; while running, to the end at once.
-    pub fn go_on(&mut self) {
+    pub(crate) fn go_on(&mut self) {
         if self.running {
             self.seek(self.end);
         } else {
@@ -103,19 +103,19 @@ impl ShotClock {
     }
 
     /// From the start again.
-    pub fn rewind(&mut self) {
+    pub(crate) fn rewind(&mut self) {
         self.time = 0.0;
         self.running = self.end > 0.0;
     }
 
     /// Halts at a time; times beyond the ends count as the ends.
-    pub fn seek(&mut self, time: f64) {
+    pub(crate) fn seek(&mut self, time: f64) {
         self.time = time.clamp(0.0, self.end);
         self.running = false;
     }
 
     /// Halts, so many seconds further or back.
-    pub fn step(&mut self, seconds: f64) {
+    pub(crate) fn step(&mut self, seconds: f64) {
         self.seek(self.time + seconds);
     }
 }

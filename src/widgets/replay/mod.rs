@@ -5,6 +5,6 @@ mod clock;
 mod impact;
 mod player;
 
-pub use clock::{ShotClock, WatchRate};
-pub use impact::{Impact, impacts};
-pub use player::{ShotAction, ShotPlayer};
+pub(crate) use clock::{ShotClock, WatchRate};
+pub(crate) use impact::{Impact, impacts};
+pub(crate) use player::{ShotAction, ShotPlayer};

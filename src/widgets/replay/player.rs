@@ -17,9 +17,12 @@ const STEP: f64 = 0.02;
 /// Seconds that the keys for big steps go.
 const SCRUB: f64 = 0.25;
 
+/// To the end of the shot.
+const END: ShotAction = ShotAction::Seek(f64::INFINITY);
+
 /// A shot being watched.
 #[derive(Debug, Clone)]
-pub struct ShotPlayer {
+pub(crate) struct ShotPlayer {
     shot: Shot,
     clock: ShotClock,
     impacts: Vec<Impact>,
@@ -75,7 +78,7 @@ pub enum ShotAction {
 impl ShotPlayer {
     /// A shot in which the disc `set_off` was set off, and the clock by which it is
     /// watched; impacts after the clock's end are not looked into.
-    pub fn new(shot: Shot, set_off: usize, clock: ShotClock) -> Self {
+    pub(crate) fn new(shot: Shot, set_off: usize, clock: ShotClock) -> Self {
         let seen = impacts(&shot, set_off).take_while(|impact| impact.time <= clock.end());
         Self {
             impacts: seen.collect(),
@@ -92,19 +95,19 @@ impl ShotPlayer {
 
     /// The same with these faces for its discs.
     #[must_use]
-    pub fn with_faces(self, faces: Vec<Face>) -> Self {
+    pub(crate) fn with_faces(self, faces: Vec<Face>) -> Self {
         Self { faces, ..self }
     }
 
     /// The same with what was said of its first impact.
     #[must_use]
-    pub fn with_said(self, said: Option<Rays>) -> Self {
+    pub(crate) fn with_said(self, said: Option<Rays>) -> Self {
         Self { said, ..self }
     }
 
     /// The same with a list of its impacts, of which one is chosen before it is enlarged.
     #[must_use]
-    pub fn with_list(self) -> Self {
+    pub(crate) fn with_list(self) -> Self {
         Self {
             lists: true,
             ..self
@@ -112,22 +115,22 @@ impl ShotPlayer {
     }
 
     /// The shot.
-    pub fn shot(&self) -> &Shot {
+    pub(crate) fn shot(&self) -> &Shot {
         &self.shot
     }
 
     /// Its clock.
-    pub fn clock(&self) -> &ShotClock {
+    pub(crate) fn clock(&self) -> &ShotClock {
         &self.clock
     }
 
     /// All its impacts.
-    pub fn impacts(&self) -> &[Impact] {
+    pub(crate) fn impacts(&self) -> &[Impact] {
         &self.impacts
     }
 
     /// The impact that is chosen, with its place among all, while one is.
-    pub fn chosen(&self) -> Option<(usize, &Impact)> {
+    pub(crate) fn chosen(&self) -> Option<(usize, &Impact)> {
         if let Showing::Board = self.showing {
             return None;
         }
@@ -136,12 +139,12 @@ impl ShotPlayer {
     }
 
     /// The list of impacts, while it is shown.
-    pub fn list(&self) -> Option<&ListView> {
+    pub(crate) fn list(&self) -> Option<&ListView> {
         matches!(self.showing, Showing::Impacts).then_some(&self.list)
     }
 
     /// The chosen impact by itself, while it is enlarged.
-    pub fn zoom(&self) -> Option<&Watch> {
+    pub(crate) fn zoom(&self) -> Option<&Watch> {
         match &self.showing {
             Showing::Impact(watch) => Some(watch),
             _ => None,
@@ -149,7 +152,7 @@ impl ShotPlayer {
     }
 
     /// The discs on the board now, with where they are.
-    pub fn discs(&self) -> impl Iterator<Item = (usize, DVec2)> + '_ {
+    pub(crate) fn discs(&self) -> impl Iterator<Item = (usize, DVec2)> + '_ {
         let now = |disc| self.shot.at(disc, self.clock.time());
         let all = (0..self.shot.discs().len()).map(move |disc| (disc, now(disc)));
         all.filter_map(|(disc, now)| {
@@ -158,39 +161,30 @@ impl ShotPlayer {
     }
 
     /// The keys that work it.
-    pub fn keys(&self) -> KeyTable<ShotAction> {
+    pub(crate) fn keys(&self) -> KeyTable<ShotAction> {
         use ShotAction::{Again, GoOn, Impacts, Leave, NextImpact, Scrub, Seek, Speed, Step};
         let table = KeyTable::new("shot");
-        let many = self.impacts.len() > 1;
+        let (over, many) = (self.clock.is_over(), self.impacts.len() > 1);
+        let (go_on, speed) = match (self.clock.is_running(), over) {
+            (true, _) => ("skip", "speed"),
+            (false, false) => ("go on", "speed"),
+            (false, true) => ("", ""),
+        };
+        let impacts = if self.lists { "impacts" } else { "impact" };
         let key = Key::Char;
         match &self.showing {
             Showing::Board => table
-                .on(
-                    key(' '),
-                    GoOn,
-                    if self.clock.is_running() {
-                        "skip"
-                    } else {
-                        "go on"
-                    },
-                )
-                .when(!self.clock.is_over())
-                .on(
-                    key('i'),
-                    Impacts,
-                    if self.lists { "impacts" } else { "the impact" },
-                )
+                .on(key(' '), GoOn, go_on)
+                .when(!over)
+                .on(key('i'), Impacts, impacts)
                 .when(!self.impacts.is_empty())
+                .on(key('a'), Again, "again")
                 .each([(key(','), Step(-1)), (key('.'), Step(1))], "step")
                 .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
                 .each([(key('<'), Scrub(-1)), (key('>'), Scrub(1))], "scrub")
-                .each([(key('+'), Speed(1)), (key('-'), Speed(-1))], "speed")
+                .each([(key('+'), Speed(1)), (key('-'), Speed(-1))], speed)
                 .or([(key('='), Speed(1))])
-                .on(key('a'), Again, "again")
-                .each(
-                    [(Key::Home, Seek(0.0)), (Key::End, Seek(f64::INFINITY))],
-                    "",
-                ),
+                .each([(Key::Home, Seek(0.0)), (Key::End, END)], ""),
             Showing::Impacts => table
                 .with(ListView::keys("look closer"), ShotAction::List)
                 .on(Key::Escape, Leave, "back")
@@ -214,7 +208,7 @@ impl ShotPlayer {
     /// What the mouse stands for: the wheel steps, a click on the picture does what Space
     /// does. In the list of impacts the wheel and a click on its lines choose, `line`
     /// being the one that is pointed at.
-    pub fn pointed(
+    pub(crate) fn pointed(
         &self,
         mouse: &Mouse,
         on_picture: bool,
@@ -238,7 +232,7 @@ impl ShotPlayer {
 
     /// Does what a key stands for. A speed that is chosen goes into `rate`, to be
     /// remembered; with `reduced` motion an enlarged impact begins at the contact.
-    pub fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, reduced: bool) {
+    pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, reduced: bool) {
         match action {
             ShotAction::GoOn => self.clock.go_on(),
             ShotAction::Step(by) => self.clock.step(STEP * f64::from(by)),
@@ -314,7 +308,7 @@ impl ShotPlayer {
     }
 
     /// Lets time pass on the screen.
-    pub fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration) {
         match &mut self.showing {
             Showing::Impact(watch) => watch.advance(passed),
             _ => self.clock.advance(passed),
@@ -322,7 +316,7 @@ impl ShotPlayer {
     }
 
     /// When it next needs time.
-    pub fn wake(&self) -> Option<Duration> {
+    pub(crate) fn wake(&self) -> Option<Duration> {
         match &self.showing {
             Showing::Impact(watch) => watch.wake(),
             _ => self.clock.is_running().then_some(FRAME),

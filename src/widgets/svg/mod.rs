@@ -33,13 +33,13 @@ const PANEL: (u16, u16) = (84, 32);
 const BASE: usize = 14;
 
 /// A screen as a file of its own.
-pub fn of_screen(cells: &Buffer) -> String {
+pub(crate) fn of_screen(cells: &Buffer) -> String {
     screen(cells, "")
 }
 
 /// A panel with pictures as a file of its own. `fill` writes what is text into the cells
 /// of the panel and gives the pictures that are to be drawn in it.
-pub fn of_panel(
+pub(crate) fn of_panel(
     title: &str,
     look: &Look,
     fill: impl FnOnce(Rect, &mut Buffer) -> Vec<Picture>,

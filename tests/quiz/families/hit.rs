@@ -7,17 +7,17 @@ use glam::DVec2;
 use super::owed::figure;
 
 /// A hit and what comes of it.
-pub struct Hit {
-    pub m1: f64,
-    pub m2: f64,
-    pub u: DVec2,
-    pub v1: DVec2,
-    pub v2: DVec2,
+pub(crate) struct Hit {
+    pub(crate) m1: f64,
+    pub(crate) m2: f64,
+    pub(crate) u: DVec2,
+    pub(crate) v1: DVec2,
+    pub(crate) v2: DVec2,
 }
 
 impl Hit {
     /// The hit that a question's figures fix.
-    pub fn of(question: &Question) -> Self {
+    pub(crate) fn of(question: &Question) -> Self {
         let sine = match question.figures.get("alpha_deg").and_then(|it| it.as_f64()) {
             Some(alpha_deg) => alpha_deg.to_radians().sin(),
             None => {
@@ -32,7 +32,7 @@ impl Hit {
     }
 
     /// A hit with this sine of the impact angle, positive for a target on the right.
-    pub fn new(m1: f64, m2: f64, e: f64, u: DVec2, sine: f64) -> Self {
+    pub(crate) fn new(m1: f64, m2: f64, e: f64, u: DVec2, sine: f64) -> Self {
         let forward = u.normalize();
         let right = DVec2::new(forward.y, -forward.x);
         let normal = forward * (1.0 - sine * sine).sqrt() + right * sine;
@@ -47,7 +47,7 @@ impl Hit {
     }
 
     /// Where both go.
-    pub fn rays(&self) -> Rays {
+    pub(crate) fn rays(&self) -> Rays {
         Rays {
             striker: turn(self.u, self.v1),
             target: turn(self.v2, self.u),
@@ -55,12 +55,12 @@ impl Hit {
     }
 
     /// The angle between the two ways out, in degrees.
-    pub fn separation_deg(&self) -> f64 {
+    pub(crate) fn separation_deg(&self) -> f64 {
         turn(self.v2, self.v1).unwrap().abs().to_degrees()
     }
 
     /// The shares of the energy before that the striker keeps and the target takes.
-    pub fn energy_shares(&self) -> (f64, f64) {
+    pub(crate) fn energy_shares(&self) -> (f64, f64) {
         let before = self.m1 * self.u.length_squared();
         (
             self.m1 * self.v1.length_squared() / before,

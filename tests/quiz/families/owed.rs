@@ -11,7 +11,7 @@ use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
 /// Seeds asked at each difficulty.
-pub const SEEDS: u64 = 2_000;
+pub(crate) const SEEDS: u64 = 2_000;
 
 /// Most draws a question may need; the guard of `Family::ask` lies at twenty times this.
 const DRAWS: usize = 1_000;
@@ -26,7 +26,7 @@ const PANEL: usize = 28;
 const CHOICE: usize = 24;
 
 /// The question of a seed.
-pub fn question(family: Family, difficulty: Difficulty, seed: u64) -> Question {
+pub(crate) fn question(family: Family, difficulty: Difficulty, seed: u64) -> Question {
     let asked = family.ask(difficulty, &mut Dice::new(seed));
     let (question, draws) = asked.unwrap_or_else(|| panic!("{family:?} asks nothing"));
     assert!(draws <= DRAWS, "{family:?} {seed}: {draws} draws");
@@ -34,31 +34,31 @@ pub fn question(family: Family, difficulty: Difficulty, seed: u64) -> Question {
 }
 
 /// The questions of [`SEEDS`] seeds at a difficulty.
-pub fn questions(family: Family, difficulty: Difficulty) -> impl Iterator<Item = Question> {
+pub(crate) fn questions(family: Family, difficulty: Difficulty) -> impl Iterator<Item = Question> {
     (0..SEEDS).map(move |seed| question(family, difficulty, seed))
 }
 
 /// All questions of a family at all difficulties.
-pub fn all(family: Family) -> impl Iterator<Item = Question> {
+pub(crate) fn all(family: Family) -> impl Iterator<Item = Question> {
     Difficulty::ALL
         .into_iter()
         .flat_map(move |difficulty| questions(family, difficulty))
 }
 
 /// A figure of a question that is a number.
-pub fn figure(question: &Question, name: &str) -> f64 {
+pub(crate) fn figure(question: &Question, name: &str) -> f64 {
     let figure = question.figures.get(name).and_then(|it| it.as_f64());
     figure.unwrap_or_else(|| panic!("no number {name} among {:?}", question.figures))
 }
 
 /// A figure of a question that is a word.
-pub fn word<'a>(question: &'a Question, name: &str) -> &'a str {
+pub(crate) fn word<'a>(question: &'a Question, name: &str) -> &'a str {
     let word = question.figures.get(name).and_then(|it| it.as_str());
     word.unwrap_or_else(|| panic!("no word {name} among {:?}", question.figures))
 }
 
 /// The true number of a question that asks for one.
-pub fn number(question: &Question) -> f64 {
+pub(crate) fn number(question: &Question) -> f64 {
     match question.form.truth() {
         Response::Number(truth) => truth,
         other => panic!("no number: {other:?}"),
@@ -66,7 +66,7 @@ pub fn number(question: &Question) -> f64 {
 }
 
 /// The true rays of a question that asks for them.
-pub fn rays(question: &Question) -> Rays {
+pub(crate) fn rays(question: &Question) -> Rays {
     match question.form.truth() {
         Response::Rays(truth) => truth,
         other => panic!("no rays: {other:?}"),
@@ -74,7 +74,7 @@ pub fn rays(question: &Question) -> Rays {
 }
 
 /// The text of the right choice.
-pub fn right_choice(question: &Question) -> &str {
+pub(crate) fn right_choice(question: &Question) -> &str {
     match &question.form {
         Form::Choice { options, right } => &options[*right],
         other => panic!("no choices: {other:?}"),
@@ -83,7 +83,7 @@ pub fn right_choice(question: &Question) -> &str {
 
 /// Whether two numbers are the same but for rounding.
 #[track_caller]
-pub fn assert_close(found: f64, expected: f64, question: &Question) {
+pub(crate) fn assert_close(found: f64, expected: f64, question: &Question) {
     let scale = expected.abs().max(1.0);
     assert!(
         (found - expected).abs() <= 1e-9 * scale,
@@ -93,7 +93,7 @@ pub fn assert_close(found: f64, expected: f64, question: &Question) {
 
 /// Holds a family to all that every one owes. What is true in its own questions is its own
 /// test's to say.
-pub fn assert_family(family: Family) {
+pub(crate) fn assert_family(family: Family) {
     assert_eq!(Family::with_id(family.id()), Some(family));
     let mut asked: Vec<BTreeSet<String>> = Vec::new();
     let mut met: BTreeMap<&str, f64> = BTreeMap::new();
@@ -164,7 +164,7 @@ fn assert_repeats(family: Family) {
 }
 
 /// What every question owes.
-pub fn assert_question(question: &Question) {
+pub(crate) fn assert_question(question: &Question) {
     let form = &question.form;
     let truth = Answer::new(form.truth(), Confidence::Sure);
     let grade = Grade::new(question, &truth);
@@ -314,7 +314,7 @@ fn answers(question: &Question) -> Vec<Response> {
 /// A text has no stranger in it, can be written in ASCII, and takes no more than so many
 /// lines of so many columns there.
 #[track_caller]
-pub fn assert_readable(text: &str, columns: usize, lines: usize) {
+pub(crate) fn assert_readable(text: &str, columns: usize, lines: usize) {
     for stranger in [
         "NaN", "inf", "-0.0", "−0.0", "  ", "{", "}", " .", " ,", "..",
     ] {

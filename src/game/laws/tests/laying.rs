@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use super::validity::flaw;
-use crate::game::laws::{BoardWon, MOST_POINTS, Rules, Ruling, RulingEffect};
+use crate::game::laws::ending::MOST_POINTS;
+use crate::game::laws::{BoardWon, Rules, Ruling, RulingEffect};
 use crate::game::pieces::{Coin, Colour, Piece};
 use crate::game::seat::{Hands, Seat, Team};
 use crate::game::stroke::Stroke;

@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use super::super::{BoardWon, MOST_POINTS, Rules};
+use super::super::ending::MOST_POINTS;
+use super::super::{BoardWon, Rules};
 use crate::game::score::Score;
 use crate::game::validity::check_coins;
 use crate::game::{Coin, Game, GameSetup, Hands, Piece, Seat, Team};

@@ -7,7 +7,8 @@ use rand_pcg::Pcg64;
 
 use super::laying::put_back;
 use super::validity::flaw;
-use crate::game::laws::{MOST_POINTS, Rules, Ruling};
+use crate::game::laws::ending::MOST_POINTS;
+use crate::game::laws::{Rules, Ruling};
 use crate::game::pieces::{Coin, Piece, count};
 use crate::game::seat::{Hands, Seat};
 use crate::game::stroke::Stroke;

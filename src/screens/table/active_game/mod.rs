@@ -26,7 +26,7 @@ use crate::game::opponent::StrokeHint;
 use crate::game::{Game, GameStage, Move, PieceSet, Record, RecordError, Rules, Seat};
 use crate::messages::{Input, Mouse, StoreRequest};
 use crate::physics::Shot;
-use crate::screens::{Context, Question};
+use crate::screens::{Confirmation, Context};
 use crate::widgets::replay::ShotAction;
 use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll};
 pub(super) use keeping::Keeping;
@@ -259,12 +259,12 @@ impl ActiveGame {
     }
 
     /// What is asked before the game is left.
-    pub(super) fn parting(&self) -> Question {
+    pub(super) fn parting(&self) -> Confirmation {
         let kept = match self.keeping.is_safe() {
             true => " It is saved: on the page of a new game, s brings it back.",
             false => "",
         };
-        Question::new(format!("Leave this game?{kept}"), "leave", "play on")
+        Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
     }
 
     /// Takes an input that is no key. Says whether it meant anything.

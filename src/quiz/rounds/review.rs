@@ -1,7 +1,7 @@
 //! The questions of a review: one about each topic that is due.
 
-use super::dice::Dice;
-use super::{Difficulty, Family, Question, Topic};
+use crate::quiz::question::Dice;
+use crate::quiz::question::{Difficulty, Family, Question, Topic};
 
 /// How many draws may pass before a topic is looked for at another difficulty, or in
 /// another family: enough for the rarest of them.

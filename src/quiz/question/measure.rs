@@ -139,7 +139,7 @@ impl Measure {
 }
 
 /// The angle between two directions in degrees, 0 to 180.
-pub(super) fn apart_deg(a: f64, b: f64) -> f64 {
+pub(in crate::quiz) fn apart_deg(a: f64, b: f64) -> f64 {
     let turn = (a - b).rem_euclid(360.0);
     turn.min(360.0 - turn)
 }

@@ -113,7 +113,7 @@ impl Question {
     /// A right answer fits none. A fit of the whole answer goes before a fit of the
     /// telltale ray alone; among those the nearest goes first, to a fortieth of what
     /// counts as right (a tenth of a degree), and then the first in
-    /// [`OF_RAYS`](super::misconceptions::OF_RAYS). A telltale ray must also be off
+    /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be off
     /// the truth by more than counts as right.
     pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
         self.belief_of(answer).map(|(belief, fit)| Diagnosis {
@@ -123,7 +123,7 @@ impl Question {
     }
 
     /// The belief that an answer fits best, and how much of it fits.
-    pub(super) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
+    pub(in crate::quiz) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
         let right = |said: &Response| self.form.distance(said, &self.form.truth()) <= 1.0;
         if right(&answer.said) {
             return None;

@@ -3,26 +3,11 @@
 use glam::DVec2;
 
 use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, CollisionOutcome};
+use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 
 use super::{Pieces, Rays, Topic};
-use crate::numbers::{self, significant};
-
-/// How it is said where the two meet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Placement {
-    /// By the impact angle α in degrees, positive when the target lies to the right.
-    Angle {
-        /// α, −90 to 90.
-        alpha_deg: f64,
-    },
-    /// By the impact parameter b in millimetres, positive when the target lies to
-    /// the right.
-    Offset {
-        /// b, at most r₁ + r₂ either way.
-        offset_mm: f64,
-    },
-}
+use crate::numbers;
+use crate::numbers::significant;
 
 /// A hit: the figures as the player reads them. All else follows from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +15,7 @@ pub struct Hit {
     /// What meets what.
     pub pieces: Pieces,
     /// Where they meet.
-    pub given: Placement,
+    pub given: ImpactPoint,
     /// Coefficient of restitution e, 0 to 1.
     pub restitution: f64,
     /// Speed of the striker in m/s.
@@ -46,10 +31,10 @@ impl Hit {
         let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
         let (striker, target) = (self.pieces.striker(), self.pieces.target());
         let collision = match self.given {
-            Placement::Angle { alpha_deg } => {
+            ImpactPoint::Angle { alpha_deg } => {
                 Collision::at_angle(striker, target, u1, rad_from_deg(alpha_deg))
             }
-            Placement::Offset { offset_mm } => {
+            ImpactPoint::Offset { offset_mm } => {
                 Collision::at_offset(striker, target, u1, m_from_mm(offset_mm))
             }
         };
@@ -60,7 +45,7 @@ impl Hit {
     }
 
     /// The same hit with another coefficient of restitution.
-    pub(super) fn with_restitution(&self, restitution: f64) -> Self {
+    pub(in crate::quiz) fn with_restitution(&self, restitution: f64) -> Self {
         Self {
             restitution,
             ..*self
@@ -68,15 +53,15 @@ impl Hit {
     }
 
     /// The same hit at another impact angle in degrees.
-    pub(super) fn at_angle(&self, alpha_deg: f64) -> Self {
+    pub(in crate::quiz) fn at_angle(&self, alpha_deg: f64) -> Self {
         Self {
-            given: Placement::Angle { alpha_deg },
+            given: ImpactPoint::Angle { alpha_deg },
             ..*self
         }
     }
 
     /// The hit with the two discs exchanged, at the same impact angle.
-    pub(super) fn exchanged(&self) -> Self {
+    pub(in crate::quiz) fn exchanged(&self) -> Self {
         Self {
             pieces: Pieces::Own {
                 striker: self.pieces.target(),
@@ -128,18 +113,18 @@ impl Hit {
     }
 
     /// Whether both weigh the same.
-    pub(super) fn masses_are_equal(&self) -> bool {
+    pub(in crate::quiz) fn masses_are_equal(&self) -> bool {
         self.mass_ratio().total_cmp(&1.0).is_eq()
     }
 
     /// Both masses in grams.
-    pub(super) fn masses_g(&self) -> (f64, f64) {
+    pub(in crate::quiz) fn masses_g(&self) -> (f64, f64) {
         let (striker, target) = (self.pieces.striker(), self.pieces.target());
         (g_from_kg(striker.mass), g_from_kg(target.mass))
     }
 
     /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."
-    pub(super) fn loss(&self) -> String {
+    pub(in crate::quiz) fn loss(&self) -> String {
         let how_much = if self.restitution < 1.0 { "Some" } else { "No" };
         let e = significant(self.restitution);
         format!("{how_much} energy is lost: e = {e}.")
@@ -162,8 +147,8 @@ impl Hit {
         };
         let place = match self.given {
             _ if self.head_on() => "-head-on",
-            Placement::Angle { .. } => "",
-            Placement::Offset { .. } => "-by-offset",
+            ImpactPoint::Angle { .. } => "",
+            ImpactPoint::Offset { .. } => "-by-offset",
         };
         let loss = if self.restitution < 1.0 { "-lossy" } else { "" };
         Topic::with_id(format!("{pieces}{place}{loss}"))
@@ -183,11 +168,11 @@ impl Hit {
         let side = self.side_name();
         let place = match self.given {
             _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
-            Placement::Angle { .. } => format!(
+            ImpactPoint::Angle { .. } => format!(
                 "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
                 numbers::degrees(self.alpha().abs())
             ),
-            Placement::Offset { offset_mm } => format!(
+            ImpactPoint::Offset { offset_mm } => format!(
                 "The {name}'s centre lies {} to the {side} of its path; the two radii \
                  make {} together.",
                 numbers::millimetres(offset_mm.abs()),

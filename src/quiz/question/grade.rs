@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
-use super::quantity::apart_deg;
+use super::measure::apart_deg;
 use super::{Answer, Confidence, Form, Question, Ray, Rays, Response};
 
 /// Up to this error an angle counts as right, in degrees.

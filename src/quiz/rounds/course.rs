@@ -5,8 +5,9 @@ use std::fmt;
 use std::sync::Arc;
 use thiserror::Error;
 
-use super::concepts::Library;
-use super::{Family, Topic, families};
+use crate::quiz::concepts::Library;
+use crate::quiz::families;
+use crate::quiz::question::{Family, Topic};
 
 /// What a round is made of.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,8 @@
 //! What is seen beside a question.
 
-use super::{Hit, Placement};
+use super::Hit;
 use crate::physics::Collision;
+use crate::physics::ImpactPoint;
 use crate::physics::rutherford::Rutherford;
 
 /// What is seen beside a question.
@@ -53,7 +54,7 @@ impl Markings {
 
     /// What a hit is given by, with all figures.
     pub const fn given(hit: &Hit) -> Self {
-        let angle = matches!(hit.given, Placement::Angle { .. });
+        let angle = matches!(hit.given, ImpactPoint::Angle { .. });
         Self {
             offset: !angle,
             angle,
@@ -64,7 +65,7 @@ impl Markings {
 
 impl Illustration {
     /// A hit about to happen.
-    pub(super) const fn before(collision: Collision, shown: Markings) -> Self {
+    pub(in crate::quiz) const fn before(collision: Collision, shown: Markings) -> Self {
         Self::Before { collision, shown }
     }
 

@@ -2,8 +2,9 @@
 
 use crate::physics::CollisionOutcome;
 
-use super::{Hit, Placement};
 use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
+use crate::physics::ImpactPoint;
+use crate::quiz::question::Hit;
 
 /// Why the two go where they go, on the hit's own figures.
 pub fn reasoning(hit: &Hit) -> String {
@@ -14,8 +15,10 @@ pub fn reasoning(hit: &Hit) -> String {
     let name = hit.pieces.target_name();
     let alpha = degrees(hit.alpha().abs());
     let target = match hit.given {
-        Placement::Angle { .. } => format!("The {name} leaves along the line of impact: {alpha}."),
-        Placement::Offset { offset_mm } => format!(
+        ImpactPoint::Angle { .. } => {
+            format!("The {name} leaves along the line of impact: {alpha}.")
+        }
+        ImpactPoint::Offset { offset_mm } => format!(
             "{} / {} = sin {alpha}: there lies the line of impact, and the {name} leaves along it.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())

@@ -1,10 +1,10 @@
 //! A round: questions fixed by a code.
 
-use super::concepts::Concept;
-use super::dice::Dice;
-use super::families::{concept, where_to};
-use super::{Code, Course, CourseKind, Difficulty, Family, Question, review};
+use super::{Code, Course, CourseKind, review};
 use crate::numbers::{FNV_START, fnv1a};
+use crate::quiz::concepts::Concept;
+use crate::quiz::families::{concept, where_to};
+use crate::quiz::question::{Dice, Difficulty, Family, Question};
 
 /// The questions of a round.
 ///

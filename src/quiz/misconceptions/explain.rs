@@ -1,8 +1,10 @@
 //! The one explanation after an answer: first what was wrong with it, then why the true
 //! answer is true.
 
-use super::{Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response};
 use crate::numbers::{degrees, tenths};
+use crate::quiz::question::{
+    Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response,
+};
 
 /// An explanation, to be shown as a title over a text.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,13 +113,14 @@ fn off(said: &Rays, truth: &Rays, ray: Ray, grade: &RayGrade) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Confidence, Hit, Pieces, Placement};
     use super::*;
+    use crate::physics::ImpactPoint;
+    use crate::quiz::question::{Confidence, Hit, Pieces};
 
     fn explained(pieces: Pieces, alpha_deg: f64, striker: Option<f64>, target: f64) -> String {
         let question = Question::from(&Hit {
             pieces,
-            given: Placement::Angle { alpha_deg },
+            given: ImpactPoint::Angle { alpha_deg },
             restitution: 1.0,
             speed: 3.0,
             direction_deg: 0.0,

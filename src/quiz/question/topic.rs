@@ -12,7 +12,6 @@ use super::Family::{
     LargestDeflection, MakeItSo, Restitution, Rutherford, Separation, SlipOrStick, Speeds,
     UnequalMasses, Weigh, WhereTo,
 };
-use super::concepts;
 
 /// What a question is about. Keep it by its [`id`](Self::id), which stays the same for good;
 /// show its [`name`](Self::name). Two with the same id are one topic.
@@ -84,8 +83,14 @@ impl Topic {
     }
 
     /// The topic of the subject of a written question, which is the name of its file.
-    pub(super) fn of_subject(subject: &str) -> Self {
+    pub(in crate::quiz) fn of_subject(subject: &str) -> Self {
         Self::with_id(subject.replace(' ', "-"))
+    }
+
+    /// The topics of the families of figures.
+    #[cfg(test)]
+    pub(in crate::quiz) fn all() -> impl Iterator<Item = Self> {
+        TOPICS.iter().map(|known| Self::with_id(known.id))
     }
 
     /// What it is kept by: "corner-with-loss".
@@ -105,15 +110,9 @@ impl Topic {
         }
     }
 
-    /// The families that ask about it; none where nothing in the program does.
-    pub fn families(&self) -> Vec<Family> {
-        let mut families = self
-            .known()
-            .map_or_else(Vec::new, |it| it.families.to_vec());
-        if concepts::all().iter().any(|it| it.topic() == *self) {
-            families.push(Family::Concept);
-        }
-        families
+    /// The families of figures that ask about it.
+    pub(in crate::quiz) fn families_of_figures(&self) -> &'static [Family] {
+        self.known().map_or(&[], |known| known.families)
     }
 }
 
@@ -133,38 +132,7 @@ impl fmt::Display for Topic {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::super::{Dice, Difficulty};
     use super::*;
-
-    #[test]
-    fn every_family_asks_about_its_topics_and_no_others() {
-        for family in Family::ALL {
-            let mut met = BTreeSet::new();
-            for (seed, difficulty) in (0..500).flat_map(|s| Difficulty::ALL.map(|d| (s, d))) {
-                let asked = family.ask(difficulty, &mut Dice::new(seed));
-                met.extend(asked.map(|(question, _)| question.topic));
-            }
-            let listed: BTreeSet<Topic> = match family {
-                Family::Concept => concepts::all().iter().map(|it| it.topic()).collect(),
-                family => TOPICS
-                    .iter()
-                    .filter(|it| it.families.contains(&family))
-                    .map(|it| Topic::with_id(it.id))
-                    .collect(),
-            };
-            assert_eq!(met, listed, "{family:?}");
-        }
-    }
-
-    #[test]
-    fn a_topic_may_belong_to_several_families_and_to_none() {
-        let asking = |id| Topic::with_id(id).families();
-        assert_eq!(asking("equal-masses"), [WhereTo, FromAngle]);
-        assert_eq!(asking("corner-with-loss"), [Separation, Restitution]);
-        // In figures, and in words.
-        assert_eq!(asking("both-moving"), [BothMoving, Family::Concept]);
-        assert_eq!(asking("momentum-is-a-vector"), []);
-    }
 
     #[test]
     fn ids_and_names_are_each_one_topic() {

@@ -1,7 +1,7 @@
 //! A look back over a round.
 
-use super::misconceptions::all;
-use super::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
+use crate::quiz::misconceptions::all;
+use crate::quiz::question::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
 
 /// Fewest angles whose mean error says something.
 pub const ENOUGH_ANGLES: usize = 3;
@@ -158,12 +158,14 @@ impl Summary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Code, Hit, Pieces, Placement, Rays, Response, Round};
+    use super::super::{Code, Round};
     use super::*;
+    use crate::physics::ImpactPoint;
+    use crate::quiz::question::{Hit, Pieces, Rays, Response};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
-        given: Placement::Angle { alpha_deg: 30.0 },
+        given: ImpactPoint::Angle { alpha_deg: 30.0 },
         restitution: 1.0,
         speed: 4.0,
         direction_deg: 0.0,

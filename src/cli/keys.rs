@@ -1,0 +1,79 @@
+//! `carrom keys`: all keys, as a file in which they can be changed.
+
+use std::fmt::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+use super::{Failure, GlobalOptions};
+use crate::files::{self, Fields, FileErrors, Source};
+use crate::messages::Key;
+use crate::shells::tour::{AllKeys, all_keys};
+use crate::widgets::input::Rebound;
+
+/// Name of the file in the folder for data.
+pub(super) const FILE: &str = "keys.toml";
+/// Format of the file.
+const FORMAT: u32 = 1;
+/// Largest file that is read, in bytes.
+const LARGEST: usize = 64 * 1024;
+
+pub(super) fn run(options: &GlobalOptions) -> Result<ExitCode, Failure> {
+    let place = options.data_dir().map(|folder| folder.join(FILE));
+    let place = place.map_or(FILE.into(), |place| place.display().to_string());
+    let mut text = format!(
+        "# Keys of carrom. To change some, put their lines, with the two below, into\n\
+         # {place}\n\
+         # A key is a character, or one of Up Down Left Right Enter Escape Tab Shift+Tab\n\
+         # Backspace Delete Space PageUp PageDown Home End F1 to F12 Ctrl+A to Ctrl+Z. Give as\n\
+         # many as the line has, in the same order.\n\
+         format = {FORMAT}\n\n[keys]\n"
+    );
+    for (id, (keys, help)) in all_keys() {
+        let keys: Vec<_> = keys
+            .into_iter()
+            .map(|key| quoted(&key.to_string()))
+            .collect();
+        let _ = writeln!(text, "\"{id}\" = [{}]  # {help}", keys.join(", "));
+    }
+    super::print(text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
+/// The keys that the player has chosen in a file; none where there is no such file.
+///
+/// # Errors
+/// All that is wrong with the file.
+pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
+    if !path.exists() {
+        return Ok(Rebound::new());
+    }
+    let bytes = files::read(path, LARGEST)?;
+    let name = path.display().to_string();
+    let source = Source::of_bytes(&name, &bytes, LARGEST)?;
+    let known = ["format", "keys"];
+    source.document("keys of carrom", FORMAT, &known, |fields| {
+        let table = fields.table("keys", &[])?;
+        let all = all_keys();
+        let rows = table
+            .names()
+            .map(|id| Some((id.to_owned(), row(&table, id, &all)?)));
+        files::all(rows.collect()).map(Rebound::from_iter)
+    })
+}
+
+/// The keys that a line of the file gives.
+fn row(table: &Fields, id: &str, all: &AllKeys) -> Option<Vec<Key>> {
+    let Some((usual, _)) = all.get(id) else {
+        return table.refuse(id, "there is no such action; carrom keys lists them all");
+    };
+    let keys = table.texts(id, 1..=usual.len(), 9)?;
+    let key = |(item, text): (usize, &String)| {
+        let expected = "expected a key, such as \"x\", \"Up\", \"F5\" or \"Ctrl+X\"";
+        Key::parse(text).or_else(|| table.refuse_item(id, item, expected))
+    };
+    files::all(keys.iter().enumerate().map(key).collect())
+}

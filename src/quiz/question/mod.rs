@@ -1,0 +1,38 @@
+//! A question, its answer, and how good the answer is; the lowest floor of the quiz.
+
+mod answer;
+mod confidence;
+mod dice;
+mod difficulty;
+mod family;
+mod form;
+mod grade;
+mod hit;
+mod illustration;
+mod measure;
+mod misconception;
+mod pieces;
+#[expect(
+    clippy::module_inception,
+    reason = "a question is what the room is about"
+)]
+mod question;
+mod rays;
+mod topic;
+
+pub use answer::{Answer, Response};
+pub use confidence::Confidence;
+pub use dice::Dice;
+pub use difficulty::Difficulty;
+pub use family::Family;
+pub use form::{AimTask, Form, letter};
+pub use grade::{Grade, RIGHT_DEG, RayGrade, RaysGrade};
+pub use hit::Hit;
+pub use illustration::{Illustration, Markings};
+pub use measure::Measure;
+pub use misconception::Misconception;
+pub(super) use misconception::Prediction;
+pub use pieces::Pieces;
+pub use question::{Diagnosis, Fit, MIN_SEPARATION, Question, WrongAnswer};
+pub use rays::{Ray, Rays};
+pub use topic::Topic;

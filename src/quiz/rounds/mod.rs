@@ -1,0 +1,10 @@
+//! Rounds: what they are made of, the codes that fix them, and a look back over them.
+
+mod course;
+mod review;
+mod round;
+mod summary;
+
+pub use course::{Code, Course, CourseKind};
+pub use round::Round;
+pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};

@@ -1,0 +1,74 @@
+//! Keys of the player's own, from a file to the screen.
+
+use std::process::Command;
+
+use carrom::cli;
+use carrom::shells::Headless;
+
+use crate::folder::Folder;
+
+fn lab(folder: &Folder) -> Headless {
+    let path = folder.path().to_str().unwrap();
+    let app = cli::open(&format!("--data-dir '{path}' lab")).unwrap();
+    Headless::new(app, 80, 24)
+}
+
+#[test]
+fn a_key_of_the_players_own_works_and_the_help_says_so() {
+    let folder = Folder::new("rebound");
+    let text = "format = 1\n[keys]\n\"lab.pieces\" = [\"z\"]\n";
+    folder.file("keys.toml", text);
+    let mut game = lab(&folder);
+    let before = game.screen();
+    game.press("s");
+    assert_eq!(game.screen(), before, "the usual key does it no more");
+    game.press("z");
+    assert_ne!(game.screen(), before);
+    assert!(game.screen().contains("z pieces"));
+    game.press("?");
+    assert!(game.screen().contains("next set of pieces"));
+}
+
+#[test]
+fn a_bad_file_is_told_line_by_line_and_the_usual_keys_hold() {
+    let folder = Folder::new("rebound-bad");
+    let text = "format = 1\n[keys]\n\"lab.nothing\" = [\"z\"]\n\"everywhere.help\" = [\"Hlep\"]\n";
+    folder.file("keys.toml", text);
+    let mut game = lab(&folder);
+    let screen = game
+        .screen()
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    for told in [
+        "The usual keys hold.",
+        "keys.toml:3: keys.lab.nothing: there is no such action",
+        "keys.toml:4: keys.everywhere.help: expected a key",
+    ] {
+        let told = told.replace(' ', "");
+        let screen = screen.replace([' ', '|'], "");
+        assert!(screen.contains(&told), "{told}\n{screen}");
+    }
+    game.press(" ");
+    game.press("?");
+    assert!(game.screen().contains("help: lab"));
+}
+
+#[test]
+fn the_printed_table_is_a_file_of_keys_itself() {
+    let folder = Folder::new("rebound-all");
+    let path = folder.path().to_str().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(["--data-dir", path, "keys"])
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("\"everywhere.help\" = [\"?\"]  # explain this screen"),
+        "{text}"
+    );
+    folder.file("keys.toml", &text);
+    let usual = Headless::new(cli::open("lab").unwrap(), 80, 24).screen();
+    assert_eq!(lab(&folder).screen(), usual);
+}
