@@ -360,15 +360,15 @@ impl App {
                 Some(reading) => Box::new(Old(reading)),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
-            Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
+            Place::Quiz { code: Some(code) } => Box::new(Hosted::new(Quiz::new(code))),
+            Place::Quiz { code: None } => Box::new(Hosted::new(Choosing::ask(&mut self.context))),
             Place::Levels => Box::new(Hosted::new(Levels::new(&mut self.context))),
             Place::Level { number } => match LevelPlay::new(number, &mut self.context) {
                 Some(play) => Box::new(Hosted::new(play)),
                 None => return,
             },
             Place::Class { code, teams } => {
-                Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
+                Box::new(Hosted::new(Class::new(code.as_ref(), teams, &self.context)))
             }
             Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
             Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
