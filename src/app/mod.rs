@@ -19,11 +19,11 @@ use crate::levels::Shelf;
 use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::class::Class;
-use crate::screens::foil::Foil;
+use crate::screens::foil::FoilScreen;
 use crate::screens::home::Home;
 use crate::screens::lab::Lab;
 use crate::screens::learn::{Contents, Reading};
-use crate::screens::levels::{Levels, Play};
+use crate::screens::levels::{LevelPlay, Levels};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
@@ -353,25 +353,25 @@ impl App {
     fn open(&mut self, place: Place) {
         let screen: Box<dyn AnyScreen> = match place {
             Place::Home => Box::new(Hosted::new(Home::default())),
-            Place::Lab => Box::new(Old(Lab::default())),
-            Place::LabOf { setup } => Box::new(Old(Lab::of(setup))),
+            Place::Lab => Box::new(Hosted::new(Lab::default())),
+            Place::LabOf { setup } => Box::new(Hosted::new(Lab::of(setup))),
             Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
             Place::Chapter { number } => match Reading::new(number, &mut self.context) {
                 Some(reading) => Box::new(Old(reading)),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
-            Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
-            Place::Levels => Box::new(Old(Levels::new(&mut self.context))),
-            Place::Level { number } => match Play::new(number, &mut self.context) {
-                Some(play) => Box::new(Old(play)),
+            Place::Quiz { code: Some(code) } => Box::new(Hosted::new(Quiz::new(code))),
+            Place::Quiz { code: None } => Box::new(Hosted::new(Choosing::ask(&mut self.context))),
+            Place::Levels => Box::new(Hosted::new(Levels::new(&mut self.context))),
+            Place::Level { number } => match LevelPlay::new(number, &mut self.context) {
+                Some(play) => Box::new(Hosted::new(play)),
                 None => return,
             },
             Place::Class { code, teams } => {
-                Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
+                Box::new(Hosted::new(Class::new(code.as_ref(), teams, &self.context)))
             }
-            Place::Foil => Box::new(Old(Foil::default())),
-            Place::FoilAt { page } => Box::new(Old(Foil::at(page))),
+            Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
+            Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
             Place::Table => Box::new(Hosted::new(Table::default())),
             Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
         };

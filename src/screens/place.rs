@@ -40,7 +40,7 @@ pub enum Place {
     /// One of its pages.
     FoilAt {
         /// The page.
-        page: foil::Page,
+        page: foil::FoilPage,
     },
     /// The table: carrom itself.
     Table,

@@ -97,8 +97,11 @@ fn a_beam_is_thrown_once_it_has_been_said_what_will_come_back() {
     game.key(Key::Enter);
     assert!(game.screen().contains("how many are turned back"));
     assert_eq!(game.app().wake(), None);
+    // Nothing is said before it was chosen.
+    game.press("<Enter><Enter>");
+    assert!(game.screen().contains("how many are turned back"));
     // Half of them.
-    game.press("<Up><Up><Enter>");
+    game.press("c<Enter>");
     assert!(game.settle(LONG));
     assert!(game.screen().contains("59,000"));
     // Of the next beam it need not be said again; of another kind it must.
@@ -150,7 +153,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
     game.click((20, 12));
     let answer = at(&mut game, "1 in 10,000");
     game.click(answer);
-    assert!(game.screen().contains("> 1 in 10,000"));
+    assert!(game.screen().contains("> G 1 in 10,000"));
 }
 
 /// What was counted in 1913, in full, is on the page.

@@ -43,7 +43,7 @@ fn set(game: &mut Headless, level: &Level) {
 fn shoot(game: &mut Headless) {
     game.key(Key::Enter);
     while game.screen().contains("say it first") {
-        game.key(Key::Enter);
+        game.press("0<Enter>");
     }
     assert!(game.settle(LONG));
 }
@@ -82,6 +82,43 @@ fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
             assert!(read.contains("Enter: the next level.") || read.contains("last level"));
         }
     }
+}
+
+/// Nothing is said of a ray before it was turned: Enter alone neither makes the shot nor
+/// earns the star for what was said.
+#[test]
+fn enter_alone_says_nothing() {
+    let shelf = embedded();
+    let mut asked = 0;
+    for (number, (_, level)) in shelf.levels().enumerate() {
+        let mut game = open(Place::Level { number }, Settings::default(), (80, 24));
+        set(&mut game, level);
+        game.key(Key::Enter);
+        if !game.screen().contains("say it first") {
+            continue;
+        }
+        asked += 1;
+        game.press("<Enter><Enter> <Enter>");
+        let screen = game.screen();
+        assert!(screen.contains("say it first"), "{}\n{screen}", level.id);
+        assert!(
+            squeezed(&screen).contains("Turntheraywiththearrows"),
+            "{screen}"
+        );
+        game.key(Key::Escape);
+        assert_eq!(game.app().shelf().stars(number), 0, "{}", level.id);
+    }
+    assert!(asked > 20);
+}
+
+/// A speed that was chosen holds for the next shot, and in every other level.
+#[test]
+fn the_speed_last_chosen_is_remembered() {
+    let mut game = level(number("follow-on"));
+    game.press("p<Enter>");
+    assert!(game.screen().contains("real speed"), "{}", game.screen());
+    game.press("--<Escape><Enter>");
+    assert!(game.screen().contains("1/4 speed"), "{}", game.screen());
 }
 
 /// Along the line of impact the other disc leaves: whoever reads the impact angle need
@@ -149,7 +186,7 @@ fn fine_and_big_steps_and_the_ends_of_the_range() {
 fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
     let at = number("dead-stop");
     let mut game = level(at);
-    game.press("53<Enter><Enter><Enter>");
+    game.press("53<Enter><Enter>0<Enter>");
     game.pass(Duration::from_millis(100));
     assert!(game.screen().contains("Space: go on"), "{}", game.screen());
     assert_eq!(game.app().shelf().stars(at), 0);

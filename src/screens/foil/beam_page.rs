@@ -4,23 +4,24 @@ use std::f64::consts::PI;
 
 use ratatui::layout::Rect;
 
-use super::run::Run;
-use super::setup::{Obstacle, Setup};
-use super::{Foil, guess, words};
+use super::run::BeamRun;
+use super::setup::{FoilSetup, Obstacle};
+use super::{FoilScreen, guess, words};
 use crate::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
+use crate::quiz::{Response, letter};
 use crate::screens::Context;
 use crate::widgets::bar::bar;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{AnswerInput, Lines, Look, Role};
 
 /// Rows above the answers to choose from.
 pub(super) const GUESS_HEAD: usize = 5;
 
 /// The title of the picture.
-pub(super) fn title(setup: &Setup) -> &'static str {
+pub(super) fn title(setup: &FoilSetup) -> &'static str {
     match (setup.obstacle, setup.beam) {
         (Obstacle::Hard, Beam::Board) => "hard discs on a board",
         (Obstacle::Hard, Beam::Space) => "hard spheres in space",
@@ -30,7 +31,7 @@ pub(super) fn title(setup: &Setup) -> &'static str {
 }
 
 /// The counts, and the law once something has been thrown.
-pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
+pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let most = Counts::expected(&law, particles)
@@ -90,7 +91,7 @@ fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
 }
 
 /// Writes the question before a beam.
-pub(super) fn write_guess(foil: &Foil, chosen: usize, lines: &mut Lines) {
+pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, lines: &mut Lines) {
     // Always as many rows, so that the mouse finds the answers.
     for line in [
         "Say it first:",
@@ -109,17 +110,23 @@ pub(super) fn write_guess(foil: &Foil, chosen: usize, lines: &mut Lines) {
     lines.line(&thrown_at, Role::Dim);
     lines.line("", Role::Text);
     for (i, choice) in guess::CHOICES.iter().enumerate() {
-        let (mark, role) = if i == chosen {
+        let (mark, role) = if said.said() == Some(Response::Choice(i)) {
             (">", Role::Selected)
         } else {
             (" ", Role::Text)
         };
-        lines.line(&format!("{mark} {} ", choice.name), role);
+        lines.line(&format!("{mark} {} {} ", letter(i), choice.name), role);
     }
+    lines.gap();
+    let next = match said.said() {
+        Some(_) => "Enter: say it, and throw.",
+        None => "Choose an answer with the arrows, or by its letter.",
+    };
+    lines.paragraph(next, Role::Key);
 }
 
 /// Writes what stands below the settings.
-pub(super) fn write(foil: &Foil, lines: &mut Lines, cx: &Context) {
+pub(super) fn write(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
     lines.gap();
     let Some(run) = &foil.run else {
         let text = if cx.settings.predict {
@@ -167,7 +174,7 @@ pub(super) fn write(foil: &Foil, lines: &mut Lines, cx: &Context) {
 }
 
 /// How far the beam is.
-fn progress(run: &Run, lines: &mut Lines, cx: &Context) {
+fn progress(run: &BeamRun, lines: &mut Lines, cx: &Context) {
     let share = run.thrown() as f64 / run.particles() as f64;
     let width = lines.width().saturating_sub(7);
     let bar = bar(share, width, cx.settings.charset);
@@ -186,7 +193,7 @@ fn progress(run: &Run, lines: &mut Lines, cx: &Context) {
 }
 
 /// What a beam is, before it is thrown.
-fn about(setup: &Setup) -> &'static str {
+fn about(setup: &FoilSetup) -> &'static str {
     match (setup.obstacle, setup.beam) {
         (Obstacle::Hard, Beam::Board) => {
             "Every offset along the line up to R is as likely as any other."
@@ -235,10 +242,10 @@ mod tests {
     fn the_curve_passes_each_bin_at_what_is_expected_in_it() {
         for obstacle in [Obstacle::Hard, Obstacle::Nucleus] {
             for beam in [Beam::Board, Beam::Space] {
-                let law = Setup {
+                let law = FoilSetup {
                     obstacle,
                     beam,
-                    ..Setup::default()
+                    ..FoilSetup::default()
                 }
                 .law();
                 let expected = Counts::expected(&law, 1000);

@@ -1,13 +1,44 @@
 //! What can be set: one place for a setting's name, unit, range and step.
 
-use super::Page;
-use super::setup::{Obstacle, Setup};
+use super::FoilPage;
+use super::setup::{FoilSetup, Obstacle};
 use crate::beams::METALS;
 use crate::physics::beam::Beam;
+use crate::widgets::input::{Field, FieldValue, FormFields};
+
+/// Powers of ten of the particles in a beam.
+const EXPONENTS: (u32, u32) = (3, 9);
+
+/// The settings of a page.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FoilFields {
+    pub(super) page: FoilPage,
+    pub(super) setup: FoilSetup,
+}
+
+impl FoilFields {
+    /// Which they are, in the order of the panel.
+    pub(super) fn all(&self) -> &'static [FoilField] {
+        FoilField::on(self.page, &self.setup)
+    }
+}
+
+impl FormFields for FoilFields {
+    fn fields(&self) -> Vec<Field> {
+        let field = |field: &FoilField| field.field(&self.setup);
+        self.all().iter().map(field).collect()
+    }
+
+    fn set(&mut self, at: usize, value: f64) {
+        if let Some(field) = self.all().get(at) {
+            field.set(&mut self.setup, value);
+        }
+    }
+}
 
 /// One setting of the foil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Field {
+pub(crate) enum FoilField {
     /// What stands in the way.
     Obstacle,
     /// Plane or space.
@@ -24,16 +55,16 @@ pub(crate) enum Field {
     Particles,
 }
 
-use Field as F;
+use FoilField as F;
 
-impl Field {
+impl FoilField {
     /// The settings that mean something on a page, in the order of its panel.
-    pub(crate) fn on(page: Page, setup: &Setup) -> &'static [Self] {
+    pub(crate) fn on(page: FoilPage, setup: &FoilSetup) -> &'static [Self] {
         match (page, setup.obstacle) {
-            (Page::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
-            (Page::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
-            (Page::Counts, Obstacle::Hard) => &[F::Obstacle, F::Beam, F::Particles],
-            (Page::Counts, Obstacle::Nucleus) => &[
+            (FoilPage::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
+            (FoilPage::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
+            (FoilPage::Counts, Obstacle::Hard) => &[F::Obstacle, F::Beam, F::Particles],
+            (FoilPage::Counts, Obstacle::Nucleus) => &[
                 F::Obstacle,
                 F::Beam,
                 F::Metal,
@@ -41,140 +72,104 @@ impl Field {
                 F::Thickness,
                 F::Particles,
             ],
-            (Page::Measured, _) => &[],
+            (FoilPage::Measured, _) => &[],
         }
     }
 
-    /// Least value, greatest value and step; choices are numbered from 0.
-    fn scale(self, setup: &Setup) -> (f64, f64, f64) {
+    /// Its name on the panel, and what it is.
+    const fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::Obstacle | Self::Beam => (0.0, 1.0, 1.0),
-            Self::Metal => (0.0, METALS.len() as f64 - 1.0, 1.0),
-            // Slower α particles than this hardly pass a foil.
-            Self::Energy => (4.0, 10.0, 0.25),
-            Self::Thickness => (0.05, 2.0, 0.05),
-            Self::Offset => match setup.obstacle {
-                Obstacle::Hard => (-1.5, 1.5, 0.05),
-                Obstacle::Nucleus => (-60.0, 60.0, 1.0),
-            },
-            Self::Particles => (3.0, 9.0, 1.0),
+            Self::Obstacle => ("target", "what stands in the way"),
+            Self::Beam => ("beam", "even over a line or a disc"),
+            Self::Metal => ("metal", "what the foil is made of"),
+            Self::Energy => ("energy", "of the α particles"),
+            Self::Thickness => ("foil", "how thick the foil is"),
+            Self::Offset => ("offset b", "how far off-centre it flies"),
+            Self::Particles => ("particles", "how many are thrown"),
         }
     }
 
-    /// Its name on the panel.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Obstacle => "target",
-            Self::Beam => "beam",
-            Self::Metal => "metal",
-            Self::Energy => "energy",
-            Self::Thickness => "foil",
-            Self::Offset => "offset b",
-            Self::Particles => "particles",
-        }
-    }
-
-    /// Whether a number can be typed for it.
-    pub(crate) fn is_number(self) -> bool {
-        matches!(self, Self::Energy | Self::Thickness | Self::Offset)
-    }
-
-    /// Whether a number is in its range.
-    pub(crate) fn allows(self, setup: &Setup, value: f64) -> bool {
-        let (low, high, _) = self.scale(setup);
-        (low..=high).contains(&value)
-    }
-
-    /// Its range, as shown.
-    pub(crate) fn range(self, setup: &Setup) -> String {
-        let (low, high, _) = self.scale(setup);
-        let unit = match (self, setup.obstacle) {
-            (Self::Energy, _) => " MeV",
-            (Self::Thickness, _) => " µm",
-            (Self::Offset, Obstacle::Hard) => " R",
-            (Self::Offset, Obstacle::Nucleus) => " fm",
-            _ => "",
+    /// Its value, and what it may be.
+    fn value(self, setup: &FoilSetup) -> FieldValue {
+        let choice = |at, count| FieldValue::Choice { at, count };
+        let number = |value, range, step, unit| FieldValue::Number {
+            value,
+            range,
+            step,
+            unit,
         };
-        format!("from {low} to {high}{unit}")
+        let (least, most) = EXPONENTS;
+        match (self, setup.obstacle) {
+            (Self::Obstacle, obstacle) => choice(usize::from(obstacle == Obstacle::Nucleus), 2),
+            (Self::Beam, _) => choice(usize::from(setup.beam == Beam::Space), 2),
+            (Self::Metal, _) => choice(setup.metal, METALS.len()),
+            // Slower α particles than this hardly pass a foil.
+            (Self::Energy, _) => number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
+            (Self::Thickness, _) => number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
+            (Self::Offset, Obstacle::Hard) => number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
+            (Self::Offset, Obstacle::Nucleus) => number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
+            (Self::Particles, _) => {
+                let at = setup.particles_exponent.saturating_sub(least);
+                choice(at as usize, (most - least + 1) as usize)
+            }
+        }
     }
 
-    fn value(self, setup: &Setup) -> f64 {
-        match self {
-            Self::Obstacle => f64::from(u8::from(setup.obstacle == Obstacle::Nucleus)),
-            Self::Beam => f64::from(u8::from(setup.beam == Beam::Space)),
-            Self::Metal => setup.metal as f64,
-            Self::Energy => setup.energy_mev,
-            Self::Thickness => setup.thickness_um,
-            Self::Offset => match setup.obstacle {
-                Obstacle::Hard => setup.offset_share,
-                Obstacle::Nucleus => setup.offset_fm,
-            },
-            Self::Particles => f64::from(setup.particles_exponent),
+    /// The setting as it stands.
+    pub(crate) fn field(self, setup: &FoilSetup) -> Field {
+        let (name, about) = self.words();
+        Field {
+            name: name.into(),
+            shown: self.shown(setup),
+            value: self.value(setup),
+            about: about.into(),
+            locked: None,
         }
     }
 
     /// Its value with its unit, as shown.
-    pub(crate) fn shown(self, setup: &Setup) -> String {
-        match self {
-            Self::Obstacle => match setup.obstacle {
-                Obstacle::Hard => "hard".into(),
-                Obstacle::Nucleus => "nucleus".into(),
-            },
-            Self::Beam => match setup.beam {
-                Beam::Board => "in a plane".into(),
-                Beam::Space => "in space".into(),
-            },
-            Self::Metal => {
+    fn shown(self, setup: &FoilSetup) -> String {
+        match (self, setup.obstacle, setup.beam) {
+            (Self::Obstacle, Obstacle::Hard, _) => "hard".into(),
+            (Self::Obstacle, Obstacle::Nucleus, _) => "nucleus".into(),
+            (Self::Beam, _, Beam::Board) => "in a plane".into(),
+            (Self::Beam, _, Beam::Space) => "in space".into(),
+            (Self::Metal, ..) => {
                 let metal = setup.metal();
                 format!("{}, Z {}", metal.name, metal.charge)
             }
-            Self::Energy => format!("{:.2} MeV", setup.energy_mev),
-            Self::Thickness => format!("{:.2} µm", setup.thickness_um),
-            Self::Offset => match setup.obstacle {
-                Obstacle::Hard => format!("{:.2} R", setup.offset_share),
-                Obstacle::Nucleus => format!("{:.1} fm", setup.offset_fm),
-            },
-            Self::Particles => super::words::count(setup.particles()),
+            (Self::Energy, ..) => format!("{:.2} MeV", setup.energy_mev),
+            (Self::Thickness, ..) => format!("{:.2} µm", setup.thickness_um),
+            (Self::Offset, Obstacle::Hard, _) => format!("{:.2} R", setup.offset_share),
+            (Self::Offset, Obstacle::Nucleus, _) => format!("{:.1} fm", setup.offset_fm),
+            (Self::Particles, ..) => super::words::count(setup.particles()),
         }
     }
 
-    /// Sets it, held to its range.
-    pub(crate) fn set(self, setup: &mut Setup, value: f64) {
-        let (low, high, _) = self.scale(setup);
+    /// Sets it, held to its range, a choice by its place.
+    pub(crate) fn set(self, setup: &mut FoilSetup, value: f64) {
+        let (low, high) = match self.value(setup) {
+            FieldValue::Number { range, .. } => range,
+            FieldValue::Choice { count, .. } => (0.0, count as f64 - 1.0),
+        };
         // Adding 0 makes a plain 0 of -0.
         let value = value.clamp(low, high) + 0.0;
-        let second = value > 0.5;
-        match self {
-            Self::Obstacle => {
-                setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][usize::from(second)];
-            }
-            Self::Beam => setup.beam = [Beam::Board, Beam::Space][usize::from(second)],
-            Self::Metal => setup.metal = value as usize,
-            Self::Energy => setup.energy_mev = value,
-            Self::Thickness => setup.thickness_um = value,
-            Self::Offset => match setup.obstacle {
-                Obstacle::Hard => setup.offset_share = value,
-                Obstacle::Nucleus => setup.offset_fm = value,
-            },
-            Self::Particles => setup.particles_exponent = value as u32,
+        let second = usize::from(value > 0.5);
+        match (self, setup.obstacle) {
+            (Self::Obstacle, _) => setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][second],
+            (Self::Beam, _) => setup.beam = [Beam::Board, Beam::Space][second],
+            (Self::Metal, _) => setup.metal = value as usize,
+            (Self::Energy, _) => setup.energy_mev = value,
+            (Self::Thickness, _) => setup.thickness_um = value,
+            (Self::Offset, Obstacle::Hard) => setup.offset_share = value,
+            (Self::Offset, Obstacle::Nucleus) => setup.offset_fm = value,
+            (Self::Particles, _) => setup.particles_exponent = EXPONENTS.0 + value as u32,
         }
     }
 
     /// Moves it by `steps` steps and onto the grid of steps; choices go round.
-    pub(crate) fn step(self, setup: &mut Setup, steps: f64) {
-        let (low, high, size) = self.scale(setup);
-        if matches!(self, Self::Obstacle | Self::Beam | Self::Metal) {
-            let next = (self.value(setup) + steps.signum()).rem_euclid(high - low + 1.0);
-            return self.set(setup, next);
-        }
-        let value = self.value(setup) / size + steps;
-        // Within a thousandth of the grid counts as on it.
-        let onto = if steps > 0.0 {
-            (value + 1e-3).floor()
-        } else {
-            (value - 1e-3).ceil()
-        };
-        self.set(setup, onto * size);
+    pub(crate) fn step(self, setup: &mut FoilSetup, steps: f64) {
+        self.set(setup, self.value(setup).stepped(steps));
     }
 }
 
@@ -182,7 +177,7 @@ impl Field {
 mod tests {
     use super::*;
 
-    const ALL: [Field; 7] = [
+    const ALL: [FoilField; 7] = [
         F::Obstacle,
         F::Beam,
         F::Metal,
@@ -192,28 +187,34 @@ mod tests {
         F::Particles,
     ];
 
+    fn is_within(value: FieldValue) -> bool {
+        match value {
+            FieldValue::Choice { at, count } => at < count,
+            FieldValue::Number { value, range, .. } => (range.0..=range.1).contains(&value),
+        }
+    }
+
     #[test]
     fn every_setting_stays_in_its_range() {
         for field in ALL {
             for wild in [-1e9, -0.0, 0.0, 0.7, 1e9] {
-                let mut setup = Setup::default();
+                let mut setup = FoilSetup::default();
                 field.set(&mut setup, wild);
-                let (low, high, _) = field.scale(&setup);
-                assert!((low..=high).contains(&field.value(&setup)), "{field:?}");
+                assert!(is_within(field.value(&setup)), "{field:?}");
                 field.step(&mut setup, 10.0);
                 field.step(&mut setup, -1.0);
-                assert!((low..=high).contains(&field.value(&setup)), "{field:?}");
+                assert!(is_within(field.value(&setup)), "{field:?}");
             }
         }
     }
 
     #[test]
     fn choices_go_round_and_numbers_land_on_the_grid() {
-        let mut setup = Setup::default();
+        let mut setup = FoilSetup::default();
         for _ in 0..METALS.len() {
             F::Metal.step(&mut setup, 1.0);
         }
-        assert_eq!(setup, Setup::default());
+        assert_eq!(setup, FoilSetup::default());
         F::Energy.step(&mut setup, 1.0);
         assert_eq!(setup.energy_mev, 7.75);
         F::Particles.step(&mut setup, 1.0);

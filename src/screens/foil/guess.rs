@@ -1,7 +1,7 @@
 //! What one says before a beam is thrown: how many are turned back.
 
 /// An answer to choose from.
-pub(super) struct Choice {
+pub(crate) struct ShareChoice {
     /// In words.
     pub name: &'static str,
     /// The share it means.
@@ -10,7 +10,7 @@ pub(super) struct Choice {
 
 /// The answers to choose from. Steps of ten: for what is rare the order of magnitude is
 /// what matters.
-pub(super) const CHOICES: [Choice; 9] = [
+pub(crate) const CHOICES: [ShareChoice; 9] = [
     choice("all of them", 1.0),
     choice("seven in ten", 0.7),
     choice("half of them", 0.5),
@@ -22,13 +22,13 @@ pub(super) const CHOICES: [Choice; 9] = [
     choice("1 in a million", 1e-6),
 ];
 
-const fn choice(name: &'static str, share: f64) -> Choice {
-    Choice { name, share }
+const fn choice(name: &'static str, share: f64) -> ShareChoice {
+    ShareChoice { name, share }
 }
 
 /// What to say to an answer, now that the share is known.
-pub(super) fn explain(said: f64, share: f64) -> String {
-    let off = |choice: &Choice| (choice.share / share).log10().abs();
+pub(crate) fn explain(said: f64, share: f64) -> String {
+    let off = |choice: &ShareChoice| (choice.share / share).log10().abs();
     let nearest = CHOICES
         .iter()
         .min_by(|a, b| off(a).total_cmp(&off(b)))

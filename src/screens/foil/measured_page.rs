@@ -3,7 +3,7 @@
 use glam::dvec2;
 use ratatui::layout::Rect;
 
-use super::setup::Setup;
+use super::setup::FoilSetup;
 use super::words;
 use crate::beams::{Angle, Series, geiger_marsden};
 use crate::physics::rutherford::{GOLD_DENSITY, MEASURED_SHARE, Rutherford};
@@ -185,7 +185,7 @@ pub(super) fn write(lines: &mut Lines) {
     lines.paragraph(&absolute_check(), Role::Text);
     lines.gap();
     lines.line("“1 in 8000”", Role::Title);
-    let back = Setup::default()
+    let back = FoilSetup::default()
         .law()
         .share_beyond(std::f64::consts::FRAC_PI_2);
     lines.paragraph(

@@ -17,20 +17,23 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Help, Hint, Next, OldScreen};
+use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::widgets::{NumberEntry, Outcome, Scroll, svg};
+use crate::quiz::Response;
+use crate::widgets::input::{AnswerAction, AnswerInput, FormAction, KeyTable, SettingsForm};
+use crate::widgets::{Outcome, Scroll, svg};
 
-pub(crate) use field::Field;
+pub(crate) use field::FoilField;
 pub(crate) use plot::FoilFigure;
-pub(crate) use setup::Setup;
+pub(crate) use setup::FoilSetup;
 
-use run::Run;
+use field::FoilFields;
+use run::BeamRun;
 use setup::Obstacle::{Hard, Nucleus};
 
 /// A page of the foil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Page {
+pub enum FoilPage {
     /// One particle, and some beside it.
     #[default]
     Tracks,
@@ -40,7 +43,7 @@ pub enum Page {
     Measured,
 }
 
-impl Page {
+impl FoilPage {
     /// All pages, in their order.
     pub const ALL: [Self; 3] = [Self::Tracks, Self::Counts, Self::Measured];
 
@@ -54,48 +57,76 @@ impl Page {
     }
 }
 
+/// Rows that a page of the panel is turned by.
+const PAGE: i16 = 8;
+
+/// What keys do at the foil.
+#[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum FoilAction {
+    /// next page, the one before
+    TurnPage(isize),
+    /// change a setting
+    Set(FormAction),
+    /// throw a beam, let it go on, or throw another
+    Throw,
+    /// stop the beam at once
+    Stop,
+    /// say what will happen
+    Guess(AnswerAction),
+    /// throw no beam
+    LeaveGuess,
+    /// counts on a logarithmic scale, or on an even one
+    Scale,
+    /// the other plot of the same counts
+    OtherPlot,
+    /// scroll a text that is longer than its place
+    Scroll(i16),
+    /// export the plot as an SVG picture
+    Export,
+    /// say first what will happen, or just watch
+    Predict,
+    /// back to the first setting
+    Reset,
+    /// back
+    Back,
+}
+
 /// The foil.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Foil {
-    setup: Setup,
-    page: Page,
-    /// The setting that keys change, and the number being typed for it.
-    field: usize,
-    entry: NumberEntry,
+pub(crate) struct FoilScreen {
+    setup: FoilSetup,
+    page: FoilPage,
+    /// The setting that keys change.
+    form: SettingsForm,
     /// How far the text of the page is scrolled.
     scroll: Scroll,
-    /// The answer chosen among the guesses, while one is asked for.
-    guess: Option<usize>,
+    /// What is said of the beam, while that is asked for.
+    guess: Option<AnswerInput>,
     /// The beam, since the setting last changed.
-    run: Option<Run>,
+    run: Option<BeamRun>,
     /// Beams thrown before it.
     runs: u64,
     /// Whether counts are on the scale that is not the usual one for their law.
     other_scale: bool,
     /// Whether the counts of 1913 are shown as shares of the law.
     levelled: bool,
-    /// Whether the last number typed was out of range, and held to it.
-    held: bool,
 }
 
-impl Foil {
+impl FoilScreen {
     /// The foil at one of its pages.
-    pub(crate) fn at(page: Page) -> Self {
+    pub(crate) fn at(page: FoilPage) -> Self {
         Self {
             page,
             ..Self::default()
         }
     }
 
-    fn fields(&self) -> &'static [Field] {
-        Field::on(self.page, &self.setup)
-    }
-
-    /// The setting that keys change; `None` on a page without any.
-    fn field(&self) -> Option<Field> {
-        let fields = self.fields();
-        let last = fields.len().checked_sub(1)?;
-        fields.get(self.field.min(last)).copied()
+    fn fields(&self) -> FoilFields {
+        FoilFields {
+            page: self.page,
+            setup: self.setup,
+        }
     }
 
     /// Whether counts are on a logarithmic scale: usual for a nucleus, whose counts
@@ -105,7 +136,7 @@ impl Foil {
     }
 
     fn is_running(&self) -> bool {
-        self.page == Page::Counts && self.run.as_ref().is_some_and(Run::is_running)
+        self.page == FoilPage::Counts && self.run.as_ref().is_some_and(BeamRun::is_running)
     }
 
     /// Stops the beam, or lets it go on.
@@ -116,9 +147,10 @@ impl Foil {
     }
 
     /// Changes the setting; a beam of another setting is no longer this one's.
-    fn change(&mut self, change: impl FnOnce(&mut Setup)) {
-        let before = self.setup;
-        change(&mut self.setup);
+    fn edit(&mut self, how: impl FnOnce(&mut SettingsForm, &mut FoilFields)) {
+        let (before, mut fields) = (self.setup, self.fields());
+        how(&mut self.form, &mut fields);
+        self.setup = fields.setup;
         if self.setup.law() != before.law()
             || self.setup.particles_exponent != before.particles_exponent
         {
@@ -129,58 +161,42 @@ impl Foil {
         }
     }
 
-    fn commit_entry(&mut self) {
-        if let Some(value) = self.entry.take() {
-            self.set(value);
-        }
+    /// Takes over a number that was typed and not entered.
+    fn commit(&mut self) {
+        self.edit(|form, fields| form.commit(fields));
     }
 
-    /// Sets the chosen setting to a number that was typed.
-    fn set(&mut self, value: f64) {
-        if let Some(field) = self.field() {
-            self.held = !field.allows(&self.setup, value);
-            self.change(|setup| field.set(setup, value));
-        }
-    }
-
-    fn choose(&mut self, field: usize) {
-        self.commit_entry();
-        self.field = field % self.fields().len().max(1);
-    }
-
-    fn step(&mut self, steps: f64) {
-        self.commit_entry();
-        if let Some(field) = self.field() {
-            self.change(|setup| field.step(setup, steps));
-        }
-    }
-
-    fn turn_to(&mut self, page: Page) {
-        self.commit_entry();
+    fn turn_to(&mut self, page: FoilPage) {
+        self.commit();
         self.halt(true);
         // The setting that was chosen stays chosen, if the page has it.
-        let chosen = self.field();
+        let fields = self.fields().all();
+        let chosen = fields.get(self.form.selected(fields.len()));
         self.page = page;
-        let place = |field| self.fields().iter().position(|other| *other == field);
-        self.field = chosen.and_then(place).unwrap_or(0);
+        let mut others = self.fields().all().iter();
+        self.form = SettingsForm::at(others.position(|other| Some(other) == chosen).unwrap_or(0));
         self.scroll = Scroll::default();
         self.guess = None;
     }
 
-    fn turn_by(&mut self, pages: usize) {
-        let here = Page::ALL.iter().position(|page| *page == self.page);
-        let next = (here.unwrap_or(0) + pages) % Page::ALL.len();
-        self.turn_to(Page::ALL[next]);
+    fn turn_by(&mut self, pages: isize) {
+        let here = FoilPage::ALL.iter().position(|page| *page == self.page);
+        let next = here.unwrap_or(0) as isize + pages;
+        self.turn_to(FoilPage::ALL[next.rem_euclid(FoilPage::ALL.len() as isize) as usize]);
     }
 
     /// Throws a beam: lets a halted one go on, or begins another, after a guess if one is
     /// wanted.
     fn throw(&mut self, cx: &Context) {
+        self.commit();
         match &self.run {
             Some(run) if !run.is_over() => self.halt(false),
             Some(_) => self.begin(None, cx.seed()),
             None if cx.settings.predict => {
-                self.guess = Some(guess::CHOICES.len() / 2);
+                self.guess = Some(AnswerInput::Choice {
+                    chosen: None,
+                    count: guess::CHOICES.len(),
+                });
                 self.scroll = Scroll::default();
             }
             None => self.begin(None, cx.seed()),
@@ -194,103 +210,29 @@ impl Foil {
         let seed = seed.wrapping_add(self.runs);
         self.runs = self.runs.wrapping_add(1);
         let (law, particles) = (self.setup.law(), self.setup.particles());
-        self.run = Some(Run::new(law, seed, particles, said));
+        self.run = Some(BeamRun::new(law, seed, particles, said));
         self.scroll = Scroll::default();
     }
 
-    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
-        self.held = false;
-        if self.is_running() {
-            return self.running_key(key);
+    fn say(&mut self, action: AnswerAction, cx: &Context) {
+        if let Some(guess) = &mut self.guess
+            && guess.act(action) == Outcome::Done(())
+            && let Some(Response::Choice(chosen)) = guess.said()
+        {
+            self.guess = None;
+            let said = guess::CHOICES.get(chosen).map(|choice| choice.share);
+            self.begin(said, cx.seed());
         }
-        if let Some(chosen) = self.guess {
-            return self.guess_key(chosen, key, cx);
-        }
-        if self.field().is_some_and(Field::is_number) {
-            match self.entry.update(key) {
-                Outcome::Used => return Next::Stay,
-                Outcome::Done(value) => {
-                    self.set(value);
-                    return Next::Stay;
-                }
-                Outcome::Ignored => {}
-            }
-        }
-        match key {
-            Key::Tab => self.turn_by(1),
-            Key::BackTab => self.turn_by(Page::ALL.len() - 1),
-            Key::PageUp => self.scroll_by(-8, cx),
-            Key::PageDown => self.scroll_by(8, cx),
-            Key::Char('e' | 'E') => {
-                self.commit_entry();
-                let name = format!("carrom-foil-{}.svg", self.page.name().replace(' ', "-"));
-                let look = cx.settings.look();
-                let svg = svg::of_panel(view::title(self), &look, |area, _| {
-                    vec![view::picture(self, area, look)]
-                });
-                cx.export(name, svg);
-            }
-            Key::Char('p' | 'P') => cx.settings.predict = !cx.settings.predict,
-            _ if self.page == Page::Measured => return self.measured_key(key, cx),
-            Key::Up => self.choose(self.field + self.fields().len() - 1),
-            Key::Down => self.choose(self.field + 1),
-            Key::Left => self.step(-1.0),
-            Key::Right => self.step(1.0),
-            Key::Char('r' | 'R') => {
-                self.entry.take();
-                self.change(|setup| *setup = Setup::default());
-            }
-            Key::Enter | Key::Char(' ') if self.page == Page::Counts => {
-                self.commit_entry();
-                self.throw(cx);
-            }
-            Key::Enter | Key::Char(' ') => self.turn_to(Page::Counts),
-            Key::Char('l' | 'L') if self.page == Page::Counts => {
-                self.other_scale = !self.other_scale;
-            }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
     }
 
-    /// Keys while a beam is under way: Escape stops it at once.
-    fn running_key(&mut self, key: Key) -> Next {
-        match key {
-            Key::Escape | Key::Enter | Key::Char(' ') => self.halt(true),
-            Key::Tab => self.turn_by(1),
-            Key::BackTab => self.turn_by(Page::ALL.len() - 1),
-            Key::Char('l' | 'L') => self.other_scale = !self.other_scale,
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    fn guess_key(&mut self, chosen: usize, key: Key, cx: &Context) -> Next {
-        let count = guess::CHOICES.len();
-        match key {
-            Key::Up => self.guess = Some((chosen + count - 1) % count),
-            Key::Down => self.guess = Some((chosen + 1) % count),
-            Key::Enter | Key::Char(' ') => {
-                self.guess = None;
-                let said = guess::CHOICES.get(chosen).map(|choice| choice.share);
-                self.begin(said, cx.seed());
-            }
-            Key::Escape => self.guess = None,
-            Key::Tab => self.turn_by(1),
-            Key::BackTab => self.turn_by(Page::ALL.len() - 1),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    fn measured_key(&mut self, key: Key, cx: &Context) -> Next {
-        match key {
-            Key::Up => self.scroll_by(-1, cx),
-            Key::Down => self.scroll_by(1, cx),
-            Key::Left | Key::Right | Key::Enter | Key::Char(' ') => self.levelled = !self.levelled,
-            _ => return Next::Ignored,
-        }
-        Next::Stay
+    fn export(&mut self, cx: &mut Context) {
+        self.commit();
+        let name = format!("carrom-foil-{}.svg", self.page.name().replace(' ', "-"));
+        let look = cx.settings.look();
+        let svg = svg::of_panel(view::title(self), &look, |area, _| {
+            vec![view::picture(self, area, look)]
+        });
+        cx.export(name, svg);
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
@@ -319,11 +261,13 @@ impl Foil {
                     let row = usize::from(layout.row_of_text(self, cell, cx));
                     if self.guess.is_some() {
                         match row.checked_sub(beam_page::GUESS_HEAD) {
-                            Some(i) if i < guess::CHOICES.len() => self.guess = Some(i),
+                            Some(i) if i < guess::CHOICES.len() => {
+                                self.say(AnswerAction::Choose(i), cx);
+                            }
                             _ => return Next::Ignored,
                         }
-                    } else if row < self.fields().len() {
-                        self.choose(row);
+                    } else if row < self.fields().all().len() {
+                        self.edit(|form, fields| form.select(row, fields));
                     }
                 }
                 _ => return Next::Ignored,
@@ -335,29 +279,33 @@ impl Foil {
         }
         let held = pressed || mouse.kind == MouseKind::Drag;
         match self.page {
-            Page::Tracks if held => {
-                self.entry.take();
+            FoilPage::Tracks if held => {
                 let offset = tracks_page::offset_at(layout.beside.picture, &self.setup, cell);
-                self.change(|setup| Field::Offset.set(setup, offset));
+                self.edit(|form, fields| {
+                    form.give_up();
+                    FoilField::Offset.set(&mut fields.setup, offset);
+                });
             }
-            Page::Tracks => match mouse.kind {
-                MouseKind::ScrollUp => self.change(|setup| Field::Offset.step(setup, 1.0)),
-                MouseKind::ScrollDown => self.change(|setup| Field::Offset.step(setup, -1.0)),
-                _ => return Next::Ignored,
-            },
-            Page::Counts if pressed && self.is_running() => return self.running_key(Key::Escape),
-            Page::Counts if pressed && self.guess.is_none() => {
-                self.commit_entry();
-                self.throw(cx);
+            FoilPage::Tracks => {
+                let by = match mouse.kind {
+                    MouseKind::ScrollUp => 1.0,
+                    MouseKind::ScrollDown => -1.0,
+                    _ => return Next::Ignored,
+                };
+                self.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by));
             }
-            Page::Measured if pressed => self.levelled = !self.levelled,
+            FoilPage::Counts if pressed && self.is_running() => self.halt(true),
+            FoilPage::Counts if pressed && self.guess.is_none() => self.throw(cx),
+            FoilPage::Measured if pressed => self.levelled = !self.levelled,
             _ => return Next::Ignored,
         }
         Next::Stay
     }
 }
 
-impl OldScreen for Foil {
+impl Screen for FoilScreen {
+    type Action = FoilAction;
+
     fn title(&self) -> String {
         "foil".into()
     }
@@ -365,9 +313,9 @@ impl OldScreen for Foil {
     fn status(&self, _cx: &Context) -> String {
         let setup = &self.setup;
         match (self.page, setup.obstacle) {
-            (Page::Measured, _) => "Geiger and Marsden, silver and gold".into(),
-            (Page::Tracks, Hard) => "a hard target".into(),
-            (Page::Counts, Hard) => format!("{}s", setup.obstacle_name()),
+            (FoilPage::Measured, _) => "Geiger and Marsden, silver and gold".into(),
+            (FoilPage::Tracks, Hard) => "a hard target".into(),
+            (FoilPage::Counts, Hard) => format!("{}s", setup.obstacle_name()),
             (_, Nucleus) => format!(
                 "α particles of {:.2} MeV on {}",
                 setup.energy_mev,
@@ -376,9 +324,8 @@ impl OldScreen for Foil {
         }
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Exported(exported) => {
                 cx.tell_of_export("plot", exported);
@@ -405,85 +352,100 @@ impl OldScreen for Foil {
         view::draw(self, area, buf, cx);
     }
 
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
+    fn keys(&self, _cx: &Context) -> KeyTable<FoilAction> {
+        use FoilAction::{Back, Export, LeaveGuess, OtherPlot, Predict, Reset, Scale, Scroll};
+        use FoilAction::{Stop, Throw, TurnPage};
+        let key = Key::Char;
+        let pages = [(Key::Tab, TurnPage(1)), (Key::BackTab, TurnPage(-1))];
+        let scroll = [(Key::PageUp, Scroll(-PAGE)), (Key::PageDown, Scroll(PAGE))];
+        let table = KeyTable::new("foil");
         if self.is_running() {
-            return vec![
-                Hint::new("Esc", "stop the beam"),
-                Hint::new("l", "scale"),
-                Hint::new("Tab", "next page"),
-            ];
+            return table
+                .on(Key::Escape, Stop, "stop the beam")
+                .or([(Key::Enter, Stop), (key(' '), Stop)])
+                .on(key('l'), Scale, "scale")
+                .each(pages, "next page");
         }
-        if self.guess.is_some() {
-            return vec![
-                Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "say it, and throw"),
-                Hint::new("Esc", "back"),
-            ];
+        let typing = self.form.is_typing();
+        // Here these keys turn the page and scroll.
+        let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
+        if let Some(guess) = &self.guess {
+            return table
+                .with(guess.keys().without_keys(&own), FoilAction::Guess)
+                .renamed("say it, and throw", |action| {
+                    action == FoilAction::Guess(AnswerAction::Enter)
+                })
+                .on(Key::Escape, LeaveGuess, "back")
+                .each(pages, "")
+                .each(scroll, "");
         }
-        let change = [
-            Hint::new("Up Down", "choose"),
-            Hint::new("Left Right", "change"),
-        ];
-        let mut keys = Vec::new();
-        match self.page {
-            Page::Tracks => {
-                keys.extend(change);
-                keys.push(Hint::new("0-9", "type"));
-                keys.push(Hint::new("Enter", "a whole beam"));
-            }
-            Page::Counts => {
-                let enter = match &self.run {
-                    None => "throw the beam",
-                    Some(run) if run.is_over() => "another beam",
-                    Some(_) => "go on",
-                };
-                keys.push(Hint::new("Enter", enter));
-                keys.extend(change);
-                keys.push(Hint::new("l", "scale"));
-            }
-            Page::Measured => {
-                keys.push(Hint::new("Enter", "the other plot"));
-                keys.push(Hint::new("PageUp PageDown", "read"));
-            }
-        }
-        keys.push(Hint::new("Tab", "next page"));
-        keys.push(Hint::new("Esc", "back"));
-        keys.push(Hint::new("e", "export"));
-        keys
+        let form = || self.form.keys(&self.fields()).without_keys(&own);
+        let throw = match &self.run {
+            _ if self.page == FoilPage::Tracks => "a whole beam",
+            None => "throw the beam",
+            Some(run) if run.is_over() => "another beam",
+            Some(_) => "go on",
+        };
+        let table = match self.page {
+            FoilPage::Tracks => table
+                .with(form(), FoilAction::Set)
+                .on(Key::Enter, TurnPage(1), throw)
+                .or([(key(' '), TurnPage(1))])
+                .when(!typing)
+                .each(scroll, ""),
+            FoilPage::Counts => table
+                .on(Key::Enter, Throw, throw)
+                .or([(key(' '), Throw)])
+                .when(!typing)
+                .with(form(), FoilAction::Set)
+                .on(key('l'), Scale, "scale")
+                .each(scroll, ""),
+            FoilPage::Measured => table
+                .on(Key::Enter, OtherPlot, "the other plot")
+                .or([Key::Left, Key::Right, key(' ')].map(|key| (key, OtherPlot)))
+                .each(scroll, "read")
+                .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))]),
+        };
+        table
+            .each(pages, "next page")
+            .on(Key::Escape, Back, "back")
+            .when(!typing)
+            .on(key('e'), Export, "export")
+            .on(key('p'), Predict, "")
+            .on(key('r'), Reset, "")
+            .when(self.page != FoilPage::Measured)
     }
 
-    fn help(&self, _cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "A glancing hit, once more, and then a million times. Nobody can aim a particle at an atom; but throw many, evenly, and the angles they leave at tell what is in there.",
-                "One particle: set its offset b and see how it is turned. A hard target reflects it; a nucleus repels it from afar, on a hyperbola. r_min is how near it comes.",
-                "A beam: particle after particle, each with a random offset, counted by angle in steps of 5°. The line is what the law leads one to expect. A plane beam has its offsets even over a line, as on a board; a beam in space has them even over a disc.",
-                "In a foil every nucleus has its share of the beam: the thicker the foil, the less room around each. Each particle is taken to meet one nucleus only, and the target to stay where it is.",
-                "Counted in 1913: Geiger and Marsden's own numbers beside the law.",
-            ],
-            keys: vec![
-                Hint::new("Tab", "next page; Shift+Tab the one before"),
-                Hint::new("Up Down", "choose a setting, an answer, or scroll a text"),
-                Hint::new(
-                    "Left Right",
-                    "change the setting; on the last page, the other plot",
-                ),
-                Hint::new("0-9 . -", "type a number; Enter sets it, Esc gives it up"),
-                Hint::new("Enter", "throw a beam, let it go on, or throw another"),
-                Hint::new("Esc", "stop a beam at once"),
-                Hint::new("l", "counts on a logarithmic scale, or on an even one"),
-                Hint::new("p", "say first what will happen, or just watch"),
-                Hint::new("e", "export the plot as an SVG picture"),
-                Hint::new("r", "back to the first setting"),
-                Hint::new(
-                    "PageUp PageDown",
-                    "scroll a text that is longer than its place",
-                ),
-                Hint::new(
-                    "mouse",
-                    "drag the particle up and down; click a tab, a setting, the plot",
-                ),
-            ],
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "A glancing hit, once more, and then a million times. Nobody can aim a particle at an atom; but throw many, evenly, and the angles they leave at tell what is in there.",
+            "One particle: set its offset b and see how it is turned. A hard target reflects it; a nucleus repels it from afar, on a hyperbola. r_min is how near it comes.",
+            "A beam: particle after particle, each with a random offset, counted by angle in steps of 5°. The line is what the law leads one to expect. A plane beam has its offsets even over a line, as on a board; a beam in space has them even over a disc.",
+            "In a foil every nucleus has its share of the beam: the thicker the foil, the less room around each. Each particle is taken to meet one nucleus only, and the target to stay where it is.",
+            "Counted in 1913: Geiger and Marsden's own numbers beside the law.",
+            "The mouse drags the particle up and down; click a tab, a setting, the plot.",
+        ]
+    }
+
+    fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {
+        match action {
+            FoilAction::TurnPage(by) => self.turn_by(by),
+            FoilAction::Set(action) => self.edit(|form, fields| form.act(action, fields)),
+            FoilAction::Throw => self.throw(cx),
+            FoilAction::Stop => self.halt(true),
+            FoilAction::Guess(action) => self.say(action, cx),
+            FoilAction::LeaveGuess => self.guess = None,
+            FoilAction::Scale => self.other_scale = !self.other_scale,
+            FoilAction::OtherPlot => self.levelled = !self.levelled,
+            FoilAction::Scroll(rows) => self.scroll_by(rows, cx),
+            FoilAction::Export => self.export(cx),
+            FoilAction::Predict => cx.settings.predict = !cx.settings.predict,
+            FoilAction::Reset => self.edit(|form, fields| {
+                form.give_up();
+                fields.setup = FoilSetup::default();
+            }),
+            FoilAction::Back => return Next::Back,
         }
+        Next::Stay
     }
 }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{Field, Foil, Page, Run, Setup, tracks_page, view};
+use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, tracks_page, view};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
@@ -21,24 +21,24 @@ const LEAP: f64 = 10.0;
 
 /// The picture of a page of the foil.
 #[derive(Debug, Clone)]
-pub(crate) struct FoilFigure(Foil);
+pub(crate) struct FoilFigure(FoilScreen);
 
 impl FoilFigure {
     /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A
     /// beam is thrown: at once, or so that one can watch it if it is `watched`.
-    pub(crate) fn new(page: Page, levelled: bool, watched: bool) -> Self {
-        let mut setup = Setup {
+    pub(crate) fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
+        let mut setup = FoilSetup {
             particles_exponent: PARTICLES_EXPONENT,
-            ..Setup::default()
+            ..FoilSetup::default()
         };
         // The offset d/2, which turns a particle by a right angle.
         setup.offset_fm = setup.scatterer().head_on_approach / 2.0 / FM;
-        let mut foil = Foil {
+        let mut foil = FoilScreen {
             setup,
             levelled,
-            ..Foil::at(page)
+            ..FoilScreen::at(page)
         };
-        if page == Page::Counts {
+        if page == FoilPage::Counts {
             foil.begin(None, SEED);
         }
         let mut plot = Self(foil);
@@ -61,10 +61,10 @@ impl FoilFigure {
     /// What its keys are, for the bottom line.
     pub(crate) fn keys(&self) -> Vec<(&'static str, &'static str)> {
         match self.0.page {
-            Page::Tracks => vec![("Left Right", "offset")],
-            Page::Counts if self.is_running() => vec![("Space", "stop"), ("l", "scale")],
-            Page::Counts => vec![("Space", "throw"), ("l", "scale")],
-            Page::Measured => vec![("Space", "the other plot")],
+            FoilPage::Tracks => vec![("Left Right", "offset")],
+            FoilPage::Counts if self.is_running() => vec![("Space", "stop"), ("l", "scale")],
+            FoilPage::Counts => vec![("Space", "throw"), ("l", "scale")],
+            FoilPage::Measured => vec![("Space", "the other plot")],
         }
     }
 
@@ -79,14 +79,18 @@ impl FoilFigure {
         };
         let foil = &mut self.0;
         match (foil.page, key) {
-            (Page::Tracks, _) if by != 0.0 => foil.change(|setup| Field::Offset.step(setup, by)),
-            (Page::Counts, Key::Escape | Key::Char(' ')) if foil.is_running() => foil.halt(true),
-            (Page::Counts, Key::Char(' ')) => match &foil.run {
+            (FoilPage::Tracks, _) if by != 0.0 => {
+                foil.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by))
+            }
+            (FoilPage::Counts, Key::Escape | Key::Char(' ')) if foil.is_running() => {
+                foil.halt(true)
+            }
+            (FoilPage::Counts, Key::Char(' ')) => match &foil.run {
                 Some(run) if !run.is_over() => foil.halt(false),
                 _ => foil.begin(None, SEED),
             },
-            (Page::Counts, Key::Char('l' | 'L')) => foil.other_scale = !foil.other_scale,
-            (Page::Measured, Key::Char(' ')) => foil.levelled = !foil.levelled,
+            (FoilPage::Counts, Key::Char('l' | 'L')) => foil.other_scale = !foil.other_scale,
+            (FoilPage::Measured, Key::Char(' ')) => foil.levelled = !foil.levelled,
             _ => return false,
         }
         true
@@ -97,21 +101,22 @@ impl FoilFigure {
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;
         match (self.0.page, mouse.kind) {
-            (Page::Tracks, _) if held => {
+            (FoilPage::Tracks, _) if held => {
                 let cell = (mouse.column, mouse.row);
                 let offset = tracks_page::offset_at(area, &self.0.setup, cell);
-                self.0.change(|setup| Field::Offset.set(setup, offset));
+                self.0
+                    .edit(|_, fields| FoilField::Offset.set(&mut fields.setup, offset));
                 true
             }
-            (Page::Tracks, MouseKind::ScrollUp) => self.update(Key::Right),
-            (Page::Tracks, MouseKind::ScrollDown) => self.update(Key::Left),
+            (FoilPage::Tracks, MouseKind::ScrollUp) => self.update(Key::Right),
+            (FoilPage::Tracks, MouseKind::ScrollDown) => self.update(Key::Left),
             _ => pressed && self.update(Key::Char(' ')),
         }
     }
 
     /// Throws the particles between two pictures.
     pub(crate) fn advance(&mut self) {
-        self.0.run.iter_mut().for_each(Run::advance);
+        self.0.run.iter_mut().for_each(BeamRun::advance);
     }
 
     /// When it next needs time.
@@ -131,8 +136,8 @@ mod tests {
 
     #[test]
     fn a_beam_that_is_watched_ends_as_one_that_is_thrown_at_once() {
-        let whole = FoilFigure::new(Page::Counts, false, false);
-        let mut watched = FoilFigure::new(Page::Counts, false, true);
+        let whole = FoilFigure::new(FoilPage::Counts, false, false);
+        let mut watched = FoilFigure::new(FoilPage::Counts, false, true);
         assert!(whole.wake().is_none() && watched.wake().is_some());
         let mut pictures = 0;
         while watched.wake().is_some() {

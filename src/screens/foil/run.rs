@@ -11,7 +11,7 @@ const MOST: u64 = 2_000_000;
 
 /// A beam, as far as it has been thrown.
 #[derive(Debug, Clone)]
-pub(super) struct Run {
+pub(crate) struct BeamRun {
     law: ScatteringLaw,
     sampler: Box<Sampler>,
     seed: u64,
@@ -22,7 +22,7 @@ pub(super) struct Run {
     pub said: Option<f64>,
 }
 
-impl Run {
+impl BeamRun {
     /// A beam of `particles`, none of them thrown yet.
     pub(super) fn new(law: ScatteringLaw, seed: u64, particles: u64, said: Option<f64>) -> Self {
         Self {
@@ -90,14 +90,14 @@ impl Run {
 
 #[cfg(test)]
 mod tests {
-    use super::super::setup::Setup;
+    use super::super::setup::FoilSetup;
     use super::*;
 
     #[test]
     fn a_beam_ends_with_all_its_particles_whatever_the_slices() {
         for particles in [1, 239, 1000, 1_000_000] {
-            let law = Setup::default().law();
-            let mut run = Run::new(law, 3, particles, None);
+            let law = FoilSetup::default().law();
+            let mut run = BeamRun::new(law, 3, particles, None);
             while run.is_running() {
                 run.advance();
             }
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn a_beam_that_is_halted_throws_nothing() {
-        let mut run = Run::new(Setup::default().law(), 3, 100_000_000, None);
+        let mut run = BeamRun::new(FoilSetup::default().law(), 3, 100_000_000, None);
         run.advance();
         let thrown = run.thrown();
         assert!(thrown > 0 && thrown <= MOST);

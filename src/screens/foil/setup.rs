@@ -15,7 +15,7 @@ pub(crate) enum Obstacle {
 
 /// The setting, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Setup {
+pub(crate) struct FoilSetup {
     /// What stands in the way.
     pub obstacle: Obstacle,
     /// How the offsets of a beam are spread.
@@ -34,7 +34,7 @@ pub(crate) struct Setup {
     pub particles_exponent: u32,
 }
 
-impl Default for Setup {
+impl Default for FoilSetup {
     /// Radium C on the gold foil of 1913.
     fn default() -> Self {
         Self {
@@ -50,7 +50,7 @@ impl Default for Setup {
     }
 }
 
-impl Setup {
+impl FoilSetup {
     /// The metal of the foil.
     pub(crate) fn metal(&self) -> Metal {
         METALS[self.metal % METALS.len()]

@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
-use super::setup::{Obstacle, Setup};
+use super::setup::{FoilSetup, Obstacle};
 use super::words::rounded;
 use crate::beams::{BeamTarget, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
-use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
+use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
 use crate::widgets::{Lines, Role};
 
@@ -24,7 +24,7 @@ const HALF_HEIGHT_HARD: f64 = 1.9;
 const BESIDE: i32 = 4;
 
 /// The title of the picture.
-pub(super) fn title(setup: &Setup) -> &'static str {
+pub(super) fn title(setup: &FoilSetup) -> &'static str {
     match setup.obstacle {
         Obstacle::Hard => "past a hard target",
         Obstacle::Nucleus => "past a nucleus",
@@ -41,20 +41,20 @@ struct Path {
     angle: f64,
 }
 
-fn half_height(setup: &Setup) -> f64 {
+fn half_height(setup: &FoilSetup) -> f64 {
     match setup.obstacle {
         Obstacle::Hard => HALF_HEIGHT_HARD,
         Obstacle::Nucleus => HALF_HEIGHT_FM,
     }
 }
 
-fn view(area: Rect, setup: &Setup) -> View {
+fn view(area: Rect, setup: &FoilSetup) -> View {
     let half = half_height(setup);
     View::fit(area, dvec2(-half, -half), dvec2(half, half))
 }
 
 /// The offset that a cell of the picture stands for, in the units of the picture.
-pub(super) fn offset_at(area: Rect, setup: &Setup, (column, row): (u16, u16)) -> f64 {
+pub(super) fn offset_at(area: Rect, setup: &FoilSetup, (column, row): (u16, u16)) -> f64 {
     let y = view(area, setup).world_at(column, row).y;
     match setup.obstacle {
         Obstacle::Hard => (y * 20.0).round() / 20.0,
@@ -62,7 +62,7 @@ pub(super) fn offset_at(area: Rect, setup: &Setup, (column, row): (u16, u16)) ->
     }
 }
 
-fn offset(setup: &Setup) -> f64 {
+fn offset(setup: &FoilSetup) -> f64 {
     match setup.obstacle {
         Obstacle::Hard => setup.offset_share,
         Obstacle::Nucleus => setup.offset_fm,
@@ -70,7 +70,7 @@ fn offset(setup: &Setup) -> f64 {
 }
 
 /// The path at an offset, from `reach` in to `reach` out.
-fn path(setup: &Setup, offset: f64, reach: f64) -> Path {
+fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     match setup.obstacle {
         Obstacle::Hard => hard_path(offset, reach),
         Obstacle::Nucleus => {
@@ -113,7 +113,7 @@ fn hard_path(offset: f64, reach: f64) -> Path {
 }
 
 /// The picture of the page.
-pub(super) fn picture(setup: &Setup, area: Rect) -> Picture {
+pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let view = view(area, setup);
     let half = half_height(setup);
     let mut picture = Picture::new(view);
@@ -140,10 +140,10 @@ pub(super) fn picture(setup: &Setup, area: Rect) -> Picture {
 }
 
 /// The particle that is set, with what is measured on it.
-fn draw_particle(setup: &Setup, picture: &mut Picture, reach: f64) {
+fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
     let offset = offset(setup);
     let set = path(setup, offset, reach);
-    let pen = Pen::new(Role::StrikerOut).on(Layer::Vector);
+    let pen = Pen::new(Role::StrikerOut).on(DrawLayer::Vector);
     if let Some(nearest) = set.nearest {
         match setup.obstacle {
             Obstacle::Hard => {
@@ -187,7 +187,7 @@ fn draw_particle(setup: &Setup, picture: &mut Picture, reach: f64) {
 }
 
 /// Writes what stands below the settings.
-pub(super) fn write(setup: &Setup, lines: &mut Lines) {
+pub(super) fn write(setup: &FoilSetup, lines: &mut Lines) {
     let set = path(setup, offset(setup), 1e4);
     lines.gap();
     let angle = format!("{:.1}°", set.angle.to_degrees());
@@ -214,7 +214,7 @@ fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
     lines.paragraph(text, Role::Text);
 }
 
-fn write_nucleus(setup: &Setup, set: &Path, lines: &mut Lines) {
+fn write_nucleus(setup: &FoilSetup, set: &Path, lines: &mut Lines) {
     let d = setup.scatterer().head_on_approach / FM;
     let r_min = set.nearest.map_or(d, DVec2::length);
     lines.pair(
@@ -250,12 +250,12 @@ fn write_nucleus(setup: &Setup, set: &Path, lines: &mut Lines) {
 mod tests {
     use super::*;
 
-    fn setup(obstacle: Obstacle, offset: f64) -> Setup {
-        Setup {
+    fn setup(obstacle: Obstacle, offset: f64) -> FoilSetup {
+        FoilSetup {
             obstacle,
             offset_share: offset,
             offset_fm: offset,
-            ..Setup::default()
+            ..FoilSetup::default()
         }
     }
 

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Foil, Page, beam_page, measured_page, tracks_page};
+use super::{FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, SplitLayout, text};
@@ -36,9 +36,9 @@ impl FoilLayout {
     }
 
     /// The columns of each tab.
-    fn tabs(self) -> [(Page, u16, String); 3] {
+    fn tabs(self) -> [(FoilPage, u16, String); 3] {
         let mut column = self.tabs.x + 1;
-        Page::ALL.map(|page| {
+        FoilPage::ALL.map(|page| {
             let start = column;
             let name = format!(" {} ", page.name());
             column += text::width(&name) as u16 + 2;
@@ -47,18 +47,18 @@ impl FoilLayout {
     }
 
     /// The page whose tab is at this cell.
-    pub(super) fn tab_at(self, (column, row): (u16, u16)) -> Option<Page> {
+    pub(crate) fn tab_at(self, (column, row): (u16, u16)) -> Option<FoilPage> {
         if !self.tabs.contains((column, row).into()) {
             return None;
         }
-        let at = |(_, start, name): &(Page, u16, String)| {
+        let at = |(_, start, name): &(FoilPage, u16, String)| {
             (*start..start + text::width(name) as u16).contains(&column)
         };
         self.tabs().into_iter().find(at).map(|(page, ..)| page)
     }
 
     /// Which row of the panel's text, which may be scrolled, is at this cell of it.
-    pub(super) fn row_of_text(self, foil: &Foil, (_, row): (u16, u16), cx: &Context) -> u16 {
+    pub(crate) fn row_of_text(self, foil: &FoilScreen, (_, row): (u16, u16), cx: &Context) -> u16 {
         let scrolled = foil
             .scroll
             .rows(self.beside.panel, cx.settings.look(), |lines| {
@@ -69,7 +69,7 @@ impl FoilLayout {
 }
 
 /// Draws the foil.
-pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(foil: &FoilScreen, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = FoilLayout::new(area);
     for (page, column, name) in layout.tabs() {
@@ -91,9 +91,9 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
     }
     let beside = layout.beside;
     let side = match foil.page {
-        Page::Tracks => "the particle",
-        Page::Counts => "the beam",
-        Page::Measured => "the experiment",
+        FoilPage::Tracks => "the particle",
+        FoilPage::Counts => "the beam",
+        FoilPage::Measured => "the experiment",
     };
     beside.draw(buf, &look, title(foil), side);
     picture(foil, beside.picture, look).draw(buf, &look);
@@ -103,61 +103,43 @@ pub(super) fn draw(foil: &Foil, area: Rect, buf: &mut Buffer, cx: &Context) {
 }
 
 /// The title of the picture.
-pub(super) fn title(foil: &Foil) -> &'static str {
+pub(super) fn title(foil: &FoilScreen) -> &'static str {
     match foil.page {
-        Page::Tracks => tracks_page::title(&foil.setup),
-        Page::Counts => beam_page::title(&foil.setup),
-        Page::Measured => measured_page::title(foil.levelled),
+        FoilPage::Tracks => tracks_page::title(&foil.setup),
+        FoilPage::Counts => beam_page::title(&foil.setup),
+        FoilPage::Measured => measured_page::title(foil.levelled),
     }
 }
 
 /// The picture of the page.
-pub(super) fn picture(foil: &Foil, area: Rect, look: Look) -> Picture {
+pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     match foil.page {
-        Page::Tracks => tracks_page::picture(&foil.setup, area),
-        Page::Counts => beam_page::picture(foil, area, look),
-        Page::Measured => measured_page::picture(foil.levelled, area, look),
+        FoilPage::Tracks => tracks_page::picture(&foil.setup, area),
+        FoilPage::Counts => beam_page::picture(foil, area, look),
+        FoilPage::Measured => measured_page::picture(foil.levelled, area, look),
     }
 }
 
 /// Writes what stands beside the picture.
-pub(super) fn write_panel(foil: &Foil, lines: &mut Lines, cx: &Context) {
+pub(super) fn write_panel(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
     match foil.page {
-        Page::Tracks => {
+        FoilPage::Tracks => {
             settings(foil, lines);
             tracks_page::write(&foil.setup, lines);
         }
-        Page::Counts => match foil.guess {
-            Some(chosen) => beam_page::write_guess(foil, chosen, lines),
+        FoilPage::Counts => match &foil.guess {
+            Some(said) => beam_page::write_guess(foil, said, lines),
             None => {
                 settings(foil, lines);
                 beam_page::write(foil, lines, cx);
             }
         },
-        Page::Measured => measured_page::write(lines),
+        FoilPage::Measured => measured_page::write(lines),
     }
 }
 
-/// The settings of the page, a row each.
-fn settings(foil: &Foil, lines: &mut Lines) {
-    let chosen = foil.field();
-    for field in foil.fields() {
-        let is_chosen = chosen == Some(*field);
-        let value = if is_chosen && foil.entry.is_open() {
-            format!("{}_", foil.entry.text())
-        } else {
-            field.shown(&foil.setup)
-        };
-        let (name_role, value_role) = if is_chosen {
-            (Role::Selected, Role::Selected)
-        } else {
-            (Role::Dim, Role::Text)
-        };
-        let mark = if is_chosen { ">" } else { " " };
-        let name = format!("{mark} {}", field.name());
-        lines.pair(&name, &value, name_role, value_role);
-    }
-    if let Some(field) = chosen.filter(|_| foil.held) {
-        lines.line(&format!("  {}", field.range(&foil.setup)), Role::Warn);
-    }
+/// The settings of the page, a row each, and what the chosen one is.
+fn settings(foil: &FoilScreen, lines: &mut Lines) {
+    foil.form.write(&foil.fields(), lines);
+    foil.form.write_about(&foil.fields(), lines);
 }

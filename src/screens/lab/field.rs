@@ -1,11 +1,55 @@
 //! What can be set in the lab: one place for a setting's name, unit, range and step.
 
+use super::mystery::Mystery;
 use super::setup::Setup;
 use crate::physics::Bond;
+use crate::widgets::input::{Field, FieldValue, FormFields};
+
+/// What the lab is set to.
+#[derive(Debug, Clone, Default)]
+pub(super) struct LabSettings {
+    pub(super) setup: Setup,
+    /// The coin's mass is hidden, or was until it had been weighed.
+    pub(super) mystery: Option<Mystery>,
+}
+
+impl LabSettings {
+    /// A setting as it stands, with why it cannot be changed.
+    pub(super) fn field(&self, field: LabField) -> Field {
+        let mut shown = field.field(&self.setup);
+        let secret = self.mystery.as_ref().filter(|coin| coin.is_open());
+        if secret.is_some() && field == LabField::CoinMass {
+            shown.shown = "? g".into();
+        }
+        if secret.is_some_and(|coin| coin.locks(field)) {
+            shown.locked = Some("A mystery coin: weigh it first.");
+        } else if field == LabField::Restitution && self.setup.bond == Bond::Stick {
+            shown.locked = Some("Rims that stick do not bounce, whatever e is.");
+        }
+        shown
+    }
+}
+
+impl FormFields for LabSettings {
+    fn fields(&self) -> Vec<Field> {
+        LabField::ALL.map(|field| self.field(field)).into()
+    }
+
+    /// A coin that was weighed and is then changed is an ordinary one.
+    fn set(&mut self, at: usize, value: f64) {
+        let before = self.setup.m2_g;
+        if let Some(field) = LabField::ALL.get(at) {
+            field.set(&mut self.setup, value);
+        }
+        if self.setup.m2_g.to_bits() != before.to_bits() {
+            self.mystery = None;
+        }
+    }
+}
 
 /// One setting of the lab.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Field {
+pub(crate) enum LabField {
     /// Impact parameter b.
     Offset,
     /// Impact angle α: the same as the offset, said by the line of impact.
@@ -32,16 +76,7 @@ pub(crate) enum Field {
     CoinAim,
 }
 
-/// Name, unit, decimals, range and step of a numeric setting.
-struct Scale {
-    name: &'static str,
-    unit: &'static str,
-    decimals: usize,
-    range: (f64, f64),
-    step: f64,
-}
-
-impl Field {
+impl LabField {
     /// All settings, in the order of the panel.
     pub(crate) const ALL: [Self; 12] = [
         Self::Offset,
@@ -58,35 +93,81 @@ impl Field {
         Self::CoinAim,
     ];
 
-    fn scale(self, setup: &Setup) -> Scale {
-        let scale = |name, unit, decimals, range, step| Scale {
-            name,
-            unit,
-            decimals,
-            range,
-            step,
+    /// Its place among all.
+    pub(super) fn place(self) -> usize {
+        Self::ALL
+            .iter()
+            .position(|field| *field == self)
+            .unwrap_or(0)
+    }
+
+    /// The setting as it stands. Of directions every number is one.
+    pub(crate) fn field(self, setup: &Setup) -> Field {
+        let widest = widest_mm(setup);
+        let any = (f64::NEG_INFINITY, f64::INFINITY);
+        let (name, about) = self.words();
+        let (unit, decimals, range, step) = match self {
+            Self::Offset => (" mm", 1, (-widest, widest), 0.5),
+            Self::ImpactAngle => ("°", 1, (-90.0, 90.0), 1.0),
+            Self::Aim | Self::CoinAim => ("°", 0, any, 5.0),
+            Self::Speed => (" m/s", 2, (0.1, 20.0), 0.25),
+            Self::Restitution => ("", 2, (0.0, 1.0), 0.05),
+            Self::Contact => ("", 0, (0.0, 1.0), 1.0),
+            Self::StrikerMass | Self::CoinMass => (" g", 1, (0.1, 1000.0), 0.5),
+            Self::StrikerRadius | Self::CoinRadius => (" mm", 2, (5.0, 60.0), 0.5),
+            Self::CoinSpeed => (" m/s", 2, (0.0, 20.0), 0.25),
         };
-        // Past the touching distance there are misses, and a little beyond nothing new.
-        let widest = setup.reach_mm() * 1.25;
-        match self {
-            Self::Offset => scale("offset b", "mm", 1, (-widest, widest), 0.5),
-            Self::ImpactAngle => scale("impact angle", "°", 1, (-90.0, 90.0), 1.0),
-            Self::Aim => scale("aim", "°", 0, (-180.0, 180.0), 5.0),
-            Self::Speed => scale("speed", "m/s", 2, (0.1, 20.0), 0.25),
-            Self::Restitution => scale("restitution e", "", 2, (0.0, 1.0), 0.05),
-            Self::Contact => scale("contact", "", 0, (0.0, 1.0), 1.0),
-            Self::StrikerMass => scale("striker mass", "g", 1, (0.1, 1000.0), 0.5),
-            Self::CoinMass => scale("coin mass", "g", 1, (0.1, 1000.0), 0.5),
-            Self::StrikerRadius => scale("striker radius", "mm", 2, (5.0, 60.0), 0.5),
-            Self::CoinRadius => scale("coin radius", "mm", 2, (5.0, 60.0), 0.5),
-            Self::CoinSpeed => scale("coin speed", "m/s", 2, (0.0, 20.0), 0.25),
-            Self::CoinAim => scale("coin aim", "°", 0, (-180.0, 180.0), 5.0),
+        let value = self.value(setup);
+        let is_miss = setup.offset_mm.abs() > setup.reach_mm();
+        let shown = match (self, setup.bond) {
+            (Self::Contact, Bond::Slip) => "slip".into(),
+            (Self::Contact, Bond::Stick) => "stick".into(),
+            (Self::ImpactAngle, _) if is_miss => "a miss".into(),
+            _ => format!("{value:.decimals$}{unit}"),
+        };
+        let value = match self {
+            Self::Contact => FieldValue::Choice {
+                at: value as usize,
+                count: 2,
+            },
+            _ => FieldValue::Number {
+                value,
+                range,
+                step,
+                unit,
+            },
+        };
+        Field {
+            name: name.into(),
+            shown,
+            value,
+            about: about.into(),
+            locked: None,
         }
     }
 
-    /// Its name on the panel.
-    pub(crate) fn name(self, setup: &Setup) -> &'static str {
-        self.scale(setup).name
+    /// Its name, and what it is.
+    const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Offset => ("offset b", "how far off-centre they meet"),
+            Self::ImpactAngle => (
+                "impact angle",
+                "the same, as the angle of the line of impact",
+            ),
+            Self::Aim => ("aim", "which way the striker comes"),
+            Self::Speed => ("speed", "how fast the striker comes"),
+            Self::Restitution => (
+                "restitution e",
+                "how much of the closing speed is given back",
+            ),
+            Self::Contact => ("contact", "smooth rims slip, others stick together"),
+            Self::StrikerMass => ("striker mass", "how heavy the striker is"),
+            Self::CoinMass => ("coin mass", "how heavy the coin is"),
+            Self::StrikerRadius => ("striker radius", "half as wide as the striker"),
+            Self::CoinRadius => ("coin radius", "half as wide as the coin"),
+            Self::CoinSpeed => ("coin speed", "how fast the coin comes"),
+            Self::CoinAim => ("coin aim", "which way the coin comes"),
+        }
     }
 
     /// Its value in the units of the screen; slip is 0 and stick is 1, and the impact
@@ -111,53 +192,13 @@ impl Field {
         }
     }
 
-    /// Its value with its unit, as shown.
-    pub(crate) fn shown(self, setup: &Setup) -> String {
-        if self == Self::Contact {
-            let word = match setup.bond {
-                Bond::Slip => "slip",
-                Bond::Stick => "stick",
-            };
-            return word.into();
-        }
-        if self == Self::ImpactAngle && setup.offset_mm.abs() > setup.reach_mm() {
-            return "a miss".into();
-        }
-        let scale = self.scale(setup);
-        let value = self.value(setup);
-        let number = format!("{value:.*}", scale.decimals);
-        match scale.unit {
-            "" => number,
-            "°" => format!("{number}°"),
-            unit => format!("{number} {unit}"),
-        }
-    }
-
-    /// Whether a number is in its range; of a direction every one is.
-    pub(crate) fn allows(self, setup: &Setup, value: f64) -> bool {
-        let (low, high) = self.scale(setup).range;
-        matches!(self, Self::Aim | Self::CoinAim) || (low..=high).contains(&value)
-    }
-
-    /// Its range, as shown.
-    pub(crate) fn range(self, setup: &Setup) -> String {
-        let scale = self.scale(setup);
-        let (low, high) = scale.range;
-        let unit = match scale.unit {
-            "" | "°" => scale.unit.to_owned(),
-            unit => format!(" {unit}"),
-        };
-        format!("from {low} to {high}{unit}")
-    }
-
     /// Sets it, held to its range; directions wrap round. What is out of range is
     /// brought to the nearest value that is in it.
     pub(crate) fn set(self, setup: &mut Setup, value: f64) {
-        let scale = self.scale(setup);
-        let (low, high) = scale.range;
-        let value = match self {
-            Self::Aim | Self::CoinAim => wrap_degrees(value),
-            _ => value.clamp(low, high),
+        let value = match (self, self.field(setup).value) {
+            (Self::Aim | Self::CoinAim, _) => wrap_degrees(value),
+            (_, FieldValue::Number { range, .. }) => value.clamp(range.0, range.1),
+            (_, FieldValue::Choice { .. }) => value,
         };
         match self {
             Self::Offset => setup.offset_mm = value,
@@ -176,26 +217,21 @@ impl Field {
             Self::CoinAim => setup.target_deg = value,
         }
         // A smaller disc may leave the offset out of reach.
-        let (low, high) = Self::Offset.scale(setup).range;
-        setup.offset_mm = setup.offset_mm.clamp(low, high);
+        let widest = widest_mm(setup);
+        setup.offset_mm = setup.offset_mm.clamp(-widest, widest);
     }
 
     /// Moves it by `steps` steps and onto the grid of steps.
     pub(crate) fn step(self, setup: &mut Setup, steps: f64) {
-        if self == Self::Contact {
-            let other = 1.0 - self.value(setup);
-            return self.set(setup, other);
-        }
-        let size = self.scale(setup).step;
-        let value = self.value(setup) / size + steps;
-        // Within a thousandth of the grid counts as on it.
-        let onto = if steps > 0.0 {
-            (value + 1e-3).floor()
-        } else {
-            (value - 1e-3).ceil()
-        };
-        self.set(setup, onto * size);
+        let value = self.field(setup).value.stepped(steps);
+        self.set(setup, value);
     }
+}
+
+/// The largest offset in mm. Past the touching distance there are misses, and a little
+/// beyond nothing new.
+fn widest_mm(setup: &Setup) -> f64 {
+    setup.reach_mm() * 1.25
 }
 
 /// A direction in (−180, 180].
@@ -209,12 +245,16 @@ mod tests {
 
     #[test]
     fn every_setting_stays_in_its_range() {
-        for field in Field::ALL {
+        for field in LabField::ALL {
             for wild in [-1e9, -0.0, 0.0, 1e9, 37.25] {
                 let mut setup = Setup::default();
                 field.set(&mut setup, wild);
-                let (low, high) = field.scale(&setup).range;
                 let value = field.value(&setup);
+                let (low, high) = match field.field(&setup).value {
+                    FieldValue::Number { range, .. } if range.1.is_finite() => range,
+                    FieldValue::Number { .. } => (-180.0, 180.0),
+                    FieldValue::Choice { .. } => (0.0, 1.0),
+                };
                 assert!((low..=high).contains(&value), "{field:?} {value}");
             }
         }
@@ -223,31 +263,41 @@ mod tests {
     #[test]
     fn steps_land_on_the_grid() {
         let mut setup = Setup::default();
-        Field::Offset.set(&mut setup, 7.3);
-        Field::Offset.step(&mut setup, 1.0);
+        LabField::Offset.set(&mut setup, 7.3);
+        LabField::Offset.step(&mut setup, 1.0);
         assert_eq!(setup.offset_mm, 7.5);
-        Field::Offset.set(&mut setup, 7.3);
-        Field::Offset.step(&mut setup, -1.0);
+        LabField::Offset.set(&mut setup, 7.3);
+        LabField::Offset.step(&mut setup, -1.0);
         assert_eq!(setup.offset_mm, 7.0);
-        Field::Offset.step(&mut setup, -1.0);
+        LabField::Offset.step(&mut setup, -1.0);
         assert_eq!(setup.offset_mm, 6.5);
+    }
+
+    #[test]
+    fn what_sticks_has_no_restitution_to_set() {
+        let mut settings = LabSettings::default();
+        assert_eq!(settings.field(LabField::Restitution).locked, None);
+        settings.set(LabField::Contact.place(), 1.0);
+        let locked = settings.field(LabField::Restitution).locked;
+        assert!(locked.is_some_and(|why| why.contains("stick")));
+        assert_eq!(settings.field(LabField::CoinMass).locked, None);
     }
 
     #[test]
     fn directions_wrap_round() {
         let mut setup = Setup::default();
-        Field::Aim.set(&mut setup, 180.0);
-        Field::Aim.step(&mut setup, 1.0);
+        LabField::Aim.set(&mut setup, 180.0);
+        LabField::Aim.step(&mut setup, 1.0);
         assert_eq!(setup.aim_deg, -175.0);
-        Field::Aim.set(&mut setup, 725.0);
+        LabField::Aim.set(&mut setup, 725.0);
         assert_eq!(setup.aim_deg, 5.0);
     }
 
     #[test]
     fn a_smaller_disc_brings_the_offset_back_into_reach() {
         let mut setup = Setup::default();
-        Field::Offset.set(&mut setup, 37.0);
-        Field::CoinRadius.set(&mut setup, 5.0);
+        LabField::Offset.set(&mut setup, 37.0);
+        LabField::CoinRadius.set(&mut setup, 5.0);
         assert_eq!(setup.offset_mm, 25.0);
     }
 }

@@ -1,10 +1,11 @@
 //! The mystery coin: its mass is hidden, and has to be read off two angles.
 
-use super::{Field, Setup};
+use super::{LabField, Setup};
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
 use crate::physics::{Bond, CollisionOutcome};
-use crate::widgets::{Lines, NumberEntry, Outcome, Role};
+use crate::widgets::input::{EntryAction, KeyTable, NumberEntry, Outcome};
+use crate::widgets::{Lines, Role};
 
 /// The lightest mystery coin in g, and the step and number of the heavier ones.
 const LIGHTEST_G: f64 = 4.0;
@@ -39,29 +40,37 @@ impl Mystery {
     }
 
     /// Whether a setting must stay as it is until the coin has been weighed.
-    pub(super) fn locks(&self, field: Field) -> bool {
+    pub(super) fn locks(&self, field: LabField) -> bool {
         let fixed = [
-            Field::CoinMass,
-            Field::Restitution,
-            Field::Contact,
-            Field::CoinSpeed,
+            LabField::CoinMass,
+            LabField::Restitution,
+            LabField::Contact,
+            LabField::CoinSpeed,
         ];
         self.is_open() && fixed.contains(&field)
     }
 
-    /// Takes a key while the hit is watched: digits are the mass. Says whether it
-    /// had a use for it.
-    pub(super) fn update(&mut self, key: Key) -> bool {
-        let digit = matches!(key, Key::Char('0'..='9'));
-        if !self.is_open() || !(digit || self.entry.is_open()) {
-            return false;
+    /// The keys that say the mass while the hit is watched. Signs and points only go on
+    /// with a number, for they have other meanings there.
+    pub(super) fn keys(&self) -> KeyTable<EntryAction> {
+        let table = KeyTable::new("mystery");
+        match (self.is_open(), self.entry.is_open()) {
+            (false, _) => table,
+            (true, true) => table.with(self.entry.keys(), |action| action),
+            (true, false) => {
+                let digit = |c| (Key::Char(c), EntryAction::Type(c));
+                table.each(('0'..='9').map(digit), "the mass")
+            }
         }
-        match self.entry.update(key) {
-            Outcome::Done(mass) if mass > 0.0 => self.said_g = Some(mass),
-            Outcome::Done(_) | Outcome::Used => {}
-            Outcome::Ignored => return false,
+    }
+
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: EntryAction) {
+        if let Outcome::Done(mass) = self.entry.act(action)
+            && mass > 0.0
+        {
+            self.said_g = Some(mass);
         }
-        true
     }
 
     /// What to do, or how the answer was.
@@ -133,7 +142,7 @@ mod tests {
         for seed in 0..200 {
             let mut setup = Setup::default();
             let mystery = Mystery::put_out(&mut setup, seed);
-            assert!(mystery.is_open() && mystery.locks(Field::CoinMass));
+            assert!(mystery.is_open() && mystery.locks(LabField::CoinMass));
             assert!((setup.m2_g - setup.m1_g).abs() > 0.4);
             let outcome = setup.collision().outcome();
             let (theta1, theta2) = (outcome.theta1.unwrap(), outcome.theta2.unwrap());
@@ -145,11 +154,13 @@ mod tests {
     #[test]
     fn a_typed_mass_is_an_answer_and_frees_the_settings() {
         let mut mystery = Mystery::default();
-        assert!(!mystery.update(Key::Char(',')) && !mystery.update(Key::Enter));
+        assert_eq!(mystery.keys().find(Key::Char(',')), None);
+        assert_eq!(mystery.keys().find(Key::Enter), None);
         for key in [Key::Char('8'), Key::Char('.'), Key::Char('5'), Key::Enter] {
-            assert!(mystery.update(key));
+            let action = mystery.keys().find(key).unwrap();
+            mystery.act(action);
         }
         assert_eq!(mystery.said_g, Some(8.5));
-        assert!(!mystery.locks(Field::CoinMass));
+        assert!(!mystery.locks(LabField::CoinMass));
     }
 }

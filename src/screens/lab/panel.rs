@@ -4,10 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::explain::{explain, turns_a_second};
-use super::{Field, Lab};
+use super::{Lab, LabField};
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
-use crate::quiz::{Ray, Rays};
+use crate::quiz::Rays;
 use crate::screens::Context;
 use crate::widgets::hit::{Watch, degrees};
 use crate::widgets::panels::{said_and_true, separation};
@@ -19,49 +19,39 @@ pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> 
         return None;
     }
     let field = usize::from(row - panel.y);
-    (field < Field::ALL.len()).then_some(field)
+    (field < LabField::ALL.len()).then_some(field)
 }
 
 /// The settings, and what follows from them.
 pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let mut lines = Lines::new(area, buf, cx.settings.look());
-    for (i, field) in Field::ALL.into_iter().enumerate() {
-        let chosen = i == lab.field;
-        let value = if chosen && lab.entry.is_open() {
-            format!("{}_", lab.entry.text())
-        } else {
-            lab.shown(field)
-        };
-        let (name_role, value_role) = if chosen {
-            (Role::Selected, Role::Selected)
-        } else {
-            (Role::Dim, Role::Text)
-        };
-        let mark = if chosen { ">" } else { " " };
-        let name = format!("{mark} {}", field.name(&lab.setup));
-        lines.pair(&name, &value, name_role, value_role);
-    }
-    if lab.held {
-        let range = lab.field().range(&lab.setup);
-        lines.line(&format!("  {range}"), Role::Warn);
-    } else {
-        lines.gap();
-    }
-    geometry(lab, &mut lines);
-    lines.gap();
+    lab.form.write(&lab.settings, &mut lines);
     let next = if cx.settings.predict {
         "Enter: now say where both will go."
     } else {
         "Enter: shoot. (p: predict first)"
     };
+    let about = |lines: &mut Lines| lab.form.write_about(&lab.settings, lines);
+    let mut spare = lines.spare(GEOMETRY_ROWS + 1 + lines.rows_of(next));
+    if spare.take(lines.rows_by(about)) {
+        about(&mut lines);
+    }
+    if spare.take(1) {
+        lines.gap();
+    }
+    geometry(lab, &mut lines);
+    lines.gap();
     lines.paragraph(next, Role::Key);
 }
 
+/// Rows that [`geometry`] takes at most.
+const GEOMETRY_ROWS: u16 = 2;
+
 /// b/(r₁+r₂), and that they miss if they do.
 fn geometry(lab: &Lab, lines: &mut Lines) {
-    let ratio = lab.setup.offset_mm.abs() / lab.setup.reach_mm();
+    let ratio = lab.settings.setup.offset_mm.abs() / lab.settings.setup.reach_mm();
     lines.pair("b / (r₁+r₂)", &format!("{ratio:.3}"), Role::Dim, Role::Text);
-    if lab.setup.collision().normal().is_none() {
+    if lab.settings.setup.collision().normal().is_none() {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
         } else {
@@ -81,8 +71,11 @@ pub(super) fn draw_prediction(
 ) {
     let mut lines = Lines::new(area, buf, cx.settings.look());
     given(lab, &mut lines);
-    for (field, name) in [(Field::StrikerMass, "striker"), (Field::CoinMass, "coin")] {
-        lines.pair(name, &lab.shown(field), Role::Dim, Role::Text);
+    for (field, name) in [
+        (LabField::StrikerMass, "striker"),
+        (LabField::CoinMass, "coin"),
+    ] {
+        lines.fact(name, &lab.settings.field(field).shown);
     }
     lines.gap();
     lines.line("Where will they go?", Role::Title);
@@ -90,11 +83,7 @@ pub(super) fn draw_prediction(
     lines.gap();
     lines.paragraph(&rays.about("coin"), Role::Text);
     lines.gap();
-    let next = match rays.turning() {
-        Ray::Striker => "Enter: then the coin.",
-        Ray::Target => "Enter: shoot!",
-    };
-    lines.paragraph(next, Role::Key);
+    lines.paragraph(&rays.prompt("coin", "shoot!"), Role::Key);
 }
 
 /// The shot in numbers, what was said of it, and why it went as it did. The
@@ -116,13 +105,13 @@ pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
         }
         return;
     }
-    if let Some(coin) = &lab.mystery {
+    if let Some(coin) = &lab.settings.mystery {
         answers(watch, lines);
         lines.gap();
-        coin.write(&lab.setup, watch.outcome(), lines);
+        coin.write(&lab.settings.setup, watch.outcome(), lines);
         return;
     }
-    let (title, text) = explain(&lab.setup, watch);
+    let (title, text) = explain(&lab.settings.setup, watch);
     let title_rows = if title.is_empty() {
         0
     } else {
@@ -151,17 +140,13 @@ const ANSWER_ROWS: u16 = 5;
 
 /// Where they meet.
 fn given(lab: &Lab, lines: &mut Lines) {
-    lines.pair(
+    lines.fact(
         "offset b",
-        &Field::Offset.shown(&lab.setup),
-        Role::Dim,
-        Role::Text,
+        &LabField::Offset.field(&lab.settings.setup).shown,
     );
-    lines.pair(
+    lines.fact(
         "impact angle",
-        &Field::ImpactAngle.shown(&lab.setup),
-        Role::Dim,
-        Role::Text,
+        &LabField::ImpactAngle.field(&lab.settings.setup).shown,
     );
     geometry(lab, lines);
 }

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Lab, Phase, panel};
+use super::{Lab, LabPhase, panel};
 use crate::screens::Context;
 use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Face, Markings, setup_picture};
@@ -13,15 +13,15 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = SplitLayout::new(area);
     let (title, side_title) = match &lab.phase {
-        Phase::Aim => ("set up the hit".into(), "settings"),
-        Phase::Predict(_) => ("where will they go?".into(), "say it first"),
-        Phase::Watch(watch) => (
+        LabPhase::Aim => ("set up the hit".into(), "settings"),
+        LabPhase::Predict(_) => ("where will they go?".into(), "say it first"),
+        LabPhase::Watch(watch) => (
             format!("the hit, slowed {:.0}×", watch.clock().slowed()),
             "the shot",
         ),
     };
     layout.draw(buf, &look, &title, side_title);
-    let collision = lab.setup.collision();
+    let collision = lab.settings.setup.collision();
     let given = Markings {
         offset: true,
         angle: true,
@@ -30,15 +30,15 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let faces = Face::STRIKER_AND_COIN;
     let setup = |rays| setup_picture(layout.picture, faces, &collision, given, rays);
     match &lab.phase {
-        Phase::Aim => {
+        LabPhase::Aim => {
             setup(None).draw(buf, &look);
             panel::draw_settings(lab, layout.panel, buf, cx);
         }
-        Phase::Predict(rays) => {
+        LabPhase::Predict(rays) => {
             setup(Some(rays)).draw(buf, &look);
             panel::draw_prediction(lab, rays, layout.panel, buf, cx);
         }
-        Phase::Watch(watch) => {
+        LabPhase::Watch(watch) => {
             watch.picture(layout.picture).draw(buf, &look);
             lab.scroll.draw(layout.panel, buf, look, |lines| {
                 panel::write_shot(lab, watch, lines);

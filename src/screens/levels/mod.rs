@@ -5,4 +5,4 @@ mod play;
 mod words;
 
 pub(crate) use list::Levels;
-pub(crate) use play::Play;
+pub(crate) use play::LevelPlay;

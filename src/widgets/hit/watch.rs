@@ -218,7 +218,7 @@ impl Watch {
             .each(('1'..='7').map(layer), "layers")
             .each(
                 [(Key::Char('<'), Scrub(-1)), (Key::Char('>'), Scrub(1))],
-                "scrub",
+                "",
             )
             .each([(Key::Home, Start), (Key::End, End)], "")
     }

@@ -52,6 +52,29 @@ pub enum FieldValue {
     },
 }
 
+impl FieldValue {
+    /// The value so many steps further, onto the grid of steps.
+    pub fn stepped(self, steps: f64) -> f64 {
+        match self {
+            Self::Choice { at, count } => {
+                let by = steps.signum() as i64;
+                (at as i64 + by).rem_euclid(count.max(1) as i64) as f64
+            }
+            Self::Number { value, step, .. } => {
+                let size = step.abs() * steps.abs().min(1.0);
+                let by = steps * step / size;
+                // Within a thousandth of the grid counts as on it.
+                let onto = match by > 0.0 {
+                    true => (value / size + by + 1e-3).floor(),
+                    false => (value / size + by - 1e-3).ceil(),
+                };
+                // Without the dust that rounding leaves on a sum of tenths, and without a −0.
+                (onto * size * 1e6).round() / 1e6 + 0.0
+            }
+        }
+    }
+}
+
 /// What a form sets.
 pub trait FormFields {
     /// All fields as they stand, from the top.
@@ -177,11 +200,16 @@ impl SettingsForm {
 
     /// Changes the selected field by so many steps.
     pub fn step(&mut self, steps: f64, form: &mut impl FormFields) {
+        self.step_at(self.at, steps, form);
+    }
+
+    /// Changes a field by so many steps, selected or not.
+    pub fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
-        let at = self.selected(fields.len());
+        let at = at.min(fields.len().saturating_sub(1));
         match fields.get(at) {
-            Some(field) if field.locked.is_none() => form.set(at, stepped(field.value, steps)),
+            Some(field) if field.locked.is_none() => form.set(at, field.value.stepped(steps)),
             _ => {}
         }
     }
@@ -275,27 +303,6 @@ impl SettingsForm {
                 lines.paragraph(&format!("from {least} to {most}{unit}"), Role::Warn);
             }
             _ => lines.paragraph(&field.about, Role::Text),
-        }
-    }
-}
-
-/// A value that was changed by so many steps, onto the grid of steps.
-fn stepped(value: FieldValue, steps: f64) -> f64 {
-    match value {
-        FieldValue::Choice { at, count } => {
-            let by = steps.signum() as i64;
-            (at as i64 + by).rem_euclid(count.max(1) as i64) as f64
-        }
-        FieldValue::Number { value, step, .. } => {
-            let size = step.abs() * steps.abs().min(1.0);
-            let by = steps * step / size;
-            // Within a thousandth of the grid counts as on it.
-            let onto = match by > 0.0 {
-                true => (value / size + by + 1e-3).floor(),
-                false => (value / size + by - 1e-3).ceil(),
-            };
-            // Without the dust that rounding leaves on a sum of tenths, and without a −0.
-            (onto * size * 1e6).round() / 1e6 + 0.0
         }
     }
 }

@@ -156,6 +156,13 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
+    /// The same without these keys, which mean something else on the screen.
+    #[must_use]
+    pub fn without_keys(mut self, keys: &[Key]) -> Self {
+        self.rows.iter_mut().for_each(|row| row.lose(keys));
+        self
+    }
+
     /// Adds the keys of a part of the screen.
     #[must_use]
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {

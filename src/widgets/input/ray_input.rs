@@ -94,6 +94,11 @@ impl RayInput {
         Ray::BOTH.into_iter().all(said).then(|| self.so_far())
     }
 
+    /// Both rays, if both are asked for and have been said.
+    pub fn both(&self) -> Option<Rays> {
+        self.said().filter(|_| self.only.is_none())
+    }
+
     /// The rays as far as they have been said; one that has not reads as a disc that
     /// stays still.
     pub fn so_far(&self) -> Rays {
@@ -210,6 +215,21 @@ impl RayInput {
             Ray::Target => format!(
                 "The {target}: degrees from the striker's old direction, to the {target}'s own side."
             ),
+        }
+    }
+
+    /// What to do next, in a sentence; `last` is what Enter does once all has been said.
+    pub fn prompt(&self, target: &str, last: &str) -> String {
+        if !self.is_said(self.turning) {
+            "Turn the ray with the arrows, or type its angle.".into()
+        } else if self.said().is_some() && self.is_last() {
+            format!("Enter: {last}")
+        } else {
+            let other = match self.turning {
+                Ray::Striker => target,
+                Ray::Target => "striker",
+            };
+            format!("Enter: then the {other}.")
         }
     }
 

@@ -17,6 +17,9 @@ const STEP: f64 = 0.02;
 /// Seconds that the keys for big steps go.
 const SCRUB: f64 = 0.25;
 
+/// To the end of the shot.
+const END: ShotAction = ShotAction::Seek(f64::INFINITY);
+
 /// A shot being watched.
 #[derive(Debug, Clone)]
 pub(crate) struct ShotPlayer {
@@ -161,36 +164,27 @@ impl ShotPlayer {
     pub(crate) fn keys(&self) -> KeyTable<ShotAction> {
         use ShotAction::{Again, GoOn, Impacts, Leave, NextImpact, Scrub, Seek, Speed, Step};
         let table = KeyTable::new("shot");
-        let many = self.impacts.len() > 1;
+        let (over, many) = (self.clock.is_over(), self.impacts.len() > 1);
+        let (go_on, speed) = match (self.clock.is_running(), over) {
+            (true, _) => ("skip", "speed"),
+            (false, false) => ("go on", "speed"),
+            (false, true) => ("", ""),
+        };
+        let impacts = if self.lists { "impacts" } else { "impact" };
         let key = Key::Char;
         match &self.showing {
             Showing::Board => table
-                .on(
-                    key(' '),
-                    GoOn,
-                    if self.clock.is_running() {
-                        "skip"
-                    } else {
-                        "go on"
-                    },
-                )
-                .when(!self.clock.is_over())
-                .on(
-                    key('i'),
-                    Impacts,
-                    if self.lists { "impacts" } else { "the impact" },
-                )
+                .on(key(' '), GoOn, go_on)
+                .when(!over)
+                .on(key('i'), Impacts, impacts)
                 .when(!self.impacts.is_empty())
+                .on(key('a'), Again, "again")
                 .each([(key(','), Step(-1)), (key('.'), Step(1))], "step")
                 .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
                 .each([(key('<'), Scrub(-1)), (key('>'), Scrub(1))], "scrub")
-                .each([(key('+'), Speed(1)), (key('-'), Speed(-1))], "speed")
+                .each([(key('+'), Speed(1)), (key('-'), Speed(-1))], speed)
                 .or([(key('='), Speed(1))])
-                .on(key('a'), Again, "again")
-                .each(
-                    [(Key::Home, Seek(0.0)), (Key::End, Seek(f64::INFINITY))],
-                    "",
-                ),
+                .each([(Key::Home, Seek(0.0)), (Key::End, END)], ""),
             Showing::Impacts => table
                 .with(ListView::keys("look closer"), ShotAction::List)
                 .on(Key::Escape, Leave, "back")

@@ -19,7 +19,7 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil as foil_screen;
-use crate::screens::lab::{Field, Setup};
+use crate::screens::lab::{LabField, Setup};
 use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, point_at, setup_picture};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
@@ -135,11 +135,11 @@ impl LiveFigure {
 
     /// The page of the foil that shows more of it, if it is the foil, which has a
     /// screen of its own.
-    pub(super) fn foil_page(&self) -> Option<foil_screen::Page> {
+    pub(super) fn foil_page(&self) -> Option<foil_screen::FoilPage> {
         let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
         };
-        let pages = foil_screen::Page::ALL;
+        let pages = foil_screen::FoilPage::ALL;
         pages.get(usize::from(page).checked_sub(1)?).copied()
     }
 
@@ -312,7 +312,7 @@ impl LiveFigure {
         }
     }
 
-    fn change(&mut self, field: Field, by: f64) {
+    fn change(&mut self, field: LabField, by: f64) {
         let mut setup = self.setup();
         field.step(&mut setup, by);
         self.collision = setup.collision();
@@ -419,14 +419,19 @@ impl LiveFigure {
 
     /// Draws it, with the rays that are turned.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
-        for picture in self.pictures(area, look, rays) {
+        for picture in self.lay_out(area, buf, look, rays) {
             picture.draw(buf, look);
         }
-        self.write(area, buf, look);
     }
 
-    /// What is drawn of it.
-    fn pictures(&self, area: Rect, look: &Look, rays: Option<&RayInput>) -> Vec<Picture> {
+    /// Writes what is read in it, and gives what is to be drawn.
+    fn lay_out(
+        &self,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+        rays: Option<&RayInput>,
+    ) -> Vec<Picture> {
         if self.hidden && self.covers_outcome() {
             let given = Markings {
                 offset: self.figure.shot.is_by_offset(),
@@ -438,49 +443,26 @@ impl LiveFigure {
         }
         match (&self.state, self.figure.kind) {
             (FigureState::Hit(watch), _) => vec![watch.picture(area)],
-            (FigureState::Frames(watches), _) => frames::pictures(watches, area),
+            (FigureState::Frames(watches), _) => frames::lay_out(watches, area, buf, look),
             (_, FigureKind::Triangle { step }) => {
-                vec![triangle::picture(&self.collision, step, area)]
+                vec![triangle::lay_out(&self.collision, step, area, buf, look)]
             }
             (FigureState::Foil(plot), _) => vec![plot.picture(area, look)],
             (_, FigureKind::Foil { .. }) => vec![foil::picture(area)],
-            (_, FigureKind::Shots { space, .. }) => {
-                vec![shots::picture(space, self.beyond(), area)]
-            }
-            (FigureState::Step(_) | FigureState::Solve { .. }, _) => vec![],
-            _ => curves::pictures(self, area, look).into(),
-        }
-    }
-
-    /// Writes what is read in it.
-    fn write(&self, area: Rect, buf: &mut Buffer, look: &Look) {
-        if self.hidden && self.covers_outcome() {
-            return;
-        }
-        match (&self.state, self.figure.kind) {
-            (FigureState::Frames(_), _) => frames::write(&self.collision, area, buf, look),
-            (FigureState::Plain, FigureKind::Triangle { step }) => {
-                triangle::write(&self.collision, step, area, buf, look);
-            }
-            (_, FigureKind::Shots { space, .. }) => {
-                shots::write(space, self.beyond(), area, buf, look);
+            (_, FigureKind::Shots { space, beyond_deg }) => {
+                let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
+                vec![shots::lay_out(space, beyond, area, buf, look)]
             }
             (FigureState::Step(_), FigureKind::Worked { blank }) => {
                 let blank = blank.filter(|_| self.hidden);
                 worked::draw(self, None, blank, area, buf, look);
+                vec![]
             }
             (FigureState::Solve { field, .. }, _) => {
                 worked::draw(self, Some(*field), None, area, buf, look);
+                vec![]
             }
-            _ => {}
-        }
-    }
-
-    /// The angle in radians beyond which shots are counted, once that may be told.
-    fn beyond(&self) -> Option<f64> {
-        match self.figure.kind {
-            FigureKind::Shots { beyond_deg, .. } if !self.hidden => Some(rad_from_deg(beyond_deg)),
-            _ => None,
+            _ => curves::pictures(self, area, look).into(),
         }
     }
 }

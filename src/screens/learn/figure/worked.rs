@@ -6,16 +6,16 @@ use ratatui::layout::Rect;
 use super::LiveFigure;
 use crate::physics::Collision;
 use crate::physics::worked::{self, WorkedStep};
-use crate::screens::lab::Field;
+use crate::screens::lab::LabField;
 use crate::widgets::{Lines, Look, Role};
 
 /// What the student sets in a solution of their own.
-pub(super) const FIELDS: [Field; 5] = [
-    Field::StrikerMass,
-    Field::CoinMass,
-    Field::Speed,
-    Field::ImpactAngle,
-    Field::Restitution,
+pub(super) const FIELDS: [LabField; 5] = [
+    LabField::StrikerMass,
+    LabField::CoinMass,
+    LabField::Speed,
+    LabField::ImpactAngle,
+    LabField::Restitution,
 ];
 
 /// All steps of the solution.
@@ -42,13 +42,14 @@ pub(super) fn draw(
             } else {
                 (" ", Role::Dim)
             };
-            let name = format!("{mark} {}", field.name(&setup));
+            let field = field.field(&setup);
+            let name = format!("{mark} {}", field.name);
             let value = if i == chosen {
                 Role::Selected
             } else {
                 Role::Text
             };
-            lines.pair(&name, &field.shown(&setup), role, value);
+            lines.pair(&name, &field.shown, role, value);
         }
         lines.gap();
     }

@@ -7,14 +7,27 @@ use ratatui::layout::Rect;
 
 use crate::levels::Shelf;
 use crate::messages::{Input, Key, StoreReply, StoreRequest};
-use crate::screens::list::{Chosen, chosen};
-use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
+use crate::screens::{Context, Next, Place, Screen};
+use crate::widgets::Outcome;
+use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// The list of levels. Which one is chosen belongs to the [`Shelf`].
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Levels {
     /// Whether the player has chosen for themselves.
     moved: bool,
+}
+
+/// What keys do in the list of levels.
+#[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum LevelsAction {
+    /// choose a level, and play it
+    List(ListAction),
+    /// the next level that was never won
+    NextToWin,
+    /// back
+    Back,
 }
 
 impl Levels {
@@ -26,6 +39,20 @@ impl Levels {
         cx.ask(StoreRequest::Stars(player));
         Self::default()
     }
+
+    /// Puts the mark where the list has it now; opens a level, as a problem has nothing
+    /// to open.
+    fn listed(&mut self, list: ListView, outcome: Outcome<usize>, shelf: &mut Shelf) -> Next {
+        if !outcome.is_used() {
+            return Next::Ignored;
+        }
+        shelf.at = list.chosen(choices(shelf));
+        self.moved = true;
+        match outcome {
+            Outcome::Done(number) if number < shelf.count() => Next::Open(Place::Level { number }),
+            _ => Next::Stay,
+        }
+    }
 }
 
 /// How many lines can be chosen: the levels, and after them the problems.
@@ -33,16 +60,9 @@ fn choices(shelf: &Shelf) -> usize {
     shelf.count() + shelf.library().problems.len()
 }
 
-/// Opens the chosen level; a problem has nothing to open.
-fn open(shelf: &Shelf) -> Next {
-    if shelf.at < shelf.count() {
-        Next::Open(Place::Level { number: shelf.at })
-    } else {
-        Next::Stay
-    }
-}
+impl Screen for Levels {
+    type Action = LevelsAction;
 
-impl OldScreen for Levels {
     fn title(&self) -> String {
         "levels".into()
     }
@@ -53,47 +73,51 @@ impl OldScreen for Levels {
         format!("{} of {} won", won.count(), shelf.count())
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let (body, shelf) = (cx.body, &mut cx.shelf);
-        let line_at = |cell| view::choice_at(shelf, body, cell);
-        match chosen(input, shelf.at, choices(shelf), line_at) {
-            Chosen::Line(line) => shelf.at = line,
-            Chosen::Open => return open(shelf),
-            Chosen::Nothing => match input {
-                Input::Key(Key::Char('n' | 'N')) => shelf.at = shelf.next().unwrap_or(shelf.at),
-                Input::Kept(answer)
-                    if matches!(answer.done, StoreReply::Stars(_)) && !self.moved =>
-                {
-                    shelf.at = shelf.next().unwrap_or(0);
-                }
-                _ => return Next::Ignored,
-            },
+    fn keys(&self, _cx: &Context) -> KeyTable<LevelsAction> {
+        KeyTable::new("levels")
+            .with(ListView::keys("play"), LevelsAction::List)
+            .on(Key::Char('n'), LevelsAction::NextToWin, "next to win")
+            .on(Key::Escape, LevelsAction::Back, "back")
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "Each level is a small puzzle on the board: set the shot so that its goals come about. All of them are open; they get harder from the top down.",
+            "A level gives up to three stars: one for winning it, one for at most three shots, and one for saying first where the discs will go (where nothing is asked: for winning with the first shot). Come back for more as often as you like; the best counts.",
+            "Levels of your own: carrom --levels DIR. A file that cannot be read is listed at the end with what is wrong with it.",
+        ]
+    }
+
+    fn act(&mut self, action: LevelsAction, cx: &mut Context) -> Next {
+        let mut list = ListView::at(cx.shelf.at);
+        let outcome = match action {
+            LevelsAction::List(action) => list.act(action, choices(&cx.shelf)),
+            LevelsAction::NextToWin => {
+                list.choose(cx.shelf.next().unwrap_or(cx.shelf.at));
+                Outcome::Used
+            }
+            LevelsAction::Back => return Next::Back,
+        };
+        self.listed(list, outcome, &mut cx.shelf)
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Mouse(mouse) => {
+                let line = view::choice_at(&cx.shelf, cx.body, (mouse.column, mouse.row));
+                let mut list = ListView::at(cx.shelf.at);
+                let outcome = list.mouse(mouse, choices(&cx.shelf), line);
+                self.listed(list, outcome, &mut cx.shelf)
+            }
+            Input::Kept(answer) if matches!(answer.done, StoreReply::Stars(_)) && !self.moved => {
+                cx.shelf.at = cx.shelf.next().unwrap_or(0);
+                Next::Stay
+            }
+            _ => Next::Ignored,
         }
-        self.moved |= matches!(input, Input::Key(_) | Input::Mouse(_));
-        Next::Stay
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         view::draw(area, buf, cx);
-    }
-
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        vec![
-            Hint::new("Up Down", "choose"),
-            Hint::new("Enter", "play"),
-            Hint::new("n", "next to win"),
-            Hint::new("Esc", "back"),
-        ]
-    }
-
-    fn help(&self, cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "Each level is a small puzzle on the board: set the shot so that its goals come about. All of them are open; they get harder from the top down.",
-                "A level gives up to three stars: one for winning it, one for at most three shots, and one for saying first where the discs will go (where nothing is asked: for winning with the first shot). Come back for more as often as you like; the best counts.",
-                "Levels of your own: carrom --levels DIR. A file that cannot be read is listed at the end with what is wrong with it.",
-            ],
-            keys: self.keys(cx),
-        }
     }
 }

@@ -7,7 +7,7 @@ use crate::levels::{Level, Shelf};
 use crate::screens::Context;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
-use crate::screens::list::first_shown;
+use crate::widgets::input::ListView;
 use crate::widgets::{Lines, Role, SplitLayout, text};
 
 /// What stands beside the level that is to be won next.
@@ -25,7 +25,7 @@ fn layout(area: Rect) -> SplitLayout {
 }
 
 /// A line of the list.
-enum Row {
+enum LevelRow {
     /// Nothing, between two packs.
     Gap,
     /// The name of a pack and how much of it is won.
@@ -35,13 +35,13 @@ enum Row {
 }
 
 /// All lines of the list.
-fn rows(shelf: &Shelf) -> Vec<Row> {
+fn rows(shelf: &Shelf) -> Vec<LevelRow> {
     let mut rows = Vec::new();
-    let head = |rows: &mut Vec<Row>, text: String| {
+    let head = |rows: &mut Vec<LevelRow>, text: String| {
         if !rows.is_empty() {
-            rows.push(Row::Gap);
+            rows.push(LevelRow::Gap);
         }
-        rows.push(Row::Head(text));
+        rows.push(LevelRow::Head(text));
     };
     let mut number = 0;
     for pack in &shelf.library().packs {
@@ -49,23 +49,23 @@ fn rows(shelf: &Shelf) -> Vec<Row> {
         let won = members.clone().filter(|n| shelf.stars(*n) > 0).count();
         let title = format!("{}: {won} of {} won", pack.title(), pack.levels.len());
         head(&mut rows, title);
-        rows.extend(members.clone().map(Row::Choice));
+        rows.extend(members.clone().map(LevelRow::Choice));
         number = members.end;
     }
     let problems = shelf.library().problems.len();
     if problems > 0 {
         let files = if problems == 1 { "file" } else { "files" };
         head(&mut rows, format!("left out: {problems} {files}"));
-        rows.extend((number..number + problems).map(Row::Choice));
+        rows.extend((number..number + problems).map(LevelRow::Choice));
     }
     rows
 }
 
 /// The first line shown.
-fn first_line(shelf: &Shelf, rows: &[Row], height: u16) -> usize {
-    let chosen = |row: &Row| matches!(row, Row::Choice(at) if *at == shelf.at);
+fn first_line(shelf: &Shelf, rows: &[LevelRow], height: u16) -> usize {
+    let chosen = |row: &LevelRow| matches!(row, LevelRow::Choice(at) if *at == shelf.at);
     let at = rows.iter().position(chosen).unwrap_or(0);
-    first_shown(at, rows.len(), height)
+    ListView::first_shown(at, rows.len(), height)
 }
 
 /// The level or problem whose line is at this cell.
@@ -77,8 +77,8 @@ pub(super) fn choice_at(shelf: &Shelf, area: Rect, cell: (u16, u16)) -> Option<u
     let rows = rows(shelf);
     let first = first_line(shelf, &rows, list.height);
     match rows.get(first + usize::from(cell.1 - list.y))? {
-        Row::Choice(at) => Some(*at),
-        Row::Gap | Row::Head(_) => None,
+        LevelRow::Choice(at) => Some(*at),
+        LevelRow::Gap | LevelRow::Head(_) => None,
     }
 }
 
@@ -102,9 +102,9 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
     let mut lines = Lines::new(layout.picture, buf, look);
     for row in rows.iter().skip(first) {
         match row {
-            Row::Gap => lines.line("", Role::Text),
-            Row::Head(text) => lines.line(text, Role::Title),
-            Row::Choice(at) => choice(shelf, *at, &mut lines),
+            LevelRow::Gap => lines.line("", Role::Text),
+            LevelRow::Head(text) => lines.line(text, Role::Title),
+            LevelRow::Choice(at) => choice(shelf, *at, &mut lines),
         }
     }
     let mut lines = Lines::new(layout.panel, buf, look);

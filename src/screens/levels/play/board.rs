@@ -3,13 +3,13 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::attempt::Attempt;
+use super::made_shot::{MadeShot, asked};
 use crate::levels::{Dial, Level, Scene};
 use crate::physics::units::m_from_mm;
-use crate::physics::{DiscState, EventKind, Shot};
+use crate::physics::{EventKind, Shot};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
-use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture, View};
+use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::{Role, board};
 
 /// Length of the arrow of the shot, in metres for each m/s.
@@ -74,7 +74,7 @@ fn ground(level: &Level, area: Rect) -> Picture {
         picture.rectangle(-half, half, Role::BoardLine);
     }
     for circle in level.goals.iter().filter_map(|goal| goal.circle()) {
-        let pen = Pen::new(Role::Good).on(Layer::Ground);
+        let pen = Pen::new(Role::Good).on(DrawLayer::Ground);
         picture.circle(circle.centre, circle.radius, pen);
     }
     picture
@@ -159,9 +159,10 @@ fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
 }
 
 /// A shot at the time its clock shows, with the ways so far.
-pub(super) fn of_attempt(level: &Level, attempt: &Attempt, area: Rect) -> Picture {
+pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     let mut picture = ground(level, area);
-    let (shot, now) = (&attempt.shot, attempt.clock.time());
+    let player = &made.player;
+    let (shot, now) = (player.shot(), player.clock().time());
     for disc in 0..shot.discs().len() {
         let role = if disc == level.scene.stroke.disc {
             Role::StrikerOut
@@ -170,13 +171,9 @@ pub(super) fn of_attempt(level: &Level, attempt: &Attempt, area: Rect) -> Pictur
         };
         trail(&mut picture, shot, disc, now, role);
     }
-    let places = (0..shot.discs().len()).filter_map(|disc| {
-        let sample = shot.at(disc, now);
-        (sample.state != DiscState::Pocketed).then_some((disc, sample.position))
-    });
-    let places: Vec<_> = places.collect();
+    let places: Vec<_> = player.discs().collect();
     if level.is_of_the_first_hit()
-        && let Some(impact) = attempt.impacts.first().filter(|impact| impact.time < now)
+        && let Some(impact) = player.impacts().first().filter(|impact| impact.time < now)
     {
         // Where they touched, as those that leave are soon out of the picture.
         for disc in impact.discs {
@@ -186,14 +183,14 @@ pub(super) fn of_attempt(level: &Level, attempt: &Attempt, area: Rect) -> Pictur
         }
     }
     discs(level, &mut picture, &places);
-    said(&mut picture, level, attempt);
+    said(&mut picture, level, made);
     labels(level, &mut picture, &places);
     picture
 }
 
 /// The way of a disc up to now.
 fn trail(picture: &mut Picture, shot: &Shot, disc: usize, now: f64, role: Role) {
-    let pen = Pen::new(role).on(Layer::Trail).dotted();
+    let pen = Pen::new(role).on(DrawLayer::Trail).dotted();
     for leg in shot.path(disc).take_while(|leg| leg.start < now) {
         let to = if leg.end <= now {
             leg.to
@@ -205,28 +202,29 @@ fn trail(picture: &mut Picture, shot: &Shot, disc: usize, now: f64, role: Role) 
 }
 
 /// What was said of the first impact, once it has come.
-fn said(picture: &mut Picture, level: &Level, attempt: &Attempt) {
-    let (Some(said), Some(impact)) = (&attempt.said, attempt.impacts.first()) else {
+fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
+    let player = &made.player;
+    let (Some(said), Some(impact)) = (&made.said, player.impacts().first()) else {
         return;
     };
     let Some(heading) = impact.collision.u1.try_normalize() else {
         return;
     };
-    if attempt.clock.time() < impact.time {
+    if player.clock().time() < impact.time {
         return;
     }
-    for (body, ray) in said.asked() {
-        let Some(angle) = said.rays.get(ray) else {
+    for ray in asked(said) {
+        let Some(angle) = said.so_far().get(ray) else {
             continue;
         };
         // The scattering angle counts anticlockwise, the recoil angle clockwise.
-        let turn = match ray {
-            Ray::Striker => angle,
-            Ray::Target => -angle,
+        let [first, second] = impact.discs;
+        let (turn, disc) = match ray {
+            Ray::Striker => (angle, first),
+            Ray::Target => (-angle, second),
         };
         let way = DVec2::from_angle(turn).rotate(heading);
-        let disc = impact.discs[body];
-        let centre = attempt.shot.at(disc, impact.time).position;
+        let centre = player.shot().at(disc, impact.time).position;
         let length = if level.is_of_the_first_hit() {
             NEAR_RAY
         } else {
@@ -242,6 +240,26 @@ fn said(picture: &mut Picture, level: &Level, attempt: &Attempt) {
 mod tests {
     use super::*;
     use crate::levels::LevelLibrary;
+    use crate::widgets::svg::Svg;
+    use crate::widgets::{Charset, Look, Theme};
+
+    /// Every piece is a circle, every number one.
+    #[test]
+    fn the_board_of_every_level_has_a_vector_form() {
+        let look = Look {
+            charset: Charset::Unicode,
+            theme: Theme::default(),
+        };
+        let library = LevelLibrary::embedded();
+        for level in library.packs.iter().flat_map(|pack| &pack.levels) {
+            let picture = of_aim(level, &level.scene, Rect::new(0, 0, 80, 36));
+            let file = Svg::new(&level.title, &picture, &look, 1.0).file();
+            let read = roxmltree::Document::parse(&file).unwrap();
+            let circles = read.descendants().filter(|it| it.has_tag_name("circle"));
+            assert!(circles.count() >= level.scene.pieces.len(), "{}", level.id);
+            assert!(!file.contains("NaN"), "{}", level.id);
+        }
+    }
 
     #[test]
     fn where_the_first_hit_counts_the_discs_are_whole_and_larger() {

@@ -1,10 +1,9 @@
 //! Playing a level: set the shot, say where the first hit sends the discs, watch, and
 //! see what came about.
 
-mod attempt;
 mod board;
 mod dials;
-mod keys;
+mod made_shot;
 mod panel;
 mod view;
 
@@ -18,33 +17,38 @@ use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
-use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
-use crate::widgets::hit::{FRAME, point_at, side};
-use crate::widgets::replay::{Impact, impacts};
+use crate::screens::{Context, Next, Place, Screen};
+use crate::widgets::hit::{point_at, side};
+use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
+use crate::widgets::replay::{Impact, ShotAction, impacts};
 use crate::widgets::{Lines, Outcome, RayInput, Scroll};
 
-use attempt::{Attempt, Said};
 use dials::Dials;
+use made_shot::MadeShot;
 
 pub(super) use dials::name as dial_name;
 
 /// Rows that a page of the panel is turned by.
 const PAGE: i16 = 8;
 
+/// The keys that turn them.
+const PAGE_KEYS: [Key; 2] = [Key::PageUp, Key::PageDown];
+
 /// A level being played.
 #[derive(Debug, Clone)]
-pub(crate) struct Play {
+pub(crate) struct LevelPlay {
     /// Its number on the shelf, from 0.
     number: usize,
-    level: Level,
     dials: Dials,
+    /// The dial that keys turn.
+    form: SettingsForm,
     /// How many hints have been asked for.
     hints: usize,
     /// Shots made since it was opened.
     shots: u32,
     /// What came of those that were looked at, the last one last.
-    tries: Vec<Try>,
-    phase: Phase,
+    earlier: Vec<EarlierShot>,
+    phase: LevelPhase,
     scroll: Scroll,
     /// Why the last shot could not be made.
     trouble: Option<String>,
@@ -52,18 +56,18 @@ pub(crate) struct Play {
 
 /// What one is doing.
 #[derive(Debug, Clone)]
-enum Phase {
+enum LevelPhase {
     /// Setting the shot.
     Aim,
     /// Saying where the first hit sends the discs.
-    Say(Box<Saying>),
+    Predict(Box<PendingShot>),
     /// Watching the shot.
-    Watch(Box<Attempt>),
+    Watch(Box<MadeShot>),
 }
 
 /// A shot that was made, in short.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Try {
+struct EarlierShot {
     /// Its number, from 1.
     number: u32,
     /// How it was set.
@@ -74,41 +78,73 @@ struct Try {
 
 /// The shot that is about to be made, and what is being said of its first impact.
 #[derive(Debug, Clone)]
-struct Saying {
+struct PendingShot {
     rays: RayInput,
     shot: Shot,
     impact: Impact,
 }
 
-impl Play {
+/// What keys do in a level.
+#[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum LevelAction {
+    /// go on: say where the discs will go, or shoot
+    Go,
+    /// set the shot
+    Set(FormAction),
+    /// back to how the level opens
+    Reset,
+    /// a hint; again for the next one
+    Hint,
+    /// say first, or just shoot
+    Predict,
+    /// say where a disc will go
+    Say(RayAction),
+    /// watch the shot
+    Watch(ShotAction),
+    /// the next level
+    NextLevel,
+    /// back to the aim
+    AimAgain,
+    /// scroll the text
+    Scroll(i16),
+    /// back
+    Back,
+}
+
+impl LevelPlay {
     /// The level of this number; `None` if there is none.
     pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let (_, level) = cx.shelf.get(number)?;
-        let level = level.clone();
+        let dials = Dials::new(level.clone());
         cx.shelf.at = number;
         Some(Self {
             number,
-            dials: Dials::new(&level),
-            level,
+            dials,
+            form: SettingsForm::default(),
             hints: 0,
             shots: 0,
-            tries: Vec::new(),
-            phase: Phase::Aim,
+            earlier: Vec::new(),
+            phase: LevelPhase::Aim,
             scroll: Scroll::default(),
             trouble: None,
         })
     }
 
+    fn level(&self) -> &Level {
+        &self.dials.level
+    }
+
     /// Whether the picture shows one impact, not the whole board.
     fn is_enlarged(&self) -> bool {
         match &self.phase {
-            Phase::Aim => false,
-            Phase::Say(_) => true,
-            Phase::Watch(attempt) => attempt.zoom.is_some(),
+            LevelPhase::Aim => false,
+            LevelPhase::Predict(_) => true,
+            LevelPhase::Watch(made) => made.player.zoom().is_some(),
         }
     }
 
-    fn enter(&mut self, phase: Phase) {
+    fn enter(&mut self, phase: LevelPhase) {
         self.phase = phase;
         self.scroll = Scroll::default();
     }
@@ -117,15 +153,14 @@ impl Play {
     fn asks(&self, impact: &Impact) -> impl Iterator<Item = Ray> {
         let asked = impact
             .discs
-            .map(|disc| self.level.say_first.contains(&disc));
+            .map(|disc| self.level().say_first.contains(&disc));
         let both = Ray::BOTH.into_iter().zip(asked);
         both.filter_map(|(ray, asked)| asked.then_some(ray))
     }
 
     /// From aiming to saying, or to the shot where there is nothing to say.
     fn go(&mut self, cx: &mut Context) {
-        self.dials.commit(&self.level);
-        let scene = self.level.aimed(&self.dials.aim);
+        let scene = self.level().aimed(&self.dials.aim);
         let shot = match scene.play() {
             Ok(shot) => shot,
             Err(error) => {
@@ -143,50 +178,55 @@ impl Play {
                 [one] => both.only(*one),
                 _ => both,
             };
-            self.enter(Phase::Say(Box::new(Saying { rays, shot, impact })));
+            let pending = PendingShot { rays, shot, impact };
+            self.enter(LevelPhase::Predict(Box::new(pending)));
         } else {
             self.shoot(shot, !asked.is_empty(), None, cx);
         }
     }
 
-    fn shoot(&mut self, shot: Shot, to_say: bool, said: Option<Said>, cx: &mut Context) {
+    fn shoot(&mut self, shot: Shot, to_say: bool, said: Option<RayInput>, cx: &mut Context) {
         self.shots += 1;
-        let reduced = cx.settings.reduced_motion;
-        let attempt = Attempt::new(&self.level, shot, self.shots, to_say, said, reduced);
-        self.enter(Phase::Watch(Box::new(attempt)));
+        let settings = &cx.settings;
+        let watched = (settings.watch_rate, settings.reduced_motion);
+        let made = MadeShot::new(self.level(), shot, self.shots, to_say, said, watched);
+        self.enter(LevelPhase::Watch(Box::new(made)));
         self.keep_if_told(cx);
     }
 
     /// Keeps a win once it has been told.
-    fn keep_if_told(&self, cx: &mut Context) {
-        if let Phase::Watch(attempt) = &self.phase
-            && attempt.told
-        {
-            self.keep(attempt, cx);
+    fn keep_if_told(&mut self, cx: &mut Context) {
+        if let LevelPhase::Watch(made) = &mut self.phase {
+            made.note_end();
+            if made.told {
+                self.keep(cx);
+            }
         }
     }
 
-    fn keep(&self, attempt: &Attempt, cx: &mut Context) {
-        if let Some(win) = attempt.win {
+    fn keep(&self, cx: &mut Context) {
+        if let LevelPhase::Watch(made) = &self.phase
+            && let Some(win) = made.win
+        {
             cx.won(self.number, win);
         }
     }
 
     /// Back to the aim. A win that was not watched to its end counts all the same.
     fn leave_shot(&mut self, cx: &mut Context) {
-        if let Phase::Watch(attempt) = &self.phase {
-            self.keep(attempt, cx);
-            let findings = attempt.verdict.told(&self.level);
+        self.keep(cx);
+        if let LevelPhase::Watch(made) = &self.phase {
+            let findings = made.verdict.told(self.level());
             let unmet = findings.iter().find(|finding| !finding.met);
             if let Some(finding) = unmet.or(findings.first()) {
-                self.tries.push(Try {
+                self.earlier.push(EarlierShot {
                     number: self.shots,
-                    set: self.dials.setting(&self.level),
+                    set: self.dials.setting(),
                     told: finding.told.clone(),
                 });
             }
         }
-        self.enter(Phase::Aim);
+        self.enter(LevelPhase::Aim);
     }
 
     fn next_level(&self, cx: &Context) -> Next {
@@ -206,86 +246,29 @@ impl Play {
         self.scroll = scroll;
     }
 
-    fn hint(&mut self, cx: &Context) {
-        self.hints = (self.hints + 1).min(self.level.hints.len());
-        self.scroll_by(i16::MAX, cx);
-    }
-
-    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
-        match key {
-            Key::PageDown => {
-                self.scroll_by(PAGE, cx);
-                return Next::Stay;
-            }
-            Key::PageUp => {
-                self.scroll_by(-PAGE, cx);
-                return Next::Stay;
-            }
-            _ => {}
-        }
-        match self.phase {
-            Phase::Aim => self.aim_key(key, cx),
-            Phase::Say(_) => self.say_key(key, cx),
-            Phase::Watch(_) => self.watch_key(key, cx),
+    fn say(&mut self, action: RayAction, cx: &mut Context) {
+        if let LevelPhase::Predict(pending) = &mut self.phase
+            && let Outcome::Done(()) = pending.rays.act(action)
+        {
+            let said = pending.rays.clone();
+            let shot = std::mem::take(&mut pending.shot);
+            self.shoot(shot, true, Some(said), cx);
         }
     }
 
-    fn aim_key(&mut self, key: Key, cx: &mut Context) -> Next {
-        if self.dials.update(&self.level, key) {
-            return Next::Stay;
-        }
-        match key {
-            Key::Enter | Key::Char(' ') => self.go(cx),
-            Key::Char('h' | 'H') => self.hint(cx),
-            Key::Char('p' | 'P') => cx.settings.predict = !cx.settings.predict,
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    fn say_key(&mut self, key: Key, cx: &mut Context) -> Next {
-        let Phase::Say(saying) = &mut self.phase else {
-            return Next::Ignored;
+    fn watch(&mut self, action: ShotAction, cx: &mut Context) {
+        let LevelPhase::Watch(made) = &mut self.phase else {
+            return;
         };
-        match saying.rays.update(key) {
-            Outcome::Used => {}
-            Outcome::Done(()) => {
-                let said = Said::of(&saying.rays);
-                let shot = std::mem::take(&mut saying.shot);
-                self.shoot(shot, true, Some(said), cx);
-            }
-            Outcome::Ignored if key == Key::Escape => self.enter(Phase::Aim),
-            Outcome::Ignored => return Next::Ignored,
+        let shown = |made: &MadeShot| made.player.chosen().map(|(number, _)| number);
+        let before = shown(made);
+        let settings = &mut cx.settings;
+        let reduced = settings.reduced_motion;
+        made.player.act(action, &mut settings.watch_rate, reduced);
+        if shown(made) != before {
+            self.scroll = Scroll::default();
         }
-        Next::Stay
-    }
-
-    fn watch_key(&mut self, key: Key, cx: &mut Context) -> Next {
-        let Phase::Watch(attempt) = &mut self.phase else {
-            return Next::Ignored;
-        };
-        let enlarged = attempt.zoom.is_some();
-        if attempt.update(&self.level, key, cx.settings.reduced_motion) {
-            let changed = attempt.zoom.is_some() != enlarged;
-            if changed || matches!(key, Key::Up | Key::Down | Key::Tab | Key::BackTab) {
-                self.scroll = Scroll::default();
-            }
-            self.keep_if_told(cx);
-            return Next::Stay;
-        }
-        let (told, won) = (attempt.told, attempt.win.is_some());
-        match key {
-            // What moves is first brought to its end.
-            Key::Enter if !told => {
-                attempt.update(&self.level, Key::End, false);
-                self.keep_if_told(cx);
-            }
-            Key::Enter | Key::Char('n' | 'N') if told && won => return self.next_level(cx),
-            Key::Enter | Key::Escape => self.leave_shot(cx),
-            Key::Char('h' | 'H') if told && !won => self.hint(cx),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
+        self.keep_if_told(cx);
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
@@ -305,27 +288,26 @@ impl Play {
             return Next::Stay;
         }
         match &mut self.phase {
-            Phase::Aim if wheel != 0 => self.dials.wheel(&self.level, wheel.into()),
-            Phase::Aim if held && on_picture => {
-                let view = board::view(&self.level, layout.picture);
+            LevelPhase::Aim if wheel != 0 => self.dials.wheel(&mut self.form, wheel.into()),
+            LevelPhase::Aim if held && on_picture => {
+                let view = board::view(&self.dials.level, layout.picture);
                 let (at, near) = (view.world_at(cell.0, cell.1), view.per_row());
-                self.dials.drag(&self.level, at, near, pressed);
+                self.dials.drag(&mut self.form, at, near, pressed);
             }
-            Phase::Aim if pressed => {
+            LevelPhase::Aim if pressed => {
                 let Some(dial) = self.dial_at(layout.panel, cell, cx) else {
                     return Next::Ignored;
                 };
-                self.dials.choose(&self.level, dial);
+                self.form.select(dial, &mut self.dials);
             }
-            Phase::Say(saying) if held && on_picture => {
-                let collision = &saying.impact.collision;
-                point_at(layout.picture, collision, &mut saying.rays, cell, pressed);
+            LevelPhase::Predict(pending) if held && on_picture => {
+                let collision = &pending.impact.collision;
+                point_at(layout.picture, collision, &mut pending.rays, cell, pressed);
             }
-            Phase::Watch(_) if wheel > 0 => return self.watch_key(Key::Char('.'), cx),
-            Phase::Watch(_) if wheel < 0 => return self.watch_key(Key::Char(','), cx),
-            Phase::Watch(_) if pressed && on_picture => {
-                return self.watch_key(Key::Char(' '), cx);
-            }
+            LevelPhase::Watch(made) => match made.player.pointed(mouse, on_picture, None) {
+                Some(action) => self.watch(action, cx),
+                None => return Next::Ignored,
+            },
             _ => return Next::Ignored,
         }
         Next::Stay
@@ -340,14 +322,16 @@ impl Play {
         let mut lines = Lines::new(panel, &mut scratch, cx.settings.look());
         panel::goals(self, &mut lines);
         let row = (cell.1 - panel.y).checked_sub(lines.written())?;
-        let count = self.level.adjust.dials().count();
+        let count = self.level().adjust.dials().count();
         (usize::from(row) < count).then_some(row.into())
     }
 }
 
-impl OldScreen for Play {
+impl Screen for LevelPlay {
+    type Action = LevelAction;
+
     fn title(&self) -> String {
-        self.level.title.clone()
+        self.level().title.clone()
     }
 
     fn status(&self, cx: &Context) -> String {
@@ -358,17 +342,108 @@ impl OldScreen for Play {
         }
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn keys(&self, cx: &Context) -> KeyTable<LevelAction> {
+        use LevelAction::{AimAgain, Back, Go, Hint, NextLevel, Predict, Reset};
+        let scroll = [
+            (Key::PageUp, LevelAction::Scroll(-PAGE)),
+            (Key::PageDown, LevelAction::Scroll(PAGE)),
+        ];
+        let table = KeyTable::new("level");
+        let table = match &self.phase {
+            LevelPhase::Aim => {
+                let says = !self.level().say_first.is_empty();
+                let go = match says && cx.settings.predict {
+                    true => "say where",
+                    false => "shoot",
+                };
+                table
+                    .on(Key::Enter, Go, go)
+                    .or([(Key::Char(' '), Go)])
+                    .when(!self.form.is_typing())
+                    .with(
+                        self.form.keys(&self.dials).without_keys(&PAGE_KEYS),
+                        LevelAction::Set,
+                    )
+                    .on(Key::Char('h'), Hint, "hint")
+                    .on(Key::Escape, Back, "back")
+                    .when(!self.form.is_typing())
+                    .on(Key::Char('r'), Reset, "")
+                    .on(Key::Char('p'), Predict, "")
+                    .when(says)
+            }
+            LevelPhase::Predict(pending) => table
+                .with(pending.rays.keys(), LevelAction::Say)
+                .renamed("next, then shoot", |action| {
+                    action == LevelAction::Say(RayAction::Next)
+                })
+                .on(Key::Escape, AimAgain, "back"),
+            LevelPhase::Watch(made) if made.player.zoom().is_some() => {
+                table.with(made.player.keys(), LevelAction::Watch)
+            }
+            LevelPhase::Watch(made) => {
+                let end = LevelAction::Watch(ShotAction::Seek(f64::INFINITY));
+                let (told, won) = (made.told, made.win.is_some());
+                table
+                    .on(Key::Enter, NextLevel, "next level")
+                    .or([(Key::Char('n'), NextLevel)])
+                    .when(told && won)
+                    .on(Key::Enter, AimAgain, "try again")
+                    .when(told && !won)
+                    .on(Key::Char('h'), Hint, "hint")
+                    .when(told && !won)
+                    .with(made.player.keys(), LevelAction::Watch)
+                    .on(Key::Escape, AimAgain, "aim")
+                    .on(Key::Enter, end, "")
+                    .when(!told)
+            }
+        };
+        table
+            .each(scroll, "")
+            .when(!matches!(self.phase, LevelPhase::Aim))
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "Set the shot so that all goals of the level come about. The dotted line shows the way up to the first thing the disc meets; what happens then is for you to find out.",
+            "Some levels ask first where the discs will go after the first hit. Then watch, read what came about and by how much it missed, and look at the impact enlarged.",
+            "Stars: one for winning, one for at most three shots, one for saying the rays within 4° (where nothing is asked: for winning with the first shot).",
+            "With the mouse: point the shot, drag the disc where it may be placed, turn the wheel for the speed.",
+        ]
+    }
+
+    fn act(&mut self, action: LevelAction, cx: &mut Context) -> Next {
+        match action {
+            LevelAction::Go => self.go(cx),
+            LevelAction::Set(action) => self.form.act(action, &mut self.dials),
+            LevelAction::Reset => {
+                self.form.give_up();
+                self.dials.reset();
+            }
+            LevelAction::Hint => {
+                self.hints = (self.hints + 1).min(self.level().hints.len());
+                self.scroll_by(i16::MAX, cx);
+            }
+            LevelAction::Predict => cx.settings.predict = !cx.settings.predict,
+            LevelAction::Say(action) => self.say(action, cx),
+            LevelAction::Watch(action) => self.watch(action, cx),
+            LevelAction::NextLevel => return self.next_level(cx),
+            LevelAction::AimAgain => self.leave_shot(cx),
+            LevelAction::Scroll(rows) => self.scroll_by(rows, cx),
+            LevelAction::Back => return Next::Back,
+        }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Key(key) => self.key(*key, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             _ => Next::Ignored,
         }
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
-        if let Phase::Watch(attempt) = &mut self.phase {
-            attempt.advance(passed);
+        if let LevelPhase::Watch(made) = &mut self.phase {
+            made.player.advance(passed);
         }
         self.keep_if_told(cx);
         Next::Stay
@@ -376,23 +451,12 @@ impl OldScreen for Play {
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.phase {
-            Phase::Watch(attempt) => match &attempt.zoom {
-                Some(zoom) => zoom.watch.wake(),
-                None => attempt.clock.is_running().then_some(FRAME),
-            },
+            LevelPhase::Watch(made) => made.player.wake(),
             _ => None,
         }
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         view::draw(self, area, buf, cx);
-    }
-
-    fn keys(&self, cx: &Context) -> Vec<Hint> {
-        keys::shown(self, cx)
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        keys::help()
     }
 }

@@ -1,8 +1,8 @@
 //! The words beside a level: goals and dials, the rays being said, what came about
 //! and why.
 
-use super::attempt::{Attempt, Zoom};
-use super::{Phase, Play, Saying, dials};
+use super::made_shot::{MadeShot, asked};
+use super::{LevelPhase, LevelPlay, PendingShot};
 use crate::levels::{FEW_SHOTS, Win};
 use crate::numbers;
 use crate::physics::Frame;
@@ -10,84 +10,72 @@ use crate::physics::units::mm_from_m;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
 use crate::screens::{Context, why};
+use crate::widgets::hit::Watch;
 use crate::widgets::panels::{impact_angle, masses, offset, said_and_true, separation};
 use crate::widgets::replay::Impact;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, RayInput, Role};
 
 /// Shots that are shown while the next one is set.
-const SHOWN_TRIES: usize = 2;
+const SHOWN_EARLIER: usize = 2;
 
 /// Writes all of it.
-pub(super) fn write(play: &Play, lines: &mut Lines, cx: &Context) {
+pub(super) fn write(play: &LevelPlay, lines: &mut Lines, cx: &Context) {
     match &play.phase {
-        Phase::Aim => aim(play, lines, cx),
-        Phase::Say(saying) => say(play, saying, lines),
-        Phase::Watch(attempt) => match &attempt.zoom {
-            Some(zoom) => enlarged(play, attempt, zoom, lines),
-            None if attempt.told => outcome(play, attempt, lines, cx),
-            None => watching(play, attempt, lines),
+        LevelPhase::Aim => aim(play, lines, cx),
+        LevelPhase::Predict(pending) => say(play, pending, lines),
+        LevelPhase::Watch(made) => match made.player.zoom() {
+            Some(watch) => enlarged(play, made, watch, lines),
+            None if made.told => outcome(play, made, lines, cx),
+            None => watching(play, made, lines),
         },
     }
 }
 
 /// Rows of the goals, above the dials.
-pub(super) fn goals(play: &Play, lines: &mut Lines) {
+pub(super) fn goals(play: &LevelPlay, lines: &mut Lines) {
     lines.line("Goal", Role::Title);
-    for goal in &play.level.goals {
-        lines.paragraph(&goal.describe(&play.level.scene), Role::Text);
+    for goal in &play.level().goals {
+        lines.paragraph(&goal.describe(&play.level().scene), Role::Text);
     }
     lines.gap();
 }
 
-fn aim(play: &Play, lines: &mut Lines, cx: &Context) {
+fn aim(play: &LevelPlay, lines: &mut Lines, cx: &Context) {
     goals(play, lines);
-    let chosen = play.dials.chosen(&play.level);
-    for (dial, _) in play.level.adjust.dials() {
-        let (mark, name_role, value_role) = if chosen.is_some_and(|(chosen, _)| chosen == dial) {
-            (">", Role::Selected, Role::Selected)
-        } else {
-            (" ", Role::Dim, Role::Text)
-        };
-        let name = format!("{mark} {}", dials::name(dial));
-        let value = play.dials.shown(&play.level, dial);
-        lines.pair(&name, &value, name_role, value_role);
-    }
-    if let Some((dial, range)) = chosen {
-        let range = format!("  {}", dials::range_words(dial, range));
-        lines.line(&range, Role::Dim);
-    }
+    play.form.write(&play.dials, lines);
+    play.form.write_about(&play.dials, lines);
     lines.gap();
     if let Some(trouble) = &play.trouble {
         lines.paragraph(trouble, Role::Warn);
         lines.gap();
     }
-    let says = !play.level.say_first.is_empty();
+    let says = !play.level().say_first.is_empty();
     let next = match (says, cx.settings.predict) {
         (true, true) => "Enter: say where they go.",
         (true, false) => "Enter: shoot. (p: say first)",
         (false, _) => "Enter: shoot.",
     };
     lines.paragraph(next, Role::Key);
-    tries(play, lines);
+    earlier(play, lines);
     hints(play, lines);
 }
 
 /// The last shots and what came of them, to compare.
-fn tries(play: &Play, lines: &mut Lines) {
-    let earlier = play.tries.len().saturating_sub(SHOWN_TRIES);
-    for made in play.tries.iter().skip(earlier) {
+fn earlier(play: &LevelPlay, lines: &mut Lines) {
+    let hidden = play.earlier.len().saturating_sub(SHOWN_EARLIER);
+    for made in play.earlier.iter().skip(hidden) {
         lines.gap();
         lines.line(&format!("shot {}: {}", made.number, made.set), Role::Dim);
         lines.paragraph(&format!("{}.", numbers::capital(&made.told)), Role::Dim);
     }
-    if !play.tries.is_empty() {
+    if !play.earlier.is_empty() {
         lines.gap();
     }
 }
 
 /// The hints asked for, and how to get the next.
-fn hints(play: &Play, lines: &mut Lines) {
-    let all = &play.level.hints;
+fn hints(play: &LevelPlay, lines: &mut Lines) {
+    let all = &play.level().hints;
     for (number, hint) in all.iter().take(play.hints).enumerate() {
         lines.gap();
         lines.line(
@@ -104,32 +92,27 @@ fn hints(play: &Play, lines: &mut Lines) {
     }
 }
 
-fn say(play: &Play, saying: &Saying, lines: &mut Lines) {
-    let scene = &play.level.scene;
-    let [_, target] = saying.impact.discs;
+fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
+    let scene = &play.level().scene;
+    let [_, target] = pending.impact.discs;
     let name = words::short(scene, target);
-    let collision = &saying.impact.collision;
+    let collision = &pending.impact.collision;
     offset(collision, lines);
-    if saying.rays.asks(Ray::Target) {
+    if pending.rays.asks(Ray::Target) {
         // The angle itself is what is asked for.
         let reach = format!("{:.1} mm", mm_from_m(collision.contact_distance()));
         lines.pair("r₁ + r₂", &reach, Role::Dim, Role::Text);
     } else {
         impact_angle(collision, lines);
     }
-    bodies(&saying.impact, &play.level.unknown_mass, lines);
+    bodies(&pending.impact, &play.level().unknown_mass, lines);
     lines.gap();
     lines.line("The first hit", Role::Title);
-    saying.rays.write(lines, name);
+    pending.rays.write(lines, name);
     lines.gap();
-    lines.paragraph(&saying.rays.about(name), Role::Text);
+    lines.paragraph(&pending.rays.about(name), Role::Text);
     lines.gap();
-    let next = if saying.rays.is_last() {
-        "Enter: shoot!".into()
-    } else {
-        format!("Enter: then the {name}.")
-    };
-    lines.paragraph(&next, Role::Key);
+    lines.paragraph(&pending.rays.prompt(name, "shoot!"), Role::Key);
 }
 
 /// Where two meet, and what they are, but for the masses of `secret` discs.
@@ -145,13 +128,13 @@ fn bodies(impact: &Impact, secret: &[usize], lines: &mut Lines) {
     masses(&impact.collision, secret, lines);
 }
 
-fn watching(play: &Play, attempt: &Attempt, lines: &mut Lines) {
+fn watching(play: &LevelPlay, made: &MadeShot, lines: &mut Lines) {
     goals(play, lines);
-    let time = format!("{:.2} s", attempt.clock.time());
+    let time = format!("{:.2} s", made.player.clock().time());
     lines.pair("time", &time, Role::Dim, Role::Text);
     lines.pair(
         "watched at",
-        &attempt.clock.rate().words(),
+        &made.player.clock().rate().words(),
         Role::Dim,
         Role::Text,
     );
@@ -160,13 +143,13 @@ fn watching(play: &Play, attempt: &Attempt, lines: &mut Lines) {
 }
 
 /// What came about.
-fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
-    match &attempt.win {
+fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
+    match &made.win {
         Some(win) => {
             lines.pair("Won!", &words::stars(win.stars()), Role::Good, Role::Good);
         }
         None => {
-            let (met, all) = (attempt.verdict.met(), play.level.goals.len());
+            let (met, all) = (made.verdict.met(), play.level().goals.len());
             let cheer = match met {
                 0 => "Not yet. See what was off, then change one thing at a time.".into(),
                 _ => format!("Not yet, but {met} of {all} came about: you are on the way."),
@@ -175,7 +158,7 @@ fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
         }
     }
     lines.gap();
-    for finding in attempt.verdict.told(&play.level) {
+    for finding in made.verdict.told(play.level()) {
         let (mark, role) = if finding.met {
             ("✓", Role::Good)
         } else {
@@ -184,15 +167,15 @@ fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
         let told = numbers::capital(&finding.told);
         lines.paragraph(&format!("{mark} {told}."), role);
     }
-    if let Some(impact) = attempt.impacts.first() {
-        answers(play, attempt, impact, lines);
+    if let Some(impact) = made.player.impacts().first() {
+        answers(play, made, impact, lines);
     }
     lines.gap();
-    match &attempt.win {
+    match &made.win {
         Some(win) => won(play, *win, lines, cx),
         None => {
             lines.paragraph("Enter: try again from the same aim.", Role::Key);
-            if !attempt.impacts.is_empty() {
+            if !made.player.impacts().is_empty() {
                 lines.paragraph("i: look at the hit, enlarged.", Role::Key);
             }
             hints(play, lines);
@@ -201,8 +184,8 @@ fn outcome(play: &Play, attempt: &Attempt, lines: &mut Lines, cx: &Context) {
 }
 
 /// The explanation, what the stars were for, and where to go on.
-fn won(play: &Play, win: Win, lines: &mut Lines, cx: &Context) {
-    lines.paragraph(&play.level.explanation, Role::Text);
+fn won(play: &LevelPlay, win: Win, lines: &mut Lines, cx: &Context) {
+    lines.paragraph(&play.level().explanation, Role::Text);
     lines.gap();
     if !win.has_few_shots() {
         let text = format!("A star more: win with at most {FEW_SHOTS} shots.");
@@ -225,32 +208,38 @@ fn won(play: &Play, win: Win, lines: &mut Lines, cx: &Context) {
 }
 
 /// What was said beside the truth.
-fn answers(play: &Play, attempt: &Attempt, impact: &Impact, lines: &mut Lines) {
-    let Some(said) = &attempt.said else {
+fn answers(play: &LevelPlay, made: &MadeShot, impact: &Impact, lines: &mut Lines) {
+    let Some(said) = &made.said else {
         return;
     };
     lines.gap();
     let mut names = [None; 2];
-    for (body, _) in said.asked() {
-        names[body] = Some(words::short(&play.level.scene, impact.discs[body]));
+    for ray in asked(said) {
+        let body = usize::from(ray == Ray::Target);
+        names[body] = Some(words::short(&play.level().scene, impact.discs[body]));
     }
-    said_and_true(&impact.collision, &said.rays, names, false, lines);
+    said_and_true(&impact.collision, &said.so_far(), names, false, lines);
+}
+
+/// Which of the impacts is enlarged.
+pub(super) fn impact_title(made: &MadeShot) -> String {
+    let number = made.player.chosen().map_or(0, |(number, _)| number);
+    format!("impact {} of {}", number + 1, made.player.impacts().len())
 }
 
 /// One impact, enlarged: the explanation of the lab.
-fn enlarged(play: &Play, attempt: &Attempt, zoom: &Zoom, lines: &mut Lines) {
-    let scene = &play.level.scene;
-    let Some(impact) = attempt.enlarged() else {
+fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines) {
+    let scene = &play.level().scene;
+    let Some((number, impact)) = made.player.chosen() else {
         return;
     };
-    let watch = &zoom.watch;
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     lines.paragraph(&met, Role::Title);
     // What a win has shown is no secret any more.
-    let secret = match attempt.win {
+    let secret = match made.win {
         Some(_) => &[],
-        None => play.level.unknown_mass.as_slice(),
+        None => play.level().unknown_mass.as_slice(),
     };
     given(impact, secret, lines);
     if !watch.is_told() {
@@ -270,16 +259,16 @@ fn enlarged(play: &Play, attempt: &Attempt, zoom: &Zoom, lines: &mut Lines) {
             return lines.paragraph("Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds.", Role::Text);
         }
     }
-    let said = attempt.said.filter(|_| zoom.number == 0);
+    let said = made.said.as_ref().filter(|_| number == 0);
     if said.is_some() {
-        answers(play, attempt, impact, lines);
+        answers(play, made, impact, lines);
     }
     lines.gap();
     if impact.discs.iter().any(|disc| secret.contains(disc)) {
         let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
         return lines.paragraph(text, Role::Text);
     }
-    let (title, text) = why::of_impact(&impact.collision, said.and_then(|said| said.both()));
+    let (title, text) = why::of_impact(&impact.collision, said.and_then(RayInput::both));
     if !title.is_empty() {
         lines.paragraph(&title, Role::Title);
     }

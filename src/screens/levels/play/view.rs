@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Phase, Play, Saying, board, panel};
+use super::{LevelPhase, LevelPlay, PendingShot, board, panel};
 use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
@@ -12,17 +12,17 @@ use crate::widgets::hit::{Markings, setup_picture};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
 /// is asked for, for along the line of impact the other disc leaves.
-fn shown(saying: &Saying) -> Markings {
+fn shown(pending: &PendingShot) -> Markings {
     Markings {
         offset: true,
-        angle: !saying.rays.asks(Ray::Target),
+        angle: !pending.rays.asks(Ray::Target),
         figures: true,
     }
 }
 
 /// Where the parts are: a square board, or a hit that takes all the room there is.
-pub(super) fn layout(play: &Play, area: Rect) -> SplitLayout {
-    if play.is_enlarged() || play.level.is_of_the_first_hit() {
+pub(super) fn layout(play: &LevelPlay, area: Rect) -> SplitLayout {
+    if play.is_enlarged() || play.level().is_of_the_first_hit() {
         SplitLayout::new(area)
     } else {
         SplitLayout::square(area)
@@ -30,25 +30,25 @@ pub(super) fn layout(play: &Play, area: Rect) -> SplitLayout {
 }
 
 /// Draws the level.
-pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(play: &LevelPlay, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = layout(play, area);
-    let level = &play.level;
+    let level = play.level();
     let (title, side_title) = titles(play);
     layout.draw(buf, &look, &title, &side_title);
     let picture = match &play.phase {
-        Phase::Aim => {
+        LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
             board::of_aim(level, &scene, layout.picture)
         }
-        Phase::Say(saying) => {
-            let faces = saying.impact.discs.map(|disc| face_of(&level.scene, disc));
-            let (collision, rays) = (&saying.impact.collision, Some(&saying.rays));
-            setup_picture(layout.picture, faces, collision, shown(saying), rays)
+        LevelPhase::Predict(pending) => {
+            let faces = pending.impact.discs.map(|disc| face_of(&level.scene, disc));
+            let (collision, rays) = (&pending.impact.collision, Some(&pending.rays));
+            setup_picture(layout.picture, faces, collision, shown(pending), rays)
         }
-        Phase::Watch(attempt) => match &attempt.zoom {
-            Some(zoom) => zoom.watch.picture(layout.picture),
-            None => board::of_attempt(level, attempt, layout.picture),
+        LevelPhase::Watch(made) => match made.player.zoom() {
+            Some(watch) => watch.picture(layout.picture),
+            None => board::of_made(level, made, layout.picture),
         },
     };
     picture.draw(buf, &look);
@@ -58,19 +58,19 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, cx: &Context) {
 }
 
 /// The titles of picture and panel.
-fn titles(play: &Play) -> (String, String) {
+fn titles(play: &LevelPlay) -> (String, String) {
     match &play.phase {
-        Phase::Aim => ("aim".into(), play.level.title.clone()),
-        Phase::Say(_) => ("where will they go?".into(), "say it first".into()),
-        Phase::Watch(attempt) => match &attempt.zoom {
-            Some(zoom) => (
-                format!("the hit, slowed {:.0}×", zoom.watch.clock().slowed()),
-                format!("impact {} of {}", zoom.number + 1, attempt.impacts.len()),
+        LevelPhase::Aim => ("aim".into(), play.level().title.clone()),
+        LevelPhase::Predict(_) => ("where will they go?".into(), "say it first".into()),
+        LevelPhase::Watch(made) => match made.player.zoom() {
+            Some(watch) => (
+                format!("the hit, slowed {:.0}×", watch.clock().slowed()),
+                panel::impact_title(made),
             ),
             None => (
                 format!("shot {}", play.shots),
-                match (attempt.told, &attempt.win) {
-                    (false, _) => play.level.title.clone(),
+                match (made.told, &made.win) {
+                    (false, _) => play.level().title.clone(),
                     (true, Some(_)) => "won".into(),
                     (true, None) => "not yet".into(),
                 },
