@@ -8,7 +8,7 @@ use crate::messages::Key;
 use crate::physics::Collision;
 use crate::quiz::{Ray, Response, letter};
 use crate::widgets::hit::side;
-use crate::widgets::input::{AnswerAction, EntryAction, KeyTable};
+use crate::widgets::input::{AnswerAction, EntryAction, KeyTable, RayAction};
 use crate::widgets::{AnswerInput, Lines, NumberEntry, Outcome, RayInput, Role};
 
 /// An answer in the making.
@@ -75,7 +75,13 @@ impl CheckpointInput {
     pub(super) fn keys(&self) -> KeyTable<CheckpointAction> {
         match self {
             Self::Given(input) => {
-                let keys = input.keys().map(CheckpointAction::Given);
+                // What leads back to the contents is worth more on a small screen.
+                let spare = |action| {
+                    use AnswerAction::{Choose, Ray};
+                    matches!(action, Choose(_) | Ray(RayAction::StaysStill))
+                };
+                let keys = input.keys().renamed("", spare);
+                let keys = keys.map(CheckpointAction::Given);
                 keys.without_keys(&[Key::Tab, Key::BackTab])
             }
             Self::Number(entry) => entry.keys().map(CheckpointAction::Number),
