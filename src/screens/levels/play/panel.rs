@@ -12,7 +12,7 @@ use crate::screens::levels::words;
 use crate::screens::{Context, why};
 use crate::widgets::hit::Watch;
 use crate::widgets::panels::{impact_angle, masses, offset, said_and_true, separation};
-use crate::widgets::replay::Impact;
+use crate::widgets::replay::ShotImpact;
 use crate::widgets::{Lines, RayInput, Role};
 
 /// Shots that are shown while the next one is set.
