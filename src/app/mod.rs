@@ -27,7 +27,7 @@ use crate::screens::levels::{LevelPlay, Levels};
 use crate::screens::progress::Progress;
 use crate::screens::quiz::{Choosing, Quiz};
 use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Context, Hosted, Next, Old, Place, Settings, SharedAction};
+use crate::screens::{AnyScreen, Context, Hosted, Next, Place, Settings, SharedAction};
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
@@ -355,20 +355,20 @@ impl App {
             Place::Home => Box::new(Hosted::new(Home::default())),
             Place::Lab => Box::new(Hosted::new(Lab::default())),
             Place::LabOf { setup } => Box::new(Hosted::new(Lab::of(setup))),
-            Place::Learn => Box::new(Old(Contents::new(&mut self.context))),
+            Place::Learn => Box::new(Hosted::new(Contents::new(&mut self.context))),
             Place::Chapter { number } => match Reading::new(number, &mut self.context) {
-                Some(reading) => Box::new(Old(reading)),
+                Some(reading) => Box::new(Hosted::new(reading)),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Old(Quiz::new(code))),
-            Place::Quiz { code: None } => Box::new(Old(Choosing::ask(&mut self.context))),
+            Place::Quiz { code: Some(code) } => Box::new(Hosted::new(Quiz::new(code))),
+            Place::Quiz { code: None } => Box::new(Hosted::new(Choosing::ask(&mut self.context))),
             Place::Levels => Box::new(Hosted::new(Levels::new(&mut self.context))),
             Place::Level { number } => match LevelPlay::new(number, &mut self.context) {
                 Some(play) => Box::new(Hosted::new(play)),
                 None => return,
             },
             Place::Class { code, teams } => {
-                Box::new(Old(Class::new(code.as_ref(), teams, &self.context)))
+                Box::new(Hosted::new(Class::new(code.as_ref(), teams, &self.context)))
             }
             Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
             Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),

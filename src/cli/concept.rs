@@ -1,12 +1,10 @@
 //! `carrom concept`: what can be done with written questions outside the game.
 
-use std::io::Write;
+use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::anyhow;
-
-use super::{Failure, GlobalOptions, given, print_text};
+use super::{Failure, GlobalOptions, given};
 use crate::quiz::concepts::{Library, check};
 
 /// Check written questions: every field, every figure, and that no right choice gives
@@ -19,32 +17,29 @@ pub(super) struct Args {
 
 #[derive(Debug, clap::Subcommand)]
 enum Command {
-    Check(Check),
-}
-
-/// Check written questions: that every field and every misconception is known, that every
-/// figure is what the engine computes, and that no right choice gives itself away by its
-/// length, its place or a word
-///
-/// One line a question. Exit status: 0 all is well, 2 something is not.
-#[derive(Debug, clap::Args)]
-struct Check {
-    /// Files of questions and folders of them; without any, the questions in the program
-    #[arg(value_name = "FILE|DIR")]
-    paths: Vec<PathBuf>,
+    /// Check written questions: that every field and every misconception is known, that every
+    /// figure is what the engine computes, and that no right choice gives itself away by its
+    /// length, its place or a word
+    ///
+    /// One line a question. Exit status: 0 all is well, 2 something is not.
+    Check {
+        /// Files of questions and folders of them; without any, the questions in the program
+        #[arg(value_name = "FILE|DIR")]
+        paths: Vec<PathBuf>,
+    },
 }
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let Command::Check(args) = &args.command;
+    let Command::Check { paths } = &args.command;
     let library = given::library(
-        &args.paths,
+        paths,
         Library::embedded,
         Library::add_file,
         Library::add_dir,
     );
     let mut faults = library.problems.clone();
     let found = check(&library.concepts);
-    let mut report = Vec::new();
+    let mut report = String::new();
     for concept in &library.concepts {
         let good = found.iter().all(|fault| !concept.is_at(fault));
         let outcome = if good { "good" } else { "NOT GOOD" };
@@ -57,10 +52,6 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
         )?;
     }
     faults.extend(found);
-    print_text(&String::from_utf8_lossy(&report), options)?;
-    given::refuse(&faults)?;
-    if library.concepts.is_empty() {
-        return Err(Failure::Input(anyhow!("no questions found")));
-    }
-    Ok(ExitCode::SUCCESS)
+    let found = (library.concepts.len(), "questions");
+    given::conclude(&report, &faults, found, options)
 }

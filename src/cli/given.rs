@@ -1,10 +1,11 @@
 //! Files and folders given on the command line.
 
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::Failure;
+use super::{Failure, GlobalOptions, print_text};
 use crate::files::{self, FileError};
 
 /// The name of a file for messages, and its bytes, up to one more than the `most` that
@@ -38,11 +39,21 @@ pub(super) fn library<L: Default>(
     library
 }
 
-/// Refuses files that have faults, and tells all of these.
-pub(super) fn refuse(faults: &[FileError]) -> Result<(), Failure> {
-    if faults.is_empty() {
-        return Ok(());
+/// Prints the report of a check, and refuses files that have errors, all of which it
+/// tells, or among which no `what` were found.
+pub(super) fn conclude(
+    report: &str,
+    errors: &[FileError],
+    (found, what): (usize, &str),
+    options: &GlobalOptions,
+) -> Result<ExitCode, Failure> {
+    print_text(report, options)?;
+    if !errors.is_empty() {
+        let messages: Vec<_> = errors.iter().map(ToString::to_string).collect();
+        return Err(Failure::Input(anyhow!("{}", messages.join("\n"))));
     }
-    let messages: Vec<_> = faults.iter().map(ToString::to_string).collect();
-    Err(Failure::Input(anyhow!("{}", messages.join("\n"))))
+    match found {
+        0 => Err(Failure::Input(anyhow!("no {what} found"))),
+        _ => Ok(ExitCode::SUCCESS),
+    }
 }

@@ -1,12 +1,10 @@
 //! `carrom lesson`: what can be done with chapters outside the game.
 
-use std::io::Write;
+use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::anyhow;
-
-use super::{Failure, GlobalOptions, given, print_text};
+use super::{Failure, GlobalOptions, given};
 use crate::lessons::ChapterLibrary;
 
 /// Check chapters: every directive, every number, every page
@@ -18,29 +16,26 @@ pub(super) struct Args {
 
 #[derive(Debug, clap::Subcommand)]
 enum Command {
-    Check(Check),
-}
-
-/// Check chapters: that every directive is known, that every number in the text is what
-/// the engine computes, and that every page fits an 80x24 screen in both charsets
-///
-/// One line a chapter. Exit status: 0 all is well, 2 something is not.
-#[derive(Debug, clap::Args)]
-struct Check {
-    /// Chapters and folders of them; without any, the chapters in the program
-    #[arg(value_name = "FILE|DIR")]
-    paths: Vec<PathBuf>,
+    /// Check chapters: that every directive is known, that every number in the text is what
+    /// the engine computes, and that every page fits an 80x24 screen in both charsets
+    ///
+    /// One line a chapter. Exit status: 0 all is well, 2 something is not.
+    Check {
+        /// Chapters and folders of them; without any, the chapters in the program
+        #[arg(value_name = "FILE|DIR")]
+        paths: Vec<PathBuf>,
+    },
 }
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let Command::Check(args) = &args.command;
+    let Command::Check { paths } = &args.command;
     let library = given::library(
-        &args.paths,
+        paths,
         ChapterLibrary::embedded,
         ChapterLibrary::add_file,
         ChapterLibrary::add_dir,
     );
-    let mut report = Vec::new();
+    let mut report = String::new();
     let mut faults = library.problems.clone();
     for chapter in &library.chapters {
         let found = crate::screens::learn::check(chapter);
@@ -53,10 +48,6 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
         )?;
         faults.extend(found);
     }
-    print_text(&String::from_utf8_lossy(&report), options)?;
-    given::refuse(&faults)?;
-    if library.chapters.is_empty() {
-        return Err(Failure::Input(anyhow!("no chapters found")));
-    }
-    Ok(ExitCode::SUCCESS)
+    let found = (library.chapters.len(), "chapters");
+    given::conclude(&report, &faults, found, options)
 }

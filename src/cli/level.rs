@@ -1,12 +1,12 @@
 //! `carrom level`: what can be done with levels outside the game.
 
-use std::io::{self, Write};
+use std::fmt::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::anyhow;
 
-use super::{Failure, GlobalOptions, given, print_text};
+use super::{Failure, GlobalOptions, given};
 use crate::levels::{Finding, Level, LevelLibrary, Trial, winning_share};
 
 /// How many aims the measure of difficulty tries.
@@ -21,45 +21,41 @@ pub(super) struct Args {
 
 #[derive(Debug, clap::Subcommand)]
 enum Command {
-    Check(Check),
-}
-
-/// Play the stored solution of each level to prove that it can be won
-///
-/// One line a level says what came about. Exit status: 0 all can be won, 1 one
-/// cannot, 2 a file is no level.
-#[derive(Debug, clap::Args)]
-struct Check {
-    /// Level files and folders of them; without any, the levels in the program
-    #[arg(value_name = "FILE|DIR")]
-    paths: Vec<PathBuf>,
-    /// Show each goal too, and what share of aims spread evenly over all a player may
-    /// set would win
-    #[arg(long, short)]
-    verbose: bool,
+    /// Play the stored solution of each level to prove that it can be won
+    ///
+    /// One line a level says what came about. Exit status: 0 all can be won, 1 one
+    /// cannot, 2 a file is no level.
+    Check {
+        /// Level files and folders of them; without any, the levels in the program
+        #[arg(value_name = "FILE|DIR")]
+        paths: Vec<PathBuf>,
+        /// Show each goal too, and what share of aims spread evenly over all a player may
+        /// set would win
+        #[arg(long, short)]
+        verbose: bool,
+    },
 }
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let Command::Check(args) = &args.command;
+    let Command::Check { paths, verbose } = &args.command;
     let library = given::library(
-        &args.paths,
+        paths,
         LevelLibrary::embedded,
         LevelLibrary::add_file,
         LevelLibrary::add_dir,
     );
-    let mut report = Vec::new();
+    let mut report = String::new();
     let mut lost = 0;
     for pack in &library.packs {
         for level in &pack.levels {
-            let won = check(&pack.name, level, args.verbose, &mut report)?;
+            let won = check(&pack.name, level, *verbose, &mut report)?;
             lost += usize::from(!won);
         }
     }
-    print_text(&String::from_utf8_lossy(&report), options)?;
-    given::refuse(&library.problems)?;
+    let packs = (library.packs.len(), "levels");
+    let checked = given::conclude(&report, &library.problems, packs, options)?;
     match lost {
-        _ if library.packs.is_empty() => Err(Failure::Input(anyhow!("no levels found"))),
-        0 => Ok(ExitCode::SUCCESS),
+        0 => Ok(checked),
         1 => Err(Failure::Work(anyhow!("1 level is not won by its solution"))),
         n => Err(Failure::Work(anyhow!(
             "{n} levels are not won by their solutions"
@@ -68,7 +64,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
 }
 
 /// Prints what becomes of a level and returns whether it can be won.
-fn check(pack: &str, level: &Level, verbose: bool, out: &mut Vec<u8>) -> io::Result<bool> {
+fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<bool, fmt::Error> {
     let name = if pack.is_empty() {
         level.id.clone()
     } else {

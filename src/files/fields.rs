@@ -69,8 +69,14 @@ impl Source<'_> {
             let message = self.syntax_error(at, error.message());
             self.note(Rank::Syntax, at, self.key_near(at), message);
         }
-        let fields = Fields::new(self, "", 0, document.get_ref()).only(known);
+        let mut fields = Fields::new(self, "", 0, document.get_ref());
+        fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
+        if !fields.has("format") && !fields.is_misspelt("format") {
+            // Then it is something else, and so are its fields.
+            return fields.refuse("format", format!("expected {expected}, found nothing"));
+        }
+        let fields = fields.only(known);
         let found = fields.whole("format", &expected, 0..=u32::MAX as usize)?;
         if found > format as usize {
             self.forget();

@@ -20,12 +20,12 @@ pub(super) struct Judged {
     /// Whether it is met.
     pub(super) met: bool,
     /// What was seen of what it asks for.
-    pub(super) seen: Seen,
+    pub(super) seen: Observed,
 }
 
 /// What was seen of what a goal asks for.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Seen {
+pub(super) enum Observed {
     /// It did not come about.
     Nothing,
     /// The disc fell into a pocket.
@@ -78,19 +78,19 @@ impl Goal {
         let (met, seen) = match self {
             Self::Pocket { discs } => pocketed(discs, shot),
             Self::Keep { disc } => match falls(shot).any(|fallen| fallen == *disc) {
-                true => (false, Seen::Fell),
-                false => (true, Seen::Nothing),
+                true => (false, Observed::Fell),
+                false => (true, Observed::Nothing),
             },
             Self::Untouched { disc, by } => untouched(*disc, *by, shot),
             Self::Hit { disc, by, least } => match before_meeting(*disc, *by, shot) {
-                None => (false, Seen::Nothing),
+                None => (false, Observed::Nothing),
                 Some(before) => counted(cushions(*by, before), *least),
             },
             Self::Rest { disc, circle } => {
                 let end = shot.at(*disc, shot.duration());
                 match end.state {
-                    DiscState::Pocketed => (false, Seen::Fell),
-                    DiscState::Moving => (false, Seen::NeverResting),
+                    DiscState::Pocketed => (false, Observed::Fell),
+                    DiscState::Moving => (false, Observed::NeverResting),
                     DiscState::Resting => inside(circle, end.position),
                 }
             }
@@ -104,7 +104,7 @@ impl Goal {
             } => banked(*disc, *target, *least, shot),
             Self::Cushions { disc, least } => counted(cushions(*disc, shot.events()), *least),
             Self::Speed { disc, range } => measured(shot, range, |hit| {
-                Some(Seen::Number(hit.after(*disc)?.length()))
+                Some(Observed::Number(hit.after(*disc)?.length()))
             }),
             Self::Turn { disc, range } => measured(shot, range, |hit| {
                 Some(angle(hit.before, hit.after(*disc)?))
@@ -113,30 +113,34 @@ impl Goal {
                 measured(shot, range, |hit| Some(angle(hit.afters[0], hit.afters[1])))
             }
             Self::Energy { disc, range } => measured(shot, range, |hit| {
-                Some(Seen::Number(hit.energy_share(*disc, shot)?))
+                Some(Observed::Number(hit.energy_share(*disc, shot)?))
             }),
         };
         Judged { met, seen }
     }
 }
 
-fn angle(one: DVec2, other: DVec2) -> Seen {
-    angle_between(one, other).map_or(Seen::NoDirection, Seen::Number)
+fn angle(one: DVec2, other: DVec2) -> Observed {
+    angle_between(one, other).map_or(Observed::NoDirection, Observed::Number)
 }
 
-fn counted(cushions: usize, least: usize) -> (bool, Seen) {
-    (cushions >= least, Seen::Cushions(cushions))
+fn counted(cushions: usize, least: usize) -> (bool, Observed) {
+    (cushions >= least, Observed::Cushions(cushions))
 }
 
-fn inside(circle: &GoalCircle, point: DVec2) -> (bool, Seen) {
-    (circle.outside_mm(point) <= 0.0, Seen::Point(point))
+fn inside(circle: &GoalCircle, point: DVec2) -> (bool, Observed) {
+    (circle.outside_mm(point) <= 0.0, Observed::Point(point))
 }
 
 /// What the first hit shows, against its bounds.
-fn measured(shot: &Shot, range: &Range, of: impl Fn(&FirstImpact) -> Option<Seen>) -> (bool, Seen) {
+fn measured(
+    shot: &Shot,
+    range: &Range,
+    of: impl Fn(&FirstImpact) -> Option<Observed>,
+) -> (bool, Observed) {
     let seen = FirstImpact::of(shot).and_then(|hit| of(&hit));
-    let seen = seen.unwrap_or(Seen::Nothing);
-    let met = matches!(seen, Seen::Number(number) if range.holds(number));
+    let seen = seen.unwrap_or(Observed::Nothing);
+    let met = matches!(seen, Observed::Number(number) if range.holds(number));
     (met, seen)
 }
 
@@ -196,16 +200,16 @@ fn falls(shot: &Shot) -> impl Iterator<Item = usize> + '_ {
     })
 }
 
-fn pocketed(discs: &[usize], shot: &Shot) -> (bool, Seen) {
+fn pocketed(discs: &[usize], shot: &Shot) -> (bool, Observed) {
     let stayed = |disc: &&usize| falls(shot).all(|fallen| fallen != **disc);
     if let Some(&disc) = discs.iter().find(stayed) {
         let near = pockets(shot.board())
             .map(|hole| nearest_on_path(shot, disc, hole).distance(hole))
             .min_by(f64::total_cmp);
-        return (false, Seen::NotFallen(disc, near));
+        return (false, Observed::NotFallen(disc, near));
     }
     let order: Vec<_> = falls(shot).filter(|disc| discs.contains(disc)).collect();
-    (order == discs, Seen::FellInOrder(order))
+    (order == discs, Observed::FellInOrder(order))
 }
 
 /// The events before two discs first meet; `None` if they never do.
@@ -223,7 +227,7 @@ fn cushions(disc: usize, events: &[Event]) -> usize {
     events.iter().filter(|event| met(event.kind)).count()
 }
 
-fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Seen) {
+fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Observed) {
     let hit_by = match by {
         Some(by) => before_meeting(disc, by, shot).map(|_| by),
         None => shot.events().iter().find_map(|event| match event.kind {
@@ -233,25 +237,25 @@ fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Seen) {
         }),
     };
     match hit_by {
-        Some(by) => (false, Seen::HitBy(by)),
-        None => (true, Seen::Nothing),
+        Some(by) => (false, Observed::HitBy(by)),
+        None => (true, Observed::Nothing),
     }
 }
 
-fn banked(disc: usize, target: usize, least: usize, shot: &Shot) -> (bool, Seen) {
+fn banked(disc: usize, target: usize, least: usize, shot: &Shot) -> (bool, Observed) {
     let meets = |event: &Event| match event.kind {
         EventKind::Impact { discs, .. } => discs.contains(&disc),
         _ => false,
     };
     let Some(at) = shot.events().iter().position(meets) else {
-        return (false, Seen::Nothing);
+        return (false, Observed::Nothing);
     };
     let (before, from) = shot.events().split_at(at);
     match from.first().map(|event| event.kind) {
         Some(EventKind::Impact { discs, .. }) if discs.contains(&target) => {
             counted(cushions(disc, before), least)
         }
-        _ => (false, Seen::OtherFirst),
+        _ => (false, Observed::OtherFirst),
     }
 }
 

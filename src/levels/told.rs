@@ -1,7 +1,7 @@
 //! What became of the goals of a level, in words.
 
 use super::goal::{Goal, between, between_deg};
-use super::judge::{Judged, Judgement, Seen};
+use super::judge::{Judged, Judgement, Observed};
 use super::level::Level;
 use super::scene::{figures, tidy};
 use crate::numbers::degrees;
@@ -32,27 +32,27 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
     let name = |disc: &usize| level.scene.name(*disc);
     let pocket = level.scene.board.pocket_diameter;
     match (goal, seen) {
-        (_, Seen::NotFallen(disc, Some(near))) => {
+        (_, Observed::NotFallen(disc, Some(near))) => {
             let short = mm_from_m(near - 0.5 * pocket).max(0.0);
             let name = name(disc);
             format!("{name} came within {} mm of a pocket", figures(short))
         }
-        (_, Seen::NotFallen(_, None)) => "there are no pockets".into(),
-        (_, Seen::FellInOrder(order)) => {
+        (_, Observed::NotFallen(_, None)) => "there are no pockets".into(),
+        (_, Observed::FellInOrder(order)) => {
             let names: Vec<_> = order.iter().map(name).collect();
             let order = if *met { "" } else { ": the wrong order" };
             format!("{} fell{order}", names.join(", then "))
         }
-        (Goal::Keep { disc } | Goal::Rest { disc, .. }, Seen::Fell) => {
+        (Goal::Keep { disc } | Goal::Rest { disc, .. }, Observed::Fell) => {
             format!("{} fell into a pocket", name(disc))
         }
         (Goal::Keep { disc }, _) => format!("{} did not fall into a pocket", name(disc)),
-        (Goal::Untouched { disc, .. }, Seen::HitBy(by)) => {
+        (Goal::Untouched { disc, .. }, Observed::HitBy(by)) => {
             format!("{} hit {}", name(by), name(disc))
         }
         (Goal::Untouched { disc, by: Some(by) }, _) => did_not_hit(&name(by), &name(disc)),
         (Goal::Untouched { disc, by: None }, _) => format!("nothing hit {}", name(disc)),
-        (Goal::Hit { disc, by, least }, Seen::Cushions(met)) => {
+        (Goal::Hit { disc, by, least }, Observed::Cushions(met)) => {
             let hit = format!("{} hit {}", name(by), name(disc));
             match least {
                 0 => hit,
@@ -60,10 +60,10 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
             }
         }
         (Goal::Hit { disc, by, .. }, _) => did_not_hit(&name(by), &name(disc)),
-        (Goal::Rest { disc, .. }, Seen::NeverResting) => {
+        (Goal::Rest { disc, .. }, Observed::NeverResting) => {
             format!("{} never came to rest", name(disc))
         }
-        (Goal::Rest { disc, circle } | Goal::Pass { disc, circle }, Seen::Point(point)) => {
+        (Goal::Rest { disc, circle } | Goal::Pass { disc, circle }, Observed::Point(point)) => {
             let rests = matches!(goal, Goal::Rest { .. });
             let came = if rests { "came to rest" } else { "passed" };
             let place = if *met {
@@ -78,34 +78,34 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
         (Goal::Bank { disc, target, .. }, seen) => {
             let (name, target) = (name(disc), name(target));
             match seen {
-                Seen::OtherFirst => format!("{name} met another disc first"),
-                Seen::Cushions(0) => format!("{name} met {target} without a cushion"),
-                Seen::Cushions(met) => format!("{name} met {target} off {}", counted(*met)),
+                Observed::OtherFirst => format!("{name} met another disc first"),
+                Observed::Cushions(0) => format!("{name} met {target} without a cushion"),
+                Observed::Cushions(met) => format!("{name} met {target} off {}", counted(*met)),
                 _ => format!("{name} never met {target}"),
             }
         }
-        (Goal::Cushions { disc, .. }, Seen::Cushions(met)) => {
+        (Goal::Cushions { disc, .. }, Observed::Cushions(met)) => {
             format!("{} met {}", name(disc), counted(*met))
         }
-        (Goal::Separation { .. }, Seen::NoDirection) => {
+        (Goal::Separation { .. }, Observed::NoDirection) => {
             "one of the two stopped, so there is no angle".into()
         }
-        (Goal::Turn { disc, .. }, Seen::NoDirection) => {
+        (Goal::Turn { disc, .. }, Observed::NoDirection) => {
             format!("{} stopped, so it has no direction", name(disc))
         }
-        (Goal::Speed { disc, range }, Seen::Number(speed)) => {
+        (Goal::Speed { disc, range }, Observed::Number(speed)) => {
             let told = format!("{} left the hit at {} m/s", name(disc), tidy(*speed));
             wanted(*met, told, || between(range, " m/s"))
         }
-        (Goal::Turn { disc, range }, Seen::Number(angle)) => {
+        (Goal::Turn { disc, range }, Observed::Number(angle)) => {
             let told = format!("{} left at {}", name(disc), degrees(*angle));
             wanted(*met, told, || between_deg(range))
         }
-        (Goal::Separation { range }, Seen::Number(angle)) => {
+        (Goal::Separation { range }, Observed::Number(angle)) => {
             let told = format!("they went {} apart", degrees(*angle));
             wanted(*met, told, || between_deg(range))
         }
-        (Goal::Energy { disc, range }, Seen::Number(share)) => {
+        (Goal::Energy { disc, range }, Observed::Number(share)) => {
             let percent = tidy(100.0 * share);
             let told = format!("{} took {percent} % of the energy", name(disc));
             wanted(*met, told, || between(&range.scaled(100.0), " %"))

@@ -94,7 +94,10 @@ impl<S: Screen> Hosted<S> {
 
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
+        // Whatever Escape does here is to go back.
         own.with(shared_keys(), Pressed::Shared)
+            .identified(Key::Escape, "everywhere.back")
+            .distinct()
             .rebound(&cx.settings.keys)
     }
 }

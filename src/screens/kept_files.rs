@@ -84,7 +84,7 @@ impl<T> KeptFiles<T> {
     pub(super) fn keys(&self, open: &'static str) -> KeyTable<KeptAction> {
         let mut list = ListView::keys(open);
         if self.content().is_none() {
-            list = list.without(|action| action == ListAction::Open);
+            list = list.without_keys(&[Key::Enter, Key::Char(' ')]);
         }
         if self.chosen().is_none() {
             return KeyTable::new("list");

@@ -3,7 +3,6 @@
 mod context;
 mod hosted;
 mod kept_files;
-mod list;
 mod place;
 mod recall;
 pub(crate) mod why;

@@ -4,7 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::Role;
-use super::picture::{Layer, Pen, Picture, View};
+use super::picture::{DrawLayer, Pen, Picture, View};
 use crate::levels::pockets;
 use crate::physics::Board;
 
@@ -80,7 +80,7 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
 /// A disc where it touches, as a dotted ring; only its middle where it is too small to
 /// be round.
 pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
-    let pen = Pen::new(role).on(Layer::Trail);
+    let pen = Pen::new(role).on(DrawLayer::Trail);
     if radius > picture.view().per_row() {
         picture.circle(at, radius, pen.dotted());
     } else {

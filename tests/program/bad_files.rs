@@ -1,9 +1,11 @@
-//! Files that are no good, each with the message that it must give.
+//! Files that are no good, each with the messages that it must give.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use carrom::files::FileError;
 use proptest::prelude::*;
 
 /// A folder of bad files: `NAME.expected` is the message for `NAME.ENDING`, or for the
@@ -75,6 +77,12 @@ pub(crate) fn message(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
     let text = text.trim_end();
     text.strip_prefix("carrom: ").unwrap_or(text).to_owned()
+}
+
+/// How many files these errors are of.
+pub fn files(errors: &[FileError]) -> usize {
+    let files: BTreeSet<_> = errors.iter().map(|error| &error.file).collect();
+    files.len()
 }
 
 /// A good file of a folder with a stretch of it replaced by a `piece`.

@@ -156,18 +156,18 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "empty",
             vec![],
-            "line 1: expected a saved game with `format = 1`, found an empty file",
+            "line 1: format: expected a saved game with `format = 1`, found nothing",
         ),
         (
             "foreign",
             b"[package]\nname = \"x\"\n".to_vec(),
-            "line 1: format: expected a saved game with `format = 1`, found none",
+            "line 1: format: expected a saved game with `format = 1`, found nothing",
         ),
         ("other", b"%PDF-1.7 \x00\x01".to_vec(), "line 1: "),
         (
             "scene",
             b"format = 1\n[board]\n[[disc]]\nkind = \"striker\"\n".to_vec(),
-            "line 2: unknown field `board`",
+            "line 2: board: unknown field; expected one of format, player, players, ",
         ),
         (
             "newer",
@@ -177,7 +177,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "format-text",
             with("format = 1", "format = \"1\""),
-            "line 2: format: expected a saved game with `format = 1`, found \"1\"",
+            "line 2: format: expected a saved game with `format = 1`, found the text \"1\"",
         ),
         (
             "latin",
@@ -192,7 +192,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "misspelt",
             with("moves =", "movse ="),
-            "line 9: movse: unknown field `movse`",
+            "line 9: movse: unknown field; expected one of format, player, players, computer, call, aids, setup, moves, end; did you mean moves?",
         ),
         (
             "no-player",

@@ -117,7 +117,7 @@ fn the_place_is_kept_and_can_be_reset() {
     game.press("Rn");
     assert!(
         game.screen().contains("page 2 of 5"),
-        "nothing but y forgets"
+        "nothing but a yes forgets"
     );
     game.press("Ry");
     let screen = game.screen();
@@ -133,10 +133,10 @@ fn the_place_is_kept_and_can_be_reset() {
         screen.contains("Forget chapter 2?") && screen.contains("1/5"),
         "{screen}"
     );
-    game.press("<Enter>");
+    game.press("n");
     assert!(
         game.app().book().mark(&chapter.id).is_some(),
-        "nothing but y forgets"
+        "nothing but a yes forgets"
     );
     game.press("Ry");
     assert!(game.app().book().mark(&chapter.id).is_none());

@@ -295,14 +295,14 @@ fn escape_goes_back_a_step_and_asks_twice_before_a_round_is_lost() {
     assert!(game.settle(LONG));
     for _ in 0..2 {
         game.press("<Escape>");
-        assert!(game.screen().contains("Esc again leaves the"));
-        game.press("<Left>");
-        assert!(!game.screen().contains("Esc again"));
+        assert!(game.screen().contains("Leave the round?"));
+        game.press("n");
+        assert!(!game.screen().contains("Leave the round?"));
     }
     game.press("<Enter><Escape>");
     assert!(game.screen().contains("question 2"));
-    assert!(game.screen().contains("Esc again leaves the"));
-    game.press("<Escape>");
+    assert!(game.screen().contains("Leave the round?"));
+    game.press("y");
     assert!(game.screen().contains("choose a round"));
 }
 
@@ -362,7 +362,7 @@ fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
 fn nothing_moves_but_the_hit() {
     let mut game = plain(7);
     assert_eq!(game.app().wake(), None);
-    game.press("<Enter><Enter>");
+    game.press("1<Enter>2<Enter>");
     assert_eq!(game.app().wake(), None);
     game.press("<Enter>");
     assert!(game.app().wake().is_some());
@@ -375,7 +375,7 @@ fn nothing_moves_but_the_hit() {
     assert!(game.app().wake().is_some());
     let mut still = plain(7);
     still.app_mut().settings_mut().reduced_motion = true;
-    still.press("<Enter><Enter><Enter>");
+    still.press("1<Enter>2<Enter><Enter>");
     assert_eq!(still.app().wake(), None);
     assert!(still.screen().contains("of 10 points"));
 }
@@ -387,11 +387,11 @@ fn layers_stay_as_the_player_set_them() {
         let picture = SplitLayout::new(Rect::new(0, 1, 80, 22)).picture;
         region(game, picture).contains("you")
     };
-    game.press("<Enter><Enter><Enter><Enter>");
+    game.press("1<Enter>2<Enter><Enter><Enter>");
     assert!(drawn(&mut game));
     game.press("7");
     assert!(!drawn(&mut game));
-    game.press("<Enter><Enter><Enter><Enter><Enter>");
+    game.press("<Enter>1<Enter>2<Enter><Enter><Enter>");
     assert!(!drawn(&mut game), "in the next question");
     game.press("7");
     assert!(drawn(&mut game));

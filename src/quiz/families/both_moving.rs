@@ -3,8 +3,8 @@
 
 use glam::DVec2;
 
-use super::draft::Draft;
 use super::hit_draws::direction_deg;
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, CollisionOutcome};
@@ -75,7 +75,7 @@ impl MovingPair {
     }
 
     /// A question about the two, after this sentence on where they meet.
-    fn told(&self, collision: Collision, place: &str) -> Draft {
+    fn told(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
             0 => "ahead of it, the same way".into(),
             180 => "the opposite way".into(),
@@ -88,7 +88,7 @@ impl MovingPair {
             significant(f64::from(self.target_speed))
         );
         let disc = collision.striker;
-        Draft::new(text, Illustration::before(collision, Markings::FIGURES))
+        Outline::new(text, Illustration::before(collision, Markings::FIGURES))
             .figure("mass_g", g_from_kg(disc.mass))
             .figure("radius_mm", mm_from_m(disc.radius))
             .figure("speed", self.speed)
@@ -139,9 +139,9 @@ const TOPIC: &str = "both-moving";
 fn frames(
     pair: &MovingPair,
     outcome: &CollisionOutcome,
-    draft: Draft,
+    draft: Outline,
     dice: &mut Dice,
-) -> Option<Draft> {
+) -> Option<Outline> {
     const RIDES: &str = "Ride along with the coin as it came: there it is at rest before the hit, \
                          and the rule for a coin at rest holds.";
     const BACK_TO_BACK: &str = "With the centre of mass the momentum is zero, so the two part \
@@ -210,7 +210,7 @@ fn frames(
 
 /// More or less than 90° on the board. For equal masses without loss v₁·v₂ = u₁·u₂, so
 /// that alone the way of the coin decides.
-fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Draft) -> Option<Draft> {
+fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Outline> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
     let (right, came) = match pair.way_deg {
@@ -249,7 +249,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Draft) -> 
 }
 
 /// The angle between the two on the board.
-fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Draft) -> Option<Draft> {
+fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Outline> {
     let [v1, v2] = [outcome.v1, outcome.v2].map(|it| significant(it.length()));
     let sign = if pair.way_deg == 180 { "-" } else { "" };
     let draft = draft
@@ -271,7 +271,12 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Draft) -> Optio
 
 /// How fast one of the two leaves: equal discs exchange their parts along the line of
 /// impact, and each keeps its own across it.
-fn speed(pair: &MovingPair, of_target: bool, outcome: &CollisionOutcome, draft: Draft) -> Draft {
+fn speed(
+    pair: &MovingPair,
+    of_target: bool,
+    outcome: &CollisionOutcome,
+    draft: Outline,
+) -> Outline {
     let line = rad_from_deg(f64::from(pair.line_deg));
     let (sin, cos) = line.sin_cos();
     let (u1, u2) = (f64::from(pair.speed), f64::from(pair.target_speed));

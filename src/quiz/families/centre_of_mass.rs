@@ -1,8 +1,8 @@
 //! The frame of the centre of mass: how fast it moves, by what angle Θ it sees both
 //! turned, and what that is on the board.
 
-use super::draft::Draft;
 use super::hit_draws::{ALL, HitDraws, NO_LOSS, UNEQUAL, in_short, unmarked, who};
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Collision;
 use crate::physics::ImpactPoint;
@@ -58,7 +58,7 @@ fn why_turn(alpha: f64, turn: f64) -> String {
 }
 
 /// Θ asked for.
-fn turn(hit: &Hit, turn: f64) -> Draft {
+fn turn(hit: &Hit, turn: f64) -> Outline {
     let text = format!(
         "{} No energy is lost. By what angle Θ does the hit turn the striker as seen from their \
          centre of mass?",
@@ -69,7 +69,7 @@ fn turn(hit: &Hit, turn: f64) -> Draft {
         .outcome()
         .theta1
         .map(|theta1| deg_from_rad(theta1.abs()));
-    Draft::told(hit, text, picture)
+    Outline::told(hit, text, picture)
         .figure("asked", "turn")
         .number(Measure::Angle, deg_from_rad(turn))
         .wrong(
@@ -85,7 +85,7 @@ fn turn(hit: &Hit, turn: f64) -> Draft {
 }
 
 /// Θ from α.
-fn turn_from_angle(hit: &Hit) -> Option<Draft> {
+fn turn_from_angle(hit: &Hit) -> Option<Outline> {
     let alpha = hit.alpha().abs();
     let angle = cm_scattering_angle(alpha, hit.restitution)?;
     let draft = turn(hit, angle)
@@ -96,7 +96,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Draft> {
 }
 
 /// Θ from an offset of so many tenths of r₁ + r₂, which makes the figures easy.
-fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Draft> {
+fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Outline> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;
     let hit = Hit {
@@ -125,7 +125,7 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Draft> {
 
 /// The speed of the centre of mass; the target at rest, or moving along the same line,
 /// the same way if `target_speed` is positive.
-fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Draft> {
+fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Outline> {
     let name = hit.pieces.target_name();
     let (m1, m2) = hit.masses_g();
     let (u1, u2) = (hit.speed, target_speed.unwrap_or(0.0));
@@ -172,7 +172,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Draft> {
         ""
     };
     let text = format!("{setting} How fast does their centre of mass move?");
-    let draft = Draft::told(
+    let draft = Outline::told(
         hit,
         text,
         Illustration::before(collision, Markings::FIGURES),
@@ -198,14 +198,14 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Draft> {
 }
 
 /// A question that goes from Θ back to the board.
-fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Draft {
+fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
     let text = format!(
         "{}, and no energy is lost. Seen from their centre of mass the hit turns both by Θ = {}. \
          {text}",
         who(hit),
         degrees(rad_from_deg(turn_deg))
     );
-    Draft::told(hit, text, unmarked(hit))
+    Outline::told(hit, text, unmarked(hit))
         .figure("asked", asked)
         .figure("turn_deg", turn_deg)
         .wrong(&FRAMES_MIXED, turn_deg)
@@ -222,7 +222,7 @@ fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
 }
 
 /// From Θ to the striker's angle.
-fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Draft> {
+fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Outline> {
     let text = "By what angle is the striker turned on the board?";
     let draft = on_the_board(hit, turn_deg, "theta1", text, "the striker")
         .number(Measure::Angle, theta1_deg(hit, turn_deg)?)
@@ -241,7 +241,7 @@ fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Draft> {
 }
 
 /// From Θ to the target's angle.
-fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Draft> {
+fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Outline> {
     let name = hit.pieces.target_name();
     let text =
         format!("At what angle to the striker's old path does the {name} leave on the board?");

@@ -1,6 +1,6 @@
 //! The written questions: one idea each, in words.
 
-use super::draft::Draft;
+use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept, ConceptChoice};
 use crate::quiz::question::Dice;
 use crate::quiz::question::{Difficulty, Illustration, Markings, Question};
@@ -18,7 +18,7 @@ pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Question 
         Some(collision) => Illustration::before(collision, Markings::default()),
         None => Illustration::Nothing,
     };
-    let mut draft = Draft::new(&concept.ask, picture)
+    let mut draft = Outline::new(&concept.ask, picture)
         .topic(concept.topic())
         .figure("id", concept.id.as_str())
         .why(&concept.why);

@@ -1,7 +1,7 @@
 //! What share of the striker's energy each one has after the hit, and what share is lost.
 
-use super::draft::Draft;
 use super::hit_draws::{ALL, EQUAL, HitDraws, NO_LOSS, pair};
+use super::outline::Outline;
 use super::speeds::{SHRUNK, sine_for_cosine};
 use crate::numbers::{bare_degrees, significant};
 use crate::physics::RestingTarget;
@@ -44,10 +44,10 @@ fn percent(x: f64) -> String {
 const HALVES: &str = "You shared it out in halves. That is so at 45° alone, and with equal masses.";
 
 /// What the striker keeps, equal masses.
-fn kept(hit: &Hit) -> Draft {
+fn kept(hit: &Hit) -> Outline {
     let alpha = hit.alpha().abs();
     let shares = RestingTarget::from(&hit.collision()).energy_shares(alpha);
-    Draft::about(hit)
+    Outline::about(hit)
         .ask(
             "energy-of-striker",
             "What share of its energy does it keep?",
@@ -73,7 +73,7 @@ fn kept(hit: &Hit) -> Draft {
 }
 
 /// What the struck disc takes.
-fn passed(hit: &Hit) -> Draft {
+fn passed(hit: &Hit) -> Outline {
     let name = hit.pieces.target_name();
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());
@@ -94,7 +94,7 @@ fn passed(hit: &Hit) -> Draft {
             significant(masses.m2 / masses.m1)
         )
     };
-    Draft::about(hit)
+    Outline::about(hit)
         .ask(
             "energy-of-target",
             format!("What share of its energy does the {name} get?"),
@@ -132,13 +132,13 @@ fn passed(hit: &Hit) -> Draft {
 }
 
 /// What is lost: only of what the two have against each other along the line of impact.
-fn lost(hit: &Hit) -> Draft {
+fn lost(hit: &Hit) -> Outline {
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());
     let lost = masses.energy_shares(alpha).lost;
     let e = hit.restitution;
     let missing = (1.0 - e) * (1.0 + e);
-    Draft::about(hit)
+    Outline::about(hit)
         .ask("energy-lost", "What share of its energy is lost?")
         .figure("asked", "lost")
         .number(Measure::Share, PERCENT * lost)

@@ -1,8 +1,8 @@
 //! The most a striker can be turned by one hit: whether there is a limit, where it lies,
 //! and how to aim for it.
 
-use super::draft::Draft;
 use super::hit_draws::{direction_deg, pair, unmarked};
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, degrees, millimetres, significant};
 use crate::physics::ImpactPoint;
 use crate::physics::RestingTarget;
@@ -65,7 +65,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
             _ => aimed(dice, where_by_offset),
         },
     };
-    draft.map(Draft::finish)
+    draft.map(Outline::finish)
 }
 
 /// A hit with these masses that turns the striker as far as can be, or one at 30° where
@@ -107,14 +107,14 @@ fn setting(hit: &Hit) -> String {
 }
 
 /// Whether there is a limit, and which.
-fn limit(dice: &mut Dice) -> Option<Draft> {
+fn limit(dice: &mut Dice) -> Option<Outline> {
     let pairs: &[(u32, u32)] = if dice.below(5) < 2 {
         &HEAVIER
     } else {
         &NOT_HEAVIER
     };
     let hit = turned_most(*dice.pick(pairs)?, 10, Difficulty::Easy, dice);
-    let draft = Draft::told(&hit, setting(&hit), unmarked(&hit))
+    let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
         .ask(
             "limit-of-turn",
             "You choose the offset. How far can it be turned?",
@@ -162,7 +162,7 @@ fn limit(dice: &mut Dice) -> Option<Draft> {
 }
 
 /// By how many degrees at most.
-fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Draft> {
+fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Outline> {
     let hit = turned_most(*dice.pick(&HEAVIER)?, e_tenths, difficulty, dice);
     let LargestDeflection::Turned { theta1, .. } = most(&hit) else {
         return None;
@@ -186,7 +186,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Dr
             degrees(theta1)
         )
     };
-    let draft = Draft::told(&hit, setting(&hit), unmarked(&hit))
+    let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
         .ask(
             "largest-turn",
             "By how many degrees can it be turned at most?",
@@ -213,12 +213,12 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Dr
 
 /// A question where to aim a heavier striker without loss, from the hit, the largest θ₁ and
 /// the α that brings it.
-fn aimed(dice: &mut Dice, ask: fn(&Hit, f64, f64, Draft) -> Draft) -> Option<Draft> {
+fn aimed(dice: &mut Dice, ask: fn(&Hit, f64, f64, Outline) -> Outline) -> Option<Outline> {
     let hit = turned_most(*dice.pick(&HEAVIER)?, 10, Difficulty::Hard, dice);
     let LargestDeflection::Turned { theta1, alpha } = most(&hit) else {
         return None;
     };
-    let draft = Draft::told(&hit, setting(&hit), Illustration::Nothing);
+    let draft = Outline::told(&hit, setting(&hit), Illustration::Nothing);
     let draft = ask(&hit, theta1, alpha, draft)
         .wrong(&BEYOND_LARGEST, 0.0)
         .says("Head-on a heavier striker goes straight on: it is not turned at all.");
@@ -226,7 +226,7 @@ fn aimed(dice: &mut Dice, ask: fn(&Hit, f64, f64, Draft) -> Draft) -> Option<Dra
 }
 
 /// At which impact angle.
-fn where_by_angle(_: &Hit, theta1: f64, alpha: f64, draft: Draft) -> Draft {
+fn where_by_angle(_: &Hit, theta1: f64, alpha: f64, draft: Outline) -> Outline {
     let theta1_deg = deg_from_rad(theta1);
     draft
         .ask(
@@ -256,7 +256,7 @@ fn where_by_angle(_: &Hit, theta1: f64, alpha: f64, draft: Draft) -> Draft {
 }
 
 /// At which offset.
-fn where_by_offset(hit: &Hit, theta1: f64, alpha: f64, draft: Draft) -> Draft {
+fn where_by_offset(hit: &Hit, theta1: f64, alpha: f64, draft: Outline) -> Outline {
     let reach_mm = hit.reach_mm();
     let offset_mm = reach_mm * alpha.sin();
     draft

@@ -1,7 +1,7 @@
 //! "Make it so": choose the offset that sends a disc the way it is to go, and shoot.
 
-use super::draft::Draft;
 use super::hit_draws::direction_deg;
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
 use crate::physics::Disc;
 use crate::physics::ImpactPoint;
@@ -69,7 +69,7 @@ struct ShotTask {
 
 impl ShotTask {
     /// Send the coin: it leaves along the line of impact.
-    fn target(&self) -> Draft {
+    fn target(&self) -> Outline {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
         let why = format!(
@@ -89,7 +89,7 @@ impl ShotTask {
     }
 
     /// Turn the striker, which is no heavier than its target: no loss.
-    fn striker(&self) -> Draft {
+    fn striker(&self) -> Outline {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
         // Seen from the centre of mass the striker is turned by Θ = 180° − 2α, and
@@ -160,7 +160,7 @@ impl ShotTask {
     }
 
     /// The question, which wants this impact angle in radians, and why up to the offset.
-    fn asks(&self, ray: Ray, alpha: f64, why: &str) -> Draft {
+    fn asks(&self, ray: Ray, alpha: f64, why: &str) -> Outline {
         let hit = &self.hit;
         let name = hit.pieces.target_name();
         let (m1, m2) = hit.masses_g();
@@ -194,7 +194,7 @@ impl ShotTask {
             ..Markings::FIGURES
         };
         let collision = hit.collision();
-        Draft::new(text, Illustration::before(collision, shown))
+        Outline::new(text, Illustration::before(collision, shown))
             .topic(Topic::with_id(format!("send-{sent}")))
             .figure("m1_g", m1)
             .figure("m2_g", m2)

@@ -1,8 +1,8 @@
 //! What the coefficient of restitution e does: speeds of parting, the corner, and where the
 //! right angle is found again.
 
-use super::draft::Draft;
 use super::hit_draws::{HitDraws, pair, unmarked};
+use super::outline::Outline;
 use super::separation::twice_alpha;
 use super::weigh::seen_angles;
 use crate::numbers::{bare_degrees, degrees, significant};
@@ -41,7 +41,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         Difficulty::Hard if dice.coin() => corner(dice),
         Difficulty::Hard => e_from_angles(dice),
     };
-    draft.map(Draft::finish)
+    draft.map(Outline::finish)
 }
 
 /// A hit between these discs.
@@ -69,7 +69,7 @@ const HEAVIER_CLOSES: &str = "You had it the other way round: a heavier striker 
                               corner, and so does loss.";
 
 /// Whether, and with which striker, there is a right angle in spite of loss.
-fn square_again(dice: &mut Dice) -> Option<Draft> {
+fn square_again(dice: &mut Dice) -> Option<Outline> {
     const STRIKERS: [&str; 4] = [
         "with a certain lighter striker",
         "with a striker of equal mass",
@@ -82,7 +82,7 @@ fn square_again(dice: &mut Dice) -> Option<Draft> {
     let mut order = [0, 1, 2, 3];
     dice.shuffle(&mut order);
     let place = |it: usize| order.iter().position(|i| *i == it).unwrap_or(0);
-    let draft = Draft::told(&hit, of_any_striker(&hit), Illustration::Nothing)
+    let draft = Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
         .ask(
             "square-in-spite-of-loss",
             "With which striker do the two part at exactly 90°?",
@@ -110,7 +110,7 @@ fn tenths(dice: &mut Dice) -> Option<f64> {
 }
 
 /// e from the speeds after a head-on hit of equal masses.
-fn parting(dice: &mut Dice) -> Option<Draft> {
+fn parting(dice: &mut Dice) -> Option<Outline> {
     let e = tenths(dice)?;
     let hit = drawn(Pieces::Equal, e, Difficulty::Easy, dice)?.at_angle(0.0);
     let outcome = hit.outcome();
@@ -120,7 +120,7 @@ fn parting(dice: &mut Dice) -> Option<Draft> {
         "A striker hits a resting coin of the same mass head-on at {u_words} m/s. After it the \
          striker goes on at {v1_words} m/s, the coin at {v2_words} m/s."
     );
-    let draft = Draft::told(&hit, text, unmarked(&hit))
+    let draft = Outline::told(&hit, text, unmarked(&hit))
         .ask("e-head-on", "What is e?")
         .figure("asked", "e head-on")
         .number(Measure::Restitution, e)
@@ -156,10 +156,10 @@ const STOPS: &str = "Square means that the striker stops along the line of impac
                      left with m₁ - e m₂.";
 
 /// The striker's mass that brings the right angle back.
-fn striker_for_square(dice: &mut Dice) -> Option<Draft> {
+fn striker_for_square(dice: &mut Dice) -> Option<Outline> {
     let hit = square(dice)?;
     let ((m1, m2), e) = (hit.masses_g(), hit.restitution);
-    let draft = Draft::told(&hit, of_any_striker(&hit), Illustration::Nothing)
+    let draft = Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
         .ask(
             "square-in-spite-of-loss",
             "With which mass of the striker do they part at exactly 90°?",
@@ -180,7 +180,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Draft> {
 }
 
 /// The e that brings the right angle to two masses.
-fn e_for_square(dice: &mut Dice) -> Option<Draft> {
+fn e_for_square(dice: &mut Dice) -> Option<Outline> {
     let hit = square(dice)?;
     let ((m1, m2), e) = (hit.masses_g(), hit.restitution);
     let text = format!(
@@ -189,7 +189,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Draft> {
         significant(m2),
         significant(hit.speed)
     );
-    let draft = Draft::told(&hit, text, unmarked(&hit))
+    let draft = Outline::told(&hit, text, unmarked(&hit))
         .ask("e-for-square", "They part at exactly 90°. What is e?")
         .figure("asked", "e square")
         .number(Measure::Restitution, e)
@@ -207,12 +207,12 @@ fn e_for_square(dice: &mut Dice) -> Option<Draft> {
 }
 
 /// How far loss closes the corner of equal masses.
-fn corner(dice: &mut Dice) -> Option<Draft> {
+fn corner(dice: &mut Dice) -> Option<Outline> {
     let e = f64::from(*dice.pick(&[2, 3, 4, 5, 6, 7])?) / 10.0;
     let hit = drawn(Pieces::Equal, e, Difficulty::Hard, dice)?;
     let alpha = hit.alpha().abs();
     let separation = hit.outcome().separation?;
-    let draft = Draft::about(&hit)
+    let draft = Outline::about(&hit)
         .ask("corner-with-loss", "How many degrees apart do they leave?")
         .figure("asked", "separation")
         .number(Measure::Angle, deg_from_rad(separation))
@@ -239,7 +239,7 @@ fn corner(dice: &mut Dice) -> Option<Draft> {
 }
 
 /// e from the two angles after a hit, the masses being known.
-fn e_from_angles(dice: &mut Dice) -> Option<Draft> {
+fn e_from_angles(dice: &mut Dice) -> Option<Outline> {
     let e = tenths(dice)?;
     let (m1_g, m2_g) = *dice.pick(&[(15, 15), (20, 20), (15, 10), (20, 15), (10, 15), (15, 20)])?;
     let hit = drawn(pair(m1_g, m2_g), e, Difficulty::Hard, dice)?;
@@ -253,7 +253,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Draft> {
         seen_angles(outcome.theta1?.abs(), outcome.theta2?.abs())
     );
     let collision = hit.collision();
-    let draft = Draft::told(&hit, text, Illustration::After { collision })
+    let draft = Outline::told(&hit, text, Illustration::After { collision })
         .ask("e-from-angles", "What is e?")
         .figure("asked", "e angles")
         .number(Measure::Restitution, e)

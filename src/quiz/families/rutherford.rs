@@ -1,6 +1,6 @@
 //! Rutherford's law: how many are counted at two angles, 1 / sin⁴(φ/2).
 
-use super::draft::Draft;
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
@@ -31,13 +31,13 @@ struct FoilBeam {
 
 impl FoilBeam {
     /// A question about this beam and these tracks.
-    fn told(&self, tracks_deg: Option<[f64; 2]>) -> Draft {
+    fn told(&self, tracks_deg: Option<[f64; 2]>) -> Outline {
         let text = format!("α-particles meet a thin foil of {}.", self.foil);
         let tracks = tracks_deg.map(|angles_deg| Illustration::Tracks {
             rutherford: Rutherford::new(ALPHA_CHARGE, self.charge, self.energy_mev * MEV),
             angles: angles_deg.map(rad_from_deg),
         });
-        Draft::new(text, tracks.unwrap_or(Illustration::Nothing))
+        Outline::new(text, tracks.unwrap_or(Illustration::Nothing))
             .figure("foil", self.foil)
             .figure("energy_mev", self.energy_mev)
     }
@@ -57,7 +57,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         Difficulty::Hard if dice.coin() => ratio_of_energies(&beam, dice),
         Difficulty::Hard => angle(&beam, dice),
     };
-    draft.map(Draft::finish)
+    draft.map(Outline::finish)
 }
 
 /// The sine of half an angle in degrees.
@@ -89,7 +89,7 @@ fn in_degrees(deg: f64) -> String {
 }
 
 /// A whole ratio, to be chosen.
-fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
+fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));
     // Asked from the small angle to the large one, or back.
@@ -131,7 +131,7 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
 }
 
 /// What misconceptions answer that is asked for a ratio.
-fn wrong_ratios(draft: Draft, from_deg: f64, to_deg: f64, by_energy: f64) -> Draft {
+fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> Outline {
     // Straight back has a whole angle whose sine is 0 but for rounding.
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg));
     let truth = by_energy * times_as_many(from_deg, to_deg);
@@ -151,7 +151,7 @@ fn wrong_ratios(draft: Draft, from_deg: f64, to_deg: f64, by_energy: f64) -> Dra
 }
 
 /// A ratio as a number.
-fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
+fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let text = format!(
         "How many times as many does a small screen count at {} as at {}?",
@@ -168,7 +168,7 @@ fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
 }
 
 /// The energy changes with the angle: d goes as 1 / E, and counts as d².
-fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
+fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let to_energy_mev = f64::from(3 + dice.below(6));
     if (to_energy_mev - beam.energy_mev).abs() < 0.5 {
@@ -203,7 +203,7 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
 }
 
 /// The ratio is given, the angle asked for.
-fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Draft> {
+fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
     let from_deg = f64::from(15 * (2 + dice.below(5)));
     let fewer = f64::from(*dice.pick(&[2_u32, 3, 4, 5, 8, 10, 16, 20, 50])?);
     // The angle at which sin⁴ of its half, or what is taken for it, is so many times as

@@ -3,8 +3,8 @@
 
 use std::cmp::Ordering;
 
-use super::draft::Draft;
 use super::hit_draws::{HitDraws, NO_LOSS, UNEQUAL, pair, unmarked};
+use super::outline::Outline;
 use crate::numbers::{degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
@@ -73,7 +73,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         Difficulty::Hard if dice.coin() => corner(&NEAR_SQUARE, difficulty, dice),
         Difficulty::Hard => how_wide(&[0.4, 0.5, 0.6, 0.8], difficulty, dice),
     };
-    draft.map(Draft::finish)
+    draft.map(Outline::finish)
 }
 
 /// The corner of a hit: the lighter the striker against e times the target, the wider.
@@ -86,7 +86,7 @@ fn compared(striker: u32, target: u32) -> usize {
 }
 
 /// More, exactly or less than 90°.
-fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> Option<Draft> {
+fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> Option<Outline> {
     let &(m1_g, m2_g, e_tenths) = dice.pick(pairs)?;
     let pieces = [pair(m1_g, m2_g)];
     let restitutions = [f64::from(e_tenths) / 10.0];
@@ -114,7 +114,7 @@ fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> O
     } else {
         "corner-without-loss"
     };
-    let mut draft = Draft::told(&hit, text, unmarked(&hit))
+    let mut draft = Outline::told(&hit, text, unmarked(&hit))
         .ask(topic, "How large is the angle between their ways out?")
         .options(CORNERS, right);
     if lossy && right == EXACTLY {
@@ -186,7 +186,7 @@ fn lossy_corner(right: usize, lossy_target_g: f64, striker_g: f64) -> String {
 }
 
 /// How many degrees, with unequal masses.
-fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Draft> {
+fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Outline> {
     let hit = HitDraws::new(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
     let alpha = hit.alpha().abs();
     let wide = |hit: &Hit| hit.outcome().separation.map(deg_from_rad);
@@ -196,7 +196,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
     } else {
         "corner-lighter-striker"
     };
-    let draft = Draft::about(&hit)
+    let draft = Outline::about(&hit)
         .ask(topic, "How many degrees apart do they leave?")
         .number(Measure::Angle, wide(&hit)?)
         .wrong(&ALWAYS_SQUARE, 90.0)

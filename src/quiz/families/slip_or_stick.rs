@@ -1,7 +1,7 @@
 //! Slipping, e = 0 with smooth rims, against sticking: how the two go on.
 
-use super::draft::Draft;
 use super::hit_draws::{EQUAL, HitDraws, UNEQUAL, in_short};
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, degrees, significant};
 use crate::physics::units::deg_from_rad;
 use crate::physics::{Bond, Collision};
@@ -38,7 +38,7 @@ impl Rims {
     }
 
     /// A question about a hit with these rims.
-    fn ask(self, hit: &Hit, asked: &'static str, text: &str) -> Draft {
+    fn ask(self, hit: &Hit, asked: &'static str, text: &str) -> Outline {
         let (id, topic, words) = match self {
             Self::Lossless => (
                 "lossless",
@@ -61,7 +61,7 @@ impl Rims {
             ..Markings::FIGURES
         };
         let picture = Illustration::before(self.collision(hit), shown);
-        Draft::told(hit, format!("{} {words}", in_short(hit)), picture)
+        Outline::told(hit, format!("{} {words}", in_short(hit)), picture)
             .ask(topic, text)
             .figure("rims", id)
             .figure("asked", asked)
@@ -70,7 +70,7 @@ impl Rims {
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let by_number: [fn(&Hit) -> Option<Draft>; 4] = [parting, striker_speed, pair_speed, loss];
+    let by_number: [fn(&Hit) -> Option<Outline>; 4] = [parting, striker_speed, pair_speed, loss];
     let (pieces, asks) = match difficulty {
         Difficulty::Easy => (EQUAL, 0),
         Difficulty::Middle => (EQUAL, 3),
@@ -81,11 +81,11 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         Some(ask) => ask(&hit),
         None => by_choice(&hit, dice),
     };
-    draft.map(Draft::finish)
+    draft.map(Outline::finish)
 }
 
 /// How do they go on? Equal masses.
-fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Draft> {
+fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Outline> {
     const SQUARE: &str = "They part at exactly 90°";
     const NARROW: &str = "They part at less than 90°";
     const MOVING: &str = "They stay together and move on";
@@ -170,7 +170,7 @@ fn shared(hit: &Hit) -> String {
 }
 
 /// The angle at which the two slip apart.
-fn parting(hit: &Hit) -> Option<Draft> {
+fn parting(hit: &Hit) -> Option<Outline> {
     let name = hit.pieces.target_name();
     let (along, across) = parts(hit);
     let separation = |rims: Rims| rims.collision(hit).outcome().separation.map(deg_from_rad);
@@ -197,7 +197,7 @@ fn parting(hit: &Hit) -> Option<Draft> {
 }
 
 /// How fast the striker slips on.
-fn striker_speed(hit: &Hit) -> Option<Draft> {
+fn striker_speed(hit: &Hit) -> Option<Outline> {
     let (_, across) = parts(hit);
     let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
     let draft = Rims::Slip
@@ -231,7 +231,7 @@ fn striker_speed(hit: &Hit) -> Option<Draft> {
 }
 
 /// How fast the stuck pair goes on.
-fn pair_speed(hit: &Hit) -> Option<Draft> {
+fn pair_speed(hit: &Hit) -> Option<Outline> {
     let (u, share) = (hit.speed, share(hit));
     let draft = Rims::Stick
         .ask(hit, "pair-speed", "How fast does the pair go on?")
@@ -263,7 +263,7 @@ fn pair_speed(hit: &Hit) -> Option<Draft> {
 }
 
 /// The share of the energy that is lost as they slip.
-fn loss(hit: &Hit) -> Option<Draft> {
+fn loss(hit: &Hit) -> Option<Outline> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));
     let outcome = Rims::Slip.collision(hit).outcome();

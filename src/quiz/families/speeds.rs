@@ -1,7 +1,7 @@
 //! How fast one of the two leaves, from the speed before and the impact angle.
 
-use super::draft::Draft;
 use super::hit_draws::{EQUAL, HitDraws, NO_LOSS, UNEQUAL};
+use super::outline::Outline;
 use crate::numbers::{bare_degrees, significant};
 use crate::quiz::misconceptions::LOSSLESS;
 use crate::quiz::misconceptions::catalogue::{
@@ -27,7 +27,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 }
 
 /// The struck disc's speed: the head-on formula, for the part along the line of impact.
-fn target(hit: &Hit) -> Draft {
+fn target(hit: &Hit) -> Outline {
     let name = hit.pieces.target_name();
     let (u, alpha, e) = (hit.speed, hit.alpha().abs(), hit.restitution);
     let speed = |hit: &Hit| hit.outcome().v2.length();
@@ -44,7 +44,7 @@ fn target(hit: &Hit) -> Draft {
             significant(truth)
         )
     };
-    Draft::about(hit)
+    Outline::about(hit)
         .ask("target-speed", format!("How fast does the {name} leave?"))
         .figure("asked", "target")
         .number(Measure::Speed, truth)
@@ -89,10 +89,10 @@ pub(super) const SHRUNK: &str = "You multiplied the speed without loss by e. But
 
 /// The striker's speed, equal masses: the part across the line of impact, which is all
 /// that it keeps.
-fn striker(hit: &Hit) -> Draft {
+fn striker(hit: &Hit) -> Outline {
     let (u, alpha) = (hit.speed, hit.alpha().abs());
     let outcome = hit.outcome();
-    Draft::about(hit)
+    Outline::about(hit)
         .ask("striker-speed", "How fast does the striker go on?")
         .figure("asked", "striker")
         .number(Measure::Speed, outcome.v1.length())

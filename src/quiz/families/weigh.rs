@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::draft::Draft;
 use super::hit_draws::{HitDraws, NO_LOSS, pair};
+use super::outline::Outline;
 use super::separation::FOLLOWS_OR_BOUNCES;
 use crate::numbers::{degrees, significant, tenths};
 use crate::physics::resting_target::{k_from_angles, mass_ratio_from_angles};
@@ -33,26 +33,26 @@ const STRIKER: f64 = STRIKER_G as f64;
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let draft = match difficulty {
         Difficulty::Easy => which(dice),
-        Difficulty::Middle => Some(by_momentum(&Seen::draw(
+        Difficulty::Middle => Some(by_momentum(&SeenHit::draw(
             &COINS_G, NO_LOSS, difficulty, dice,
         )?)),
         Difficulty::Hard => {
             let restitutions = [1.0, 1.0, 0.8, 0.6, 0.5];
-            by_angles(&Seen::draw(&COINS_G, &restitutions, difficulty, dice)?)
+            by_angles(&SeenHit::draw(&COINS_G, &restitutions, difficulty, dice)?)
         }
     };
-    draft.map(Draft::finish)
+    draft.map(Outline::finish)
 }
 
 /// A hit seen from the outside.
-struct Seen {
+struct SeenHit {
     hit: Hit,
     coin_g: f64,
     theta1: f64,
     theta2: f64,
 }
 
-impl Seen {
+impl SeenHit {
     fn draw(
         coins_g: &[u32],
         restitutions: &[f64],
@@ -72,13 +72,13 @@ impl Seen {
     }
 
     /// A question about what was seen of this striker.
-    fn told(&self, striker: &str) -> Draft {
+    fn told(&self, striker: &str) -> Outline {
         let text = format!(
             "{striker} hit a resting coin. {}",
             seen_angles(self.theta1, self.theta2)
         );
         let collision = self.hit.collision();
-        Draft::told(&self.hit, text, Illustration::After { collision })
+        Outline::told(&self.hit, text, Illustration::After { collision })
     }
 }
 
@@ -101,10 +101,10 @@ const fn weight(coin: Ordering) -> usize {
 }
 
 /// Which of the two is the heavier, from the corner.
-fn which(dice: &mut Dice) -> Option<Draft> {
+fn which(dice: &mut Dice) -> Option<Outline> {
     let alike = dice.below(3) == 0;
     let coins_g: &[u32] = if alike { &[STRIKER_G] } else { &COINS_G };
-    let seen = Seen::draw(coins_g, NO_LOSS, Difficulty::Easy, dice)?;
+    let seen = SeenHit::draw(coins_g, NO_LOSS, Difficulty::Easy, dice)?;
     let right = weight(seen.coin_g.total_cmp(&STRIKER));
     let turned_less = weight(tenths(seen.theta1).cmp(&tenths(seen.theta2)));
     if right == ALIKE && turned_less == ALIKE {
@@ -144,7 +144,7 @@ fn which(dice: &mut Dice) -> Option<Draft> {
 const RATIO_UPSIDE_DOWN: &str = "You had the ratio of the masses upside down.";
 
 /// The mass of the coin by the momentum across the striker's way: angles and speeds.
-fn by_momentum(seen: &Seen) -> Draft {
+fn by_momentum(seen: &SeenHit) -> Outline {
     let outcome = seen.hit.outcome();
     let (u, v1, v2) = (seen.hit.speed, outcome.v1.length(), outcome.v2.length());
     let (theta1, theta2) = (seen.theta1, seen.theta2);
@@ -185,7 +185,7 @@ fn by_momentum(seen: &Seen) -> Draft {
 }
 
 /// The mass of the coin by the two angles alone.
-fn by_angles(seen: &Seen) -> Option<Draft> {
+fn by_angles(seen: &SeenHit) -> Option<Outline> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let e = significant(seen.hit.restitution);
     let lossless = mass_ratio_from_angles(theta1, theta2, 1.0)?;

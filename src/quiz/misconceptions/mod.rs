@@ -1,63 +1,22 @@
-//! What students are known to believe about hits, one file a belief where it says
-//! where both discs will go, and all others in the catalogue.
+//! What students are known to believe about hits: where both discs will go, and all
+//! else in the catalogue.
 //!
 //! A misconception that predicts rays does so for any [`Hit`]; a family of questions
 //! that asks for something else says itself what a misconception would answer. A
 //! question is only asked if it tells them apart: then no two of them, and none and
 //! the truth, lie so close that an answer could fit both.
 
-mod always_square;
-mod always_stops;
 pub(crate) mod catalogue;
-mod copied_angle;
 mod explain;
-mod half_and_half;
-mod heavy_unmoved;
-mod lossless;
-mod off_a_wall;
-mod offset_as_angle;
-mod pushed_ahead;
+mod of_rays;
 mod reasoning;
-mod same_side;
-mod sides_exchanged;
-mod straight_on;
-mod swapped;
 
-use crate::quiz::question::{Hit, Misconception, Prediction, Rays};
+use crate::quiz::question::Misconception;
 
-pub use always_square::ALWAYS_SQUARE;
-pub use always_stops::ALWAYS_STOPS;
-pub use copied_angle::COPIED_ANGLE;
 pub use explain::{Explanation, explain};
-pub use half_and_half::HALF_AND_HALF;
-pub use heavy_unmoved::HEAVY_UNMOVED;
-pub use lossless::LOSSLESS;
-pub use off_a_wall::OFF_A_WALL;
-pub use offset_as_angle::OFFSET_AS_ANGLE;
-pub use pushed_ahead::PUSHED_AHEAD;
+pub use of_rays::OF_RAYS;
+pub(crate) use of_rays::*;
 pub use reasoning::reasoning;
-pub use same_side::SAME_SIDE;
-pub use sides_exchanged::SIDES_EXCHANGED;
-pub use straight_on::STRAIGHT_ON;
-pub use swapped::SWAPPED;
-
-/// The misconceptions that say where both discs of a hit will go. Where an answer fits
-/// two alike, the earlier one is named.
-pub static OF_RAYS: [&Misconception; 13] = [
-    &COPIED_ANGLE,
-    &ALWAYS_SQUARE,
-    &HALF_AND_HALF,
-    &SWAPPED,
-    &HEAVY_UNMOVED,
-    &STRAIGHT_ON,
-    &PUSHED_AHEAD,
-    &SAME_SIDE,
-    &SIDES_EXCHANGED,
-    &OFF_A_WALL,
-    &OFFSET_AS_ANGLE,
-    &LOSSLESS,
-    &ALWAYS_STOPS,
-];
 
 /// All misconceptions: those of [`OF_RAYS`], then those of the [`catalogue`].
 pub fn all() -> impl Iterator<Item = &'static Misconception> + Clone {
@@ -75,19 +34,13 @@ impl Misconception {
     }
 }
 
-/// A prediction on the usual sides: the striker away from the target, the target
-/// towards its own side, both by these angles in radians.
-fn on_usual_sides(hit: &Hit, theta1: f64, theta2: f64) -> Rays {
-    let side = hit.side();
-    Rays::new(side * theta1, side * theta2)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::physics::ImpactPoint;
     use crate::physics::units::rad_from_deg;
     use crate::quiz::question::Pieces;
+    use crate::quiz::question::{Hit, Rays};
 
     fn hit(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
         Hit {

@@ -2,12 +2,11 @@
 
 use glam::DVec2;
 
-use crate::physics::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
+use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
 use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 
 use super::{Pieces, Rays, Topic};
-use crate::numbers;
-use crate::numbers::significant;
+use crate::numbers::{self, significant};
 
 /// A hit: the figures as the player reads them. All else follows from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,17 +29,9 @@ impl Hit {
     pub fn collision(&self) -> Collision {
         let u1 = self.speed * DVec2::from_angle(rad_from_deg(self.direction_deg));
         let (striker, target) = (self.pieces.striker(), self.pieces.target());
-        let collision = match self.given {
-            ImpactPoint::Angle { alpha_deg } => {
-                Collision::at_angle(striker, target, u1, rad_from_deg(alpha_deg))
-            }
-            ImpactPoint::Offset { offset_mm } => {
-                Collision::at_offset(striker, target, u1, m_from_mm(offset_mm))
-            }
-        };
         Collision {
             restitution: self.restitution,
-            ..collision
+            ..Collision::at_offset(striker, target, u1, 0.0).meeting_at(self.given)
         }
     }
 

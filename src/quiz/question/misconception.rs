@@ -31,6 +31,12 @@ pub struct Prediction {
     pub telltale: Option<Ray>,
 }
 
+impl Prediction {
+    pub(in crate::quiz) const fn new(rays: Rays, telltale: Option<Ray>) -> Self {
+        Self { rays, telltale }
+    }
+}
+
 impl Misconception {
     /// A misconception that says nothing of where both discs go.
     pub(in crate::quiz) const fn in_words(

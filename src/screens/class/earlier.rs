@@ -1,134 +1,143 @@
 //! The list of earlier rounds, to take one up again.
 
-use super::play::Play;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Margin, Rect};
+
+use super::play::ClassPlay;
 use super::set_up::SetUp;
+use super::view::column;
 use crate::class::ClassRound;
-use crate::messages::{Kept, Key, StoreAnswer, StoreReply, StoreRequest};
-use crate::screens::Context;
+use crate::messages::{Kept, Mouse, StoreAnswer, StoreReply, StoreRequest};
+use crate::screens::kept_files::{KeptAction, KeptFiles};
+use crate::screens::{Context, Next};
+use crate::widgets::panel::draw_panel;
+use crate::widgets::{Lines, Look, Outcome, Role, text};
+
+/// Rows below the list for what is to be said of the chosen round.
+const ABOUT: u16 = 7;
 
 /// The list.
 #[derive(Debug, Clone)]
-pub(super) struct Earlier {
+pub(super) struct EarlierRounds {
     /// The page to go back to.
     pub(super) set_up: SetUp,
-    pub(super) rounds: Rounds,
-    pub(super) at: usize,
-    /// A round on its way.
-    loading: Option<u64>,
-    /// Whether it was asked if the chosen one is to be removed.
-    pub(super) removing: bool,
-    pub(super) notice: Option<String>,
+    pub(super) rounds: KeptFiles<ClassRound>,
 }
 
-/// The rounds there are.
-#[derive(Debug, Clone)]
-pub(super) enum Rounds {
-    /// They have been asked for.
-    Asked,
-    /// Nobody can say, and why.
-    Unknown(String),
-    /// These.
-    Known(Vec<Kept<ClassRound>>),
-}
-
-/// What follows from an input.
-pub(super) enum Step {
-    Stay,
-    Ignored,
-    Back(Box<SetUp>),
-    TakeUp(Box<Play>),
-}
-
-impl Earlier {
+impl EarlierRounds {
     /// The list, which is asked for.
     pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
             set_up,
-            rounds: Rounds::Asked,
-            at: 0,
-            loading: None,
-            removing: false,
-            notice: None,
+            rounds: KeptFiles::default(),
         }
     }
 
-    pub(super) fn known(&self) -> &[Kept<ClassRound>] {
-        match &self.rounds {
-            Rounds::Known(rounds) => rounds,
-            _ => &[],
-        }
-    }
-
-    /// The one the mark is at.
-    pub(super) fn chosen(&self) -> Option<&Kept<ClassRound>> {
-        self.known().get(self.at)
-    }
-
-    /// Takes a key.
-    pub(super) fn key(&mut self, key: Key, cx: &mut Context) -> Step {
-        self.notice = None;
-        if std::mem::take(&mut self.removing) {
-            if let Key::Char('y' | 'Y') = key
-                && let Some(kept) = self.chosen()
-            {
-                let wish = StoreRequest::RemoveClass(kept.name.clone());
-                cx.ask(wish);
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
+        match action {
+            KeptAction::List(action) => {
+                let outcome = self.rounds.act(action);
+                self.opened(outcome, cx)
             }
-            return Step::Stay;
-        }
-        let last = self.known().len().saturating_sub(1);
-        match key {
-            Key::Up | Key::BackTab => self.at = self.at.saturating_sub(1),
-            Key::Down | Key::Tab => self.at = (self.at + 1).min(last),
-            Key::Home => self.at = 0,
-            Key::End => self.at = last,
-            Key::Enter => self.load(cx),
-            Key::Char('d' | 'D') | Key::Delete => self.removing = self.chosen().is_some(),
-            Key::Escape => return Step::Back(Box::new(self.set_up.clone())),
-            _ => return Step::Ignored,
-        }
-        Step::Stay
-    }
-
-    fn load(&mut self, cx: &mut Context) {
-        if let Some(kept) = self.chosen()
-            && kept.content.is_ok()
-        {
-            let wish = StoreRequest::LoadClass(kept.name.clone());
-            self.loading = Some(cx.ask(wish));
+            KeptAction::Remove => Next::Confirm(KeptFiles::<ClassRound>::ask_to_remove("round")),
         }
     }
 
-    /// Takes in what came of what was asked.
-    pub(super) fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Step {
+    /// Removes the chosen round.
+    pub(super) fn remove(&self, cx: &mut Context) {
+        if let Some(kept) = self.rounds.chosen() {
+            cx.ask(StoreRequest::RemoveClass(kept.name.clone()));
+        }
+    }
+
+    fn opened(&mut self, outcome: Outcome, cx: &mut Context) -> Next {
+        match (outcome, self.rounds.chosen()) {
+            (Outcome::Ignored, _) => return Next::Ignored,
+            (Outcome::Done(()), Some(kept)) => {
+                let ticket = cx.ask(StoreRequest::LoadClass(kept.name.clone()));
+                self.rounds.load(ticket);
+            }
+            _ => {}
+        }
+        Next::Stay
+    }
+
+    /// Takes the mouse.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let list = list(column(cx.body).inner(Margin::new(1, 1)));
+        let shown = list.contains((mouse.column, mouse.row).into());
+        let first = self.rounds.first_row(list.height.into());
+        let line = shown.then(|| first + usize::from(mouse.row - list.y));
+        let outcome = self.rounds.mouse(mouse, line);
+        self.opened(outcome, cx)
+    }
+
+    /// Takes in what came of what was asked; gives the round that is to be taken up.
+    pub(super) fn take_answer(
+        &mut self,
+        answer: &StoreAnswer,
+        cx: &mut Context,
+    ) -> Option<Box<ClassPlay>> {
         match &answer.done {
-            StoreReply::Classes(Ok(rounds)) => {
-                self.at = self.at.min(rounds.len().saturating_sub(1));
-                self.rounds = Rounds::Known(rounds.clone());
-            }
-            StoreReply::Classes(Err(reason)) => self.rounds = Rounds::Unknown(reason.clone()),
-            StoreReply::Class(loaded) if self.loading == Some(answer.ticket) => {
-                self.loading = None;
-                match loaded {
-                    Ok(round) => {
-                        let round = round.as_ref().clone();
-                        let play = Play::with_ticket(round, answer.ticket, cx);
-                        return Step::TakeUp(Box::new(play));
-                    }
-                    Err(reason) => {
-                        self.notice = Some(format!("It cannot be taken up: {reason}."));
-                    }
+            StoreReply::Classes(rounds) => self.rounds.listed(rounds.clone()),
+            StoreReply::Class(loaded) if self.rounds.take_loaded(answer.ticket) => match loaded {
+                Ok(round) => {
+                    let round = round.as_ref().clone();
+                    return Some(Box::new(ClassPlay::with_ticket(round, answer.ticket, cx)));
                 }
-            }
+                Err(reason) => {
+                    self.rounds.notice = Some(format!("It cannot be taken up: {reason}."));
+                }
+            },
             StoreReply::Removed(result) => {
-                if let Err(reason) = result {
-                    self.notice = Some(format!("It cannot be removed: {reason}."));
-                }
+                self.rounds.removed(result);
                 cx.ask(StoreRequest::ListClasses);
             }
             _ => {}
         }
-        Step::Stay
+        None
+    }
+
+    /// Draws the list.
+    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+        let frame = column(area);
+        let inside = draw_panel(buf, frame, "earlier rounds", look.charset, &look.theme);
+        let mut lines = Lines::new(inside, buf, *look);
+        let rows = list(inside).height.into();
+        let width = usize::from(lines.width());
+        let title = |kept: &Kept<ClassRound>| {
+            let age = kept.age.map(text::ago).unwrap_or_default();
+            let title = match &kept.content {
+                Ok(round) => format!("{}: {}", round.code(), round.teams().join(", ")),
+                Err(_) => format!("{}: not readable", kept.name),
+            };
+            text::clipped(
+                &look.charset.text(&title),
+                width.saturating_sub(text::width(&age) + 4),
+            )
+        };
+        let about = (
+            "earlier rounds",
+            "Every round is saved by itself, after each vote.",
+        );
+        self.rounds.write(rows, about, title, &mut lines);
+        self.rounds.write_about(&mut lines, |round, lines| {
+            let number = round.place().question + 1;
+            let place = format!("Question {number} of {}.", round.questions().len());
+            lines.paragraph(&place, Role::Text);
+            lines.paragraph(&round.teams().join(", "), Role::Dim);
+            lines.gap();
+            lines.paragraph("Enter: take it up where it was left.", Role::Key);
+        });
+    }
+}
+
+/// The place of the list.
+fn list(inside: Rect) -> Rect {
+    Rect {
+        height: inside.height.saturating_sub(ABOUT).max(1),
+        ..inside
     }
 }

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::heading::Heading;
-use super::play::{Page, Play};
+use super::play::{ClassPlay, EndPage};
 use super::scores_view;
 use super::view::{Text, column};
 use crate::class::{ClassRound, ItemAnalysis, items};
@@ -13,28 +13,28 @@ use crate::physics::units::deg_from_rad;
 use crate::quiz::{Misconception, misconceptions};
 use crate::widgets::{Lines, Look, Role, text};
 
-fn heading(page: Page) -> Heading<'static> {
+fn heading(page: EndPage) -> Heading<'static> {
     match page {
-        Page::Board => Heading::new(
+        EndPage::Board => Heading::new(
             &["The end"],
             "e: write the answers as tables for a spreadsheet",
         ),
-        Page::Held => Heading::new(&["What you held", "You held"], ""),
-        Page::Items => Heading::new(&["Questions"], ""),
+        EndPage::Held => Heading::new(&["What you held", "You held"], ""),
+        EndPage::Items => Heading::new(&["Questions"], ""),
     }
 }
 
 /// Draws a page.
-pub(super) fn draw(play: &Play, page: Page, area: Rect, buf: &mut Buffer, look: &Look) {
+pub(super) fn draw(play: &ClassPlay, page: EndPage, area: Rect, buf: &mut Buffer, look: &Look) {
     let rest = heading(page).draw(area, buf, look);
-    if page == Page::Board {
+    if page == EndPage::Board {
         let asked = play.round.questions().len();
         scores_view::draw(&play.round, asked, rest, buf, look);
     }
 }
 
 /// The words of a page that has some.
-pub(super) fn text<'a>(play: &'a Play, page: Page, area: Rect, look: &Look) -> Text<'a> {
+pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect, look: &Look) -> Text<'a> {
     let place = column(heading(page).rest(area, look));
     // The last row is for the word that there is more.
     let place = Rect {
@@ -43,7 +43,7 @@ pub(super) fn text<'a>(play: &'a Play, page: Page, area: Rect, look: &Look) -> T
     };
     let round = &play.round;
     match page {
-        Page::Items => (place, Box::new(move |lines| write_items(round, lines))),
+        EndPage::Items => (place, Box::new(move |lines| write_items(round, lines))),
         _ => (place, Box::new(move |lines| write_held(round, lines))),
     }
 }

@@ -2,19 +2,21 @@
 
 use std::time::Duration;
 
-use super::booth::{Booths, Polled};
-use super::shown::Shown;
+use super::ClassAction;
+use super::shown::ClassReveal;
+use super::vote_entry::VoteEntry;
 use crate::class::{ClassPlace, ClassRound, ClassStep, Vote};
 use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
 use crate::screens::Context;
-use crate::widgets::Scroll;
+use crate::widgets::input::{KeyTable, ListView};
+use crate::widgets::{Outcome, Scroll};
 
 /// A round being played.
 #[derive(Debug, Clone)]
-pub(super) struct Play {
+pub(super) struct ClassPlay {
     pub(super) round: ClassRound,
-    pub(super) phase: Phase,
+    pub(super) phase: ClassPhase,
     pub(super) scroll: Scroll,
     /// Whether the words of the question have the screen to themselves.
     pub(super) words_alone: bool,
@@ -30,16 +32,16 @@ pub(super) struct Play {
 
 /// What there is to do at a step, where that is more than to look and go on.
 #[derive(Debug, Clone)]
-pub(super) enum Phase {
+pub(super) enum ClassPhase {
     Look,
-    Vote(Booths),
-    Shot(Box<Shown>),
-    End(Page),
+    Vote(VoteEntry),
+    Shot(Box<ClassReveal>),
+    End(EndPage),
 }
 
 /// A page after the last question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Page {
+pub(super) enum EndPage {
     /// The scoreboard.
     Board,
     /// What the class believed.
@@ -48,11 +50,11 @@ pub(super) enum Page {
     Items,
 }
 
-impl Page {
+impl EndPage {
     pub(super) const ALL: [Self; 3] = [Self::Board, Self::Held, Self::Items];
 }
 
-impl Play {
+impl ClassPlay {
     /// A round from its start.
     pub(super) fn new(round: ClassRound, cx: &mut Context) -> Self {
         let ticket = cx.ticket();
@@ -71,7 +73,7 @@ impl Play {
         let mut play = Self {
             steps: steps.collect(),
             round,
-            phase: Phase::Look,
+            phase: ClassPhase::Look,
             scroll: Scroll::default(),
             words_alone: false,
             furthest,
@@ -99,7 +101,7 @@ impl Play {
 
     /// Whether the last question is behind.
     pub(super) fn is_over(&self) -> bool {
-        matches!(self.phase, Phase::End(_))
+        matches!(self.phase, ClassPhase::End(_))
     }
 
     /// Whether leaving now would end something: a round in its midst, or one that is not
@@ -125,15 +127,19 @@ impl Play {
             *kept = step;
         }
         self.phase = match step {
-            ClassStep::FirstVote => Phase::Vote(Booths::new(&self.round, question, Vote::First)),
-            ClassStep::SecondVote => Phase::Vote(Booths::new(&self.round, question, Vote::Second)),
+            ClassStep::FirstVote => {
+                ClassPhase::Vote(VoteEntry::new(&self.round, question, Vote::First))
+            }
+            ClassStep::SecondVote => {
+                ClassPhase::Vote(VoteEntry::new(&self.round, question, Vote::Second))
+            }
             ClassStep::Shot => {
-                match Shown::new(&self.round, question, cx.settings.reduced_motion) {
-                    Some(shown) => Phase::Shot(Box::new(shown)),
-                    None => Phase::Look,
+                match ClassReveal::new(&self.round, question, cx.settings.reduced_motion) {
+                    Some(shown) => ClassPhase::Shot(Box::new(shown)),
+                    None => ClassPhase::Look,
                 }
             }
-            _ => Phase::Look,
+            _ => ClassPhase::Look,
         };
         self.scroll = Scroll::default();
         self.words_alone = false;
@@ -146,16 +152,16 @@ impl Play {
     }
 
     /// To what comes next.
-    pub(super) fn forward(&mut self, cx: &mut Context) {
+    fn forward(&mut self, cx: &mut Context) {
         let question = self.number();
-        if let Phase::End(page) = self.phase {
+        if let ClassPhase::End(page) = self.phase {
             self.turn_page(page, 1);
         } else if let Some(next) = self.step().next() {
             self.go(question, next, cx);
         } else if let Some(step) = self.steps.get(question + 1) {
             self.go(question + 1, *step, cx);
         } else {
-            self.phase = Phase::End(Page::Board);
+            self.phase = ClassPhase::End(EndPage::Board);
             self.scroll = Scroll::default();
         }
     }
@@ -164,8 +170,8 @@ impl Play {
     fn back(&mut self, cx: &mut Context) {
         let question = self.number();
         match self.phase {
-            Phase::End(Page::Board) => self.go(question, ClassStep::Scores, cx),
-            Phase::End(page) => self.turn_page(page, -1),
+            ClassPhase::End(EndPage::Board) => self.go(question, ClassStep::Scores, cx),
+            ClassPhase::End(page) => self.turn_page(page, -1),
             _ => match (self.step().before(), question.checked_sub(1)) {
                 (Some(before), _) => self.go(question, before, cx),
                 (None, Some(question)) => self.go(question, ClassStep::Scores, cx),
@@ -178,7 +184,7 @@ impl Play {
     /// been reached yet.
     fn leap(&mut self, by: isize, cx: &mut Context) {
         let from = match self.phase {
-            Phase::End(_) => self.number() + 1,
+            ClassPhase::End(_) => self.number() + 1,
             _ => self.number(),
         };
         let to = from.checked_add_signed(by);
@@ -189,10 +195,10 @@ impl Play {
         }
     }
 
-    pub(super) fn turn_page(&mut self, page: Page, by: isize) {
-        let at = Page::ALL.iter().position(|it| *it == page).unwrap_or(0);
-        let to = at.saturating_add_signed(by).min(Page::ALL.len() - 1);
-        self.phase = Phase::End(Page::ALL[to]);
+    fn turn_page(&mut self, page: EndPage, by: isize) {
+        let at = EndPage::ALL.iter().position(|it| *it == page).unwrap_or(0);
+        let to = at.saturating_add_signed(by).min(EndPage::ALL.len() - 1);
+        self.phase = ClassPhase::End(EndPage::ALL[to]);
         self.scroll = Scroll::default();
     }
 
@@ -229,64 +235,145 @@ impl Play {
         }
     }
 
-    /// Takes a key; says whether it was one of the round's.
-    pub(super) fn key(&mut self, key: Key, cx: &mut Context) -> bool {
-        match &mut self.phase {
-            Phase::Vote(booths) => match booths.key(key, &mut self.round) {
-                Polled::Stay => return true,
-                Polled::Voted => {
-                    self.save(cx);
-                    return true;
+    /// The keys of the step at hand.
+    pub(super) fn keys(&self) -> KeyTable<ClassAction> {
+        use ClassAction::{
+            Backward, Forward, Leap, Leave, Light, NotYet, Pause, Scroll, Tables, TakeBack, Team,
+            Teams, TurnPage, Vote, Watch, WordsAlone,
+        };
+        let keys = KeyTable::new("class");
+        let light = KeyTable::new("class").on(Key::Char('l'), Light, "dark or light");
+        let scroll = KeyTable::new("class")
+            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "")
+            .each([(Key::PageUp, Scroll(-8)), (Key::PageDown, Scroll(8))], "");
+        let forward = |name| {
+            KeyTable::new("class")
+                .on(Key::Enter, Forward, name)
+                .or([(Key::Char(' '), Forward)])
+        };
+        let step = match (&self.phase, self.step()) {
+            (ClassPhase::Vote(entry), _) => match &entry.input {
+                Some(input) => {
+                    let input = input.keys();
+                    let free = input.exact(Key::Escape).is_none();
+                    return keys
+                        .with(input, Vote)
+                        .on(Key::Escape, NotYet, "not yet")
+                        .when(free)
+                        .on(Key::Char('p'), Pause, "pause")
+                        .with(light, |action| action)
+                        .with(scroll, |action| action);
                 }
-                Polled::GoOn => {
-                    self.forward(cx);
-                    return true;
+                None => {
+                    let count = self.round.teams().len();
+                    let numbers = ('1'..).map(Key::Char).zip((0..count).map(Team));
+                    keys.with(ListView::keys("give a vote"), Teams)
+                        .each(numbers, "a team")
+                        .on(Key::Char('x'), TakeBack, "take back")
+                        .or([(Key::Delete, TakeBack)])
+                        .when(entry.at(&self.round) < count)
                 }
-                Polled::Ignored if booths.input.is_some() => return false,
-                Polled::Ignored => {}
             },
-            Phase::Shot(shown) => {
-                if shown.telling.update(key) {
-                    return true;
-                }
-                if key == Key::Enter && !shown.telling.is_told() {
-                    // Nobody skips what happened by a key too many.
-                    shown.telling.tell();
-                    return true;
-                }
+            (ClassPhase::Shot(shown), _) => {
+                let next = match shown.telling.is_told() {
+                    true => "the scores",
+                    false => "show it",
+                };
+                // What is watched has the space bar.
+                let keys = match shown.telling.watch() {
+                    Some(_) => keys.on(Key::Enter, Forward, next),
+                    None => forward(next),
+                };
+                keys.with(shown.telling.keys(), Watch)
             }
-            Phase::End(page) => match key {
-                Key::Left => {
-                    let page = *page;
-                    self.turn_page(page, -1);
-                    return true;
-                }
-                Key::Right => {
-                    let page = *page;
-                    self.turn_page(page, 1);
-                    return true;
-                }
-                _ => {}
-            },
-            Phase::Look => {}
-        }
-        match key {
-            Key::Enter | Key::Char(' ') => self.forward(cx),
-            Key::Backspace => self.back(cx),
-            Key::Char('[') => self.leap(-1, cx),
-            Key::Char(']') => self.leap(1, cx),
-            Key::Char('z' | 'Z') => self.words_alone = !self.words_alone,
-            Key::Char('e' | 'E') => {
+            (ClassPhase::End(page), _) => forward("next page")
+                .when(*page != EndPage::Items)
+                .each([(Key::Left, TurnPage(-1)), (Key::Right, TurnPage(1))], ""),
+            (_, ClassStep::Describe | ClassStep::Predict) => {
+                let next = match self.step() {
+                    ClassStep::Describe => "predict",
+                    _ => "first vote",
+                };
+                forward(next).on(Key::Char('z'), WordsAlone, "words alone")
+            }
+            (_, ClassStep::Talk) => forward("second vote"),
+            (_, ClassStep::Scores) if self.number() + 1 < self.round.questions().len() => {
+                forward("next question")
+            }
+            (_, ClassStep::Scores) => forward("the end"),
+            _ => forward("go on"),
+        };
+        let tables = match self.is_over() {
+            true => "tables",
+            false => "",
+        };
+        step.on(Key::Char('e'), Tables, tables)
+            .on(Key::Backspace, Backward, "back")
+            .on(Key::Char('p'), Pause, "pause")
+            .with(light, |action| action)
+            .each(
+                [(Key::Char('['), Leap(-1)), (Key::Char(']'), Leap(1))],
+                "questions",
+            )
+            .on(Key::Escape, Leave, "leave")
+            .with(scroll, |action| action)
+    }
+
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) {
+        match (action, &mut self.phase) {
+            (ClassAction::Forward, ClassPhase::Shot(shown)) if !shown.telling.is_told() => {
+                // Nobody skips what happened by a key too many.
+                shown.telling.tell();
+            }
+            (ClassAction::Forward, _) => self.forward(cx),
+            (ClassAction::Backward, _) => self.back(cx),
+            (ClassAction::Leap(by), _) => self.leap(by, cx),
+            (ClassAction::TurnPage(by), ClassPhase::End(page)) => {
+                let page = *page;
+                self.turn_page(page, by);
+            }
+            (ClassAction::Watch(action), ClassPhase::Shot(shown)) => shown.telling.act(action),
+            (ClassAction::WordsAlone, _) => self.words_alone = !self.words_alone,
+            (ClassAction::Tables, _) => {
                 cx.ask(StoreRequest::ExportClass(Box::new(self.round.clone())));
             }
-            _ => return false,
+            (ClassAction::Teams(action), ClassPhase::Vote(entry)) => {
+                let outcome = entry.teams.act(action, self.round.teams().len() + 1);
+                self.open(outcome, cx);
+            }
+            (ClassAction::Team(team), ClassPhase::Vote(entry)) => entry.open(team, &self.round),
+            (ClassAction::TakeBack, ClassPhase::Vote(entry)) => {
+                entry.take_back(&mut self.round);
+                self.save(cx);
+            }
+            (ClassAction::Vote(action), ClassPhase::Vote(entry)) => {
+                let outcome = entry.input.as_mut().map(|input| input.act(action));
+                if outcome == Some(Outcome::Done(())) {
+                    entry.give(&mut self.round);
+                    self.save(cx);
+                }
+            }
+            (ClassAction::NotYet, ClassPhase::Vote(entry)) => entry.input = None,
+            _ => {}
         }
-        true
+    }
+
+    /// Lets a team vote, or after the last one goes on.
+    pub(super) fn open(&mut self, row: Outcome<usize>, cx: &mut Context) {
+        let count = self.round.teams().len();
+        match (row, &mut self.phase) {
+            (Outcome::Done(team), ClassPhase::Vote(entry)) if team < count => {
+                entry.open(team, &self.round);
+            }
+            (Outcome::Done(_), _) => self.forward(cx),
+            _ => {}
+        }
     }
 
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration) {
-        if let Phase::Shot(shown) = &mut self.phase {
+        if let ClassPhase::Shot(shown) = &mut self.phase {
             shown.telling.advance(passed);
         }
     }
@@ -294,7 +381,7 @@ impl Play {
     /// When it next needs time.
     pub(super) fn wake(&self) -> Option<Duration> {
         match &self.phase {
-            Phase::Shot(shown) => shown.telling.wake(),
+            ClassPhase::Shot(shown) => shown.telling.wake(),
             _ => None,
         }
     }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::heading::Heading;
-use super::play::Play;
+use super::play::ClassPlay;
 use super::view::{Text, column};
 use crate::class::ClassStep;
 use crate::quiz::{Form, Illustration, Question, letter};
@@ -12,12 +12,12 @@ use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
 
 /// The place of the question's words, and of its picture if it is to be seen.
-struct Layout {
+struct WordsPlace {
     words: Rect,
     beside: Option<SplitLayout>,
 }
 
-fn heading_and(play: &Play, then: impl FnOnce(Heading)) {
+fn heading_and(play: &ClassPlay, then: impl FnOnce(Heading)) {
     let number = format!("Question {}", play.number() + 1);
     match play.step() {
         ClassStep::Predict => then(Heading::new(
@@ -28,9 +28,9 @@ fn heading_and(play: &Play, then: impl FnOnce(Heading)) {
     }
 }
 
-fn layout(play: &Play, question: &Question, area: Rect, look: &Look) -> Layout {
+fn layout(play: &ClassPlay, question: &Question, area: Rect, look: &Look) -> WordsPlace {
     if play.words_alone {
-        return Layout {
+        return WordsPlace {
             words: area,
             beside: None,
         };
@@ -38,20 +38,20 @@ fn layout(play: &Play, question: &Question, area: Rect, look: &Look) -> Layout {
     let mut rest = area;
     heading_and(play, |heading| rest = heading.rest(area, look));
     if question.picture == Illustration::Nothing {
-        return Layout {
+        return WordsPlace {
             words: column(rest),
             beside: None,
         };
     }
     let beside = SplitLayout::square(rest);
-    Layout {
+    WordsPlace {
         words: beside.panel,
         beside: Some(beside),
     }
 }
 
 /// Draws the question: its picture, and its words where there is room for large type.
-pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
+pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
     let Some(question) = play.question() else {
         return;
     };
@@ -139,7 +139,7 @@ fn rows_of_choices(question: &Question, place: Rect, look: &Look) -> u16 {
 }
 
 /// The words that are not in large type.
-pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'a>> {
+pub(super) fn text<'a>(play: &'a ClassPlay, area: Rect, look: &Look) -> Option<Text<'a>> {
     let question = play.question()?;
     let layout = layout(play, question, area, look);
     let place = inner(layout.words);

@@ -17,7 +17,7 @@ const LARGE: [u16; 2] = [5, 6];
 const APART: u16 = 3;
 
 /// What is said of a team.
-struct Row {
+struct ScoreRow {
     /// "1. Ants"
     name: String,
     /// "27.5"
@@ -32,9 +32,9 @@ struct Row {
 pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffer, look: &Look) {
     let area = column(area);
     let most = Grade::MOST * asked.max(1) as f64;
-    let rows: Vec<Row> = standings(round, asked)
+    let rows: Vec<ScoreRow> = standings(round, asked)
         .into_iter()
-        .map(|it| Row {
+        .map(|it| ScoreRow {
             name: format!(
                 "{}. {}",
                 it.place,
@@ -53,11 +53,11 @@ pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffe
 }
 
 /// Names and points in large type, if there is room for all of them.
-fn large(rows: &[Row], high: u16, width: u16, look: &Look) -> Option<Vec<[Big; 2]>> {
+fn large(rows: &[ScoreRow], high: u16, width: u16, look: &Look) -> Option<Vec<[Big; 2]>> {
     if high < LARGE[0] {
         return None;
     }
-    let texts = |of: fn(&Row) -> &String| rows.iter().map(|row| of(row).as_str()).collect();
+    let texts = |of: fn(&ScoreRow) -> &String| rows.iter().map(|row| of(row).as_str()).collect();
     let points: Vec<&str> = texts(|row| &row.points);
     let points = Big::fit_lines(&points, width / 3, look.charset)?;
     let widest = points.iter().map(Big::columns).max()?;
@@ -74,7 +74,7 @@ fn large(rows: &[Row], high: u16, width: u16, look: &Look) -> Option<Vec<[Big; 2
 }
 
 fn draw_large(
-    rows: &[Row],
+    rows: &[ScoreRow],
     letters: &[[Big; 2]],
     high: u16,
     area: Rect,
@@ -107,7 +107,7 @@ fn draw_large(
     }
 }
 
-fn draw_plain(rows: &[Row], high: u16, area: Rect, buf: &mut Buffer, look: &Look) {
+fn draw_plain(rows: &[ScoreRow], high: u16, area: Rect, buf: &mut Buffer, look: &Look) {
     for (i, row) in rows.iter().enumerate() {
         let place = Rect {
             y: area.y + high * i as u16,

@@ -2,12 +2,16 @@
 
 use std::sync::Arc;
 
-use super::play::Play;
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::play::ClassPlay;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
-use crate::messages::Key;
+use crate::messages::{Key, Mouse};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
+use crate::widgets::Outcome;
+use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
 /// What is said of what is no code.
 const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
@@ -18,15 +22,14 @@ const LONGEST: usize = 2 * LONGEST_NAME;
 #[derive(Debug, Clone)]
 pub(super) struct SetUp {
     /// Names as typed.
-    pub(super) teams: Vec<String>,
-    /// Where the mark is.
-    pub(super) at: Row,
+    pub(super) teams: Vec<TextField>,
+    list: ListView,
     /// The kind of round that is chosen.
-    pub(super) kind: Kind,
+    pub(super) kind: RoundKind,
     /// The one topic, by its place among [`topics`].
     pub(super) topic: usize,
     /// The code as typed.
-    pub(super) code: String,
+    pub(super) code: TextField,
     /// Why it cannot start.
     pub(super) trouble: Option<String>,
     /// The questions of the teacher's own.
@@ -35,13 +38,13 @@ pub(super) struct SetUp {
 
 /// A row of the page that the mark can be at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Row {
+pub(super) enum SetUpRow {
     /// The name of a team, counted from 0.
     Team(usize),
     /// One more team.
     Add,
     /// A kind of round.
-    Kind(Kind),
+    Kind(RoundKind),
     /// Off we go.
     Start,
     /// The list of earlier rounds.
@@ -50,7 +53,7 @@ pub(super) enum Row {
 
 /// Which questions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum RoundKind {
     Mixed,
     Quick,
     Hits,
@@ -59,7 +62,7 @@ pub(super) enum Kind {
     Code,
 }
 
-impl Kind {
+impl RoundKind {
     const ALL: [Self; 6] = [
         Self::Mixed,
         Self::Quick,
@@ -70,12 +73,23 @@ impl Kind {
     ];
 }
 
-/// What follows from a key.
-pub(super) enum Step {
-    Stay,
-    Ignored,
-    Back,
-    Start(Box<Play>),
+/// What keys do where a round is set up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum SetUpAction {
+    /// choose a row, or do what it says
+    List(ListAction),
+    /// another topic
+    Topic(isize),
+    /// remove the team
+    Remove,
+}
+
+/// What follows from setting up.
+pub(super) enum SetUpEnd {
+    /// The round begins.
+    Start(Box<ClassPlay>),
+    /// The list of earlier rounds is wanted.
     Earlier,
 }
 
@@ -90,238 +104,255 @@ impl SetUp {
     /// The page with what is known already.
     pub(super) fn new(code: Option<&Code>, teams: Vec<String>, own: Arc<Library>) -> Self {
         let at = match (code, teams.is_empty()) {
-            (_, true) => Row::Add,
-            (None, false) => Row::Kind(Kind::Mixed),
-            (Some(_), false) => Row::Start,
+            (_, true) => SetUpRow::Add,
+            (None, false) => SetUpRow::Kind(RoundKind::Mixed),
+            (Some(_), false) => SetUpRow::Start,
         };
-        Self {
-            teams,
-            at,
+        let teams = teams.iter().map(|name| TextField::new(name, LONGEST));
+        let mut set_up = Self {
+            teams: teams.collect(),
+            list: ListView::default(),
             kind: if code.is_some() {
-                Kind::Code
+                RoundKind::Code
             } else {
-                Kind::Mixed
+                RoundKind::Mixed
             },
             topic: 0,
-            code: code.map(ToString::to_string).unwrap_or_default(),
+            code: TextField::new(&code.map(ToString::to_string).unwrap_or_default(), LONGEST),
             trouble: None,
             own,
-        }
+        };
+        set_up.put(at);
+        set_up
+    }
+
+    /// The row of the mark.
+    pub(super) fn at(&self) -> SetUpRow {
+        let rows = self.rows();
+        rows[self.list.chosen(rows.len())]
+    }
+
+    /// Puts the mark at a row.
+    fn put(&mut self, row: SetUpRow) {
+        let at = self.rows().iter().position(|it| *it == row);
+        self.list.choose(at.unwrap_or(self.teams.len()));
     }
 
     /// The kinds of round there are; own questions only where there are any.
-    pub(super) fn kinds(&self) -> Vec<Kind> {
-        let all = Kind::ALL.into_iter();
-        all.filter(|kind| *kind != Kind::Own || !self.own.concepts.is_empty())
+    pub(super) fn kinds(&self) -> Vec<RoundKind> {
+        let all = RoundKind::ALL.into_iter();
+        all.filter(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty())
             .collect()
     }
 
     /// All rows, from the top of the left side to the foot of the right one.
-    pub(super) fn rows(&self) -> Vec<Row> {
-        let mut rows: Vec<Row> = (0..self.teams.len()).map(Row::Team).collect();
+    pub(super) fn rows(&self) -> Vec<SetUpRow> {
+        let mut rows: Vec<SetUpRow> = (0..self.teams.len()).map(SetUpRow::Team).collect();
         if self.teams.len() < MOST_TEAMS {
-            rows.push(Row::Add);
+            rows.push(SetUpRow::Add);
         }
-        rows.extend(self.kinds().into_iter().map(Row::Kind));
-        rows.extend([Row::Start, Row::Earlier]);
+        rows.extend(self.kinds().into_iter().map(SetUpRow::Kind));
+        rows.extend([SetUpRow::Start, SetUpRow::Earlier]);
         rows
     }
 
     /// The text that letters go to.
-    fn text(&mut self) -> Option<&mut String> {
-        match self.at {
-            Row::Team(team) => self.teams.get_mut(team),
-            Row::Kind(Kind::Code) => Some(&mut self.code),
+    fn field(&mut self) -> Option<&mut TextField> {
+        match self.at() {
+            SetUpRow::Team(team) => self.teams.get_mut(team),
+            SetUpRow::Kind(RoundKind::Code) => Some(&mut self.code),
             _ => None,
         }
     }
 
-    /// Takes a key.
-    pub(super) fn key(&mut self, key: Key, cx: &mut Context) -> Step {
-        self.trouble = None;
-        match key {
-            Key::Up | Key::BackTab => self.walk(-1),
-            Key::Down | Key::Tab => self.walk(1),
-            Key::Home => self.at = self.rows()[0],
-            Key::End => self.at = Row::Start,
-            Key::Left => self.turn_topic(-1),
-            Key::Right => self.turn_topic(1),
-            Key::Enter => return self.enter(cx),
-            Key::Delete => self.remove(),
-            Key::Backspace => {
-                let at_team = matches!(self.at, Row::Team(_));
-                match self.text() {
-                    Some(text) if text.is_empty() && at_team => self.remove(),
-                    Some(text) => {
-                        text.pop();
-                    }
-                    None => return Step::Ignored,
-                }
-            }
-            Key::Escape => return Step::Back,
-            Key::Char(c) => return self.letter(c),
-            _ => return Step::Ignored,
-        }
-        Step::Stay
+    /// The keys of the row at hand; letters are typed into it.
+    pub(super) fn keys(&self) -> KeyTable<SetUpAction> {
+        use SetUpAction::{List, Remove, Topic};
+        let at = self.at();
+        let enter = match at {
+            SetUpRow::Team(_) | SetUpRow::Add => "next",
+            SetUpRow::Kind(_) => "choose it",
+            SetUpRow::Start => "start",
+            SetUpRow::Earlier => "open the list",
+        };
+        KeyTable::new("class")
+            .each(
+                [(Key::Left, Topic(-1)), (Key::Right, Topic(1))],
+                "another topic",
+            )
+            .when(at == SetUpRow::Kind(RoundKind::Topic))
+            .with(ListView::keys(enter), List)
+            .on(Key::Delete, Remove, "remove it")
+            .when(matches!(at, SetUpRow::Team(_)))
     }
 
-    fn letter(&mut self, c: char) -> Step {
-        match self.at {
-            Row::Add => self.add(),
-            Row::Kind(kind @ Kind::Code) => self.kind = kind,
-            Row::Kind(kind) if c == ' ' => {
-                self.kind = kind;
-                return Step::Stay;
-            }
-            _ => {}
+    /// Takes a key that types; says whether it was one.
+    pub(super) fn typed(&mut self, key: Key) -> bool {
+        if let (SetUpRow::Add, Key::Char(c)) = (self.at(), key)
+            && !c.is_whitespace()
+        {
+            self.add();
         }
-        match self.text() {
-            Some(text) => {
-                if text.chars().count() < LONGEST && !c.is_control() {
-                    text.push(c);
-                }
-                Step::Stay
+        let Some(field) = self.field() else {
+            return false;
+        };
+        // At the end of a name there is nothing to delete but the team.
+        let at_end = field.around_cursor().1.is_empty();
+        if (key == Key::Delete && at_end) || !field.update(key) {
+            return false;
+        }
+        self.trouble = None;
+        if self.at() == SetUpRow::Kind(RoundKind::Code) {
+            self.kind = RoundKind::Code;
+        }
+        true
+    }
+
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: SetUpAction, cx: &mut Context) -> Outcome<SetUpEnd> {
+        match action {
+            SetUpAction::List(action) => self.listed(cx, |list, rows| list.act(action, rows)),
+            SetUpAction::Topic(by) => {
+                let count = topics().len();
+                self.topic = (self.topic + count).saturating_add_signed(by) % count.max(1);
+                self.kind = RoundKind::Topic;
+                Outcome::Used
             }
-            None => Step::Ignored,
+            SetUpAction::Remove => {
+                if let SetUpRow::Team(team) = self.at() {
+                    self.teams.remove(team);
+                }
+                Outcome::Used
+            }
+        }
+    }
+
+    /// Takes the mouse over this row.
+    pub(super) fn mouse(
+        &mut self,
+        mouse: &Mouse,
+        row: Option<SetUpRow>,
+        cx: &mut Context,
+    ) -> Outcome<SetUpEnd> {
+        let at = row.and_then(|row| self.rows().iter().position(|it| *it == row));
+        self.listed(cx, |list, rows| list.mouse(mouse, rows, at))
+    }
+
+    /// Moves the mark, or does what its row says. A name that was left empty is none.
+    fn listed(
+        &mut self,
+        cx: &mut Context,
+        act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>,
+    ) -> Outcome<SetUpEnd> {
+        self.trouble = None;
+        let left = self.at();
+        let rows = self.rows().len();
+        match act(&mut self.list, rows) {
+            Outcome::Done(_) => return self.enter(cx),
+            Outcome::Ignored => return Outcome::Ignored,
+            Outcome::Used => {}
+        }
+        self.leave(left);
+        Outcome::Used
+    }
+
+    /// Leaves a row: an empty name goes.
+    fn leave(&mut self, left: SetUpRow) {
+        let row = self.at();
+        if let SetUpRow::Team(team) = left
+            && row != left
+            && self.teams[team].text().trim().is_empty()
+        {
+            self.teams.remove(team);
+            self.put(match row {
+                SetUpRow::Team(other) if other > team => SetUpRow::Team(other - 1),
+                row => row,
+            });
         }
     }
 
     /// Takes pasted text: where names are typed, a name a line.
     pub(super) fn paste(&mut self, pasted: &str) {
         let mut lines = pasted.lines();
-        for c in lines.next().unwrap_or_default().chars().take(LONGEST) {
-            self.letter(c);
+        let first = lines.next().unwrap_or_default();
+        if self.at() == SetUpRow::Add && !first.trim().is_empty() {
+            self.add();
         }
-        if !matches!(self.at, Row::Team(_)) {
+        if let Some(field) = self.field() {
+            field.paste(first);
+        }
+        if !matches!(self.at(), SetUpRow::Team(_)) {
             return;
         }
         for line in lines.filter(|line| !line.trim().is_empty()) {
             if self.teams.len() < MOST_TEAMS {
                 self.add();
-                for c in line.chars().take(LONGEST) {
-                    self.letter(c);
+                if let Some(field) = self.field() {
+                    field.paste(line);
                 }
             }
         }
     }
 
     fn add(&mut self) {
-        self.at = Row::Team(self.teams.len());
-        self.teams.push(String::new());
+        self.teams.push(TextField::new("", LONGEST));
+        self.put(SetUpRow::Team(self.teams.len() - 1));
     }
 
-    fn remove(&mut self) {
-        if let Row::Team(team) = self.at {
-            self.teams.remove(team);
-            self.at = if team < self.teams.len() {
-                Row::Team(team)
-            } else {
-                Row::Add
-            };
-        }
-    }
-
-    fn walk(&mut self, by: isize) {
-        let rows = self.rows();
-        let at = rows.iter().position(|row| *row == self.at).unwrap_or(0);
-        let to = at.saturating_add_signed(by).min(rows.len() - 1);
-        self.go(rows[to]);
-    }
-
-    /// Puts the mark at a row. A name that was left empty is none.
-    fn go(&mut self, row: Row) {
-        let mut row = row;
-        if let Row::Team(left) = self.at
-            && self.teams[left].trim().is_empty()
-            && row != self.at
-        {
-            self.teams.remove(left);
-            row = match row {
-                Row::Team(team) if team > left => Row::Team(team - 1),
-                row => row,
-            };
-        }
-        self.at = if self.rows().contains(&row) {
-            row
-        } else {
-            Row::Add
-        };
-    }
-
-    fn turn_topic(&mut self, by: isize) {
-        if self.at == Row::Kind(Kind::Topic) {
-            let count = topics().len();
-            self.topic = (self.topic + count).saturating_add_signed(by) % count.max(1);
-            self.kind = Kind::Topic;
-        }
-    }
-
-    fn enter(&mut self, cx: &mut Context) -> Step {
-        match self.at {
+    fn enter(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
+        let at = self.at();
+        match at {
             // An empty name is the way to the next thing.
-            Row::Add => self.go(Row::Kind(self.kind)),
-            Row::Team(_) => self.walk(1),
-            Row::Kind(kind) => {
-                self.kind = kind;
-                self.go(Row::Start);
+            SetUpRow::Add => self.put(SetUpRow::Kind(self.kind)),
+            SetUpRow::Team(team) => {
+                self.list.choose(team + 1);
+                self.leave(at);
             }
-            Row::Start => return self.start(cx),
-            Row::Earlier => return Step::Earlier,
+            SetUpRow::Kind(kind) => {
+                self.kind = kind;
+                self.put(SetUpRow::Start);
+            }
+            SetUpRow::Start => return self.start(cx),
+            SetUpRow::Earlier => return Outcome::Done(SetUpEnd::Earlier),
         }
-        Step::Stay
+        Outcome::Used
     }
 
-    fn start(&mut self, cx: &mut Context) -> Step {
-        let names = match team_names(self.teams.iter().map(String::as_str)) {
+    fn start(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
+        let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));
-                return Step::Stay;
+                return Outcome::Used;
             }
         };
         let kind = match self.kind {
-            Kind::Mixed => Some(CourseKind::Mixed),
-            Kind::Quick => Some(CourseKind::Quick),
-            Kind::Hits => Some(CourseKind::Hits),
-            Kind::Topic => topics().get(self.topic).copied().map(CourseKind::Topic),
-            Kind::Own => Some(CourseKind::Own(Arc::clone(&self.own))),
-            Kind::Code => None,
+            RoundKind::Mixed => Some(CourseKind::Mixed),
+            RoundKind::Quick => Some(CourseKind::Quick),
+            RoundKind::Hits => Some(CourseKind::Hits),
+            RoundKind::Topic => topics().get(self.topic).copied().map(CourseKind::Topic),
+            RoundKind::Own => Some(CourseKind::Own(Arc::clone(&self.own))),
+            RoundKind::Code => None,
         };
         let code = match kind {
             Some(kind) => Ok(Code {
                 course: Course::new(kind),
                 seed: cx.next_seed(),
             }),
-            None => Code::parse(&self.code)
+            None => Code::parse(self.code.text())
                 .ok_or_else(|| NO_CODE.to_owned())
                 .and_then(|code| code.with_own(&self.own)),
         };
         match code {
-            Ok(code) => Step::Start(Box::new(Play::new(ClassRound::new(code, names), cx))),
+            Ok(code) => {
+                let round = ClassRound::new(code, names);
+                Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
+            }
             Err(trouble) => {
-                self.at = Row::Kind(Kind::Code);
+                self.put(SetUpRow::Kind(RoundKind::Code));
                 self.trouble = Some(format!("The code: {trouble}."));
-                Step::Stay
+                Outcome::Used
             }
         }
-    }
-
-    /// Clicks on a row: puts the mark there, and does what Enter would on one that
-    /// cannot be typed into.
-    pub(super) fn click(&mut self, row: Row, cx: &mut Context) -> Step {
-        self.trouble = None;
-        match row {
-            Row::Add => self.add(),
-            Row::Team(_) => self.go(row),
-            Row::Kind(kind) => {
-                self.go(row);
-                self.kind = kind;
-            }
-            Row::Start | Row::Earlier => {
-                self.go(row);
-                return self.enter(cx);
-            }
-        }
-        Step::Stay
     }
 }

@@ -1,12 +1,13 @@
 //! How the page looks on which a round is set up.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
 use super::heading::Heading;
-use super::set_up::{Kind, Row, SetUp, topics};
+use super::set_up::{RoundKind, SetUp, SetUpRow, topics};
 use crate::class::MOST_TEAMS;
 use crate::quiz::{Course, CourseKind, Family};
+use crate::widgets::input::TextField;
 use crate::widgets::panel::draw_panel;
 use crate::widgets::{Charset, Lines, Look, Role, text};
 
@@ -44,16 +45,11 @@ fn layout(set_up: &SetUp, area: Rect) -> [Rect; 3] {
 }
 
 fn inside(frame: Rect) -> Rect {
-    Rect {
-        x: frame.x + 1,
-        y: frame.y + 1,
-        width: frame.width.saturating_sub(2),
-        height: frame.height.saturating_sub(2),
-    }
+    frame.inner(Margin::new(1, 1))
 }
 
 /// The row at a cell.
-pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Row> {
+pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<SetUpRow> {
     let [teams, round, below] = layout(set_up, area);
     let at = |frame: Rect| {
         frame
@@ -64,15 +60,15 @@ pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Row
     if let Some(row) = at(inside(teams)) {
         let rows = rows
             .into_iter()
-            .filter(|row| matches!(row, Row::Team(_) | Row::Add));
+            .filter(|row| matches!(row, SetUpRow::Team(_) | SetUpRow::Add));
         return rows.collect::<Vec<_>>().get(row).copied();
     }
     if let Some(row) = at(inside(round)) {
-        return set_up.kinds().get(row / 2).copied().map(Row::Kind);
+        return set_up.kinds().get(row / 2).copied().map(SetUpRow::Kind);
     }
     match at(below)? {
-        0 => Some(Row::Start),
-        1 => Some(Row::Earlier),
+        0 => Some(SetUpRow::Start),
+        1 => Some(SetUpRow::Earlier),
         _ => None,
     }
 }
@@ -98,29 +94,29 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
     draw_panel(buf, round, "the questions", look.charset, &look.theme);
     let mut lines = Lines::new(inside(teams), buf, *look);
     for row in set_up.rows() {
-        let chosen = row == set_up.at;
+        let chosen = row == set_up.at();
         match row {
-            Row::Team(team) => {
+            SetUpRow::Team(team) => {
                 let name = typed(&set_up.teams[team], lines.width(), chosen, look.charset);
                 line(&format!("{} {name}", team + 1), chosen, &mut lines);
             }
-            Row::Add => line("+ add a team: type its name", chosen, &mut lines),
+            SetUpRow::Add => line("+ add a team: type its name", chosen, &mut lines),
             _ => {}
         }
     }
     let mut lines = Lines::new(inside(round), buf, *look);
     for kind in set_up.kinds() {
-        let chosen = set_up.at == Row::Kind(kind);
+        let chosen = set_up.at() == SetUpRow::Kind(kind);
         let mark = if set_up.kind == kind { "(*)" } else { "( )" };
         let (name, about) = words(set_up, kind, lines.width(), chosen, look.charset);
         line(&format!("{mark} {name}"), chosen, &mut lines);
         lines.line(&format!("      {about}"), Role::Dim);
     }
     let mut lines = Lines::new(below, buf, *look);
-    line("Start", set_up.at == Row::Start, &mut lines);
+    line("Start", set_up.at() == SetUpRow::Start, &mut lines);
     line(
         "take up an earlier round",
-        set_up.at == Row::Earlier,
+        set_up.at() == SetUpRow::Earlier,
         &mut lines,
     );
     if let Some(trouble) = &set_up.trouble {
@@ -137,28 +133,33 @@ fn line(words: &str, chosen: bool, lines: &mut Lines) {
     lines.line(&format!("{mark} {words} "), role);
 }
 
-/// The end of what is typed, as far as there is room, with a mark where it goes on.
-fn typed(words: &str, width: u16, chosen: bool, charset: Charset) -> String {
-    let shown: String = words.chars().filter(|c| !c.is_control()).collect();
-    let shown = charset.text(&shown).into_owned();
+/// What is typed, as far as there is room; where it is `chosen` up to the cursor, with
+/// a mark where that is, else its end.
+fn typed(field: &TextField, width: u16, chosen: bool, charset: Charset) -> String {
+    let shown = |text: &str| {
+        let text: String = text.chars().filter(|c| !c.is_control()).collect();
+        charset.text(&text).into_owned()
+    };
+    let (before, after) = match chosen {
+        true => field.around_cursor(),
+        false => (field.text(), ""),
+    };
     let room = usize::from(width).saturating_sub(9);
-    let mut from = shown.as_str();
+    let before = shown(before);
+    let mut from = before.as_str();
     while text::width(from) > room {
         let mut letters = from.chars();
         letters.next();
         from = letters.as_str();
     }
-    if chosen {
-        format!("{from}_")
-    } else {
-        from.to_owned()
-    }
+    let mark = if chosen { "_" } else { "" };
+    text::clipped(&format!("{from}{mark}{}", shown(after)), room + 1)
 }
 
 /// What a kind of round is called, and what it is.
 fn words(
     set_up: &SetUp,
-    kind: Kind,
+    kind: RoundKind,
     width: u16,
     chosen: bool,
     charset: Charset,
@@ -171,10 +172,10 @@ fn words(
         )
     };
     match kind {
-        Kind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),
-        Kind::Quick => course(CourseKind::Quick, "all kinds mixed"),
-        Kind::Hits => course(CourseKind::Hits, "where to?"),
-        Kind::Topic => {
+        RoundKind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),
+        RoundKind::Quick => course(CourseKind::Quick, "all kinds mixed"),
+        RoundKind::Hits => course(CourseKind::Hits, "where to?"),
+        RoundKind::Topic => {
             let topics = topics();
             let family = topics.get(set_up.topic).copied();
             let name = family.map_or("", Family::name);
@@ -185,7 +186,7 @@ fn words(
             let count = family.map_or(0, |family| CourseKind::Topic(family).length());
             (format!("one topic, {count} questions"), name)
         }
-        Kind::Own => {
+        RoundKind::Own => {
             let count = set_up.own.concepts.len();
             let left = match set_up.own.problems.len() {
                 0 => String::new(),
@@ -194,7 +195,7 @@ fn words(
             };
             ("your own questions".into(), format!("of {count}{left}"))
         }
-        Kind::Code => {
+        RoundKind::Code => {
             let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);
             (format!("by its code: {code}"), "such as mixed-7".into())
         }

@@ -8,7 +8,7 @@ use crate::widgets::hit::{Telling, Watch};
 
 /// What really happens, and why.
 #[derive(Debug, Clone)]
-pub(super) struct Shown {
+pub(super) struct ClassReveal {
     /// The hit, where the question is about one.
     pub(super) telling: Telling,
     /// What most teams that were wrong alike believed, and how many of them.
@@ -17,7 +17,7 @@ pub(super) struct Shown {
     pub(super) why: String,
 }
 
-impl Shown {
+impl ClassReveal {
     /// The truth of a question, told from what the class said.
     pub(super) fn new(round: &ClassRound, number: usize, reduced: bool) -> Option<Self> {
         let question = round.questions().get(number)?;

@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::heading::Heading;
-use super::play::Play;
-use super::shown::Shown;
+use super::play::ClassPlay;
+use super::shown::ClassReveal;
 use super::view::{Text, teams};
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Question, Response, letter};
@@ -17,7 +17,7 @@ const HEADED_FROM: u16 = 34;
 const HEADING: Heading<'static> = Heading::new(&["The shot"], "");
 
 /// Where picture and panel are.
-fn layout(question: &Question, shown: &Shown, area: Rect, look: &Look) -> SplitLayout {
+fn layout(question: &Question, shown: &ClassReveal, area: Rect, look: &Look) -> SplitLayout {
     let rest = if area.height >= HEADED_FROM {
         HEADING.rest(area, look)
     } else {
@@ -33,7 +33,13 @@ fn layout(question: &Question, shown: &Shown, area: Rect, look: &Look) -> SplitL
 }
 
 /// Draws the hit.
-pub(super) fn draw(play: &Play, shown: &Shown, area: Rect, buf: &mut Buffer, look: &Look) {
+pub(super) fn draw(
+    play: &ClassPlay,
+    shown: &ClassReveal,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
     let Some(question) = play.question() else {
         return;
     };
@@ -58,7 +64,12 @@ pub(super) fn draw(play: &Play, shown: &Shown, area: Rect, buf: &mut Buffer, loo
 }
 
 /// The truth and why it is true.
-pub(super) fn text<'a>(play: &'a Play, shown: &'a Shown, area: Rect, look: &Look) -> Text<'a> {
+pub(super) fn text<'a>(
+    play: &'a ClassPlay,
+    shown: &'a ClassReveal,
+    area: Rect,
+    look: &Look,
+) -> Text<'a> {
     let place = play
         .question()
         .map(|question| layout(question, shown, area, look).panel)
@@ -71,7 +82,7 @@ pub(super) fn text<'a>(play: &'a Play, shown: &'a Shown, area: Rect, look: &Look
     (place, Box::new(write))
 }
 
-fn write(play: &Play, question: &Question, shown: &Shown, lines: &mut Lines) {
+fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut Lines) {
     if !shown.telling.is_told() {
         lines.paragraph(&question.text, Role::Dim);
         if let Some(watch) = shown.telling.watch() {

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::heading::Heading;
-use super::play::Play;
+use super::play::ClassPlay;
 use super::view::{Text, column, teams};
 use crate::class::Vote;
 use crate::physics::Collision;
@@ -26,7 +26,7 @@ const HEADING: Heading<'static> = Heading::new(
 );
 
 /// The first votes that were given on the question at hand.
-fn votes(play: &Play) -> Vec<Response> {
+fn votes(play: &ClassPlay) -> Vec<Response> {
     let teams = 0..play.round.teams().len();
     let ballots = teams.map(|team| play.round.ballot(play.number(), team));
     ballots
@@ -35,7 +35,7 @@ fn votes(play: &Play) -> Vec<Response> {
 }
 
 /// Draws the spread.
-pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
+pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
     let rest = HEADING.draw(area, buf, look);
     let Some(question) = play.question() else {
         return;
@@ -77,7 +77,7 @@ pub(super) fn draw(play: &Play, area: Rect, buf: &mut Buffer, look: &Look) {
 }
 
 /// The list of rays beside their picture.
-pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'a>> {
+pub(super) fn text<'a>(play: &'a ClassPlay, area: Rect, look: &Look) -> Option<Text<'a>> {
     let question = play.question()?;
     let Form::Rays { target, .. } = &question.form else {
         return None;
@@ -87,7 +87,7 @@ pub(super) fn text<'a>(play: &'a Play, area: Rect, look: &Look) -> Option<Text<'
     Some((panel, Box::new(write)))
 }
 
-fn write_rays(play: &Play, question: &Question, target: &str, lines: &mut Lines) {
+fn write_rays(play: &ClassPlay, question: &Question, target: &str, lines: &mut Lines) {
     let votes = votes(play);
     lines.paragraph(&question.text, Role::Text);
     for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {

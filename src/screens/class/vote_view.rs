@@ -3,10 +3,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::booth::Booths;
 use super::heading::Heading;
-use super::play::Play;
+use super::play::ClassPlay;
 use super::view::{Text, column, teams, vote_name};
+use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Illustration, Question};
 use crate::widgets::big::{Align, Big};
@@ -34,13 +34,13 @@ fn heading(vote: Vote) -> Heading<'static> {
 
 /// The rows of the teams, and of going on at the end: their place, how high each is,
 /// and the names if they are in large type.
-struct Rows {
+struct TeamRows {
     place: Rect,
     height: u16,
     names: Option<Vec<Big>>,
 }
 
-fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> Rows {
+fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> TeamRows {
     let rest = heading(vote).rest(area, look);
     let place = column(rest);
     let count = round.teams().len() as u16 + 1;
@@ -56,7 +56,7 @@ fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> Rows {
             Rect { x, width, ..place }
         }
     };
-    Rows {
+    TeamRows {
         place,
         height: match &names {
             Some(_) => height.min(6),
@@ -83,10 +83,17 @@ pub(super) fn row_at(
 }
 
 /// Draws who has voted, and not what.
-pub(super) fn draw_teams(play: &Play, booths: &Booths, area: Rect, buf: &mut Buffer, look: &Look) {
+pub(super) fn draw_teams(
+    play: &ClassPlay,
+    entry: &VoteEntry,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
     let round = &play.round;
-    heading(booths.vote).draw(area, buf, look);
-    let rows = rows(round, booths.vote, area, look);
+    heading(entry.vote).draw(area, buf, look);
+    let rows = rows(round, entry.vote, area, look);
+    let at = entry.at(round);
     let place = |row: usize| {
         let from = rows.place.y + (row as u16).saturating_mul(rows.height);
         Rect {
@@ -98,13 +105,13 @@ pub(super) fn draw_teams(play: &Play, booths: &Booths, area: Rect, buf: &mut Buf
     };
     for (team, name) in round.teams().iter().enumerate() {
         let place = place(team);
-        let role = if team == booths.at {
+        let role = if team == at {
             Role::Selected
         } else {
             Role::Title
         };
-        let mark = if team == booths.at { '>' } else { ' ' };
-        let (ticked, state) = state(round, play.number(), team, booths.vote);
+        let mark = if team == at { '>' } else { ' ' };
+        let (ticked, state) = state(round, play.number(), team, entry.vote);
         let tick = if ticked { "[x]" } else { "[ ]" };
         let state = format!("{tick} {state}");
         let state_role = if ticked { Role::Title } else { Role::Text };
@@ -128,7 +135,7 @@ pub(super) fn draw_teams(play: &Play, booths: &Booths, area: Rect, buf: &mut Buf
         }
     }
     let last = round.teams().len();
-    let (mark, role) = if booths.at == last {
+    let (mark, role) = if entry.at(round) == last {
         ('>', Role::Selected)
     } else {
         (' ', Role::Text)
@@ -139,7 +146,7 @@ pub(super) fn draw_teams(play: &Play, booths: &Booths, area: Rect, buf: &mut Buf
         0 => String::new(),
         count => format!("{} without a vote", teams(count)),
     };
-    let next = match booths.vote {
+    let next = match entry.vote {
         Vote::First => "Go on: talk",
         Vote::Second => "Go on: the shot",
     };
@@ -159,7 +166,7 @@ fn state(round: &ClassRound, question: usize, team: usize, vote: Vote) -> (bool,
 }
 
 /// Where a team votes: picture and panel.
-pub(super) fn booth_layout(question: &Question, area: Rect) -> SplitLayout {
+pub(super) fn entry_layout(question: &Question, area: Rect) -> SplitLayout {
     match question.picture {
         Illustration::Nothing => SplitLayout::text_alone(area),
         _ => SplitLayout::new(area),
@@ -167,9 +174,9 @@ pub(super) fn booth_layout(question: &Question, area: Rect) -> SplitLayout {
 }
 
 /// Draws what a team is about to say.
-pub(super) fn draw_booth(
-    play: &Play,
-    booths: &Booths,
+pub(super) fn draw_entry(
+    play: &ClassPlay,
+    entry: &VoteEntry,
     input: &AnswerInput,
     area: Rect,
     buf: &mut Buffer,
@@ -178,18 +185,18 @@ pub(super) fn draw_booth(
     let Some(question) = play.question() else {
         return;
     };
-    let layout = booth_layout(question, area);
-    layout.draw(buf, look, vote_name(booths.vote), "what they say");
+    let layout = entry_layout(question, area);
+    layout.draw(buf, look, vote_name(entry.vote), "what they say");
     draw_question(layout.picture, buf, look, question, Some(input));
 }
 
 /// The words beside a team's vote.
-pub(super) fn text<'a>(play: &'a Play, booths: &'a Booths, area: Rect) -> Option<Text<'a>> {
+pub(super) fn text<'a>(play: &'a ClassPlay, entry: &'a VoteEntry, area: Rect) -> Option<Text<'a>> {
     let question = play.question()?;
-    let input = booths.input.as_ref()?;
-    let layout = booth_layout(question, area);
+    let input = entry.input.as_ref()?;
+    let layout = entry_layout(question, area);
     let write = move |lines: &mut Lines| {
-        if let Some(name) = play.round.teams().get(booths.at) {
+        if let Some(name) = play.round.teams().get(entry.at(&play.round)) {
             lines.paragraph(name, Role::Title);
             lines.gap();
         }

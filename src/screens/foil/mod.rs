@@ -24,7 +24,7 @@ use crate::widgets::input::{AnswerAction, AnswerInput, FormAction, KeyTable, Set
 use crate::widgets::{Outcome, Scroll, svg};
 
 pub(crate) use field::FoilField;
-pub(crate) use plot::FoilFigure;
+pub(crate) use plot::{FoilFigure, FoilFigureAction};
 pub(crate) use setup::FoilSetup;
 
 use field::FoilFields;

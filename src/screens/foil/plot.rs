@@ -3,11 +3,13 @@
 use std::time::Duration;
 
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
 use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, tracks_page, view};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
+use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;
 
 /// Ten million particles: enough for some to be turned back, by a foil too.
@@ -17,7 +19,21 @@ const PARTICLES_EXPONENT: u32 = 7;
 const SEED: u64 = 1913;
 
 /// Steps of the offset that `<` and `>` go at once.
-const LEAP: f64 = 10.0;
+const LEAP: i8 = 10;
+
+/// What keys do to a page of the foil that is a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum FoilFigureAction {
+    /// change the offset
+    Offset(i8),
+    /// throw a beam, or stop it
+    Beam,
+    /// the other scale
+    Scale,
+    /// the other plot
+    OtherPlot,
+}
 
 /// The picture of a page of the foil.
 #[derive(Debug, Clone)]
@@ -58,42 +74,52 @@ impl FoilFigure {
         self.0.is_running()
     }
 
-    /// What its keys are, for the bottom line.
-    pub(crate) fn keys(&self) -> Vec<(&'static str, &'static str)> {
+    /// The keys that work it.
+    pub(crate) fn keys(&self) -> KeyTable<FoilFigureAction> {
+        use FoilFigureAction::{Beam, Offset, OtherPlot, Scale};
+        let keys = KeyTable::new("foil-figure");
         match self.0.page {
-            FoilPage::Tracks => vec![("Left Right", "offset")],
-            FoilPage::Counts if self.is_running() => vec![("Space", "stop"), ("l", "scale")],
-            FoilPage::Counts => vec![("Space", "throw"), ("l", "scale")],
-            FoilPage::Measured => vec![("Space", "the other plot")],
+            FoilPage::Tracks => keys
+                .each([(Key::Left, Offset(-1)), (Key::Right, Offset(1))], "offset")
+                .or([
+                    (Key::Char('<'), Offset(-LEAP)),
+                    (Key::Char('>'), Offset(LEAP)),
+                ]),
+            FoilPage::Counts => {
+                let running = self.is_running();
+                keys.on(Key::Char(' '), Beam, if running { "stop" } else { "throw" })
+                    .on(Key::Escape, Beam, "")
+                    .when(running)
+                    .on(Key::Char('l'), Scale, "scale")
+            }
+            FoilPage::Measured => keys.on(Key::Char(' '), OtherPlot, "the other plot"),
+        }
+    }
+
+    /// Does what a key stands for.
+    pub(crate) fn act(&mut self, action: FoilFigureAction) {
+        let foil = &mut self.0;
+        match action {
+            FoilFigureAction::Offset(by) => {
+                foil.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by.into()));
+            }
+            FoilFigureAction::Beam if foil.is_running() => foil.halt(true),
+            FoilFigureAction::Beam => match &foil.run {
+                Some(run) if !run.is_over() => foil.halt(false),
+                _ => foil.begin(None, SEED),
+            },
+            FoilFigureAction::Scale => foil.other_scale = !foil.other_scale,
+            FoilFigureAction::OtherPlot => foil.levelled = !foil.levelled,
         }
     }
 
     /// Takes a key; says whether it meant anything.
-    pub(crate) fn update(&mut self, key: Key) -> bool {
-        let by = match key {
-            Key::Left => -1.0,
-            Key::Right => 1.0,
-            Key::Char('<') => -LEAP,
-            Key::Char('>') => LEAP,
-            _ => 0.0,
-        };
-        let foil = &mut self.0;
-        match (foil.page, key) {
-            (FoilPage::Tracks, _) if by != 0.0 => {
-                foil.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by))
-            }
-            (FoilPage::Counts, Key::Escape | Key::Char(' ')) if foil.is_running() => {
-                foil.halt(true)
-            }
-            (FoilPage::Counts, Key::Char(' ')) => match &foil.run {
-                Some(run) if !run.is_over() => foil.halt(false),
-                _ => foil.begin(None, SEED),
-            },
-            (FoilPage::Counts, Key::Char('l' | 'L')) => foil.other_scale = !foil.other_scale,
-            (FoilPage::Measured, Key::Char(' ')) => foil.levelled = !foil.levelled,
-            _ => return false,
-        }
-        true
+    fn update(&mut self, key: Key) -> bool {
+        let action = self.keys().find(key);
+        action.is_some_and(|action| {
+            self.act(action);
+            true
+        })
     }
 
     /// Takes the mouse over its picture; says whether it meant anything.

@@ -10,7 +10,7 @@ use super::words::rounded;
 use crate::beams::{BeamTarget, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
-use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
+use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
 use crate::widgets::{Lines, Role};
 
@@ -143,7 +143,7 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
 fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
     let offset = offset(setup);
     let set = path(setup, offset, reach);
-    let pen = Pen::new(Role::StrikerOut).on(Layer::Vector);
+    let pen = Pen::new(Role::StrikerOut).on(DrawLayer::Vector);
     if let Some(nearest) = set.nearest {
         match setup.obstacle {
             Obstacle::Hard => {

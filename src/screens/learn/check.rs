@@ -8,7 +8,7 @@ use crate::lessons::{
     Chapter, ChapterPage, CheckpointAnswer, CheckpointKind, FileError, TextBlock,
 };
 use crate::quiz::Rays;
-use crate::screens::{Context, OldScreen, Settings};
+use crate::screens::{Context, Screen, Settings};
 use crate::widgets::{Charset, SplitLayout, formula, text};
 
 /// The body of a screen of 80×24, below the title and above the keys.

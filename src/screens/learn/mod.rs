@@ -9,7 +9,7 @@ mod reading;
 mod record;
 
 pub use check::check;
-pub use contents::Contents;
+pub(crate) use contents::Contents;
 pub use figure::{FigureError, draw_figure};
-pub use reading::Reading;
+pub(crate) use reading::Reading;
 pub use record::attempt;

@@ -1,48 +1,63 @@
 //! A question being answered.
 
+use strum::{EnumMessage, IntoStaticStr};
+
 use super::prose;
 use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointKind};
 use crate::messages::Key;
 use crate::physics::Collision;
-use crate::quiz::Ray;
+use crate::quiz::{Ray, Response, letter};
 use crate::widgets::hit::side;
-use crate::widgets::{Lines, NumberEntry, Outcome, RayInput, Role};
+use crate::widgets::input::{AnswerAction, EntryAction, KeyTable};
+use crate::widgets::{AnswerInput, Lines, NumberEntry, Outcome, RayInput, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Question {
-    /// Two rays to turn.
-    Rays(RayInput),
+pub(super) enum CheckpointInput {
+    /// Two rays to turn, or a line to choose.
+    Given(AnswerInput),
     /// A number to type.
     Number(NumberEntry),
-    /// A line to choose, of so many.
-    Choice(usize, usize),
 }
 
-/// What a key said to a [`Question`].
-pub(super) enum Said {
-    /// Nothing: it is somebody else's key.
-    Nothing,
-    /// A part of the answer.
-    Part,
-    /// This is the answer.
-    Answer(CheckpointAnswer),
+/// What keys do to an answer at a checkpoint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum CheckpointAction {
+    /// give an answer
+    Given(AnswerAction),
+    /// type a number
+    Number(EntryAction),
 }
 
-impl Question {
+impl CheckpointInput {
     /// An answer to be made; `figure` is the collision of the page's figure.
     pub(super) fn new(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Self {
         match &checkpoint.asked {
-            CheckpointKind::Rays => Self::Rays(RayInput::new(figure.map_or(1.0, side))),
+            CheckpointKind::Rays => {
+                let rays = RayInput::new(figure.map_or(1.0, side));
+                Self::Given(AnswerInput::Rays(rays))
+            }
             CheckpointKind::Number { .. } => Self::Number(NumberEntry::default()),
-            CheckpointKind::Choice(choices) => Self::Choice(0, choices.len()),
+            CheckpointKind::Choice(choices) => Self::Given(AnswerInput::Choice {
+                chosen: None,
+                count: choices.len(),
+            }),
         }
     }
 
     /// The rays that are turned.
     pub(super) fn rays(&self) -> Option<&RayInput> {
         match self {
-            Self::Rays(rays) => Some(rays),
+            Self::Given(input) => input.rays(),
+            Self::Number(_) => None,
+        }
+    }
+
+    /// The same, to be turned by hand.
+    pub(super) fn rays_mut(&mut self) -> Option<&mut RayInput> {
+        match self {
+            Self::Given(AnswerInput::Rays(rays)) => Some(rays),
             _ => None,
         }
     }
@@ -50,53 +65,51 @@ impl Question {
     /// The line that keys change, from 0.
     pub(super) fn line(&self) -> usize {
         match self {
-            Self::Rays(rays) if rays.is_last() => 1,
-            Self::Rays(_) | Self::Number(_) => 0,
-            Self::Choice(chosen, _) => *chosen,
+            Self::Given(AnswerInput::Rays(rays)) => usize::from(rays.is_last()),
+            Self::Given(AnswerInput::Choice { chosen, .. }) => chosen.unwrap_or(0),
+            _ => 0,
         }
     }
 
-    /// Takes a key.
-    pub(super) fn update(&mut self, key: Key) -> Said {
+    /// The keys that give it. The other ray is chosen by Enter: Tab goes to the figure.
+    pub(super) fn keys(&self) -> KeyTable<CheckpointAction> {
         match self {
-            // The other ray is chosen by Enter; Tab goes to the figure.
-            Self::Rays(_) if matches!(key, Key::Tab | Key::BackTab) => Said::Nothing,
-            Self::Rays(rays) => match rays.update(key) {
-                Outcome::Ignored => Said::Nothing,
-                Outcome::Used => Said::Part,
-                Outcome::Done(()) => Said::Answer(CheckpointAnswer::Rays(rays.so_far())),
-            },
-            Self::Number(entry) => match entry.update(key) {
-                Outcome::Ignored => Said::Nothing,
-                Outcome::Used => Said::Part,
-                Outcome::Done(number) => Said::Answer(CheckpointAnswer::Number(number)),
-            },
-            Self::Choice(chosen, count) => match key {
-                Key::Up => Self::step(chosen, *count - 1, *count),
-                Key::Down => Self::step(chosen, 1, *count),
-                Key::Enter => Said::Answer(CheckpointAnswer::Choice(*chosen)),
-                Key::Char(digit @ '1'..='9') => {
-                    let line = usize::from(digit as u8 - b'1');
-                    if line >= *count {
-                        return Said::Nothing;
-                    }
-                    *chosen = line;
-                    Said::Part
-                }
-                _ => Said::Nothing,
-            },
+            Self::Given(input) => {
+                let keys = input.keys().map(CheckpointAction::Given);
+                keys.without_keys(&[Key::Tab, Key::BackTab])
+            }
+            Self::Number(entry) => entry.keys().map(CheckpointAction::Number),
         }
     }
 
-    fn step(chosen: &mut usize, by: usize, count: usize) -> Said {
-        *chosen = (*chosen + by) % count.max(1);
-        Said::Part
+    /// Does what a key stands for; done with the answer once it is given.
+    pub(super) fn act(&mut self, action: CheckpointAction) -> Outcome<CheckpointAnswer> {
+        match (self, action) {
+            (Self::Number(entry), CheckpointAction::Number(action)) => match entry.act(action) {
+                Outcome::Done(number) => Outcome::Done(CheckpointAnswer::Number(number)),
+                Outcome::Used => Outcome::Used,
+                Outcome::Ignored => Outcome::Ignored,
+            },
+            (Self::Given(input), CheckpointAction::Given(action)) => {
+                match (input.act(action), input.said()) {
+                    (Outcome::Done(()), Some(Response::Rays(rays))) => {
+                        Outcome::Done(CheckpointAnswer::Rays(rays))
+                    }
+                    (Outcome::Done(()), Some(Response::Choice(line))) => {
+                        Outcome::Done(CheckpointAnswer::Choice(line))
+                    }
+                    (Outcome::Ignored, _) => Outcome::Ignored,
+                    _ => Outcome::Used,
+                }
+            }
+            _ => Outcome::Ignored,
+        }
     }
 
     /// Chooses a line by hand; says whether it was chosen already.
     pub(super) fn choose(&mut self, line: usize) -> bool {
         match self {
-            Self::Choice(chosen, _) => std::mem::replace(chosen, line) == line,
+            Self::Given(AnswerInput::Choice { chosen, .. }) => chosen.replace(line) == Some(line),
             _ => false,
         }
     }
@@ -110,7 +123,7 @@ impl Question {
         mut rows: impl FnMut(usize, u16),
     ) {
         match (self, &checkpoint.asked) {
-            (Self::Rays(rays), _) => {
+            (Self::Given(AnswerInput::Rays(rays)), _) => {
                 for ray in 0..Ray::BOTH.len() {
                     rows(ray, lines.written() + ray as u16);
                 }
@@ -127,13 +140,13 @@ impl Question {
                     Role::Selected,
                 );
             }
-            (Self::Choice(chosen, _), CheckpointKind::Choice(choices)) => {
+            (Self::Given(AnswerInput::Choice { chosen, .. }), CheckpointKind::Choice(choices)) => {
                 for (i, choice) in choices.iter().enumerate() {
                     rows(i, lines.written());
-                    let (mark, role) = if i == *chosen {
-                        (format!(">{}", i + 1), Role::Selected)
+                    let (mark, role) = if Some(i) == *chosen {
+                        (format!(">{}", letter(i)), Role::Selected)
                     } else {
-                        (format!(" {}", i + 1), Role::Text)
+                        (format!(" {}", letter(i)), Role::Text)
                     };
                     lines.flowing(&mark, 3, &prose::runs(&choice.text, role, None));
                 }
@@ -145,11 +158,17 @@ impl Question {
     /// What to do next, in a few words.
     pub(super) fn hint(&self) -> &'static str {
         match self {
-            Self::Rays(rays) if rays.is_last() => "Enter: watch.",
-            Self::Rays(_) => "Turn the striker's ray; Enter: the other.",
+            Self::Given(AnswerInput::Rays(rays)) => {
+                match (rays.is_said(rays.turning()), rays.is_last()) {
+                    (false, _) => "Turn the ray with the arrows, or type its angle.",
+                    (true, false) => "Enter: the other ray.",
+                    (true, true) => "Enter: watch.",
+                }
+            }
             Self::Number(entry) if entry.is_open() => "Enter: say it.",
             Self::Number(_) => "Type a number.",
-            Self::Choice(..) => "Up Down, then Enter: say it.",
+            Self::Given(input) if input.said().is_some() => "Enter: say it.",
+            Self::Given(_) => "Choose with the arrows, or with the letter.",
         }
     }
 }

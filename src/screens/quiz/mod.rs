@@ -14,8 +14,9 @@ use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Help, Hint, Next, OldScreen, Place};
+use super::{Confirmation, Context, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
@@ -23,11 +24,41 @@ use crate::progress::Attempt;
 use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
 };
-use crate::widgets::hit::{Overlays, Telling, Watch};
+use crate::widgets::hit::{Overlays, Telling, Watch, WatchAction};
+use crate::widgets::input::{AnswerAction, KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerInput, Outcome, Scroll};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
+
+/// Rows that a page of text goes by.
+const PAGE: i16 = 8;
+
+/// What keys do in a round of the quiz.
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum QuizAction {
+    /// give an answer
+    Answer(AnswerAction),
+    /// guess, think so, sure
+    Sure(usize),
+    /// choose how sure you are
+    MoreSure(isize),
+    /// take how sure you are as chosen
+    Take,
+    /// watch the hit
+    Watch(WatchAction),
+    /// show what happens, then go on
+    GoOn,
+    /// choose a question, or open it
+    LookBack(ListAction),
+    /// another round of the same kind
+    Another,
+    /// scroll a text that is longer than its place
+    Scroll(i16),
+    /// go back, or leave the round
+    Leave,
+}
 
 /// A round of the quiz.
 #[derive(Debug, Clone)]
@@ -35,37 +66,35 @@ pub(crate) struct Quiz {
     round: Round,
     /// What has been answered, in the order of the questions.
     answers: Vec<Answer>,
-    phase: Phase,
+    phase: QuizPhase,
     /// What the player likes to see drawn on top of a hit.
     layers: Overlays,
     scroll: Scroll,
-    /// Whether Escape was pressed in the middle of the round, and nothing since.
-    leaving: bool,
 }
 
 /// What one is doing in a round.
 #[derive(Debug, Clone)]
-enum Phase {
+enum QuizPhase {
     /// Answering.
-    Asked(Box<Asked>),
+    Asked(Box<OpenQuestion>),
     /// Saying how sure one is.
-    Confidence(Box<Asked>, Confidence),
+    Confidence(Box<OpenQuestion>, Confidence),
     /// Watching what happens, if there is anything to be watched, and reading why.
-    Watch(Box<Watched>),
-    /// Looking back, with the mark at one question, counted from 0.
-    Summary(usize),
+    Watch(Box<AnsweredQuestion>),
+    /// Looking back, with the mark at one question.
+    Summary(ListView),
 }
 
 /// A question, and what has been said to it so far.
 #[derive(Debug, Clone)]
-struct Asked {
+struct OpenQuestion {
     question: Question,
     input: AnswerInput,
 }
 
 /// A question and the answer to it.
 #[derive(Debug, Clone)]
-struct Watched {
+struct AnsweredQuestion {
     question: Question,
     answer: Answer,
     /// The hit, where the question is about one.
@@ -87,10 +116,9 @@ impl Quiz {
         let mut quiz = Self {
             round,
             answers: Vec::new(),
-            phase: Phase::Summary(0),
+            phase: QuizPhase::Summary(ListView::default()),
             layers: Overlays::default(),
             scroll: Scroll::default(),
-            leaving: false,
         };
         quiz.ask();
         quiz
@@ -99,16 +127,16 @@ impl Quiz {
     /// Asks the next question, or looks back after the last.
     fn ask(&mut self) {
         let phase = match self.round.questions().get(self.answers.len()) {
-            Some(question) => Phase::Asked(Box::new(Asked {
+            Some(question) => QuizPhase::Asked(Box::new(OpenQuestion {
                 question: question.clone(),
                 input: AnswerInput::new(&question.form),
             })),
-            None => Phase::Summary(0),
+            None => QuizPhase::Summary(ListView::default()),
         };
         self.enter(phase);
     }
 
-    fn enter(&mut self, phase: Phase) {
+    fn enter(&mut self, phase: QuizPhase) {
         self.phase = phase;
         self.scroll = Scroll::default();
     }
@@ -121,9 +149,9 @@ impl Quiz {
     /// Whether one looks back over the round, or at one of its questions from there.
     fn has_ended(&self) -> bool {
         match &self.phase {
-            Phase::Summary(_) => true,
-            Phase::Watch(watched) => watched.opened.is_some(),
-            Phase::Asked(_) | Phase::Confidence(..) => false,
+            QuizPhase::Summary(_) => true,
+            QuizPhase::Watch(watched) => watched.opened.is_some(),
+            QuizPhase::Asked(_) | QuizPhase::Confidence(..) => false,
         }
     }
 
@@ -133,7 +161,7 @@ impl Quiz {
     }
 
     /// Takes the answer, if there is one, and shows what happens, or asks on.
-    fn answer(&mut self, asked: &Asked, confidence: Confidence, cx: &mut Context) {
+    fn answer(&mut self, asked: &OpenQuestion, confidence: Confidence, cx: &mut Context) {
         let Some(said) = asked.input.said() else {
             return;
         };
@@ -151,8 +179,8 @@ impl Quiz {
         if self.tells_at_end() {
             return self.ask();
         }
-        let watched = Watched::new(asked.question.clone(), answer, self.layers, cx);
-        self.enter(Phase::Watch(Box::new(watched)));
+        let watched = AnsweredQuestion::new(asked.question.clone(), answer, self.layers, cx);
+        self.enter(QuizPhase::Watch(Box::new(watched)));
     }
 
     /// Opens an answered question from the look back, with all that is to be told of it.
@@ -161,35 +189,42 @@ impl Quiz {
         else {
             return;
         };
-        let mut watched = Watched::new(question.clone(), *answer, self.layers, cx);
+        let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
         watched.opened = Some(at);
         watched.telling.tell();
-        self.enter(Phase::Watch(Box::new(watched)));
+        self.enter(QuizPhase::Watch(Box::new(watched)));
     }
 
     /// Goes back to the look back, to the question that was opened.
     fn close(&mut self, at: usize, cx: &Context) {
-        self.enter(Phase::Summary(at));
+        self.enter(QuizPhase::Summary(ListView::at(at)));
         self.show_line(at, cx);
     }
 
-    /// Moves the mark of the look back; at its ends the text goes on.
-    fn move_mark(&mut self, at: usize, by: isize, cx: &Context) -> Next {
-        let last = self.answers.len().saturating_sub(1);
-        let to = at.saturating_add_signed(by).min(last);
-        if to == at {
-            return self.scroll_by(by.signum() as i16, cx);
+    /// Moves the mark of the look back, or opens its line; at its ends the text goes on.
+    fn look_back(&mut self, action: ListAction, cx: &Context) {
+        let QuizPhase::Summary(list) = &mut self.phase else {
+            return;
+        };
+        let count = self.answers.len();
+        let before = list.chosen(count);
+        let outcome = list.act(action, count);
+        let at = list.chosen(count);
+        match (outcome, action) {
+            (Outcome::Done(at), _) => self.open(at, cx),
+            (_, ListAction::Choose(by)) if at == before => self.scroll_by(by as i16, cx),
+            (_, ListAction::Page(by) | ListAction::End(by)) if at == before => {
+                self.scroll_by(PAGE * by as i16, cx);
+            }
+            _ => self.show_line(at, cx),
         }
-        self.phase = Phase::Summary(to);
-        self.show_line(to, cx);
-        Next::Stay
     }
 
     /// Scrolls a line of the look back into sight.
     fn show_line(&mut self, at: usize, cx: &Context) {
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body, look);
-        let row = view::first_line(self, at, text, look).saturating_add(at as u16);
+        let text = view::text_area(self, cx.body);
+        let row = view::first_line(self, text, look).saturating_add(at as u16);
         let mut scroll = self.scroll;
         scroll.show(row, text, look, |lines| view::write(self, lines, look));
         self.scroll = scroll;
@@ -213,16 +248,16 @@ impl Quiz {
     /// Number of the question at hand, from 1.
     fn number(&self) -> usize {
         match &self.phase {
-            Phase::Asked(_) | Phase::Confidence(..) => self.answers.len() + 1,
-            Phase::Watch(watched) => watched.opened.map_or(self.answers.len(), |at| at + 1),
-            Phase::Summary(_) => self.answers.len(),
+            QuizPhase::Asked(_) | QuizPhase::Confidence(..) => self.answers.len() + 1,
+            QuizPhase::Watch(watched) => watched.opened.map_or(self.answers.len(), |at| at + 1),
+            QuizPhase::Summary(_) => self.answers.len(),
         }
     }
 
     /// A look back over the answers whose outcome has been told.
     fn summary(&self) -> Summary {
         let untold = match &self.phase {
-            Phase::Watch(watched) => {
+            QuizPhase::Watch(watched) => {
                 usize::from(!watched.telling.is_told() && watched.opened.is_none())
             }
             _ => 0,
@@ -231,129 +266,84 @@ impl Quiz {
         Summary::new(self.round.questions().iter().zip(&self.answers).take(told))
     }
 
-    fn key(&mut self, key: Key, leaving: bool, cx: &mut Context) -> Next {
-        match key {
-            Key::PageUp => return self.scroll_by(-8, cx),
-            Key::PageDown => return self.scroll_by(8, cx),
-            _ => {}
+    /// Goes on from a hit that was watched, or from its explanation.
+    fn go_on(&mut self, cx: &Context) {
+        let QuizPhase::Watch(watched) = &mut self.phase else {
+            return;
+        };
+        // Nobody skips what happened by a key too many.
+        if !watched.telling.is_told() {
+            return watched.telling.tell();
         }
-        match &mut self.phase {
-            Phase::Asked(asked) => match asked.input.update(key) {
-                Outcome::Used => {}
-                Outcome::Done(()) => {
-                    let asked = asked.clone();
-                    self.enter(Phase::Confidence(asked, Confidence::ThinkSo));
-                }
-                Outcome::Ignored if key == Key::Escape => return self.leave(leaving),
-                Outcome::Ignored => return Next::Ignored,
-            },
-            Phase::Confidence(..) => return self.confidence_key(key, cx),
-            Phase::Watch(_) => return self.watch_key(key, leaving, cx),
-            Phase::Summary(at) => {
-                let at = *at;
-                match key {
-                    Key::Up | Key::BackTab => return self.move_mark(at, -1, cx),
-                    Key::Down | Key::Tab => return self.move_mark(at, 1, cx),
-                    Key::Enter | Key::Char(' ') => self.open(at, cx),
-                    Key::Char('n' | 'N') => return self.again(cx),
-                    Key::Escape => return CHOOSE,
-                    _ => return Next::Ignored,
-                }
-            }
+        if let Some(remedy) = watched.remedy.take() {
+            return watched.telling.show(remedy);
         }
-        Next::Stay
+        self.layers = watched.telling.layers().unwrap_or(self.layers);
+        match watched.opened {
+            Some(at) => self.close(at, cx),
+            None => self.ask(),
+        }
     }
 
-    fn confidence_key(&mut self, key: Key, cx: &mut Context) -> Next {
-        let Phase::Confidence(asked, chosen) = &mut self.phase else {
-            return Next::Ignored;
-        };
-        match key {
-            Key::Up | Key::Left | Key::BackTab => *chosen = beside(*chosen, -1),
-            Key::Down | Key::Right | Key::Tab => *chosen = beside(*chosen, 1),
-            Key::Char(digit @ '1'..='3') => {
-                let (asked, sure) = (asked.clone(), usize::from(digit as u8 - b'1'));
-                self.answer(&asked, Confidence::ALL[sure], cx);
-            }
-            Key::Enter | Key::Char(' ') => {
-                let (asked, chosen) = (asked.clone(), *chosen);
-                self.answer(&asked, chosen, cx);
-            }
-            Key::Escape => {
+    /// Takes what was said, and asks how sure the player is of it.
+    fn said(&mut self, outcome: Outcome) {
+        if let (Outcome::Done(()), QuizPhase::Asked(asked)) = (outcome, &self.phase) {
+            let asked = asked.clone();
+            self.enter(QuizPhase::Confidence(asked, Confidence::ThinkSo));
+        }
+    }
+
+    /// Takes how sure the player is.
+    fn sure(&mut self, confidence: Confidence, cx: &mut Context) {
+        if let QuizPhase::Confidence(asked, _) = &self.phase {
+            let asked = asked.clone();
+            self.answer(&asked, confidence, cx);
+        }
+    }
+
+    /// Leaves the round: at once while nothing has been answered, else the player is asked.
+    /// Whoever leaves an exam has yet to hear of what was answered.
+    fn leave(&mut self, cx: &Context) -> Next {
+        match &self.phase {
+            QuizPhase::Confidence(asked, _) => {
                 let asked = asked.clone();
-                self.enter(Phase::Asked(asked));
+                self.enter(QuizPhase::Asked(asked));
+                Next::Stay
             }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    fn watch_key(&mut self, key: Key, leaving: bool, cx: &Context) -> Next {
-        let Phase::Watch(watched) = &mut self.phase else {
-            return Next::Ignored;
-        };
-        if watched.telling.update(key) {
-            return Next::Stay;
-        }
-        let opened = watched.opened;
-        match key {
-            // Nobody skips what happened by a key too many.
-            Key::Enter if !watched.telling.is_told() => watched.telling.tell(),
-            Key::Enter if watched.remedy.is_some() => {
-                watched
-                    .remedy
-                    .take()
-                    .into_iter()
-                    .for_each(|remedy| watched.telling.show(remedy));
-            }
-            Key::Enter | Key::Escape if opened.is_some() => {
+            QuizPhase::Watch(watched) if watched.opened.is_some() => {
                 self.layers = watched.telling.layers().unwrap_or(self.layers);
-                self.close(opened.unwrap_or(0), cx);
+                self.close(watched.opened.unwrap_or(0), cx);
+                Next::Stay
             }
-            Key::Enter => {
-                self.layers = watched.telling.layers().unwrap_or(self.layers);
-                self.ask();
+            QuizPhase::Summary(_) => CHOOSE,
+            _ if self.answers.is_empty() => CHOOSE,
+            _ => {
+                let kept = match self.answers.len() {
+                    1 => "Your answer is kept.".to_owned(),
+                    count => format!("Your {count} answers are kept."),
+                };
+                Next::Confirm(match self.tells_at_end() {
+                    true => Confirmation::new(
+                        format!("End the exam and see what you answered? {kept}"),
+                        "end the exam",
+                        "stay",
+                    ),
+                    false => Confirmation::new(
+                        format!("Leave the round? {kept}"),
+                        "leave the round",
+                        "stay",
+                    ),
+                })
             }
-            Key::Up => return self.scroll_by(-1, cx),
-            Key::Down => return self.scroll_by(1, cx),
-            Key::Escape => return self.leave(leaving),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    /// Leaves the round: at once while nothing has been answered, else when asked
-    /// twice. Whoever leaves an exam has yet to hear of what was answered.
-    fn leave(&mut self, asked_before: bool) -> Next {
-        match asked_before {
-            _ if self.answers.is_empty() => return CHOOSE,
-            true if self.tells_at_end() => self.enter(Phase::Summary(0)),
-            true => return CHOOSE,
-            false => self.leaving = true,
-        }
-        Next::Stay
-    }
-
-    /// What leaving the round now means.
-    fn parting(&self) -> String {
-        let count = self.answers.len();
-        let kept = match count {
-            1 => "Your answer is kept.".to_owned(),
-            _ => format!("Your {count} answers are kept."),
-        };
-        match self.tells_at_end() {
-            true => format!("Esc again ends the exam and shows what you answered. {kept}"),
-            false => format!("Esc again leaves the round. {kept}"),
         }
     }
 
-    fn scroll_by(&mut self, rows: i16, cx: &Context) -> Next {
+    fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
-        let area = view::text_area(self, cx.body, look);
+        let area = view::text_area(self, cx.body);
         let mut scroll = self.scroll;
         scroll.by(rows, area, look, |lines| view::write(self, lines, look));
         self.scroll = scroll;
-        Next::Stay
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
@@ -362,49 +352,59 @@ impl Quiz {
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body, look);
-        match (mouse.kind, &mut self.phase) {
-            (MouseKind::ScrollUp | MouseKind::ScrollDown, Phase::Watch(watched)) if on_picture => {
-                let later = mouse.kind == MouseKind::ScrollUp;
-                watched
-                    .telling
-                    .update(Key::Char(if later { '.' } else { ',' }));
+        let text = view::text_area(self, cx.body);
+        let wheel = match mouse.kind {
+            MouseKind::ScrollUp => Some(-1),
+            MouseKind::ScrollDown => Some(1),
+            _ => None,
+        };
+        match (&mut self.phase, wheel) {
+            (QuizPhase::Summary(_), _) => {
+                let line = view::line_at(self, cx.body, look, cell);
+                let QuizPhase::Summary(list) = &mut self.phase else {
+                    return Next::Ignored;
+                };
+                let count = self.answers.len();
+                match list.mouse(mouse, count, line) {
+                    Outcome::Ignored => return Next::Ignored,
+                    Outcome::Done(at) => self.open(at, cx),
+                    Outcome::Used => {
+                        let at = list.chosen(count);
+                        self.show_line(at, cx);
+                    }
+                }
             }
-            (MouseKind::ScrollUp, _) => return self.scroll_by(-1, cx),
-            (MouseKind::ScrollDown, _) => return self.scroll_by(1, cx),
-            (MouseKind::Down | MouseKind::Drag, Phase::Asked(asked)) if on_picture => {
-                let Asked {
-                    question, input, ..
-                } = &mut **asked;
+            (QuizPhase::Watch(watched), Some(by)) if on_picture => {
+                watched.telling.act(WatchAction::Step(-by));
+            }
+            (_, Some(by)) => self.scroll_by(by.into(), cx),
+            (QuizPhase::Asked(asked), None)
+                if on_picture && (pressed || mouse.kind == MouseKind::Drag) =>
+            {
+                let OpenQuestion { question, input } = &mut **asked;
                 if !input.point(question, layout.picture, cell, pressed) {
                     return Next::Ignored;
                 }
             }
-            (MouseKind::Down, Phase::Asked(asked)) => {
+            (QuizPhase::Asked(asked), None) if pressed => {
                 let rows = self
                     .scroll
                     .rows(text, look, |lines| panel::asked(asked, lines));
-                let Some(chosen) = panel::choice_at(asked, text, rows, cell, look) else {
+                let Some(choice) = panel::choice_at(asked, text, rows, cell, look) else {
                     return Next::Ignored;
                 };
-                asked.choose(chosen);
+                asked.input.act(AnswerAction::Choose(choice));
             }
-            (MouseKind::Down, Phase::Confidence(asked, _)) => {
-                let Some(chosen) = panel::confidence_at(text, cell) else {
+            (QuizPhase::Confidence(..), None) if pressed => {
+                let Some(confidence) = panel::confidence_at(text, cell) else {
                     return Next::Ignored;
                 };
-                let asked = asked.clone();
-                self.answer(&asked, chosen, cx);
+                self.sure(confidence, cx);
             }
-            (MouseKind::Down, Phase::Summary(at)) => {
-                let at = *at;
-                let Some(line) = view::line_at(self, at, cx.body, look, cell) else {
-                    return Next::Ignored;
-                };
-                self.open(line, cx);
-            }
-            (MouseKind::Down, Phase::Watch(_)) if on_picture => {
-                return self.watch_key(Key::Char(' '), false, cx);
+            (QuizPhase::Watch(watched), None) if pressed && on_picture => {
+                if let Some(action) = watched.telling.keys().find(Key::Char(' ')) {
+                    watched.telling.act(action);
+                }
             }
             _ => return Next::Ignored,
         }
@@ -412,16 +412,7 @@ impl Quiz {
     }
 }
 
-impl Asked {
-    /// Puts the mark at a choice.
-    fn choose(&mut self, choice: usize) {
-        if let AnswerInput::Choice { chosen, .. } = &mut self.input {
-            *chosen = Some(choice);
-        }
-    }
-}
-
-impl Watched {
+impl AnsweredQuestion {
     /// An answer just given. What was answered by shooting is what is watched.
     fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = match answer.said {
@@ -456,15 +447,17 @@ fn beside(confidence: Confidence, steps: isize) -> Confidence {
     Confidence::ALL[index]
 }
 
-impl OldScreen for Quiz {
+impl Screen for Quiz {
+    type Action = QuizAction;
+
     fn title(&self) -> String {
         "quiz".into()
     }
 
     fn status(&self, _cx: &Context) -> String {
         let place = match self.phase {
-            Phase::Summary(_) if self.is_over() => "all answered".into(),
-            Phase::Summary(_) => format!(
+            QuizPhase::Summary(_) if self.is_over() => "all answered".into(),
+            QuizPhase::Summary(_) => format!(
                 "{} of {} answered",
                 self.answers.len(),
                 self.round.questions().len()
@@ -489,20 +482,126 @@ impl OldScreen for Quiz {
         }
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        if let Input::Kept(_) = input {
+    fn keys(&self, _cx: &Context) -> KeyTable<QuizAction> {
+        use QuizAction::{
+            Another, Answer, GoOn, Leave, LookBack, MoreSure, Scroll, Sure, Take, Watch,
+        };
+        let keys = KeyTable::new("quiz");
+        let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
+        let pages = [(Key::PageUp, Scroll(-PAGE)), (Key::PageDown, Scroll(PAGE))];
+        match &self.phase {
+            QuizPhase::Asked(asked) => {
+                let input = asked.input.keys();
+                // While a number is being typed, Escape gives that up.
+                let free = input.exact(Key::Escape).is_none();
+                keys.with(input, Answer)
+                    .on(Key::Escape, Leave, "leave")
+                    .when(free)
+                    .each(pages, "")
+            }
+            QuizPhase::Confidence(asked, _) => {
+                let sure = ('1'..)
+                    .map(Key::Char)
+                    .zip((0..Confidence::ALL.len()).map(Sure));
+                let next = match asked.question.picture.collision() {
+                    _ if self.tells_at_end() => "next",
+                    Some(_) => "watch",
+                    None => "see",
+                };
+                keys.each(sure, "how sure")
+                    .each(
+                        [(Key::Up, MoreSure(-1)), (Key::Down, MoreSure(1))],
+                        "choose",
+                    )
+                    .or([(Key::Left, MoreSure(-1)), (Key::Right, MoreSure(1))])
+                    .or([(Key::BackTab, MoreSure(-1)), (Key::Tab, MoreSure(1))])
+                    .on(Key::Enter, Take, next)
+                    .or([(Key::Char(' '), Take)])
+                    .on(Key::Escape, Leave, "change it")
+                    .each(pages, "")
+            }
+            QuizPhase::Watch(watched) => {
+                let next = match watched.opened {
+                    _ if !watched.telling.is_told() => "show it",
+                    _ if watched.remedy.is_some() => "the right shot",
+                    Some(_) => "back to the list",
+                    None if !self.is_over() => "next question",
+                    None => "look back",
+                };
+                let away = match watched.opened {
+                    Some(_) => "back",
+                    None => "leave",
+                };
+                let scroll = match watched.telling.watch() {
+                    Some(_) => "",
+                    None => "scroll",
+                };
+                keys.on(Key::Enter, GoOn, next)
+                    .with(watched.telling.keys(), Watch)
+                    .each(lines, scroll)
+                    .on(Key::Escape, Leave, away)
+                    .each(pages, "")
+            }
+            QuizPhase::Summary(_) => keys
+                .with(ListView::keys("look at it"), LookBack)
+                .on(Key::Char('n'), Another, "another round")
+                .on(Key::Escape, Leave, "other rounds"),
+        }
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end. Rims are smooth unless a question says otherwise.",
+            "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
+            "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
+            "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below nothing: else a wrong \"sure\" would cost nothing there.",
+            "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
+            "With the mouse: drag the rays, or the coin before a shot; click an answer, how sure you are, a line of the look back.",
+        ]
+    }
+
+    fn act(&mut self, action: QuizAction, cx: &mut Context) -> Next {
+        match (action, &mut self.phase) {
+            (QuizAction::Answer(action), QuizPhase::Asked(asked)) => {
+                let outcome = asked.input.act(action);
+                self.said(outcome);
+            }
+            (QuizAction::Sure(at), _) => self.sure(Confidence::ALL[at], cx),
+            (QuizAction::MoreSure(by), QuizPhase::Confidence(_, chosen)) => {
+                *chosen = beside(*chosen, by);
+            }
+            (QuizAction::Take, QuizPhase::Confidence(_, chosen)) => {
+                let chosen = *chosen;
+                self.sure(chosen, cx);
+            }
+            (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.telling.act(action),
+            (QuizAction::GoOn, _) => self.go_on(cx),
+            (QuizAction::LookBack(action), _) => self.look_back(action, cx),
+            (QuizAction::Another, _) => return self.again(cx),
+            (QuizAction::Scroll(rows), _) => self.scroll_by(rows, cx),
+            (QuizAction::Leave, _) => return self.leave(cx),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn confirmed(&mut self, _left: QuizAction, _cx: &mut Context) -> Next {
+        if self.tells_at_end() {
+            self.enter(QuizPhase::Summary(ListView::default()));
             return Next::Stay;
         }
-        let leaving = std::mem::take(&mut self.leaving);
+        CHOOSE
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Key(key) => self.key(*key, leaving, cx),
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             _ => Next::Ignored,
         }
     }
 
     fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
-        if let Phase::Watch(watched) = &mut self.phase {
+        if let QuizPhase::Watch(watched) = &mut self.phase {
             watched.telling.advance(passed);
         }
         Next::Stay
@@ -510,160 +609,12 @@ impl OldScreen for Quiz {
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.phase {
-            Phase::Watch(watched) => watched.telling.wake(),
+            QuizPhase::Watch(watched) => watched.telling.wake(),
             _ => None,
         }
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         view::draw(self, area, buf, cx);
-    }
-
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        match &self.phase {
-            _ if self.leaving => vec![
-                Hint::new(
-                    "Esc",
-                    if self.tells_at_end() {
-                        "end the exam"
-                    } else {
-                        "leave the round"
-                    },
-                ),
-                Hint::new("any other key", "stay"),
-            ],
-            Phase::Asked(asked) => match &asked.input {
-                AnswerInput::Rays(_) => vec![
-                    Hint::new("arrows", "turn"),
-                    Hint::new("0-9", "type"),
-                    Hint::new("x", "stays still"),
-                    Hint::new("Enter", "next"),
-                    Hint::new("Tab", "other ray"),
-                    Hint::new("Esc", "leave"),
-                ],
-                AnswerInput::Number(_) => vec![
-                    Hint::new("0-9", "type"),
-                    Hint::new("arrows", "dial"),
-                    Hint::new("Enter", "next"),
-                    Hint::new("Esc", "leave"),
-                ],
-                AnswerInput::Choice { .. } => vec![
-                    Hint::new("Up Down", "choose"),
-                    Hint::new("a b c", "likewise"),
-                    Hint::new("Enter", "next"),
-                    Hint::new("Esc", "leave"),
-                ],
-                AnswerInput::Shot(_) => vec![
-                    Hint::new("arrows", "set the offset"),
-                    Hint::new("0-9", "type"),
-                    Hint::new("Enter", "next"),
-                    Hint::new("Esc", "leave"),
-                ],
-            },
-            Phase::Confidence(asked, _) => vec![
-                Hint::new("1 2 3", "how sure"),
-                Hint::new("Up Down", "choose"),
-                Hint::new(
-                    "Enter",
-                    match asked.question.picture.collision() {
-                        _ if self.tells_at_end() => "next",
-                        Some(_) => "watch",
-                        None => "see",
-                    },
-                ),
-                Hint::new("Esc", "change it"),
-            ],
-            Phase::Watch(watched) if !watched.telling.is_told() => vec![
-                Hint::new("Enter", "show it"),
-                Hint::new("Space", "go on"),
-                Hint::new(", .", "step"),
-                Hint::new("< >", "scrub"),
-                Hint::new("1-7", "layers"),
-            ],
-            Phase::Watch(watched) => {
-                let next = if watched.remedy.is_some() {
-                    "the right shot"
-                } else if watched.opened.is_some() {
-                    "back to the list"
-                } else if !self.is_over() {
-                    "next question"
-                } else {
-                    "look back"
-                };
-                let Some(watch) = watched.telling.watch() else {
-                    let away = if watched.opened.is_some() {
-                        "back"
-                    } else {
-                        "leave"
-                    };
-                    return vec![
-                        Hint::new("Enter", next),
-                        Hint::new("Up Down", "scroll"),
-                        Hint::new("Esc", away),
-                    ];
-                };
-                let space = if watch.clock().is_over() {
-                    "again"
-                } else {
-                    "go on"
-                };
-                vec![
-                    Hint::new("Enter", next),
-                    Hint::new("Space", space),
-                    Hint::new(", .", "step"),
-                    Hint::new("< >", "scrub"),
-                    Hint::new("1-7", "layers"),
-                    Hint::new("f", "frame"),
-                ]
-            }
-            Phase::Summary(_) => vec![
-                Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "look at it"),
-                Hint::new("n", "another round"),
-                Hint::new("Esc", "other rounds"),
-            ],
-        }
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end. Rims are smooth unless a question says otherwise.",
-                "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
-                "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
-                "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below nothing: else a wrong \"sure\" would cost nothing there.",
-                "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
-            ],
-            keys: vec![
-                Hint::new("Left Right", "turn a ray by 1°, or dial a number"),
-                Hint::new(
-                    "Up Down",
-                    "turn a ray by 5°, dial in big steps, choose, or scroll",
-                ),
-                Hint::new("0-9 . -", "type an angle, a number or an offset"),
-                Hint::new("a b c", "choose an answer"),
-                Hint::new("x", "this disc will stay still"),
-                Hint::new("Tab", "the other ray"),
-                Hint::new("Enter", "go on"),
-                Hint::new("1 2 3", "guess, think so, sure"),
-                Hint::new("Space", "go on from the contact, or play it again"),
-                Hint::new(", .", "step through the hit"),
-                Hint::new("< >", "bigger steps; Home and End for the ends"),
-                Hint::new("a", "play it again"),
-                Hint::new("f", "see it from the centre of mass"),
-                Hint::new(
-                    "1-7",
-                    "layers: line of impact, split, velocities, angles, triangle, trails, what you said",
-                ),
-                Hint::new(
-                    "PageUp PageDown",
-                    "scroll a text that is longer than its place",
-                ),
-                Hint::new(
-                    "mouse",
-                    "drag the rays, or the coin before a shot; click an answer, how sure you are, a line of the look back",
-                ),
-            ],
-        }
     }
 }

@@ -4,7 +4,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Asked, Watched};
+use super::{AnsweredQuestion, OpenQuestion};
 use crate::numbers;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
@@ -12,7 +12,7 @@ use crate::widgets::panels::said_and_true;
 use crate::widgets::{AnswerInput, Charset, Lines, Look, Role};
 
 /// The question, and what is being said to it.
-pub(super) fn asked(asked: &Asked, lines: &mut Lines) {
+pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
     let form = &asked.question.form;
     let about = asked.input.about(form);
     let next = match (&asked.input, form) {
@@ -39,13 +39,13 @@ pub(super) fn asked(asked: &Asked, lines: &mut Lines) {
 }
 
 /// Rows above the answer.
-fn head_rows(asked: &Asked, lines: &Lines) -> u16 {
+fn head_rows(asked: &OpenQuestion, lines: &Lines) -> u16 {
     lines.rows_of(&asked.question.text) + 1
 }
 
 /// The choice whose rows are at a cell of the panel, which is scrolled by so many rows.
 pub(super) fn choice_at(
-    asked: &Asked,
+    asked: &OpenQuestion,
     panel: Rect,
     scrolled: u16,
     (column, row): (u16, u16),
@@ -66,7 +66,12 @@ pub(super) fn choice_at(
 const FIRST_CONFIDENCE: u16 = 2;
 
 /// How sure one is, what that may bring, and what one is to be sure of.
-pub(super) fn confidence(asked: &Asked, chosen: Confidence, told_at_end: bool, lines: &mut Lines) {
+pub(super) fn confidence(
+    asked: &OpenQuestion,
+    chosen: Confidence,
+    told_at_end: bool,
+    lines: &mut Lines,
+) {
     lines.line("How sure are you?", Role::Title);
     let head = |text| (text, Role::Dim);
     lines.columns(head("points if"), ["wrong", "right"].map(head));
@@ -103,7 +108,7 @@ pub(super) fn confidence(asked: &Asked, chosen: Confidence, told_at_end: bool, l
     }
 }
 
-fn said(asked: &Asked, lines: &mut Lines) {
+fn said(asked: &OpenQuestion, lines: &mut Lines) {
     match (&asked.input, &asked.question.form) {
         (AnswerInput::Rays(rays), Form::Rays { target, .. }) => {
             for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, *target)] {
@@ -138,7 +143,7 @@ pub(super) fn confidence_at(panel: Rect, (column, row): (u16, u16)) -> Option<Co
 }
 
 /// What the picture is just showing.
-pub(super) fn untold(watched: &Watched, lines: &mut Lines) {
+pub(super) fn untold(watched: &AnsweredQuestion, lines: &mut Lines) {
     lines.paragraph(&watched.question.text, Role::Dim);
     lines.gap();
     if let Some(watch) = watched.telling.watch() {
@@ -148,7 +153,7 @@ pub(super) fn untold(watched: &Watched, lines: &mut Lines) {
 
 /// The points, the answer beside the truth, and the one explanation, which comes
 /// whole: where there is not room for all, other things give way.
-pub(super) fn told(watched: &Watched, lines: &mut Lines, charset: Charset) {
+pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Charset) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);
     let explanation = explain(question, &watched.answer);
@@ -208,7 +213,7 @@ fn credit_bar(grade: &Grade, lines: &mut Lines, charset: Charset) {
 }
 
 /// Rows of [`write_answers`].
-fn answer_rows(watched: &Watched, lines: &Lines) -> u16 {
+fn answer_rows(watched: &AnsweredQuestion, lines: &Lines) -> u16 {
     match said_and_truth(watched) {
         Some([said, truth]) => {
             lines.rows_of_hanging(YOU, &said) + lines.rows_of_hanging(TRUTH, &truth)
@@ -222,7 +227,7 @@ const YOU: &str = "you    ";
 const TRUTH: &str = "truth  ";
 
 /// The answer and the true one in words; `None` for rays of a hit, which make a table.
-fn said_and_truth(watched: &Watched) -> Option<[String; 2]> {
+fn said_and_truth(watched: &AnsweredQuestion) -> Option<[String; 2]> {
     let form = &watched.question.form;
     let both = [watched.answer.said, form.truth()];
     // Without a hit to be seen, rays have no sides to count from.
@@ -230,7 +235,7 @@ fn said_and_truth(watched: &Watched) -> Option<[String; 2]> {
     (!table).then(|| both.map(|said| lettered(form, &said)))
 }
 
-fn write_answers(watched: &Watched, lines: &mut Lines) {
+fn write_answers(watched: &AnsweredQuestion, lines: &mut Lines) {
     if let Some([said, truth]) = said_and_truth(watched) {
         lines.hanging(YOU, &said, Role::Predicted);
         lines.hanging(TRUTH, &truth, Role::Good);

@@ -15,7 +15,7 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
     let answered = quiz.round.questions().iter().zip(&quiz.answers);
     let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
     let all_rays = answered.clone().all(|(question, _)| rays(question));
-    let table = Table::new(lines, all_rays);
+    let table = SummaryTable::new(lines, all_rays);
     let closing = closing(&summary);
     let closing_rows: u16 = closing.iter().map(|text| lines.rows_of(text)).sum();
     let rows = summary.lines.len() as u16;
@@ -103,14 +103,14 @@ fn missed_surely(line: &SummaryLine) -> bool {
     line.grade.confidence == Confidence::Sure && !line.grade.right
 }
 
-/// Rows of [`Table::head`].
+/// Rows of [`SummaryTable::head`].
 const HEAD: u16 = 2;
 
 /// Columns of a topic, where there is room for what it was too.
 const TOPIC: usize = 28;
 
 /// The columns of the look back; the more room, the more of them.
-struct Table {
+struct SummaryTable {
     gap: &'static str,
     /// Whether every answer is two rays, with a column for each of them.
     rays: bool,
@@ -121,7 +121,7 @@ struct Table {
     outcome: bool,
 }
 
-impl Table {
+impl SummaryTable {
     fn new(lines: &Lines, rays: bool) -> Self {
         let width = lines.width();
         Self {

@@ -20,12 +20,12 @@ const SIZES: [(u16, u16); 7] = [
 ];
 
 /// A round with a question of the test's own at hand.
-struct Sitting {
+struct TestRound {
     quiz: Quiz,
     cx: Context,
 }
 
-impl Sitting {
+impl TestRound {
     fn of(picture: Illustration, form: Form) -> Self {
         let mut quiz = Quiz::new(Code::hits(7));
         let question = Question {
@@ -36,7 +36,7 @@ impl Sitting {
             form,
             ..quiz.round.questions()[0].clone()
         };
-        quiz.enter(Phase::Asked(Box::new(Asked {
+        quiz.enter(QuizPhase::Asked(Box::new(OpenQuestion {
             input: AnswerInput::new(&question.form),
             question,
         })));
@@ -49,19 +49,18 @@ impl Sitting {
         Self { quiz, cx }
     }
 
-    fn tell(&mut self, input: &Input) -> Next {
-        self.quiz.update(input, &mut self.cx)
-    }
-
     fn press(&mut self, keys: &str) {
         for c in keys.chars() {
             let key = if c == '\n' { Key::Enter } else { Key::Char(c) };
-            self.tell(&Input::Key(key));
+            if let Some(action) = self.quiz.keys(&self.cx).find(key) {
+                self.quiz.act(action, &mut self.cx);
+            }
         }
     }
 
     fn mouse(&mut self, kind: MouseKind, (column, row): (u16, u16)) {
-        self.tell(&Input::Mouse(Mouse { kind, column, row }));
+        let mouse = Input::Mouse(Mouse { kind, column, row });
+        self.quiz.input(&mouse, &mut self.cx);
     }
 
     fn screen(&mut self) -> String {
@@ -137,8 +136,8 @@ fn all() -> Vec<(Illustration, Form)> {
 fn every_form_is_drawn_in_every_phase_at_any_size() {
     for (picture, form) in all() {
         let about = format!("{picture:?} {form:?}");
-        let mut sitting = Sitting::of(picture, form.clone());
-        let look = |sitting: &mut Sitting, phase: &str| {
+        let mut sitting = TestRound::of(picture, form.clone());
+        let look = |sitting: &mut TestRound, phase: &str| {
             for (width, height) in SIZES {
                 sitting.cx.body = Rect::new(0, 1, width, height);
                 let screen = sitting.screen();
@@ -165,7 +164,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
 
 #[test]
 fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
-    let mut sitting = Sitting::of(before(), Form::Shot(aim()));
+    let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("-5\n3");
     let screen = sitting.screen();
     assert!(screen.contains("offset 5.00 mm left"), "{screen}");
@@ -183,18 +182,18 @@ fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
     assert!(screen.contains("the shot that does it"), "{screen}");
     assert!(screen.contains("v2 = 3.46 m/s"), "4 cos 30 deg\n{screen}");
     sitting.press("\n");
-    assert!(matches!(sitting.quiz.phase, Phase::Asked(_)));
+    assert!(matches!(sitting.quiz.phase, QuizPhase::Asked(_)));
     // What hits the mark has nothing to be put right.
-    let mut sitting = Sitting::of(before(), Form::Shot(aim()));
+    let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("15\n3\n");
-    assert!(matches!(sitting.quiz.phase, Phase::Asked(_)));
+    assert!(matches!(sitting.quiz.phase, QuizPhase::Asked(_)));
 }
 
 #[test]
 fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
-    let mut sitting = Sitting::of(before(), Form::Shot(aim()));
-    let offset = |sitting: &Sitting| match &sitting.quiz.phase {
-        Phase::Asked(asked) => asked.input.said(),
+    let mut sitting = TestRound::of(before(), Form::Shot(aim()));
+    let offset = |sitting: &TestRound| match &sitting.quiz.phase {
+        QuizPhase::Asked(asked) => asked.input.said(),
         _ => None,
     };
     // The way is level and in the middle, on row 11; to its right is below. The picture is
@@ -213,7 +212,7 @@ fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
 fn a_choice_is_clicked_wherever_its_rows_are() {
     for size in [(60, 18), (80, 22), (120, 38)] {
         for picture in [Illustration::Nothing, after()] {
-            let mut sitting = Sitting::of(picture, choice());
+            let mut sitting = TestRound::of(picture, choice());
             sitting.cx.body = Rect::new(0, 1, size.0, size.1);
             for (i, words) in [(2, "C less than"), (0, "A more than"), (1, "B exactly")] {
                 let screen = sitting.screen();

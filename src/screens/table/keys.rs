@@ -122,6 +122,11 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         TablePhase::Watch(replay) => {
             let over = replay.player.clock().is_over();
             let board = replay.player.chosen().is_none();
+            let number = replay.number;
+            let before = game.history.stroke_before(number);
+            let before = before.map(|_| (Key::Char('p'), Do::StrokeBefore));
+            let after = game.history.stroke_after(number);
+            let after = after.map(|_| (Key::Char('n'), Do::StrokeAfter));
             table
                 .on(Key::Char(' '), Do::GoOn, "go on")
                 .or([(Key::Enter, Do::GoOn)])
@@ -129,13 +134,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
                 .with(replay.player.keys(), Do::Replay)
                 .on(Key::Enter, Do::ToTheEnd, "")
                 .when(!over && board)
-                .each(
-                    [
-                        (Key::Char('p'), Do::StrokeBefore),
-                        (Key::Char('n'), Do::StrokeAfter),
-                    ],
-                    "other strokes",
-                )
+                .each(before.into_iter().chain(after), "other strokes")
                 .when(board)
                 .on(Key::Escape, Do::Back, "")
                 .when(board)
@@ -146,9 +145,13 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
             .or([(Key::Char(' '), Do::NextBoard)])
             .on(Key::Char('i'), Do::LookBack, "strokes"),
     };
-    let watches = matches!(game.phase, TablePhase::Watch(_) | TablePhase::Over);
     let over = matches!(game.phase, TablePhase::Over);
-    let thinks = matches!(game.phase, TablePhase::Think { .. });
+    let board = match &game.phase {
+        TablePhase::Watch(replay) => replay.player.chosen().is_none(),
+        TablePhase::Arrange(_) => true,
+        phase => matches!(phase, TablePhase::Over),
+    };
+    let watches = board && !matches!(game.phase, TablePhase::Arrange(_));
     table
         .on(
             Key::Char('v'),
@@ -157,7 +160,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         )
         .when(watches)
         .on(Key::Char('e'), Do::Export, if over { "export" } else { "" })
-        .when(!thinks)
+        .when(board)
         .each(scroll, "")
         .on(Key::Escape, Do::Back, "leave")
         .when(over)

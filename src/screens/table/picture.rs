@@ -11,7 +11,7 @@ use super::replay::StrokeReplay;
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::physics::{Board, DiscState, stopping_distance};
-use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture};
+use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture};
 use crate::widgets::{Role, board};
 
 /// Seconds after which a trail has faded.
@@ -101,7 +101,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
 
 /// Draws the coin's way into the pocket that a hint speaks of, and the pocket.
 fn point_out(picture: &mut Picture, pointer: &Pointer) {
-    let pen = Pen::new(Role::Good).on(Layer::Trail);
+    let pen = Pen::new(Role::Good).on(DrawLayer::Trail);
     picture.curve(pointer.way.iter().copied(), pen.dotted());
     if let Some(pocket) = pointer.pocket {
         picture.circle(pocket, Board::default().pocket_diameter / 2.0, pen);
@@ -125,7 +125,7 @@ fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
         let way = stopping_distance(v.length(), slowing).min(LONGEST_RAY);
         if way > 1.5 * picture.view().per_column() {
             // Discs run over it: none may be hidden by what is to come.
-            let pen = Pen::new(role).on(Layer::Trail);
+            let pen = Pen::new(role).on(DrawLayer::Trail);
             picture.arrow(from, from + way * v.normalize_or_zero(), pen);
         }
     }
@@ -138,7 +138,7 @@ fn own_side(picture: &mut Picture, seat: Seat) {
     picture.line(
         end(-0.2),
         end(0.2),
-        Pen::new(Role::Striker).on(Layer::Trail),
+        Pen::new(Role::Striker).on(DrawLayer::Trail),
     );
 }
 
@@ -187,7 +187,7 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
         .pieces
         .get(disc)
         .map_or(Role::Trail, |piece| words::role(*piece));
-    let pen = Pen::new(role).on(Layer::Trail);
+    let pen = Pen::new(role).on(DrawLayer::Trail);
     let since = if told { 0.0 } else { now - FADE };
     for leg in replay.player.shot().path(disc) {
         let (start, end) = (leg.start.max(since), leg.end.min(now));

@@ -14,6 +14,9 @@ use crate::widgets::replay::{ShotClock, ShotPlayer, WatchRate};
 pub(super) struct StrokeReplay {
     /// The number of the move it was.
     pub(super) number: usize,
+    /// Whether it was made just now: then the game waits, and there is nothing to go back
+    /// to but the question whether to leave it.
+    pub(super) live: bool,
     /// What each disc of the shot is.
     pub(super) pieces: Vec<Piece>,
     /// Its shot, its clock and its impacts.
@@ -42,9 +45,15 @@ impl StrokeReplay {
         let player = ShotPlayer::new(shot, 0, clock).with_faces(faces);
         Self {
             number,
+            live: false,
             pieces,
             player: player.with_said(called).with_list(),
         }
+    }
+
+    /// The same as a stroke that was made just now.
+    pub(super) fn live(self) -> Self {
+        Self { live: true, ..self }
     }
 
     /// The discs on the board now, with where they are.

@@ -1,7 +1,9 @@
 //! What is drawn on top of a hit, to be switched on and off.
 
+use strum::VariantArray;
+
 /// One layer of the explanation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub enum Overlay {
     /// Line of impact n and tangent t through the contact.
     Lines,
@@ -21,15 +23,7 @@ pub enum Overlay {
 
 impl Overlay {
     /// All layers, in the order of their keys.
-    pub const ALL: [Self; 7] = [
-        Self::Lines,
-        Self::Split,
-        Self::Velocities,
-        Self::Angles,
-        Self::Triangle,
-        Self::Trails,
-        Self::Prediction,
-    ];
+    pub const ALL: &'static [Self] = Self::VARIANTS;
 
     /// What it shows, in a few words.
     pub fn name(self) -> &'static str {

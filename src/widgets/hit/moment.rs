@@ -96,7 +96,7 @@ impl Moment<'_> {
         if self.clock.at_contact() {
             Pen::new(role)
         } else {
-            Pen::new(role).on(picture::Layer::Trail)
+            Pen::new(role).on(picture::DrawLayer::Trail)
         }
     }
 

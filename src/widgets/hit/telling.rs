@@ -57,15 +57,6 @@ impl Telling {
         }
     }
 
-    /// Takes a key of the hit's; says whether it was one.
-    pub(crate) fn update(&mut self, key: Key) -> bool {
-        let action = self.keys().find(key);
-        action.is_some_and(|action| {
-            self.act(action);
-            true
-        })
-    }
-
     /// Lets time pass.
     pub(crate) fn advance(&mut self, passed: Duration) {
         if let Some(watch) = &mut self.watch {

@@ -205,6 +205,8 @@ impl Watch {
             let number = usize::from(digit as u8 - b'1');
             (Key::Char(digit), ToggleLayer(Overlay::ALL[number]))
         };
+        // The last layer is what was said.
+        let last = if self.said.is_some() { '7' } else { '6' };
         KeyTable::new("hit")
             .on(Key::Char(' '), GoOn, "go on")
             .when(!self.clock.is_over())
@@ -215,7 +217,7 @@ impl Watch {
             .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
             .on(Key::Char('a'), Again, "again")
             .on(Key::Char('f'), Frame, "frame")
-            .each(('1'..='7').map(layer), "layers")
+            .each(('1'..=last).map(layer), "layers")
             .each(
                 [(Key::Char('<'), Scrub(-1)), (Key::Char('>'), Scrub(1))],
                 "",

@@ -13,7 +13,7 @@ use super::{
     label::PlacedLabel,
     stroke::StrokeSamples,
 };
-use crate::widgets::picture::{Dash, Layer, Mark, Pen, Picture, View};
+use crate::widgets::picture::{Dash, DrawLayer, Mark, Pen, Picture, View};
 use crate::widgets::{Charset, Role, Theme};
 
 /// The cells that a picture is drawn on: strokes, discs and labels in world
@@ -221,7 +221,7 @@ impl Canvas {
             Charset::Ascii if cell.ink != 0 => (ascii::nearest(cell.ink), stroke),
             Charset::Ascii => (' ', Style::new()),
             Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
-                let upon = if pen.layer < Layer::Vector {
+                let upon = if pen.layer < DrawLayer::Vector {
                     theme.faintly_on(cell.disc)
                 } else {
                     theme.on(cell.disc)

@@ -1,6 +1,6 @@
 //! What has been drawn in one cell.
 
-use crate::widgets::picture::{Layer, Pen};
+use crate::widgets::picture::{DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
 /// What has been drawn in one cell. Patterns are bit masks, row by row from the
@@ -28,7 +28,7 @@ pub(super) struct Cell {
 pub(super) struct Glyph {
     pub(super) symbol: char,
     pub(super) role: Role,
-    pub(super) layer: Layer,
+    pub(super) layer: DrawLayer,
     /// Written upon a disc of this role rather than in its colour.
     pub(super) upon: bool,
     /// Paper and ink change places.
@@ -57,15 +57,15 @@ impl Cell {
     }
 
     /// The topmost layer that has been drawn on here.
-    pub(super) fn layer(&self) -> Option<Layer> {
+    pub(super) fn layer(&self) -> Option<DrawLayer> {
         let ink = (self.ink != 0).then_some(self.pen.layer);
-        let disc = (self.cover != 0).then_some(Layer::Disc);
+        let disc = (self.cover != 0).then_some(DrawLayer::Disc);
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
     /// A stroke goes through `samples`.
     pub(super) fn stroke(&mut self, mut samples: u16, pen: Pen, charset: Charset) {
-        if pen.layer < Layer::Disc && self.cover != 0 {
+        if pen.layer < DrawLayer::Disc && self.cover != 0 {
             samples &= !under(self.cover, charset);
         }
         if samples == 0 {
@@ -86,7 +86,7 @@ impl Cell {
 
     /// A disc covers part of the cell and hides what lies below.
     pub(super) fn fill(&mut self, cover: u64, disc: Role, charset: Charset) {
-        if self.pen.layer < Layer::Disc {
+        if self.pen.layer < DrawLayer::Disc {
             self.ink &= !under(cover, charset);
         }
         let rest = (!cover).count_ones();

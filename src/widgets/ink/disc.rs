@@ -3,7 +3,7 @@
 use glam::{DVec2, dvec2};
 
 use super::{canvas::Canvas, cell::Glyph};
-use crate::widgets::picture::{Body, Layer, Pen};
+use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
 /// A disc less than this many rows high is drawn as a token: blocks are finer
@@ -61,7 +61,7 @@ impl Canvas {
         }
         self.cover(place, reach, role);
         if self.charset == Charset::Ascii {
-            self.circle(centre, radius, Pen::new(role).on(Layer::Disc));
+            self.circle(centre, radius, Pen::new(role).on(DrawLayer::Disc));
         }
         if letter != ' ' {
             let letter = letter.to_string();
@@ -74,7 +74,11 @@ impl Canvas {
         if self.is_token(body) {
             return self.disc(body);
         }
-        self.circle(body.at, body.radius, Pen::new(body.role).on(Layer::Disc));
+        self.circle(
+            body.at,
+            body.radius,
+            Pen::new(body.role).on(DrawLayer::Disc),
+        );
         let place = self.paper(letter);
         let upon = self.charset == Charset::Ascii;
         let sign = body.letter.to_string();
@@ -128,7 +132,11 @@ impl Canvas {
                 cell.glyph = Some(Glyph {
                     symbol,
                     role,
-                    layer: if upon { Layer::Disc } else { Layer::Mark },
+                    layer: if upon {
+                        DrawLayer::Disc
+                    } else {
+                        DrawLayer::Mark
+                    },
                     upon,
                     reversed: false,
                 });

@@ -5,7 +5,7 @@ use ratatui::{buffer::Buffer, layout::Rect};
 use unicode_width::UnicodeWidthStr;
 
 use super::canvas::Canvas;
-use crate::widgets::picture::{Label, LabelSide, Layer};
+use crate::widgets::picture::{DrawLayer, Label, LabelSide};
 use crate::widgets::{Role, Theme};
 
 /// A label that has its place.
@@ -50,25 +50,29 @@ impl Canvas {
     /// the surroundings of the others' anchors to them. What has found no place near by
     /// stands farther away, but clear of what others name.
     pub(super) fn write(&mut self, labels: &[Label]) {
-        let known = labels.iter().filter(|label| label.keeps_others_off);
-        let anchors = known.map(|label| label.places[0].0);
+        let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
+        let mut left = self.write_near(apart);
+        let anchors = near.iter().map(|label| label.places[0].0);
         let cells = anchors.map(|anchor| self.view().to_cell(anchor));
         self.expected = cells
             .filter(|cell| is_within_reach(*cell))
             .map(|cell| self.counted(cell))
             .collect();
-        let mut left = Vec::new();
-        for label in labels {
-            let mut places = label.places.iter();
-            if !places.any(|(at, sides)| self.label(&label.text, *at, sides, label.role)) {
-                left.push(label);
-            }
-        }
+        left.extend(self.write_near(near));
         for label in left {
             let (anchor, sides) = &label.places[0];
             let places = [(2 * FARTHEST, true, false, None)];
             self.label_at(&label.text, *anchor, sides, label.role, &places);
         }
+    }
+
+    /// Writes what finds a place near by, and gives the rest.
+    fn write_near<'a>(&mut self, labels: Vec<&'a Label>) -> Vec<&'a Label> {
+        let mut write = |label: &Label| {
+            let mut places = label.places.iter();
+            places.any(|(at, sides)| self.label(&label.text, *at, sides, label.role))
+        };
+        labels.into_iter().filter(|label| !write(label)).collect()
     }
 
     /// Writes `text` (in the canvas's charset) beside a point of the world: on the
@@ -90,8 +94,8 @@ impl Canvas {
         let places = [
             (FARTHEST, true, true, None),
             (FARTHEST, true, false, None),
-            (FARTHEST, false, false, Some(Layer::Trail)),
-            (FARTHEST, false, false, Some(Layer::Construction)),
+            (FARTHEST, false, false, Some(DrawLayer::Trail)),
+            (FARTHEST, false, false, Some(DrawLayer::Construction)),
         ];
         self.label_at(text, anchor, sides, role, &places)
     }
@@ -113,7 +117,7 @@ impl Canvas {
         anchor: DVec2,
         sides: &[LabelSide],
         role: Role,
-        places: &[(i32, bool, bool, Option<Layer>)],
+        places: &[(i32, bool, bool, Option<DrawLayer>)],
     ) -> bool {
         let text = self.charset.text(text).into_owned();
         let cell = self.view().to_cell(anchor);
@@ -203,7 +207,7 @@ impl Canvas {
     }
 
     /// Whether a label fits here, on paper or `over` strokes up to a layer.
-    fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<Layer>) -> bool {
+    fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<DrawLayer>) -> bool {
         let (columns, rows) = self.size();
         if y < 0 || y >= rows || x < 0 || x + width > columns {
             return false;

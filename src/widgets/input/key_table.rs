@@ -163,6 +163,32 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
+    /// Another id for the rows whose only shown key is this one.
+    #[must_use]
+    pub fn identified(mut self, key: Key, id: &str) -> Self {
+        for row in &mut self.rows {
+            if let [(own, _)] = row.keys.as_slice()
+                && *own == key
+            {
+                id.clone_into(&mut row.id);
+            }
+        }
+        self
+    }
+
+    /// The same without keys that an earlier row has already, and without rows that have
+    /// none left.
+    #[must_use]
+    pub fn distinct(mut self) -> Self {
+        let mut taken = Vec::new();
+        self.rows.retain_mut(|row| {
+            row.lose(&taken);
+            taken.extend(row.keys.iter().chain(&row.aliases).map(|(key, _)| *key));
+            !row.keys.is_empty()
+        });
+        self
+    }
+
     /// Adds the keys of a part of the screen.
     #[must_use]
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {

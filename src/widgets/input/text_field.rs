@@ -35,6 +35,12 @@ impl TextField {
         text.split_at(at.map_or(text.len(), |(at, _)| at))
     }
 
+    /// What has been typed, with a mark where the cursor is.
+    pub fn shown(&self) -> String {
+        let (before, after) = self.around_cursor();
+        format!("{before}_{after}")
+    }
+
     /// Takes a key: letters, the keys that move the cursor by a letter, a word or to the
     /// ends, and those that delete. Says whether it was one of its own.
     pub fn update(&mut self, key: Key) -> bool {

@@ -14,13 +14,13 @@ pub struct Label {
     /// The points it may stand beside, the dearest first, each with the sides it would
     /// like; there is always one.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
-    /// Whether others leave the surroundings of its point to it.
+    /// Whether it and others leave each other the surroundings of their points.
     pub(in crate::widgets) keeps_others_off: bool,
 }
 
 impl Label {
-    /// The same for what stands apart, so that nobody takes it for the name of
-    /// something else: others need not keep away from its point.
+    /// The same for what stands apart, so that nobody takes it for the name of something
+    /// else: it has the first choice, and need not keep away from the points of others.
     pub fn apart(&mut self) -> &mut Self {
         self.keeps_others_off = false;
         self

@@ -34,7 +34,7 @@ use ratatui::layout::Rect;
 use super::ink::Canvas;
 use super::{Look, Role};
 pub use label::{Label, LabelSide};
-pub use pen::{Dash, Layer, Pen};
+pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
 
 /// One thing that is drawn.

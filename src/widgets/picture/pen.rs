@@ -6,7 +6,7 @@ use crate::widgets::Role;
 /// cell, the cell looks like the one on the higher layer; on the same layer, like
 /// the later one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Layer {
+pub enum DrawLayer {
     /// Boards, axes, frames.
     Ground,
     /// Trails and aim lines, which discs run over.
@@ -47,7 +47,7 @@ pub enum Dash {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pen {
     pub(in crate::widgets) role: Role,
-    pub(in crate::widgets) layer: Layer,
+    pub(in crate::widgets) layer: DrawLayer,
     pub(in crate::widgets) dash: Dash,
     pub(in crate::widgets) bold: bool,
     pub(in crate::widgets) age: f64,
@@ -92,7 +92,7 @@ impl Pen {
 
     /// The same pen on another layer.
     #[must_use]
-    pub const fn on(self, layer: Layer) -> Self {
+    pub const fn on(self, layer: DrawLayer) -> Self {
         Self { layer, ..self }
     }
 
@@ -110,7 +110,7 @@ impl From<Role> for Pen {
 }
 
 /// The layer a role is on unless the caller says otherwise.
-const fn layer(role: Role) -> Layer {
+const fn layer(role: Role) -> DrawLayer {
     match role {
         Role::Background
         | Role::Text
@@ -118,20 +118,20 @@ const fn layer(role: Role) -> Layer {
         | Role::Border
         | Role::BoardLine
         | Role::Pocket
-        | Role::Axis => Layer::Ground,
-        Role::Trail | Role::Aim => Layer::Trail,
-        Role::Striker | Role::Coin | Role::Black | Role::Queen | Role::Marble => Layer::Disc,
+        | Role::Axis => DrawLayer::Ground,
+        Role::Trail | Role::Aim => DrawLayer::Trail,
+        Role::Striker | Role::Coin | Role::Black | Role::Queen | Role::Marble => DrawLayer::Disc,
         Role::LineOfImpact | Role::TangentLine | Role::Arc | Role::SquareCorner => {
-            Layer::Construction
+            DrawLayer::Construction
         }
-        Role::Predicted => Layer::Prediction,
+        Role::Predicted => DrawLayer::Prediction,
         Role::Incoming
         | Role::NormalPart
         | Role::TangentPart
         | Role::StrikerOut
-        | Role::CoinOut => Layer::Vector,
+        | Role::CoinOut => DrawLayer::Vector,
         Role::Title | Role::Key | Role::Selected | Role::Good | Role::Warn | Role::Contact => {
-            Layer::Mark
+            DrawLayer::Mark
         }
     }
 }

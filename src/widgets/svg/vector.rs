@@ -7,7 +7,7 @@ use glam::{DVec2, dvec2};
 
 use super::{CELL, Number, escape};
 use crate::widgets::ink::Canvas;
-use crate::widgets::picture::{Axes, Body, Dash, LabelSide, Layer, Mark, Pen, Picture, View};
+use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, LabelSide, Mark, Pen, Picture, View};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Look, Role};
 
@@ -70,16 +70,16 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
 }
 
 /// The layer that a mark is drawn on.
-fn layer(mark: &Mark) -> Layer {
+fn layer(mark: &Mark) -> DrawLayer {
     match mark {
         Mark::Line { pen, .. }
         | Mark::Curve { pen, .. }
         | Mark::Arc { pen, .. }
         | Mark::Arrow { pen, .. }
         | Mark::Dot { pen, .. } => pen.layer,
-        Mark::Disc(_) | Mark::Ring { .. } | Mark::Discs(_) => Layer::Disc,
-        Mark::Area { .. } | Mark::Axes(_) => Layer::Ground,
-        Mark::Text { .. } | Mark::Reserved(_) => Layer::Mark,
+        Mark::Disc(_) | Mark::Ring { .. } | Mark::Discs(_) => DrawLayer::Disc,
+        Mark::Area { .. } | Mark::Axes(_) => DrawLayer::Ground,
+        Mark::Text { .. } | Mark::Reserved(_) => DrawLayer::Mark,
     }
 }
 
@@ -189,7 +189,7 @@ impl Vectors<'_> {
     fn stroke(&self, pen: Pen) -> String {
         let width = match pen.layer {
             _ if pen.bold => 2.6,
-            Layer::Ground => 1.1,
+            DrawLayer::Ground => 1.1,
             _ => 1.5,
         };
         let dashes = match pen.dash {

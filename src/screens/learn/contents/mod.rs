@@ -4,49 +4,60 @@ mod view;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
 use crate::lessons::{Book, Forget};
 use crate::messages::{Input, Key, StoreReply};
-use crate::screens::list::{Chosen, chosen as chosen_by};
-use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
+use crate::screens::{Confirmation, Context, Next, Place, Screen};
+use crate::widgets::Outcome;
+use crate::widgets::input::{KeyTable, ListAction, ListView};
+
+/// What keys do in the contents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum ContentsAction {
+    /// choose a chapter, or read it
+    List(ListAction),
+    /// the next chapter that is not done
+    Next,
+    /// forget your place and your answers in the chosen chapter
+    Forget,
+    /// forget them in all chapters
+    ForgetAll,
+    /// go back
+    Leave,
+}
 
 /// The contents. Which line is chosen belongs to the [`Book`].
-#[derive(Debug, Clone, Default)]
-pub struct Contents {
-    /// What the student has been asked about.
-    forgetting: Option<Forget>,
-}
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Contents;
 
 impl Contents {
     /// The contents, at the first chapter that is not done. How far they have been read
     /// is asked for, if it is not known yet.
-    pub fn new(cx: &mut Context) -> Self {
+    pub(crate) fn new(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         cx.book.at = cx.book.next().unwrap_or(0);
-        Self::default()
+        Self
     }
+}
 
-    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
-        if let Some(forget) = self.forgetting.take() {
-            if let Key::Char('y' | 'Y') = key {
-                cx.forget(forget);
-            }
-            return Next::Stay;
-        }
-        let book = &mut cx.book;
-        match key {
-            Key::Char('n' | 'N') => book.at = book.next().unwrap_or(book.at),
-            Key::Char('R') => self.forgetting = chapter_begun(book).map(Forget::Chapter),
-            Key::Char('A') => self.forgetting = book.is_begun().then_some(Forget::All),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
+/// Moves the mark, or opens its line.
+fn listed(book: &mut Book, act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>) -> Next {
+    let mut list = ListView::at(book.at);
+    let count = lines(book).len();
+    let outcome = act(&mut list, count);
+    book.at = list.chosen(count);
+    match outcome {
+        Outcome::Ignored => Next::Ignored,
+        Outcome::Used => Next::Stay,
+        Outcome::Done(_) => open(book),
     }
 }
 
 /// What a line of the contents is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Line {
+enum ContentsLine {
     /// A chapter, from 0.
     Chapter(usize),
     /// How far one has come.
@@ -56,21 +67,27 @@ enum Line {
 }
 
 /// All lines that can be chosen.
-fn lines(book: &Book) -> Vec<Line> {
+fn lines(book: &Book) -> Vec<ContentsLine> {
     let library = book.library();
-    let chapters = (0..library.chapters.len()).map(Line::Chapter);
-    let problems = (0..library.problems.len()).map(Line::Problem);
-    chapters.chain([Line::Summary]).chain(problems).collect()
+    let chapters = (0..library.chapters.len()).map(ContentsLine::Chapter);
+    let problems = (0..library.problems.len()).map(ContentsLine::Problem);
+    chapters
+        .chain([ContentsLine::Summary])
+        .chain(problems)
+        .collect()
 }
 
 /// The chosen line.
-fn chosen(book: &Book) -> Line {
-    lines(book).get(book.at).copied().unwrap_or(Line::Summary)
+fn chosen(book: &Book) -> ContentsLine {
+    lines(book)
+        .get(book.at)
+        .copied()
+        .unwrap_or(ContentsLine::Summary)
 }
 
 /// The id of the chosen chapter, if it was ever opened.
 fn chapter_begun(book: &Book) -> Option<String> {
-    let Line::Chapter(number) = chosen(book) else {
+    let ContentsLine::Chapter(number) = chosen(book) else {
         return None;
     };
     let id = &book.chapter(number)?.id;
@@ -79,16 +96,18 @@ fn chapter_begun(book: &Book) -> Option<String> {
 
 fn open(book: &Book) -> Next {
     match chosen(book) {
-        Line::Chapter(number) => Next::Open(Place::Chapter { number }),
-        Line::Summary => match book.next() {
+        ContentsLine::Chapter(number) => Next::Open(Place::Chapter { number }),
+        ContentsLine::Summary => match book.next() {
             Some(number) => Next::Open(Place::Chapter { number }),
             None => Next::Stay,
         },
-        Line::Problem(_) => Next::Stay,
+        ContentsLine::Problem(_) => Next::Stay,
     }
 }
 
-impl OldScreen for Contents {
+impl Screen for Contents {
+    type Action = ContentsAction;
+
     fn title(&self) -> String {
         "learn".into()
     }
@@ -100,65 +119,84 @@ impl OldScreen for Contents {
         format!("{} chapters done", cx.book.done())
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let (body, book) = (cx.body, &mut cx.book);
-        if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
-            book.at = book.next().unwrap_or(0);
-            return Next::Stay;
-        }
+    fn keys(&self, cx: &Context) -> KeyTable<ContentsAction> {
+        use ContentsAction::{Forget, ForgetAll, Leave, List, Next};
+        let keys = KeyTable::new("contents");
+        let book = &cx.book;
         if !book.is_known() {
-            return Next::Ignored;
+            return keys.on(Key::Escape, Leave, "back");
         }
-        if self.forgetting.is_none() {
-            let line_at = |cell| view::line_at(book, body, cell);
-            match chosen_by(input, book.at, lines(book).len(), line_at) {
-                Chosen::Line(line) => book.at = line,
-                Chosen::Open => return open(book),
-                Chosen::Nothing => {}
+        keys.with(ListView::keys("read"), List)
+            .on(Key::Escape, Leave, "back")
+            .on(Key::Char('n'), Next, "next")
+            .on(Key::Char('R'), Forget, "reset")
+            .when(chapter_begun(book).is_some())
+            .on(Key::Char('A'), ForgetAll, "reset all")
+            .when(book.is_begun())
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
+            "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have seen, and a + before those that you have read and answered to the end. Your place is kept, until the next time too.",
+            "R forgets your place and your answers in the chosen chapter, A those in all of them, once you have said yes. What you have answered still counts in your progress.",
+            "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
+        ]
+    }
+
+    fn act(&mut self, action: ContentsAction, cx: &mut Context) -> Next {
+        let book = &mut cx.book;
+        let (title, of) = match action {
+            ContentsAction::List(action) => {
+                return listed(book, |list, count| list.act(action, count));
             }
+            ContentsAction::Next => {
+                book.at = book.next().unwrap_or(book.at);
+                return Next::Stay;
+            }
+            ContentsAction::Leave => return Next::Back,
+            ContentsAction::ForgetAll => ("all chapters".to_owned(), "all chapters"),
+            ContentsAction::Forget => {
+                let number = book.chapter(book.at).map_or(0, |chapter| chapter.number);
+                (format!("chapter {number}"), "this chapter")
+            }
+        };
+        Next::Confirm(Confirmation::new(
+            format!(
+                "Forget {title}? Your place and your answers in {of} are forgotten, so that you can begin anew. Your progress goes on counting every answer that you have ever given."
+            ),
+            "forget it",
+            "leave it",
+        ))
+    }
+
+    fn confirmed(&mut self, action: ContentsAction, cx: &mut Context) -> Next {
+        let what = match action {
+            ContentsAction::ForgetAll => Some(Forget::All),
+            _ => chapter_begun(&cx.book).map(Forget::Chapter),
+        };
+        if let Some(what) = what {
+            cx.forget(what);
         }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        let (body, book) = (cx.body, &mut cx.book);
         match input {
-            Input::Key(key) => self.key(*key, cx),
+            Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_)) => {
+                book.at = book.next().unwrap_or(0);
+                Next::Stay
+            }
+            Input::Mouse(mouse) if book.is_known() => {
+                let line = view::line_at(book, body, (mouse.column, mouse.row));
+                listed(book, |list, count| list.mouse(mouse, count, line))
+            }
             _ => Next::Ignored,
         }
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
-    }
-
-    fn keys(&self, cx: &Context) -> Vec<Hint> {
-        if self.forgetting.is_some() {
-            return vec![
-                Hint::new("y", "forget it"),
-                Hint::new("any other key", "leave it"),
-            ];
-        }
-        let mut keys = Vec::new();
-        if cx.book.is_known() {
-            keys.extend([
-                Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "read"),
-                Hint::new("Esc", "back"),
-                Hint::new("n", "next"),
-                Hint::new("R", "reset"),
-                Hint::new("A", "reset all"),
-            ]);
-        } else {
-            keys.push(Hint::new("Esc", "back"));
-        }
-        keys
-    }
-
-    fn help(&self, cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
-                "The chapters build on each other, but all of them are open. SplitLayout each stands how many of its pages you have seen, and a + before those that you have read and answered to the end. Your place is kept, until the next time too.",
-                "R forgets your place and your answers in the chosen chapter, A those in all of them, once you have said yes. What you have answered still counts in your progress.",
-                "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
-            ],
-            keys: self.keys(cx),
-        }
+        view::draw(area, buf, cx);
     }
 }

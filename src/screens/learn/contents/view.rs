@@ -3,23 +3,23 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Contents, Line, chosen, lines};
-use crate::lessons::{Book, Chapter, Forget};
+use super::{ContentsLine, chosen, lines};
+use crate::lessons::{Book, Chapter};
 use crate::screens::Context;
-use crate::screens::list::first_shown;
+use crate::widgets::input::ListView;
 use crate::widgets::{Lines, Role, SplitLayout};
 
 /// The line at a cell.
 pub(super) fn line_at(book: &Book, area: Rect, cell: (u16, u16)) -> Option<usize> {
     let list = SplitLayout::new(area).picture;
     let rows = lines(book).len();
-    let first = first_shown(book.at, rows, list.height);
+    let first = ListView::first_shown(book.at, rows, list.height);
     let at = first + usize::from(cell.1.checked_sub(list.y)?);
     (list.contains(cell.into()) && at < rows).then_some(at)
 }
 
 /// Draws the contents, and what the chosen line is about.
-pub(super) fn draw(contents: &Contents, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = SplitLayout::new(area);
     let book = &cx.book;
@@ -28,25 +28,25 @@ pub(super) fn draw(contents: &Contents, area: Rect, buf: &mut Buffer, cx: &Conte
         return Lines::new(layout.picture, buf, look).line("Looking …", Role::Dim);
     }
     let title = match chosen(book) {
-        Line::Chapter(_) => "the chapter",
-        Line::Summary => "so far",
-        Line::Problem(_) => "what is wrong",
+        ContentsLine::Chapter(_) => "the chapter",
+        ContentsLine::Summary => "so far",
+        ContentsLine::Problem(_) => "what is wrong",
     };
     layout.draw(buf, &look, "learn", title);
     let all = lines(book);
-    let first = first_shown(book.at, all.len(), layout.picture.height);
+    let first = ListView::first_shown(book.at, all.len(), layout.picture.height);
     let mut rows = Lines::new(layout.picture, buf, look);
     for (i, line) in all.into_iter().enumerate().skip(first) {
         let here = i == book.at;
         let mark = if here { ">" } else { " " };
         let (text, side, role) = match line {
-            Line::Chapter(number) => chapter_line(book, number),
-            Line::Summary => (
+            ContentsLine::Chapter(number) => chapter_line(book, number),
+            ContentsLine::Summary => (
                 "     How far you have come".into(),
                 String::new(),
                 Role::Dim,
             ),
-            Line::Problem(number) => {
+            ContentsLine::Problem(number) => {
                 let file = book
                     .library()
                     .problems
@@ -59,44 +59,19 @@ pub(super) fn draw(contents: &Contents, area: Rect, buf: &mut Buffer, cx: &Conte
         rows.pair(&format!("{mark}{text}"), &side, role, role);
     }
     let mut about = Lines::new(layout.panel, buf, look);
-    if let Some(forget) = &contents.forgetting {
-        return ask(book, forget, &mut about);
-    }
     match chosen(book) {
-        Line::Chapter(number) => {
+        ContentsLine::Chapter(number) => {
             if let Some(chapter) = book.chapter(number) {
                 about_chapter(book, chapter, &mut about);
             }
         }
-        Line::Summary => summary(book, &mut about),
-        Line::Problem(number) => {
+        ContentsLine::Summary => summary(book, &mut about),
+        ContentsLine::Problem(number) => {
             if let Some(fault) = book.library().problems.get(number) {
                 about.paragraph(&fault.to_string(), Role::Text);
             }
         }
     }
-}
-
-/// Whether it is really to be forgotten.
-fn ask(book: &Book, forget: &Forget, lines: &mut Lines) {
-    let (title, of) = match (forget, chosen(book)) {
-        (Forget::All, _) => ("Forget all chapters?".to_owned(), "all chapters"),
-        (_, Line::Chapter(number)) => {
-            let number = book.chapter(number).map_or(0, |chapter| chapter.number);
-            (format!("Forget chapter {number}?"), "this chapter")
-        }
-        _ => return,
-    };
-    lines.paragraph(&title, Role::Warn);
-    lines.gap();
-    let what =
-        format!("Your place and your answers in {of} are forgotten, so that you can begin anew.");
-    lines.paragraph(&what, Role::Text);
-    lines.gap();
-    let stays = "Your progress goes on counting every answer that you have ever given.";
-    lines.paragraph(stays, Role::Text);
-    lines.gap();
-    lines.paragraph("y: yes. Any other key: no.", Role::Key);
 }
 
 fn chapter_line(book: &Book, number: usize) -> (String, String, Role) {

@@ -21,7 +21,6 @@ pub fn draw_figure(words: &str, look: &Look) -> Result<String, FigureError> {
 /// A figure as it stands, as an SVG picture.
 pub(in crate::screens::learn) fn svg_of(shown: &LiveFigure, look: &Look) -> String {
     svg::of_panel(&shown.title(), look, |area, cells| {
-        shown.write(area, cells, look);
-        shown.pictures(area, look, None)
+        shown.lay_out(area, cells, look, None)
     })
 }

@@ -41,28 +41,29 @@ fn halves(area: Rect) -> [Rect; 2] {
     }
 }
 
-/// Both pictures.
-pub(super) fn pictures(watches: &[Watch; 2], area: Rect) -> Vec<Picture> {
-    let picture = |(watch, half): (&Watch, Rect)| {
-        // Two rows are for words.
+/// Both pictures; writes above each what it is.
+pub(super) fn lay_out(
+    watches: &[Watch; 2],
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) -> Vec<Picture> {
+    let [board, _] = watches;
+    let names = ["the board", "centre of mass"];
+    let words = names.into_iter().zip(told(board.collision()));
+    let each = watches.iter().zip(halves(area)).zip(words);
+    each.map(|((watch, half), (name, told))| {
+        let mut lines = Lines::new(half, buf, *look);
+        lines.line(name, Role::Dim);
+        lines.line(&told, Role::Text);
         let head = 2.min(half.height);
         watch.picture(Rect {
             y: half.y + head,
             height: half.height - head,
             ..half
         })
-    };
-    watches.iter().zip(halves(area)).map(picture).collect()
-}
-
-/// Writes above each what it is.
-pub(super) fn write(collision: &Collision, area: Rect, buf: &mut Buffer, look: &Look) {
-    let names = ["the board", "centre of mass"];
-    for ((half, name), told) in halves(area).into_iter().zip(names).zip(told(collision)) {
-        let mut lines = Lines::new(half, buf, *look);
-        lines.line(name, Role::Dim);
-        lines.line(&told, Role::Text);
-    }
+    })
+    .collect()
 }
 
 /// What takes the one picture to the other, V, and what happens in the other, the turn

@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
 use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
@@ -19,19 +20,40 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil as foil_screen;
-use crate::screens::lab::{LabField, Setup};
-use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, point_at, setup_picture};
+use crate::screens::foil::FoilFigureAction;
+use crate::screens::lab::Setup;
+use crate::widgets::hit::{
+    Face, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
+};
+use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
 
 pub(super) use export::svg_of;
 pub use export::{FigureError, draw_figure};
 
-/// Steps of α in degrees: by an arrow, by a page.
-const STEPS: [f64; 2] = [1.0, 10.0];
+/// Steps of a setting, or degrees, that `<` and `>` go at once.
+const LEAP: i8 = 10;
 
-/// Steps of a setting that `<` and `>` go at once.
-const LEAP: f64 = 10.0;
+/// What keys do to the figure of a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum FigureAction {
+    /// change α
+    Alpha(i8),
+    /// α head-on, α at the brim
+    AlphaEnd(i8),
+    /// step through the working
+    Step(isize),
+    /// choose what to set
+    Choose(isize),
+    /// set it
+    Set(i8),
+    /// watch the hit
+    Watch(WatchAction),
+    /// work the foil
+    Foil(FoilFigureAction),
+}
 
 /// A figure as it stands.
 #[derive(Debug, Clone)]
@@ -238,100 +260,80 @@ impl LiveFigure {
         worked::steps(&self.collision).len().max(1)
     }
 
-    /// What its keys are, for the bottom line.
-    pub(super) fn keys(&self) -> Vec<(&'static str, &'static str)> {
-        match &self.state {
-            _ if self.hidden && self.covers_outcome() => vec![],
-            FigureState::Hit(_) => {
-                vec![("Space", "go on"), (", .", "step"), ("a", "play again")]
-            }
-            FigureState::Frames(_) => {
-                vec![
-                    ("Left Right", "α"),
-                    ("Space", "go on"),
-                    (", .", "step"),
-                    ("a", "play again"),
-                ]
-            }
-            FigureState::Step(_) => vec![("Left Right", "step")],
-            FigureState::Solve { .. } => vec![
-                ("arrows", "choose, set"),
-                (", .", "step"),
-                ("< >", "set by ten"),
-            ],
-            FigureState::Foil(plot) => plot.keys(),
-            FigureState::Plain if self.has_alpha() => vec![("Left Right", "α")],
-            FigureState::Plain => vec![],
-        }
-    }
-
-    /// Takes a key; says whether it meant anything.
-    pub(super) fn update(&mut self, key: Key) -> bool {
-        if self.hidden && self.covers_outcome() {
-            return false;
-        }
-        let last = self.step_count() - 1;
-        if matches!(self.state, FigureState::Frames(_)) && self.alpha_key(key) {
-            return true;
-        }
-        match &mut self.state {
-            FigureState::Hit(watch) => watch.update(key),
-            FigureState::Frames(watches) => {
-                // Each is seen from its own frame, always.
-                let own = !matches!(key, Key::Char('f' | 'F'));
-                own && watches
-                    .iter_mut()
-                    .fold(false, |used, watch| watch.update(key) | used)
-            }
-            FigureState::Step(step) => turn(step, last, key, [Key::Left, Key::Right]),
-            FigureState::Solve { field, step } => match key {
-                Key::Up => {
-                    *field = (*field + worked::FIELDS.len() - 1) % worked::FIELDS.len();
-                    true
-                }
-                Key::Down => {
-                    *field = (*field + 1) % worked::FIELDS.len();
-                    true
-                }
-                Key::Left | Key::Right => {
-                    let field = worked::FIELDS[*field % worked::FIELDS.len()];
-                    let by = if key == Key::Left { -1.0 } else { 1.0 };
-                    self.change(field, by);
-                    true
-                }
-                Key::Char('<' | '>') => {
-                    let field = worked::FIELDS[*field % worked::FIELDS.len()];
-                    let by = if key == Key::Char('<') { -LEAP } else { LEAP };
-                    self.change(field, by);
-                    true
-                }
-                _ => turn(step, last, key, [Key::Char(','), Key::Char('.')]),
-            },
-            FigureState::Foil(plot) => plot.update(key),
-            FigureState::Plain => self.has_alpha() && self.alpha_key(key),
-        }
-    }
-
-    fn change(&mut self, field: LabField, by: f64) {
-        let mut setup = self.setup();
-        field.step(&mut setup, by);
-        self.collision = setup.collision();
-    }
-
-    fn alpha_key(&mut self, key: Key) -> bool {
-        let [small, large] = STEPS;
-        let alpha = self.alpha_deg();
-        let to = match key {
-            Key::Left => alpha - small,
-            Key::Right => alpha + small,
-            Key::Char('<') => alpha - large,
-            Key::Char('>') => alpha + large,
-            Key::Home => 0.0,
-            Key::End => 90.0,
-            _ => return false,
+    /// The keys that work it.
+    pub(super) fn keys(&self) -> KeyTable<FigureAction> {
+        use FigureAction::{Alpha, AlphaEnd, Choose, Foil, Set, Step};
+        let keys = KeyTable::new("figure");
+        let alpha = KeyTable::new("figure")
+            .each([(Key::Left, Alpha(-1)), (Key::Right, Alpha(1))], "α")
+            .or([
+                (Key::Char('<'), Alpha(-LEAP)),
+                (Key::Char('>'), Alpha(LEAP)),
+            ])
+            .each([(Key::Home, AlphaEnd(0)), (Key::End, AlphaEnd(90))], "");
+        let watched = |watch: &Watch| {
+            use WatchAction::{Again, Frame, Scrub, ToggleLayer};
+            let keys = watch.keys().renamed("play again", |action| action == Again);
+            keys.renamed("", |action| {
+                matches!(action, Frame | Scrub(_) | ToggleLayer(_))
+            })
         };
-        self.set_alpha(to.round());
-        true
+        match &self.state {
+            _ if self.hidden && self.covers_outcome() => keys,
+            FigureState::Hit(hit) => keys.with(watched(hit), FigureAction::Watch),
+            // Each is seen from its own frame, always.
+            FigureState::Frames(hits) => alpha.with(
+                watched(&hits[0]).without_keys(&[Key::Char('f')]),
+                FigureAction::Watch,
+            ),
+            FigureState::Step(_) => {
+                keys.each([(Key::Left, Step(-1)), (Key::Right, Step(1))], "step")
+            }
+            FigureState::Solve { .. } => keys
+                .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
+                .each([(Key::Left, Set(-1)), (Key::Right, Set(1))], "set")
+                .each(
+                    [(Key::Char(','), Step(-1)), (Key::Char('.'), Step(1))],
+                    "step",
+                )
+                .each(
+                    [(Key::Char('<'), Set(-LEAP)), (Key::Char('>'), Set(LEAP))],
+                    "set by ten",
+                ),
+            FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
+            FigureState::Plain if self.has_alpha() => alpha,
+            FigureState::Plain => keys,
+        }
+    }
+
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: FigureAction) {
+        let last = self.step_count() - 1;
+        match (action, &mut self.state) {
+            (FigureAction::Alpha(by), _) => {
+                self.set_alpha((self.alpha_deg() + f64::from(by)).round());
+            }
+            (FigureAction::AlphaEnd(alpha_deg), _) => self.set_alpha(alpha_deg.into()),
+            (FigureAction::Step(by), FigureState::Step(step) | FigureState::Solve { step, .. }) => {
+                *step = step.saturating_add_signed(by).min(last);
+            }
+            (FigureAction::Choose(by), FigureState::Solve { field, .. }) => {
+                let count = worked::FIELDS.len();
+                *field = (*field + count).saturating_add_signed(by) % count;
+            }
+            (FigureAction::Set(by), FigureState::Solve { field, .. }) => {
+                let field = worked::FIELDS[*field % worked::FIELDS.len()];
+                let mut setup = self.setup();
+                field.step(&mut setup, by.into());
+                self.collision = setup.collision();
+            }
+            (FigureAction::Watch(action), FigureState::Hit(watch)) => watch.act(action),
+            (FigureAction::Watch(action), FigureState::Frames(watches)) => {
+                watches.iter_mut().for_each(|watch| watch.act(action));
+            }
+            (FigureAction::Foil(action), FigureState::Foil(plot)) => plot.act(action),
+            _ => {}
+        }
     }
 
     /// The impact angle in degrees.
@@ -391,7 +393,11 @@ impl LiveFigure {
             FigureState::Solve { .. } if pressed => Some(Key::Char('.')),
             _ => None,
         };
-        watched.is_some_and(|key| self.update(key))
+        let action = watched.and_then(|key| self.keys().find(key));
+        action.is_some_and(|action| {
+            self.act(action);
+            true
+        })
     }
 
     /// Lets time pass.
@@ -419,14 +425,19 @@ impl LiveFigure {
 
     /// Draws it, with the rays that are turned.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
-        for picture in self.pictures(area, look, rays) {
+        for picture in self.lay_out(area, buf, look, rays) {
             picture.draw(buf, look);
         }
-        self.write(area, buf, look);
     }
 
-    /// What is drawn of it.
-    fn pictures(&self, area: Rect, look: &Look, rays: Option<&RayInput>) -> Vec<Picture> {
+    /// Writes what is read in it, and gives what is to be drawn.
+    fn lay_out(
+        &self,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+        rays: Option<&RayInput>,
+    ) -> Vec<Picture> {
         if self.hidden && self.covers_outcome() {
             let given = Markings {
                 offset: self.figure.shot.is_by_offset(),
@@ -438,64 +449,28 @@ impl LiveFigure {
         }
         match (&self.state, self.figure.kind) {
             (FigureState::Hit(watch), _) => vec![watch.picture(area)],
-            (FigureState::Frames(watches), _) => frames::pictures(watches, area),
+            (FigureState::Frames(watches), _) => frames::lay_out(watches, area, buf, look),
             (_, FigureKind::Triangle { step }) => {
-                vec![triangle::picture(&self.collision, step, area)]
+                vec![triangle::lay_out(&self.collision, step, area, buf, look)]
             }
             (FigureState::Foil(plot), _) => vec![plot.picture(area, look)],
             (_, FigureKind::Foil { .. }) => vec![foil::picture(area)],
-            (_, FigureKind::Shots { space, .. }) => {
-                vec![shots::picture(space, self.beyond(), area)]
-            }
-            (FigureState::Step(_) | FigureState::Solve { .. }, _) => vec![],
-            _ => curves::pictures(self, area, look).into(),
-        }
-    }
-
-    /// Writes what is read in it.
-    fn write(&self, area: Rect, buf: &mut Buffer, look: &Look) {
-        if self.hidden && self.covers_outcome() {
-            return;
-        }
-        match (&self.state, self.figure.kind) {
-            (FigureState::Frames(_), _) => frames::write(&self.collision, area, buf, look),
-            (FigureState::Plain, FigureKind::Triangle { step }) => {
-                triangle::write(&self.collision, step, area, buf, look);
-            }
-            (_, FigureKind::Shots { space, .. }) => {
-                shots::write(space, self.beyond(), area, buf, look);
+            (_, FigureKind::Shots { space, beyond_deg }) => {
+                let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
+                vec![shots::lay_out(space, beyond, area, buf, look)]
             }
             (FigureState::Step(_), FigureKind::Worked { blank }) => {
                 let blank = blank.filter(|_| self.hidden);
                 worked::draw(self, None, blank, area, buf, look);
+                vec![]
             }
             (FigureState::Solve { field, .. }, _) => {
                 worked::draw(self, Some(*field), None, area, buf, look);
+                vec![]
             }
-            _ => {}
+            _ => curves::pictures(self, area, look).into(),
         }
     }
-
-    /// The angle in radians beyond which shots are counted, once that may be told.
-    fn beyond(&self) -> Option<f64> {
-        match self.figure.kind {
-            FigureKind::Shots { beyond_deg, .. } if !self.hidden => Some(rad_from_deg(beyond_deg)),
-            _ => None,
-        }
-    }
-}
-
-/// One step back or on by these two keys.
-fn turn(step: &mut usize, last: usize, key: Key, [back, on]: [Key; 2]) -> bool {
-    let from = *step;
-    if key == back {
-        *step = from.saturating_sub(1);
-    } else if key == on {
-        *step = (from + 1).min(last);
-    } else {
-        return false;
-    }
-    true
 }
 
 /// Only the lines n and t, and the split of u unless it is to be the `lines` alone.

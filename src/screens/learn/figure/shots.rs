@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::widgets::picture::{LabelSide, Layer, Pen, Picture, View};
+use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role};
 
 /// Shots on a board.
@@ -29,32 +29,27 @@ pub(super) fn title(space: bool) -> &'static str {
 }
 
 /// The shots, evenly spread. With an angle `beyond`, in radians, those that are turned
-/// by more stand out.
-pub(super) fn picture(space: bool, beyond: Option<f64>, area: Rect) -> Picture {
-    // The last row is for words.
-    let area = Rect {
-        height: area.height.saturating_sub(1),
-        ..area
-    };
-    // What is turned by more than θ₁ = 90° − α comes nearer than sin α = cos θ₁.
-    let near = beyond.map(f64::cos);
-    if space {
-        face(near, area)
-    } else {
-        ways(near, area)
-    }
-}
-
-/// Writes below them how many are turned by more.
-pub(super) fn write(space: bool, beyond: Option<f64>, area: Rect, buf: &mut Buffer, look: &Look) {
+/// by more stand out; writes below how many.
+pub(super) fn lay_out(
+    space: bool,
+    beyond: Option<f64>,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) -> Picture {
     let words = Rect {
         y: area.bottom().saturating_sub(1),
         height: 1.min(area.height),
         ..area
     };
-    let text = match beyond {
-        Some(beyond) => {
-            let near = beyond.cos();
+    let area = Rect {
+        height: area.height - words.height,
+        ..area
+    };
+    // What is turned by more than θ₁ = 90° − α comes nearer than sin α = cos θ₁.
+    let near = beyond.map(f64::cos);
+    let text = match (beyond, near) {
+        (Some(beyond), Some(near)) => {
             let offsets = if space { in_space() } else { on_board() };
             let counted = offsets.iter().filter(|at| at.length() < near).count();
             let angle = beyond.to_degrees();
@@ -67,6 +62,11 @@ pub(super) fn write(space: bool, beyond: Option<f64>, area: Rect, buf: &mut Buff
         _ => "Evenly spread, from side to side.".into(),
     };
     Lines::new(words, buf, *look).line(&format!(" {text}"), Role::Text);
+    if space {
+        face(near, area)
+    } else {
+        ways(near, area)
+    }
 }
 
 /// The ways of shots on a board. Those that come within `near` stand out.
@@ -81,7 +81,7 @@ fn ways(near: Option<f64>, area: Rect) -> Picture {
             Some(near) if at.length() < near => Pen::new(Role::CoinOut),
             Some(_) => Pen::new(Role::StrikerOut).dotted(),
         };
-        picture.curve(way(at.y), pen.on(Layer::Vector));
+        picture.curve(way(at.y), pen.on(DrawLayer::Vector));
     }
     picture.label("r₁ + r₂", DVec2::X, &[LabelSide::Right], Role::Arc);
     picture

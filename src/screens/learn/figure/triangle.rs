@@ -72,9 +72,15 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
         .then(|| at.y.atan2(left.x).to_degrees())
 }
 
-/// The triangle up to a step of the proof.
-pub(super) fn picture(collision: &Collision, step: u8, area: Rect) -> Picture {
-    let (area, _) = rooms(area);
+/// The triangle up to a step of the proof; writes below it what the step says.
+pub(super) fn lay_out(
+    collision: &Collision,
+    step: u8,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) -> Picture {
+    let (area, below) = rooms(area);
     let mut picture = Picture::new(view(collision, step, area));
     let [tail, joint, tip] = corners(collision);
     let equal = equal_masses(collision);
@@ -127,17 +133,11 @@ pub(super) fn picture(collision: &Collision, step: u8, area: Rect) -> Picture {
         };
         picture.label(&text, centre + share * length * outwards, &sides, role);
     }
-    picture
-}
-
-/// Writes below it what a step says.
-pub(super) fn write(collision: &Collision, step: u8, area: Rect, buf: &mut Buffer, look: &Look) {
-    let (_, below) = rooms(area);
-    let [tail, joint, tip] = corners(collision);
     let mut lines = Lines::new(below, buf, *look);
-    for (row, role) in words(collision, step, [joint - tail, tip - joint]) {
+    for (row, role) in words(collision, step, [a, b]) {
         lines.line(&row, role);
     }
+    picture
 }
 
 /// Away from the middle of the triangle, square to a side.

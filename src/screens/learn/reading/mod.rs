@@ -7,30 +7,60 @@ use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
-use super::figure::{LiveFigure, svg_of};
-use super::question::{Question, Said};
+use super::figure::{FigureAction, LiveFigure, svg_of};
+use super::question::{CheckpointAction, CheckpointInput};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
-use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
-use crate::widgets::{Scroll, SplitLayout, overflow};
+use crate::screens::{Confirmation, Context, Next, Place, Screen};
+use crate::widgets::input::KeyTable;
+use crate::widgets::{Outcome, Scroll, SplitLayout, overflow};
+
+/// What keys do in a chapter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum ReadingAction {
+    /// answer the question
+    Answer(CheckpointAction),
+    /// work the figure
+    Figure(FigureAction),
+    /// let keys go to the figure first, or to the text
+    Switch,
+    /// go on to the next page, whether the question is answered or not
+    Next,
+    /// the page before
+    Back,
+    /// scroll, or to the page before or the next one
+    Page(i16),
+    /// scroll
+    Scroll(i16),
+    /// ask this page's question again
+    AskAgain,
+    /// forget all answers of this chapter and begin anew
+    Forget,
+    /// open the figure full-size: in the lab, or on the foil
+    FullSize,
+    /// export the figure as an SVG picture
+    Export,
+    /// leave the chapter
+    Leave,
+}
 
 /// A chapter being read.
 #[derive(Debug, Clone)]
-pub struct Reading {
+pub(crate) struct Reading {
     number: usize,
     chapter: Chapter,
     at: usize,
     figure: Option<LiveFigure>,
-    question: Option<Question>,
+    question: Option<CheckpointInput>,
     answer: Option<CheckpointAnswer>,
     /// Whether keys go to the figure first.
     on_figure: bool,
     /// The impact angle that was set since the bookmark was moved last, in degrees.
     alpha_deg: Option<f64>,
-    /// Whether the student has been asked about beginning anew.
-    forgetting: bool,
     scroll: Scroll,
     notice: Option<String>,
     /// Whether a page is open; none is before it is known where the chapter was left.
@@ -39,7 +69,7 @@ pub struct Reading {
 
 impl Reading {
     /// A chapter, at the page where it was left; `None` beyond the last.
-    pub fn new(number: usize, cx: &mut Context) -> Option<Self> {
+    pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let mut reading = Self::closed(number, cx.book.chapter(number)?);
         cx.book.at = number;
         if cx.book.is_known() {
@@ -58,7 +88,6 @@ impl Reading {
             answer: None,
             on_figure: false,
             alpha_deg: None,
-            forgetting: false,
             scroll: Scroll::default(),
             notice: None,
             is_open: false,
@@ -110,7 +139,8 @@ impl Reading {
             .map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
         let collision = figure.as_ref().map(|figure| *figure.collision());
         let question = page.checkpoint.as_ref();
-        let question = question.map(|checkpoint| Question::new(checkpoint, collision.as_ref()));
+        let question =
+            question.map(|checkpoint| CheckpointInput::new(checkpoint, collision.as_ref()));
         self.figure = figure;
         self.question = question;
         self.answer = None;
@@ -174,88 +204,11 @@ impl Reading {
         self.tell(answer, cx.settings.reduced_motion);
     }
 
-    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
-        self.notice = None;
-        if std::mem::take(&mut self.forgetting) {
-            if let Key::Char('y' | 'Y') = key {
-                self.begin_anew(cx);
-            }
-            return Next::Stay;
-        }
-        if self.is_asking()
-            && !self.on_figure
-            && let Some(question) = &mut self.question
-        {
-            match question.update(key) {
-                Said::Part => {
-                    self.show_answer(cx);
-                    return Next::Stay;
-                }
-                Said::Answer(answer) => {
-                    self.answered(answer, cx);
-                    return Next::Stay;
-                }
-                Said::Nothing => {}
-            }
-        }
-        let scrolls = matches!(key, Key::Up | Key::Down);
-        if (self.on_figure || !scrolls) && self.figure_key(key) {
-            return Next::Stay;
-        }
-        match key {
-            Key::Tab | Key::BackTab if self.figure.is_some() => self.on_figure = !self.on_figure,
-            Key::Up => {
-                self.scroll_by(-1, cx);
-            }
-            Key::Down => {
-                self.scroll_by(1, cx);
-            }
-            Key::PageUp => {
-                if !self.scroll_by(-8, cx) {
-                    return self.back(cx);
-                }
-            }
-            Key::PageDown => {
-                if !self.scroll_by(8, cx) {
-                    return self.on(cx);
-                }
-            }
-            Key::Enter | Key::Char(' ') if self.is_asking() => self.on_figure = false,
-            Key::Enter | Key::Char(' ' | 'n' | 'N') => return self.on(cx),
-            Key::Char('b' | 'B') => return self.back(cx),
-            Key::Char('r') => self.ask_again(cx),
-            Key::Char('R') => {
-                self.forgetting = true;
-                self.notice = Some("Forget your answers here? y/n".into());
-            }
-            Key::Char('o' | 'O') => return self.full_size(),
-            Key::Char('e' | 'E') => self.export(cx),
-            Key::Escape => {
-                self.keep_alpha(cx);
-                return Next::Back;
-            }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
     fn begin_anew(&mut self, cx: &mut Context) {
         cx.forget(Forget::Chapter(self.chapter.id.clone()));
         self.alpha_deg = None;
         self.open(0, cx);
         self.notice = Some("The chapter begins anew.".into());
-    }
-
-    /// Gives a key to the figure; says whether it was one of its own.
-    fn figure_key(&mut self, key: Key) -> bool {
-        let used = self
-            .figure
-            .as_mut()
-            .is_some_and(|figure| figure.update(key));
-        if used {
-            self.note_alpha();
-        }
-        used
     }
 
     /// Notes the impact angle that the student has set.
@@ -376,7 +329,7 @@ impl Reading {
         let look = cx.settings.look();
         if picture.contains(cell.into()) {
             let rays = match &mut self.question {
-                Some(Question::Rays(rays)) if self.answer.is_none() => Some(rays),
+                Some(question) if self.answer.is_none() => question.rays_mut(),
                 _ => None,
             };
             let used = self
@@ -413,7 +366,9 @@ impl Reading {
     }
 }
 
-impl OldScreen for Reading {
+impl Screen for Reading {
+    type Action = ReadingAction;
+
     fn title(&self) -> String {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }
@@ -425,18 +380,136 @@ impl OldScreen for Reading {
         format!("page {} of {}", self.at + 1, self.chapter.pages.len())
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn keys(&self, _cx: &Context) -> KeyTable<ReadingAction> {
+        use ReadingAction::{
+            Answer, AskAgain, Back, Export, Figure, Forget, FullSize, Leave, Next, Page, Scroll,
+            Switch,
+        };
+        let keys = || KeyTable::new("reading");
+        let asking = self.is_asking();
+        let answering = asking && !self.on_figure;
         if !self.is_open {
-            if matches!(input, Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_))) {
-                self.open_where_left(cx);
-            }
-            return Next::Ignored;
+            return keys().on(Key::Escape, Leave, "contents");
         }
+        let question = self.question.iter().filter(|_| answering);
+        let mut table = question.fold(keys(), |table, it| table.with(it.keys(), Answer));
+        let on = match self.at + 1 >= self.chapter.pages.len() {
+            true => "finish",
+            false => "next page",
+        };
+        let here = keys()
+            .on(Key::Enter, Switch, "text")
+            .when(asking && self.on_figure)
+            .on(Key::Enter, Next, on)
+            .or([(Key::Char('n'), Next)])
+            .when(!asking)
+            .on(Key::Escape, Leave, "contents")
+            .on(Key::Char('n'), Next, "skip")
+            .when(asking);
+        table = table.with(here, |action| action);
+        if let Some(figure) = &self.figure {
+            // Up and Down scroll the text, unless keys go to the figure first.
+            let lines: &[Key] = match self.on_figure {
+                true => &[],
+                false => &[Key::Up, Key::Down],
+            };
+            table = table.with(figure.keys().without_keys(lines), Figure);
+        }
+        let full_size = match self.figure.as_ref().map(LiveFigure::foil_page) {
+            Some(Some(_)) => "the foil",
+            _ => "in the lab",
+        };
+        let rest = keys()
+            .on(Key::Char(' '), Next, "")
+            .when(!asking)
+            .on(Key::Char('b'), Back, "back")
+            .on(
+                Key::Tab,
+                Switch,
+                if self.on_figure { "text" } else { "figure" },
+            )
+            .or([(Key::BackTab, Switch)])
+            .when(self.figure.is_some())
+            .on(Key::Char('o'), FullSize, full_size)
+            .when(self.figure.is_some())
+            .on(Key::Char('e'), Export, "export")
+            .when(self.figure.is_some())
+            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "")
+            .each([(Key::PageUp, Page(-1)), (Key::PageDown, Page(1))], "")
+            .on(Key::Char('r'), AskAgain, "")
+            .when(self.question.is_some())
+            .on(Key::Char('R'), Forget, "");
+        table.with(rest, |action| action).distinct()
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "A chapter: a few lines to read, beside a figure that is the real thing. Where a question is asked, say first what you think; only then the figure shows what happens. Your place is kept.",
+            "Every page can be read again, skipped, or asked again. A wrong answer is a good start: the explanation begins from it.",
+        ]
+    }
+
+    fn act(&mut self, action: ReadingAction, cx: &mut Context) -> Next {
+        self.notice = None;
+        match action {
+            ReadingAction::Answer(action) => {
+                let outcome = self.question.as_mut().map(|question| question.act(action));
+                match outcome {
+                    Some(Outcome::Done(answer)) => self.answered(answer, cx),
+                    Some(Outcome::Used) => self.show_answer(cx),
+                    _ => {}
+                }
+            }
+            ReadingAction::Figure(action) => {
+                if let Some(figure) = &mut self.figure {
+                    figure.act(action);
+                    self.note_alpha();
+                }
+            }
+            ReadingAction::Switch => self.on_figure = !self.on_figure,
+            ReadingAction::Next => return self.on(cx),
+            ReadingAction::Back => return self.back(cx),
+            ReadingAction::Page(by) => {
+                if !self.scroll_by(8 * by, cx) {
+                    return if by < 0 { self.back(cx) } else { self.on(cx) };
+                }
+            }
+            ReadingAction::Scroll(by) => {
+                self.scroll_by(by, cx);
+            }
+            ReadingAction::AskAgain => self.ask_again(cx),
+            ReadingAction::Forget => {
+                return Next::Confirm(Confirmation::new(
+                    "Forget your answers in this chapter, and begin it anew?",
+                    "begin the chapter anew",
+                    "leave it",
+                ));
+            }
+            ReadingAction::FullSize => return self.full_size(),
+            ReadingAction::Export => self.export(cx),
+            ReadingAction::Leave => {
+                self.keep_alpha(cx);
+                return Next::Back;
+            }
+        }
+        Next::Stay
+    }
+
+    fn confirmed(&mut self, _forget: ReadingAction, cx: &mut Context) -> Next {
+        self.begin_anew(cx);
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Key(key) => self.key(*key, cx),
-            Input::Mouse(_) if self.forgetting => Next::Stay,
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
-            Input::Exported(exported) => {
+            Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_)) => {
+                if !self.is_open {
+                    self.open_where_left(cx);
+                }
+                Next::Ignored
+            }
+            Input::Mouse(mouse) if self.is_open => self.mouse(mouse, cx),
+            Input::Exported(exported) if self.is_open => {
                 cx.tell_of_export("figure", exported);
                 Next::Stay
             }
@@ -457,86 +530,5 @@ impl OldScreen for Reading {
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         view::draw(self, area, buf, cx);
-    }
-
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        if !self.is_open {
-            return vec![Hint::new("Esc", "contents")];
-        }
-        if self.forgetting {
-            return vec![
-                Hint::new("y", "begin the chapter anew"),
-                Hint::new("any other key", "leave it"),
-            ];
-        }
-        // What is needed comes first: where there is no room for all, the rest gives way.
-        let leave = Hint::new("Esc", "contents");
-        let mut keys = Vec::new();
-        if self.is_asking() && !self.on_figure {
-            keys.extend(match &self.question {
-                Some(Question::Rays(_)) => vec![
-                    Hint::new("Enter", "next, then watch"),
-                    Hint::new("arrows", "turn"),
-                    leave,
-                    Hint::new("0-9", "type"),
-                    Hint::new("x", "stays still"),
-                ],
-                Some(Question::Number(_)) => vec![
-                    Hint::new("0-9", "type"),
-                    Hint::new("Enter", "say it"),
-                    leave,
-                ],
-                _ => vec![
-                    Hint::new("Up Down", "choose"),
-                    Hint::new("Enter", "say it"),
-                    leave,
-                ],
-            });
-            keys.push(Hint::new("n", "skip"));
-        } else {
-            let is_last = self.at + 1 >= self.chapter.pages.len();
-            let on = if is_last { "finish" } else { "next page" };
-            keys.extend([Hint::new("Enter", on), leave]);
-            let figure = self.figure.iter().flat_map(LiveFigure::keys);
-            keys.extend(figure.map(|(key, does)| Hint::new(key, does)));
-        }
-        keys.push(Hint::new("b", "back"));
-        if let Some(figure) = &self.figure {
-            keys.push(Hint::new(
-                "Tab",
-                if self.on_figure { "text" } else { "figure" },
-            ));
-            keys.push(match figure.foil_page() {
-                None => Hint::new("o", "in the lab"),
-                Some(_) => Hint::new("o", "the foil"),
-            });
-            keys.push(Hint::new("e", "export"));
-        }
-        keys
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "A chapter: a few lines to read, beside a figure that is the real thing. Where a question is asked, say first what you think; only then the figure shows what happens. Your place is kept.",
-                "Every page can be read again, skipped, or asked again. A wrong answer is a good start: the explanation begins from it.",
-            ],
-            keys: vec![
-                Hint::new("Enter", "give the answer, then go on to the next page"),
-                Hint::new("n b", "next page, page before; PageDown and PageUp too"),
-                Hint::new("Tab", "let keys go to the figure first, or to the text"),
-                Hint::new(
-                    "Left Right",
-                    "in a figure: change α, step through the hit or through the working",
-                ),
-                Hint::new("< >", "the same in bigger steps"),
-                Hint::new("Space", "in a hit: go on from the contact"),
-                Hint::new("a f 1-7", "in a hit: play again, other frame, layers"),
-                Hint::new("o", "open the figure full-size: in the lab, or on the foil"),
-                Hint::new("e", "export the figure as an SVG picture"),
-                Hint::new("r", "ask this page's question again"),
-                Hint::new("R", "forget all answers of this chapter and begin anew"),
-            ],
-        }
     }
 }

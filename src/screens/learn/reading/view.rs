@@ -30,7 +30,7 @@ pub(super) fn draw(reading: &Reading, area: Rect, buf: &mut Buffer, cx: &Context
     }
     let question = reading.question.as_ref();
     let question = question.filter(|_| reading.answer.is_none());
-    let rays = question.and_then(super::Question::rays);
+    let rays = question.and_then(super::CheckpointInput::rays);
     let figure_title = match &reading.figure {
         Some(_) if rays.is_some() => "where will they go?".into(),
         Some(figure) => figure.title(),

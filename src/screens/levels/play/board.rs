@@ -9,7 +9,7 @@ use crate::physics::units::m_from_mm;
 use crate::physics::{EventKind, Shot};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
-use crate::widgets::picture::{Body, LabelSide, Layer, Pen, Picture, View};
+use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::{Role, board};
 
 /// Length of the arrow of the shot, in metres for each m/s.
@@ -74,7 +74,7 @@ fn ground(level: &Level, area: Rect) -> Picture {
         picture.rectangle(-half, half, Role::BoardLine);
     }
     for circle in level.goals.iter().filter_map(|goal| goal.circle()) {
-        let pen = Pen::new(Role::Good).on(Layer::Ground);
+        let pen = Pen::new(Role::Good).on(DrawLayer::Ground);
         picture.circle(circle.centre, circle.radius, pen);
     }
     picture
@@ -190,7 +190,7 @@ pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
 
 /// The way of a disc up to now.
 fn trail(picture: &mut Picture, shot: &Shot, disc: usize, now: f64, role: Role) {
-    let pen = Pen::new(role).on(Layer::Trail).dotted();
+    let pen = Pen::new(role).on(DrawLayer::Trail).dotted();
     for leg in shot.path(disc).take_while(|leg| leg.start < now) {
         let to = if leg.end <= now {
             leg.to
@@ -240,6 +240,26 @@ fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
 mod tests {
     use super::*;
     use crate::levels::LevelLibrary;
+    use crate::widgets::svg::Svg;
+    use crate::widgets::{Charset, Look, Theme};
+
+    /// Every piece is a circle, every number one.
+    #[test]
+    fn the_board_of_every_level_has_a_vector_form() {
+        let look = Look {
+            charset: Charset::Unicode,
+            theme: Theme::default(),
+        };
+        let library = LevelLibrary::embedded();
+        for level in library.packs.iter().flat_map(|pack| &pack.levels) {
+            let picture = of_aim(level, &level.scene, Rect::new(0, 0, 80, 36));
+            let file = Svg::new(&level.title, &picture, &look, 1.0).file();
+            let read = roxmltree::Document::parse(&file).unwrap();
+            let circles = read.descendants().filter(|it| it.has_tag_name("circle"));
+            assert!(circles.count() >= level.scene.pieces.len(), "{}", level.id);
+            assert!(!file.contains("NaN"), "{}", level.id);
+        }
+    }
 
     #[test]
     fn where_the_first_hit_counts_the_discs_are_whole_and_larger() {

@@ -6,44 +6,60 @@ use std::sync::Arc;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::messages::{Input, Key};
 use crate::progress::Due;
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
-use crate::screens::{Context, Help, Hint, Next, OldScreen, Place};
+use crate::screens::{Context, Next, Place, Screen};
+use crate::widgets::Outcome;
+use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
+
+/// What keys do where a round is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum ChoosingAction {
+    /// choose a round or a topic, or begin it
+    List(ListAction),
+    /// begin at once
+    Begin(usize),
+    /// begin at once: quick, mixed, review, hits, topic, exam, code, own questions
+    BeginByLetter(usize),
+    /// begin the round of the code that was typed
+    Enter,
+    /// go back
+    Back,
+}
 
 /// The screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Choosing {
     history: Recall,
-    page: Page,
-    /// The round that is chosen.
-    round: usize,
-    /// The topic that is chosen, of [`CourseKind::topics`].
-    topic: usize,
+    page: ChoosingPage,
+    /// The rounds.
+    rounds: ListView,
+    /// The topics, as in [`CourseKind::topics`].
+    topics: ListView,
     /// The questions of the teacher's own.
     own: Arc<Library>,
 }
 
 /// What is being chosen from.
 #[derive(Debug, Clone, PartialEq)]
-enum Page {
+enum ChoosingPage {
     /// The kinds of round.
     Rounds,
     /// The topics.
     Topics,
-    /// A code, as far as it is typed.
-    Code(Typed),
-}
-
-/// A code being typed.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Typed {
-    text: String,
-    /// Whether it was entered as it stands, and is none.
-    refused: bool,
+    /// A code.
+    Code {
+        /// As far as it is typed.
+        typed: TextField,
+        /// Whether it was entered as it stands, and is none.
+        refused: bool,
+    },
 }
 
 /// Letters of a code at most: more than any has.
@@ -51,7 +67,7 @@ const LONGEST: usize = 40;
 
 /// A kind of round to choose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Choice {
+enum RoundChoice {
     Quick,
     Mixed,
     Review,
@@ -62,7 +78,7 @@ enum Choice {
     Own,
 }
 
-impl Choice {
+impl RoundChoice {
     const ALL: [Self; 8] = [
         Self::Quick,
         Self::Mixed,
@@ -87,19 +103,6 @@ impl Choice {
             Self::Own => 'o',
         }
     }
-
-    /// The choice of a digit from 1 or of its letter.
-    fn of(c: char) -> Option<Self> {
-        let of_letter = || {
-            let letter = c.to_ascii_lowercase();
-            Self::ALL.into_iter().find(|choice| choice.key() == letter)
-        };
-        let number = c.to_digit(10).and_then(|digit| digit.checked_sub(1));
-        match number {
-            Some(number) => Self::ALL.get(number as usize).copied(),
-            None => of_letter(),
-        }
-    }
 }
 
 impl Choosing {
@@ -107,16 +110,16 @@ impl Choosing {
     pub(crate) fn ask(cx: &mut Context) -> Self {
         Self {
             history: Recall::ask(cx),
-            page: Page::Rounds,
-            round: 0,
-            topic: 0,
+            page: ChoosingPage::Rounds,
+            rounds: ListView::default(),
+            topics: ListView::default(),
             own: Arc::clone(&cx.own),
         }
     }
 
     /// The kinds of round to choose from; own questions only where a folder was given.
-    fn choices(&self) -> &'static [Choice] {
-        let all = &Choice::ALL[..];
+    fn choices(&self) -> &'static [RoundChoice] {
+        let all = &RoundChoice::ALL[..];
         match *self.own == Library::default() {
             true => &all[..all.len() - 1],
             false => all,
@@ -124,22 +127,14 @@ impl Choosing {
     }
 
     /// The kind of round that is chosen.
-    fn choice(&self) -> Choice {
+    fn choice(&self) -> RoundChoice {
         let choices = self.choices();
-        choices[self.round.min(choices.len() - 1)]
-    }
-
-    /// The keys that choose them.
-    fn numbers(&self) -> &'static str {
-        match self.choices().len() {
-            8 => "1-8",
-            _ => "1-7",
-        }
+        choices[self.rounds.chosen(choices.len())]
     }
 
     /// The topic that is chosen.
     fn family(&self) -> Option<Family> {
-        CourseKind::topics().nth(self.topic)
+        CourseKind::topics().nth(self.topics.chosen(CourseKind::topics().count()))
     }
 
     /// What is due.
@@ -148,47 +143,40 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// The chosen line of the page, and how many there are; `None` where nothing is
-    /// chosen from a list.
-    fn line(&mut self) -> Option<(&mut usize, usize)> {
+    /// The list of the page, and how many lines it has; `None` where nothing is chosen
+    /// from a list.
+    fn list(&mut self) -> Option<(&mut ListView, usize)> {
         let rounds = self.choices().len();
         match self.page {
-            Page::Rounds => Some((&mut self.round, rounds)),
-            Page::Topics => Some((&mut self.topic, CourseKind::topics().count())),
-            Page::Code(_) => None,
+            ChoosingPage::Rounds => Some((&mut self.rounds, rounds)),
+            ChoosingPage::Topics => Some((&mut self.topics, CourseKind::topics().count())),
+            ChoosingPage::Code { .. } => None,
         }
-    }
-
-    fn move_by(&mut self, lines: isize) -> Next {
-        let Some((line, count)) = self.line() else {
-            return Next::Ignored;
-        };
-        *line = line
-            .saturating_add_signed(lines)
-            .min(count.saturating_sub(1));
-        Next::Stay
     }
 
     /// Does what the chosen line says.
     fn enter(&mut self, cx: &mut Context) -> Next {
         let kind = match (&self.page, self.choice()) {
-            (Page::Topics, _) => self.family().map(CourseKind::Topic),
-            (Page::Code(_), _) => return self.enter_code(),
-            (Page::Rounds, Choice::Quick) => Some(CourseKind::Quick),
-            (Page::Rounds, Choice::Mixed) => Some(CourseKind::Mixed),
-            (Page::Rounds, Choice::Hits) => Some(CourseKind::Hits),
-            (Page::Rounds, Choice::Exam) => Some(CourseKind::Exam),
-            (Page::Rounds, Choice::Review) => self.due().course(),
-            (Page::Rounds, Choice::Own) => {
+            (ChoosingPage::Topics, _) => self.family().map(CourseKind::Topic),
+            (ChoosingPage::Code { .. }, _) => return self.enter_code(),
+            (ChoosingPage::Rounds, RoundChoice::Quick) => Some(CourseKind::Quick),
+            (ChoosingPage::Rounds, RoundChoice::Mixed) => Some(CourseKind::Mixed),
+            (ChoosingPage::Rounds, RoundChoice::Hits) => Some(CourseKind::Hits),
+            (ChoosingPage::Rounds, RoundChoice::Exam) => Some(CourseKind::Exam),
+            (ChoosingPage::Rounds, RoundChoice::Review) => self.due().course(),
+            (ChoosingPage::Rounds, RoundChoice::Own) => {
                 let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
                 own.map(CourseKind::Own)
             }
-            (Page::Rounds, Choice::Topic) => {
-                self.page = Page::Topics;
+            (ChoosingPage::Rounds, RoundChoice::Topic) => {
+                self.page = ChoosingPage::Topics;
                 None
             }
-            (Page::Rounds, Choice::Code) => {
-                self.page = Page::Code(Typed::default());
+            (ChoosingPage::Rounds, RoundChoice::Code) => {
+                self.page = ChoosingPage::Code {
+                    typed: TextField::new("", LONGEST),
+                    refused: false,
+                };
                 None
             }
         };
@@ -204,91 +192,36 @@ impl Choosing {
 
     /// Plays the round of the code that was typed, if it is one.
     fn enter_code(&mut self) -> Next {
-        let Page::Code(typed) = &mut self.page else {
+        let ChoosingPage::Code { typed, refused } = &mut self.page else {
             return Next::Ignored;
         };
-        match Code::parse(&typed.text).and_then(|code| code.with_own(&self.own).ok()) {
+        match code(typed.text(), &self.own) {
             Some(code) => Next::Replace(Place::Quiz { code: Some(code) }),
             None => {
-                typed.refused = !typed.text.is_empty();
+                *refused = !typed.text().is_empty();
                 Next::Stay
             }
         }
     }
 
-    fn key(&mut self, key: Key, cx: &mut Context) -> Next {
-        if let Page::Code(typed) = &mut self.page
-            && typed.update(key)
-        {
-            return Next::Stay;
-        }
-        match key {
-            Key::Up | Key::BackTab => self.move_by(-1),
-            Key::Down | Key::Tab => self.move_by(1),
-            Key::PageUp => self.move_by(-8),
-            Key::PageDown => self.move_by(8),
-            Key::Home => self.move_by(isize::MIN),
-            Key::End => self.move_by(isize::MAX),
-            Key::Enter | Key::Char(' ') => self.enter(cx),
-            Key::Escape if self.page != Page::Rounds => {
-                self.page = Page::Rounds;
-                Next::Stay
-            }
-            Key::Char(c) if self.page == Page::Rounds => {
-                let chosen = Choice::of(c);
-                let Some(at) = self.choices().iter().position(|it| Some(*it) == chosen) else {
-                    return Next::Ignored;
-                };
-                self.round = at;
-                self.enter(cx)
-            }
-            _ => Next::Ignored,
-        }
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        match mouse.kind {
-            MouseKind::ScrollUp => self.move_by(-1),
-            MouseKind::ScrollDown => self.move_by(1),
-            MouseKind::Down => {
-                let at = view::line_at(self, cx, (mouse.column, mouse.row));
-                let (Some(at), Some((line, _))) = (at, self.line()) else {
-                    return Next::Ignored;
-                };
-                if *line == at {
-                    return self.enter(cx);
-                }
-                *line = at;
-                Next::Stay
-            }
-            _ => Next::Ignored,
+    fn opened(&mut self, outcome: Outcome<usize>, cx: &mut Context) -> Next {
+        match outcome {
+            Outcome::Ignored => Next::Ignored,
+            Outcome::Used => Next::Stay,
+            Outcome::Done(_) => self.enter(cx),
         }
     }
 }
 
-impl Typed {
-    /// Takes a key; says whether it was one of a code's.
-    fn update(&mut self, key: Key) -> bool {
-        match key {
-            Key::Char(c) if c.is_ascii_alphanumeric() || c == '-' => self.push(c),
-            Key::Backspace => {
-                self.text.pop();
-            }
-            _ => return false,
-        }
-        self.refused = false;
-        true
-    }
-
-    /// Adds a letter, unless it is none of a code's or one too many.
-    fn push(&mut self, c: char) {
-        if (c.is_ascii_alphanumeric() || c == '-') && self.text.len() < LONGEST {
-            self.text.push(c.to_ascii_lowercase());
-        }
-    }
+/// The code that a text is, capitals and blanks around it aside.
+fn code(text: &str, own: &Arc<Library>) -> Option<Code> {
+    let code = Code::parse(&text.trim().to_lowercase())?;
+    code.with_own(own).ok()
 }
 
-impl OldScreen for Choosing {
+impl Screen for Choosing {
+    type Action = ChoosingAction;
+
     fn title(&self) -> String {
         "quiz".into()
     }
@@ -300,67 +233,89 @@ impl OldScreen for Choosing {
         }
     }
 
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match (input, &mut self.page) {
-            (Input::Key(key), _) => self.key(*key, cx),
-            (Input::Mouse(mouse), _) => self.mouse(mouse, cx),
-            (Input::Paste(text), Page::Code(typed)) => {
-                text.trim().chars().for_each(|c| typed.push(c));
-                typed.refused = false;
-                Next::Stay
+    fn keys(&self, _cx: &Context) -> KeyTable<ChoosingAction> {
+        use ChoosingAction::{Back, Begin, BeginByLetter, Enter, List};
+        let keys = KeyTable::new("rounds");
+        let list = ListView::keys("begin");
+        match self.page {
+            ChoosingPage::Rounds => {
+                let numbers = ('1'..)
+                    .map(Key::Char)
+                    .zip((0..self.choices().len()).map(Begin));
+                let letters = self.choices().iter().enumerate();
+                let letters = letters.map(|(at, it)| (Key::Char(it.key()), BeginByLetter(at)));
+                keys.with(list, List)
+                    .each(numbers, "at once")
+                    .each(letters, "")
+                    .on(Key::Escape, Back, "back")
             }
-            (Input::Kept(answer), _) => {
-                self.history.take(answer);
-                Next::Stay
+            ChoosingPage::Topics => keys.with(list, List).on(Key::Escape, Back, "other rounds"),
+            ChoosingPage::Code { .. } => {
+                keys.on(Key::Enter, Enter, "begin")
+                    .on(Key::Escape, Back, "other rounds")
             }
-            _ => Next::Ignored,
         }
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "A round is a few questions: you answer, say how sure you are, watch what happens and read why.",
+            "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks once about each topic that is due, in any of its kinds of question.",
+            "In an exam you hear nothing until the end; then every question can be opened.",
+            "Every round but a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
+        ]
+    }
+
+    fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
+        let ChoosingPage::Code { typed, refused } = &mut self.page else {
+            return false;
+        };
+        // A question mark asks for help here: it is in no code.
+        let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        let used = !matches!(key, Key::Char(c) if !of_code(c)) && typed.update(key);
+        *refused &= !used;
+        used
+    }
+
+    fn act(&mut self, action: ChoosingAction, cx: &mut Context) -> Next {
+        match action {
+            ChoosingAction::List(action) => {
+                let outcome = self.list().map(|(list, count)| list.act(action, count));
+                self.opened(outcome.unwrap_or(Outcome::Ignored), cx)
+            }
+            ChoosingAction::Begin(at) | ChoosingAction::BeginByLetter(at) => {
+                self.rounds.choose(at);
+                self.enter(cx)
+            }
+            ChoosingAction::Enter => self.enter_code(),
+            ChoosingAction::Back if self.page == ChoosingPage::Rounds => Next::Back,
+            ChoosingAction::Back => {
+                self.page = ChoosingPage::Rounds;
+                Next::Stay
+            }
+        }
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match (input, &mut self.page) {
+            (Input::Mouse(mouse), _) => {
+                let line = view::line_at(self, cx, (mouse.column, mouse.row));
+                let outcome = self
+                    .list()
+                    .map(|(list, count)| list.mouse(mouse, count, line));
+                return self.opened(outcome.unwrap_or(Outcome::Ignored), cx);
+            }
+            (Input::Paste(text), ChoosingPage::Code { typed, refused }) => {
+                typed.paste(text.trim());
+                *refused = false;
+            }
+            (Input::Kept(answer), _) => self.history.take(answer),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         view::draw(self, area, buf, cx);
-    }
-
-    fn keys(&self, _cx: &Context) -> Vec<Hint> {
-        match self.page {
-            Page::Rounds => vec![
-                Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "begin"),
-                Hint::new(self.numbers(), "at once"),
-                Hint::new("Esc", "back"),
-            ],
-            Page::Topics => vec![
-                Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "begin"),
-                Hint::new("Esc", "other rounds"),
-            ],
-            Page::Code(_) => vec![
-                Hint::new("a-z 0-9 -", "type"),
-                Hint::new("Enter", "begin"),
-                Hint::new("Esc", "other rounds"),
-            ],
-        }
-    }
-
-    fn help(&self, _cx: &Context) -> Help {
-        Help {
-            text: vec![
-                "A round is a few questions: you answer, say how sure you are, watch what happens and read why.",
-                "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks once about each topic that is due, in any of its kinds of question.",
-                "In an exam you hear nothing until the end; then every question can be opened.",
-                "Every round but a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
-            ],
-            keys: vec![
-                Hint::new("Up Down", "choose"),
-                Hint::new("Enter", "begin"),
-                Hint::new(self.numbers(), "begin at once"),
-                Hint::new(
-                    "q m r h t e c",
-                    "likewise: quick, mixed, review, hits, topic, exam, code",
-                ),
-                Hint::new("Esc", "back"),
-                Hint::new("mouse", "click to choose, again to begin"),
-            ],
-        }
     }
 }

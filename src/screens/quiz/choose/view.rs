@@ -3,11 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Choice, Choosing, Page, Typed};
+use super::{Choosing, ChoosingPage, RoundChoice, code as code_of};
 use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::screens::recall::Recall;
+use crate::widgets::input::{ListView, TextField};
 use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
 /// Why rounds are mixed.
@@ -23,16 +24,16 @@ pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Op
     }
     let row = usize::from(cell.1 - list.y);
     match choosing.page {
-        Page::Rounds => {
+        ChoosingPage::Rounds => {
             let each = usize::from(rows_of_a_round(choosing, list, cx.settings.look()));
             let at = row / each;
             (row % each == 0 && at < choosing.choices().len()).then_some(at)
         }
-        Page::Topics => {
+        ChoosingPage::Topics => {
             let at = first_topic(choosing, list) + row;
             (at < CourseKind::topics().count()).then_some(at)
         }
-        Page::Code(_) => None,
+        ChoosingPage::Code { .. } => None,
     }
 }
 
@@ -44,12 +45,10 @@ fn rows_of_a_round(choosing: &Choosing, list: Rect, look: Look) -> u16 {
     if list.height > 2 * rounds + why { 2 } else { 1 }
 }
 
-/// The first topic shown: the chosen one stands in the middle where the list is longer
-/// than its place.
+/// The first topic shown.
 fn first_topic(choosing: &Choosing, list: Rect) -> usize {
-    let height = usize::from(list.height);
-    let most = CourseKind::topics().count().saturating_sub(height);
-    choosing.topic.saturating_sub(height / 2).min(most)
+    let count = CourseKind::topics().count();
+    ListView::first_shown(choosing.topics.chosen(count), count, list.height)
 }
 
 /// Draws the page.
@@ -57,24 +56,24 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
     let look = cx.settings.look();
     let layout = SplitLayout::new(area);
     let (list, about) = match choosing.page {
-        Page::Rounds => ("choose a round", "this round"),
-        Page::Topics => ("choose a topic", "this topic"),
-        Page::Code(_) => ("a round by its code", "codes"),
+        ChoosingPage::Rounds => ("choose a round", "this round"),
+        ChoosingPage::Topics => ("choose a topic", "this topic"),
+        ChoosingPage::Code { .. } => ("a round by its code", "codes"),
     };
     layout.draw(buf, &look, list, about);
     let each = rows_of_a_round(choosing, layout.picture, look);
     let first = first_topic(choosing, layout.picture);
     let mut lines = Lines::new(layout.picture, buf, look);
     match &choosing.page {
-        Page::Rounds => rounds(choosing, each, &mut lines),
-        Page::Topics => topics(choosing, first, &mut lines),
-        Page::Code(typed) => code(choosing, typed, &mut lines),
+        ChoosingPage::Rounds => rounds(choosing, each, &mut lines),
+        ChoosingPage::Topics => topics(choosing, first, &mut lines),
+        ChoosingPage::Code { typed, refused } => code(choosing, typed, *refused, &mut lines),
     }
     let mut lines = Lines::new(layout.panel, buf, look);
     match choosing.page {
-        Page::Rounds => about_round(choosing, &mut lines),
-        Page::Topics => about_topic(choosing, &mut lines),
-        Page::Code(_) => about_codes(&mut lines),
+        ChoosingPage::Rounds => about_round(choosing, &mut lines),
+        ChoosingPage::Topics => about_topic(choosing, &mut lines),
+        ChoosingPage::Code { .. } => about_codes(&mut lines),
     }
 }
 
@@ -97,26 +96,27 @@ fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
 }
 
 fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
+    let chosen = choosing.rounds.chosen(choosing.choices().len());
     for (i, choice) in choosing.choices().iter().enumerate() {
         let due = choosing.due();
         let (name, value) = match choice {
-            Choice::Quick => (CourseKind::Quick.name(), questions(&CourseKind::Quick)),
-            Choice::Mixed => (CourseKind::Mixed.name(), questions(&CourseKind::Mixed)),
-            Choice::Hits => (CourseKind::Hits.name(), "where will they go?".into()),
-            Choice::Exam => (CourseKind::Exam.name(), questions(&CourseKind::Exam)),
-            Choice::Topic => (
+            RoundChoice::Quick => (CourseKind::Quick.name(), questions(&CourseKind::Quick)),
+            RoundChoice::Mixed => (CourseKind::Mixed.name(), questions(&CourseKind::Mixed)),
+            RoundChoice::Hits => (CourseKind::Hits.name(), "where will they go?".into()),
+            RoundChoice::Exam => (CourseKind::Exam.name(), questions(&CourseKind::Exam)),
+            RoundChoice::Topic => (
                 "one topic",
                 format!("{} to choose from", CourseKind::topics().count()),
             ),
-            Choice::Code => ("a round by its code", String::new()),
-            Choice::Own => {
+            RoundChoice::Code => ("a round by its code", String::new()),
+            RoundChoice::Own => {
                 let value = match choosing.own.problems.len() {
                     0 => format!("of {}", choosing.own.concepts.len()),
                     left => format!("of {}, {left} left out", choosing.own.concepts.len()),
                 };
                 ("your own questions", value)
             }
-            Choice::Review => {
+            RoundChoice::Review => {
                 let value = match due.now.len() {
                     0 => "nothing due".into(),
                     due => format!("{due} due"),
@@ -125,8 +125,8 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
             }
         };
         let idle = match choice {
-            Choice::Review => due.now.is_empty(),
-            Choice::Own => choosing.own.concepts.is_empty(),
+            RoundChoice::Review => due.now.is_empty(),
+            RoundChoice::Own => choosing.own.concepts.is_empty(),
             _ => false,
         };
         let role = if idle { Role::Dim } else { Role::Text };
@@ -134,7 +134,7 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
             lines,
             &format!("{} {name}", i + 1),
             &value,
-            i == choosing.round,
+            i == chosen,
             role,
         );
         for _ in 1..each {
@@ -154,32 +154,32 @@ fn questions(kind: &CourseKind) -> String {
 
 fn about_round(choosing: &Choosing, lines: &mut Lines) {
     let text = match choosing.choice() {
-        Choice::Quick => {
+        RoundChoice::Quick => {
             "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
         }
-        Choice::Mixed => {
+        RoundChoice::Mixed => {
             "Ten questions of all kinds, in any order. Nobody tells you what kind comes next."
         }
-        Choice::Review => return about_review(choosing, lines),
-        Choice::Own => return about_own(choosing, lines),
-        Choice::Hits => {
+        RoundChoice::Review => return about_review(choosing, lines),
+        RoundChoice::Own => return about_own(choosing, lines),
+        RoundChoice::Hits => {
             "Ten hits on the board: say where the striker and the coin will go. Masses and losses change on the way."
         }
-        Choice::Topic => {
+        RoundChoice::Topic => {
             "Six questions of one kind, which get harder: when you have just read about it. Then come back to mixed rounds."
         }
-        Choice::Exam => {
+        RoundChoice::Exam => {
             "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why."
         }
-        Choice::Code => {
+        RoundChoice::Code => {
             "A friend or a teacher gave you a code? With it you get the very same questions."
         }
     };
     lines.paragraph(text, Role::Text);
     lines.gap();
     let next = match choosing.choice() {
-        Choice::Topic => "Enter: choose a topic.",
-        Choice::Code => "Enter: type it.",
+        RoundChoice::Topic => "Enter: choose a topic.",
+        RoundChoice::Code => "Enter: type it.",
         _ => "Enter: begin.",
     };
     lines.line(next, Role::Key);
@@ -263,6 +263,7 @@ fn known(choosing: &Choosing, family: Family) -> Option<TopicStanding> {
 }
 
 fn topics(choosing: &Choosing, first: usize, lines: &mut Lines) {
+    let chosen = choosing.topics.chosen(CourseKind::topics().count());
     for (i, family) in CourseKind::topics().enumerate().skip(first) {
         let mastery = known(choosing, family).map_or(Mastery::New, |topic| topic.mastery());
         let role = match mastery {
@@ -270,7 +271,7 @@ fn topics(choosing: &Choosing, first: usize, lines: &mut Lines) {
             _ => Role::Text,
         };
         let name = format!("{} {}", mastery.mark(), family.name());
-        line(lines, &name, mastery.name(), i == choosing.topic, role);
+        line(lines, &name, mastery.name(), i == chosen, role);
     }
 }
 
@@ -297,13 +298,12 @@ fn about_topic(choosing: &Choosing, lines: &mut Lines) {
     lines.paragraph(&Mastery::legend(), Role::Dim);
 }
 
-fn code(choosing: &Choosing, typed: &Typed, lines: &mut Lines) {
+fn code(choosing: &Choosing, typed: &TextField, refused: bool, lines: &mut Lines) {
     lines.line("The code of the round:", Role::Text);
     lines.gap();
-    lines.line(&format!("> {}_", typed.text), Role::Selected);
+    lines.line(&format!("> {}", typed.shown()), Role::Selected);
     lines.gap();
-    let code = Code::parse(&typed.text).and_then(|code| code.with_own(&choosing.own).ok());
-    match code {
+    match code_of(typed.text(), &choosing.own) {
         Some(Code { course, seed }) => {
             let Course { kind, count } = &course;
             let name = match &kind {
@@ -315,7 +315,7 @@ fn code(choosing: &Choosing, typed: &Typed, lines: &mut Lines) {
             lines.gap();
             lines.line("Enter: begin.", Role::Key);
         }
-        None if typed.refused => {
+        None if refused => {
             let text = "That is not the code of a round yet. Look at it once more: a name, a hyphen and a number.";
             lines.paragraph(text, Role::Warn);
         }

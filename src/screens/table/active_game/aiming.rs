@@ -145,7 +145,7 @@ impl ActiveGame {
             let (before, settings) = (&past.before, &cx.settings);
             let at_end = settings.reduced_motion;
             let replay = StrokeReplay::new(number, shot, before, called, at_end, settings);
-            self.phase = TablePhase::Watch(Box::new(replay));
+            self.phase = TablePhase::Watch(Box::new(replay.live()));
         }
     }
 

@@ -247,13 +247,9 @@ impl ActiveGame {
     fn back(&mut self) -> GameStep {
         match self.phase {
             TablePhase::Call(_) | TablePhase::Arrange(_) => self.phase = TablePhase::Aim,
-            TablePhase::Watch(_) => self.go_on(),
-            TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Over if self.is_running() => {
-                return GameStep::AskToLeave;
-            }
-            TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Over => {
-                return GameStep::Leave;
-            }
+            TablePhase::Watch(ref replay) if !replay.live || !self.is_running() => self.go_on(),
+            _ if self.is_running() => return GameStep::AskToLeave,
+            _ => return GameStep::Leave,
         }
         GameStep::Stay
     }

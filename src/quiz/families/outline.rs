@@ -10,7 +10,7 @@ use crate::quiz::question::{
 };
 
 /// A wrong answer as it is declared, whether or not it can be given.
-struct DraftAnswer {
+struct OutlinedAnswer {
     /// Whoever gives it follows this; `None` for a wrong choice that follows nothing known.
     misconception: Option<&'static Misconception>,
     response: Response,
@@ -21,12 +21,12 @@ struct DraftAnswer {
 ///
 /// Wrong answers are declared whether or not they make sense for the figures drawn;
 /// [`finish`](Self::finish) leaves out those that cannot be given or happen to be right.
-pub(super) struct Draft {
+pub(super) struct Outline {
     question: Question,
-    wrong: Vec<DraftAnswer>,
+    wrong: Vec<OutlinedAnswer>,
 }
 
-impl Draft {
+impl Outline {
     /// A question that begins with this text beside this picture.
     pub(super) fn new(text: impl Into<String>, picture: Illustration) -> Self {
         let question = Question {
@@ -137,7 +137,7 @@ impl Draft {
     }
 
     fn push(&mut self, misconception: Option<&'static Misconception>, response: Response) {
-        self.wrong.push(DraftAnswer {
+        self.wrong.push(OutlinedAnswer {
             misconception,
             response,
             says: String::new(),
@@ -208,7 +208,7 @@ impl Draft {
         const SAME: f64 = 1e-6;
         let mut question = self.question;
         let form = &question.form;
-        for DraftAnswer {
+        for OutlinedAnswer {
             misconception,
             response,
             says,

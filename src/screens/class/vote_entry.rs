@@ -1,0 +1,88 @@
+//! The teams giving their votes.
+
+use crate::class::{ClassRound, Vote};
+use crate::widgets::AnswerInput;
+use crate::widgets::input::ListView;
+
+/// Answers nearer to each other than this are the same, counted in what still counts as
+/// right.
+const SAME: f64 = 1e-6;
+
+/// The teams giving one of their two votes on a question.
+#[derive(Debug, Clone)]
+pub(super) struct VoteEntry {
+    /// Which vote.
+    pub(super) vote: Vote,
+    question: usize,
+    /// The teams; after the last of them comes going on.
+    pub(super) teams: ListView,
+    /// What the team at the mark is about to say.
+    pub(super) input: Option<AnswerInput>,
+}
+
+impl VoteEntry {
+    /// Before any key: at the first team that has not voted. After talking every team
+    /// keeps its vote unless it says otherwise, so there the mark is at going on.
+    pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
+        let mut entry = Self {
+            vote,
+            question,
+            teams: ListView::default(),
+            input: None,
+        };
+        entry.choose_next(round);
+        entry
+    }
+
+    /// The row of the mark: a team, or how many teams there are at going on.
+    pub(super) fn at(&self, round: &ClassRound) -> usize {
+        self.teams.chosen(round.teams().len() + 1)
+    }
+
+    /// Puts the mark at the team that is next to vote, or at going on.
+    fn choose_next(&mut self, round: &ClassRound) {
+        let count = round.teams().len();
+        let waits = |team: &usize| round.ballot(self.question, *team).first.is_none();
+        let waiting = (0..count).find(|team| self.vote == Vote::First && waits(team));
+        self.teams.choose(waiting.unwrap_or(count));
+    }
+
+    /// Lets a team make or change its vote.
+    pub(super) fn open(&mut self, team: usize, round: &ClassRound) {
+        let Some(question) = round.questions().get(self.question) else {
+            return;
+        };
+        self.teams.choose(team);
+        let ballot = round.ballot(self.question, team);
+        let said = match self.vote {
+            Vote::First => ballot.first,
+            Vote::Second => ballot.counts(),
+        };
+        self.input = Some(match said {
+            Some(said) => AnswerInput::saying(&question.form, &said),
+            None => AnswerInput::new(&question.form),
+        });
+    }
+
+    /// Takes back the vote of the team at the mark.
+    pub(super) fn take_back(&self, round: &mut ClassRound) {
+        round.vote(self.question, self.at(round), self.vote, None);
+    }
+
+    /// Gives the vote that was made, and goes to the next team.
+    pub(super) fn give(&mut self, round: &mut ClassRound) {
+        let team = self.at(round);
+        let said = self.input.take().and_then(|input| input.said());
+        let before = round.ballot(self.question, team).first;
+        // Whoever says the same again has kept the vote.
+        let same = match (round.questions().get(self.question), said, before) {
+            (Some(question), Some(said), Some(before)) => {
+                question.form.distance(&said, &before) < SAME
+            }
+            _ => false,
+        };
+        let kept = self.vote == Vote::Second && same;
+        round.vote(self.question, team, self.vote, said.filter(|_| !kept));
+        self.choose_next(round);
+    }
+}
