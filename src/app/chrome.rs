@@ -106,12 +106,9 @@ fn screen_keys(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer) 
     let table = screen.table(&app.context);
     let rows = table.rows().iter().filter(|row| !row.name.is_empty());
     let rows = rows.map(|row| (row.shown(), row.name));
-    let by_hand = screen.by_hand(&app.context).map(|(hints, _)| hints);
-    let by_hand = by_hand.into_iter().flatten();
-    let by_hand = by_hand.map(|hint| (hint.key.to_owned(), hint.does));
     let help = table.rows().iter().find(|row| row.id == "everywhere.help");
     let help = help.map(|row| (row.shown(), "help"));
-    key_line(rows.chain(by_hand).chain(help), area, buf, app.settings());
+    key_line(rows.chain(help), area, buf, app.settings());
 }
 
 /// Shows as many keys as fit whole; the last always keeps its place.
@@ -143,15 +140,9 @@ fn help_lines(app: &App, screen: &dyn AnyScreen, width: usize) -> Vec<(String, R
         }
         lines.push((String::new(), Role::Text));
     }
-    let by_hand = screen.by_hand(&app.context).map(|(_, help)| help.keys);
-    let by_hand = by_hand.into_iter().flatten();
-    let by_hand = by_hand.map(|hint| (hint.key.to_owned(), hint.does));
     let table = screen.table(&app.context);
     let rows = table.rows().iter().map(|row| (row.shown(), row.help));
-    let all: Vec<_> = by_hand
-        .chain(rows)
-        .filter(|(keys, _)| !keys.is_empty())
-        .collect();
+    let all: Vec<_> = rows.filter(|(keys, _)| !keys.is_empty()).collect();
     let widest = all.iter().map(|(keys, _)| text::width(keys)).max();
     let column = widest.unwrap_or(0) + 2;
     for (keys, does) in &all {

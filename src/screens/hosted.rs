@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Help, Hint, Next, OldScreen, Screen};
+use super::{Context, Next, Screen};
 use crate::messages::{Input, Key};
 use crate::widgets::input::KeyTable;
 
@@ -71,10 +71,6 @@ pub trait AnyScreen {
     fn wake(&self, cx: &Context) -> Option<Duration>;
     /// See [`Screen::draw`].
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
-    /// Keys that are still listed by hand.
-    fn by_hand(&self, _cx: &Context) -> Option<(Vec<Hint>, Help)> {
-        None
-    }
 }
 
 /// A screen, and what the player was asked about on it.
@@ -153,60 +149,5 @@ impl<S: Screen> AnyScreen for Hosted<S> {
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         self.screen.draw(area, buf, cx);
-    }
-}
-
-/// A screen that still lists its keys by hand.
-pub struct Old<S>(pub S);
-
-impl<S: OldScreen> AnyScreen for Old<S> {
-    fn title(&self) -> String {
-        self.0.title()
-    }
-
-    fn status(&self, cx: &Context) -> String {
-        self.0.status(cx)
-    }
-
-    fn table(&self, cx: &Context) -> KeyTable<()> {
-        shared_keys().rebound(&cx.settings.keys).map(|_| ())
-    }
-
-    fn about(&self, cx: &Context) -> Vec<&'static str> {
-        self.0.help(cx).text
-    }
-
-    fn press(&mut self, key: Key, cx: &mut Context) -> Next {
-        match self.0.update(&Input::Key(key), cx) {
-            Next::Ignored => {
-                let shared = shared_keys().rebound(&cx.settings.keys).exact(key);
-                shared.map_or(Next::Ignored, Next::Shared)
-            }
-            next => next,
-        }
-    }
-
-    fn confirmed(&mut self, _cx: &mut Context) -> Next {
-        Next::Stay
-    }
-
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        self.0.update(input, cx)
-    }
-
-    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
-        self.0.advance(passed, cx)
-    }
-
-    fn wake(&self, cx: &Context) -> Option<Duration> {
-        self.0.wake(cx)
-    }
-
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        self.0.draw(area, buf, cx);
-    }
-
-    fn by_hand(&self, cx: &Context) -> Option<(Vec<Hint>, Help)> {
-        Some((self.0.keys(cx), self.0.help(cx)))
     }
 }

@@ -23,7 +23,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 pub use context::{Context, Settings};
-pub use hosted::{AnyScreen, Hosted, Old, SharedAction};
+pub use hosted::{AnyScreen, Hosted, SharedAction};
 pub use place::Place;
 
 use crate::messages::{Input, Key};
@@ -86,39 +86,6 @@ pub trait Screen {
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
 }
 
-/// A screen on its way to [`Screen`]: it still lists its keys by hand.
-pub trait OldScreen {
-    /// Its name for the title line, in lower case.
-    fn title(&self) -> String;
-
-    /// The rest of the title line: what is set up.
-    fn status(&self, _cx: &Context) -> String {
-        String::new()
-    }
-
-    /// Takes one input.
-    fn update(&mut self, input: &Input, cx: &mut Context) -> Next;
-
-    /// Lets time pass; called only while [`Screen::wake`] asks for time.
-    fn advance(&mut self, _passed: Duration, _cx: &mut Context) -> Next {
-        Next::Stay
-    }
-
-    /// When it next needs time; `None` while nothing moves.
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
-        None
-    }
-
-    /// Draws itself into `area`, which is [`Context::body`].
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
-
-    /// The keys to show in the bottom line, the most useful first.
-    fn keys(&self, cx: &Context) -> Vec<Hint>;
-
-    /// The page that `?` opens.
-    fn help(&self, cx: &Context) -> Help;
-}
-
 /// What follows from an input or from time that passed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
@@ -160,29 +127,4 @@ impl Confirmation {
             no,
         }
     }
-}
-
-/// A key and what it does, for the bottom line.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Hint {
-    /// The key or keys, as on the keyboard.
-    pub key: &'static str,
-    /// What it does, in a word or two.
-    pub does: &'static str,
-}
-
-impl Hint {
-    /// A hint.
-    pub const fn new(key: &'static str, does: &'static str) -> Self {
-        Self { key, does }
-    }
-}
-
-/// The page that explains a screen.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Help {
-    /// What the screen is for and how to begin, a paragraph each.
-    pub text: Vec<&'static str>,
-    /// All its keys.
-    pub keys: Vec<Hint>,
 }

@@ -80,7 +80,7 @@ pub(crate) fn message(output: &Output) -> String {
 }
 
 /// How many files these errors are of.
-pub fn files(errors: &[FileError]) -> usize {
+pub(crate) fn files(errors: &[FileError]) -> usize {
     let files: BTreeSet<_> = errors.iter().map(|error| &error.file).collect();
     files.len()
 }

@@ -144,9 +144,9 @@ pub(super) fn write(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
     let share = run.law().share_beyond(PI / 2.0);
     lines.line("turned by more than 90°:", Role::Dim);
     let back = run.counts().from_bin(BINS / 2);
-    lines.pair("  counted", &words::count(back), Role::Dim, Role::Text);
+    lines.fact("  counted", &words::count(back));
     let counted = run.share_turned_back().map_or("none".into(), words::share);
-    lines.pair("  share", &counted, Role::Dim, Role::Text);
+    lines.fact("  share", &counted);
     lines.pair(
         "  the law",
         &words::share(share),
@@ -189,7 +189,7 @@ fn progress(run: &BeamRun, lines: &mut Lines, cx: &Context) {
     } else {
         "stopped at"
     };
-    lines.pair(state, &words::count(run.thrown()), Role::Dim, Role::Text);
+    lines.fact(state, &words::count(run.thrown()));
 }
 
 /// What a beam is, before it is thrown.

@@ -85,7 +85,7 @@ impl FoilField {
             Self::Energy => ("energy", "of the α particles"),
             Self::Thickness => ("foil", "how thick the foil is"),
             Self::Offset => ("offset b", "how far off-centre it flies"),
-            Self::Particles => ("particles", "how many are thrown"),
+            Self::Particles => ("particles", "how many in a beam"),
         }
     }
 

@@ -64,10 +64,12 @@ const PAGE: i16 = 8;
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilAction {
-    /// next page, the one before
+    /// next page; Shift+Tab the one before
     TurnPage(isize),
     /// change a setting
     Set(FormAction),
+    /// a whole beam of such particles
+    WholeBeam,
     /// throw a beam, let it go on, or throw another
     Throw,
     /// stop the beam at once
@@ -354,9 +356,8 @@ impl Screen for FoilScreen {
 
     fn keys(&self, _cx: &Context) -> KeyTable<FoilAction> {
         use FoilAction::{Back, Export, LeaveGuess, OtherPlot, Predict, Reset, Scale, Scroll};
-        use FoilAction::{Stop, Throw, TurnPage};
+        use FoilAction::{Stop, Throw, TurnPage, WholeBeam};
         let key = Key::Char;
-        let pages = [(Key::Tab, TurnPage(1)), (Key::BackTab, TurnPage(-1))];
         let scroll = [(Key::PageUp, Scroll(-PAGE)), (Key::PageDown, Scroll(PAGE))];
         let table = KeyTable::new("foil");
         if self.is_running() {
@@ -364,7 +365,8 @@ impl Screen for FoilScreen {
                 .on(Key::Escape, Stop, "stop the beam")
                 .or([(Key::Enter, Stop), (key(' '), Stop)])
                 .on(key('l'), Scale, "scale")
-                .each(pages, "next page");
+                .on(Key::Tab, TurnPage(1), "next page")
+                .or([(Key::BackTab, TurnPage(-1))]);
         }
         let typing = self.form.is_typing();
         // Here these keys turn the page and scroll.
@@ -375,8 +377,12 @@ impl Screen for FoilScreen {
                 .renamed("say it, and throw", |action| {
                     action == FoilAction::Guess(AnswerAction::Enter)
                 })
+                .renamed("", |action| {
+                    matches!(action, FoilAction::Guess(AnswerAction::Choose(_)))
+                })
                 .on(Key::Escape, LeaveGuess, "back")
-                .each(pages, "")
+                .on(Key::Tab, TurnPage(1), "")
+                .or([(Key::BackTab, TurnPage(-1))])
                 .each(scroll, "");
         }
         let form = || self.form.keys(&self.fields()).without_keys(&own);
@@ -389,8 +395,8 @@ impl Screen for FoilScreen {
         let table = match self.page {
             FoilPage::Tracks => table
                 .with(form(), FoilAction::Set)
-                .on(Key::Enter, TurnPage(1), throw)
-                .or([(key(' '), TurnPage(1))])
+                .on(Key::Enter, WholeBeam, throw)
+                .or([(key(' '), WholeBeam)])
                 .when(!typing)
                 .each(scroll, ""),
             FoilPage::Counts => table
@@ -407,7 +413,8 @@ impl Screen for FoilScreen {
                 .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))]),
         };
         table
-            .each(pages, "next page")
+            .on(Key::Tab, TurnPage(1), "next page")
+            .or([(Key::BackTab, TurnPage(-1))])
             .on(Key::Escape, Back, "back")
             .when(!typing)
             .on(key('e'), Export, "export")
@@ -431,6 +438,7 @@ impl Screen for FoilScreen {
         match action {
             FoilAction::TurnPage(by) => self.turn_by(by),
             FoilAction::Set(action) => self.edit(|form, fields| form.act(action, fields)),
+            FoilAction::WholeBeam => self.turn_to(FoilPage::Counts),
             FoilAction::Throw => self.throw(cx),
             FoilAction::Stop => self.halt(true),
             FoilAction::Guess(action) => self.say(action, cx),

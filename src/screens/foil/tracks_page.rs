@@ -201,7 +201,7 @@ pub(super) fn write(setup: &FoilSetup, lines: &mut Lines) {
 fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
     if offset.abs() <= 1.0 {
         let alpha = offset.abs().asin().to_degrees();
-        lines.pair("angle α", &format!("{alpha:.1}°"), Role::Dim, Role::Text);
+        lines.fact("angle α", &format!("{alpha:.1}°"));
     }
     lines.gap();
     let text = if offset.abs() > 1.0 {
@@ -217,13 +217,8 @@ fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
 fn write_nucleus(setup: &FoilSetup, set: &Path, lines: &mut Lines) {
     let d = setup.scatterer().head_on_approach / FM;
     let r_min = set.nearest.map_or(d, DVec2::length);
-    lines.pair(
-        "closest r_min",
-        &format!("{r_min:.1} fm"),
-        Role::Dim,
-        Role::Text,
-    );
-    lines.pair("head-on d", &format!("{d:.1} fm"), Role::Dim, Role::Text);
+    lines.fact("closest r_min", &format!("{r_min:.1} fm"));
+    lines.fact("head-on d", &format!("{d:.1} fm"));
     lines.gap();
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {

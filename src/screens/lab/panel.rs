@@ -50,7 +50,7 @@ const GEOMETRY_ROWS: u16 = 2;
 /// b/(r₁+r₂), and that they miss if they do.
 fn geometry(lab: &Lab, lines: &mut Lines) {
     let ratio = lab.settings.setup.offset_mm.abs() / lab.settings.setup.reach_mm();
-    lines.pair("b / (r₁+r₂)", &format!("{ratio:.3}"), Role::Dim, Role::Text);
+    lines.fact("b / (r₁+r₂)", &format!("{ratio:.3}"));
     if lab.settings.setup.collision().normal().is_none() {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
@@ -171,12 +171,7 @@ fn answers(watch: &Watch, lines: &mut Lines) {
     separation(watch.collision(), lines);
     if outcome.energy_before > 0.0 {
         let kept = 100.0 * outcome.energy_after / outcome.energy_before;
-        lines.pair(
-            "energy kept",
-            &format!("{kept:.1} %"),
-            Role::Dim,
-            Role::Text,
-        );
+        lines.fact("energy kept", &format!("{kept:.1} %"));
     }
 }
 
@@ -185,12 +180,7 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
     let outcome = watch.outcome();
     let drift = Frame::CentreOfMass.velocity(collision);
     lines.line("From the centre of mass", Role::Title);
-    lines.pair(
-        "V",
-        &format!("{:.2} m/s", drift.length()),
-        Role::Dim,
-        Role::Text,
-    );
+    lines.fact("V", &format!("{:.2} m/s", drift.length()));
     let [v1, v2] = collision.centres_after();
     let speeds = [
         ("striker before", collision.u1 - drift),
@@ -199,12 +189,7 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
         ("coin after", v2 - drift),
     ];
     for (name, v) in speeds {
-        lines.pair(
-            name,
-            &format!("{:.2} m/s", v.length()),
-            Role::Dim,
-            Role::Text,
-        );
+        lines.fact(name, &format!("{:.2} m/s", v.length()));
     }
     let turned = collision
         .alpha()
@@ -213,7 +198,7 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
         && collision.bond == Bond::Slip
     {
         let turned = format!("{:.1}°", turned.to_degrees().abs());
-        lines.pair("turned by Θ", &turned, Role::Dim, Role::Text);
+        lines.fact("turned by Θ", &turned);
     }
     lines.gap();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
@@ -235,7 +220,7 @@ fn from_target(watch: &Watch, lines: &mut Lines) {
     if watch.collision().bond == Bond::Stick && seen.meeting == Meeting::Hit {
         lines.line("Riding with the coin", Role::Title);
         let speed = format!("{:.2} m/s", seen.v1.length());
-        lines.pair("V here", &speed, Role::Dim, Role::Text);
+        lines.fact("V here", &speed);
         lines.gap();
         return lines.paragraph(
             "Here the coin lies still before the hit. The centre of mass moves with V before and after; stuck together, the two can only turn about it.",
@@ -246,7 +231,7 @@ fn from_target(watch: &Watch, lines: &mut Lines) {
         format!("{:.1}°", separation.to_degrees())
     });
     lines.line("Riding with the coin", Role::Title);
-    lines.pair("separation here", &separation, Role::Dim, Role::Text);
+    lines.fact("separation here", &separation);
     lines.gap();
     lines.paragraph(
         "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",

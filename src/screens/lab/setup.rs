@@ -8,7 +8,7 @@ use crate::quiz::{Hit, Pieces};
 
 /// A named pair of discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PieceSet {
+pub struct PiecePair {
     /// Its name.
     pub name: &'static str,
     /// Mass and radius of the striker, in g and mm.
@@ -18,18 +18,18 @@ pub struct PieceSet {
 }
 
 /// The pairs one key goes through.
-pub(crate) const PIECE_SETS: [PieceSet; 3] = [
-    PieceSet {
+pub(crate) const PIECE_SETS: [PiecePair; 3] = [
+    PiecePair {
         name: "equal masses",
         striker: (15.0, 15.0),
         target: (15.0, 15.0),
     },
-    PieceSet {
+    PiecePair {
         name: "tournament set",
         striker: (15.0, 20.65),
         target: (5.5, 15.9),
     },
-    PieceSet {
+    PiecePair {
         name: "marbles",
         striker: (20.0, 12.4),
         target: (40.0, 15.6),
@@ -121,7 +121,7 @@ impl Setup {
     }
 
     /// Puts out the pieces of a set and keeps the ratio b/(r₁+r₂).
-    pub fn put_out(&mut self, set: &PieceSet) {
+    pub fn put_out(&mut self, set: &PiecePair) {
         let reach = self.reach_mm();
         let ratio = if reach > 0.0 {
             self.offset_mm / reach

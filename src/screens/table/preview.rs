@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::game::{Game, Strike};
 use crate::physics::{DiscState, Shot};
-use crate::widgets::replay::{Impact, impacts};
+use crate::widgets::replay::{ShotImpact, impacts};
 
 /// The way of the striker to the first disc it meets.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,7 @@ pub(super) struct FirstHit {
     /// Where the coin lies.
     pub(super) at: DVec2,
     /// The hit by itself.
-    pub(super) impact: Impact,
+    pub(super) impact: ShotImpact,
 }
 
 impl Preview {

@@ -248,15 +248,6 @@ impl Watch {
         }
     }
 
-    /// Takes a key. Says whether it was one of its own.
-    pub(crate) fn update(&mut self, key: Key) -> bool {
-        let action = self.keys().find(key);
-        action.is_some_and(|action| {
-            self.act(action);
-            true
-        })
-    }
-
     /// Lets time pass on the screen.
     pub(crate) fn advance(&mut self, passed: Duration) {
         self.clock.advance(passed);

@@ -143,12 +143,6 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Takes a key.
-    pub fn update(&mut self, key: Key) -> Outcome {
-        let action = self.keys().find(key);
-        action.map_or(Outcome::Ignored, |action| self.act(action))
-    }
-
     /// Points at a cell of the question's picture with the button down, just now
     /// (`pressed`) or for some time: turns a ray, or drags the coin sideways. Says
     /// whether there is anything to point at.

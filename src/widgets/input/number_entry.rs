@@ -78,12 +78,6 @@ impl NumberEntry {
         Outcome::Used
     }
 
-    /// Takes a key.
-    pub fn update(&mut self, key: Key) -> Outcome<f64> {
-        let action = self.keys().find(key);
-        action.map_or(Outcome::Ignored, |action| self.act(action))
-    }
-
     fn push(&mut self, c: char) {
         let c = match c {
             ',' => '.',

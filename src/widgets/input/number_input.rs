@@ -129,12 +129,6 @@ impl NumberInput {
         Outcome::Used
     }
 
-    /// Takes a key.
-    pub fn update(&mut self, key: Key) -> Outcome {
-        let action = self.keys().find(key);
-        action.map_or(Outcome::Ignored, |action| self.act(action))
-    }
-
     /// As it reads: as typed so far, or as it stands.
     pub fn shown(&self) -> String {
         let unit = self.quantity.unit();
@@ -183,8 +177,11 @@ mod tests {
     use super::*;
 
     fn press(number: &mut NumberInput, keys: &[Key]) -> Outcome {
-        let each = keys.iter().map(|key| number.update(*key));
-        each.last().unwrap_or(Outcome::Ignored)
+        let press = |last, key: &Key| match number.keys().find(*key) {
+            Some(action) => number.act(action),
+            None => last,
+        };
+        keys.iter().fold(Outcome::Ignored, press)
     }
 
     #[test]

@@ -167,12 +167,6 @@ impl RayInput {
         Outcome::Used
     }
 
-    /// Takes a key.
-    pub fn update(&mut self, key: Key) -> Outcome {
-        let action = self.keys().find(key);
-        action.map_or(Outcome::Ignored, |action| self.act(action))
-    }
-
     /// Points a ray by hand, to the whole degree.
     pub fn point(&mut self, ray: Ray, angle_deg: f64) {
         self.choose(ray);
@@ -299,15 +293,19 @@ mod tests {
     use super::*;
 
     fn press(rays: &mut RayInput, keys: &str) -> Outcome {
-        let key = |c| match c {
-            '\n' => Key::Enter,
-            '\t' => Key::Tab,
-            '>' => Key::Right,
-            '^' => Key::Up,
-            c => Key::Char(c),
-        };
-        keys.chars()
-            .fold(Outcome::Ignored, |_, c| rays.update(key(c)))
+        let mut last = Outcome::Ignored;
+        for c in keys.chars() {
+            let key = match c {
+                '\n' => Key::Enter,
+                '\t' => Key::Tab,
+                '>' => Key::Right,
+                '^' => Key::Up,
+                c => Key::Char(c),
+            };
+            let action = rays.keys().find(key);
+            last = action.map_or(Outcome::Ignored, |action| rays.act(action));
+        }
+        last
     }
 
     fn degrees(rays: &RayInput) -> [Option<f64>; 2] {

@@ -6,7 +6,7 @@ use crate::physics::{Collision, Disc, EventKind, Shot};
 
 /// Two discs that met during a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Impact {
+pub(crate) struct ShotImpact {
     /// When, in seconds since the start of the shot.
     pub time: f64,
     /// Which, body 1 first: the disc that was set off if it took part, else the faster.
@@ -16,7 +16,7 @@ pub(crate) struct Impact {
 }
 
 /// All impacts of a shot in which the disc `set_off` was set off, in order.
-pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = Impact> + '_ {
+pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotImpact> + '_ {
     shot.events()
         .iter()
         .filter_map(move |event| match event.kind {
@@ -36,7 +36,7 @@ pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = Impac
                     (discs, before, normal)
                 };
                 let bodies = [*shot.discs().get(discs[0])?, *shot.discs().get(discs[1])?];
-                Some(Impact {
+                Some(ShotImpact {
                     time: event.time,
                     discs,
                     collision: collision(bodies, before, normal, shot.board().restitution),

@@ -6,5 +6,5 @@ mod impact;
 mod player;
 
 pub(crate) use clock::{ShotClock, WatchRate};
-pub(crate) use impact::{Impact, impacts};
+pub(crate) use impact::{ShotImpact, impacts};
 pub(crate) use player::{ShotAction, ShotPlayer};

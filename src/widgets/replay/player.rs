@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::DVec2;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Impact, ShotClock, WatchRate, impacts};
+use super::{ShotClock, ShotImpact, WatchRate, impacts};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{DiscState, Shot};
 use crate::quiz::Rays;
@@ -25,7 +25,7 @@ const END: ShotAction = ShotAction::Seek(f64::INFINITY);
 pub(crate) struct ShotPlayer {
     shot: Shot,
     clock: ShotClock,
-    impacts: Vec<Impact>,
+    impacts: Vec<ShotImpact>,
     faces: Vec<Face>,
     said: Option<Rays>,
     lists: bool,
@@ -125,12 +125,12 @@ impl ShotPlayer {
     }
 
     /// All its impacts.
-    pub(crate) fn impacts(&self) -> &[Impact] {
+    pub(crate) fn impacts(&self) -> &[ShotImpact] {
         &self.impacts
     }
 
     /// The impact that is chosen, with its place among all, while one is.
-    pub(crate) fn chosen(&self) -> Option<(usize, &Impact)> {
+    pub(crate) fn chosen(&self) -> Option<(usize, &ShotImpact)> {
         if let Showing::Board = self.showing {
             return None;
         }

@@ -3,10 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::messages::Key;
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Collision, Frame};
-use crate::widgets::hit::{Overlay, Overlays, Watch};
+use crate::widgets::hit::{Overlay, Overlays, Watch, WatchAction};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role};
 
@@ -18,7 +17,9 @@ pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
     }
     let watch = || Watch::new(*collision, None, reduced).with_layers(layers);
     let mut moving = watch();
-    while moving.frame() != Frame::CentreOfMass && moving.update(Key::Char('f')) {}
+    while moving.frame() != Frame::CentreOfMass {
+        moving.act(WatchAction::Frame);
+    }
     [watch(), moving]
 }
 

@@ -5,7 +5,7 @@ use crate::physics::{Event, EventKind, Shot};
 use crate::quiz::{Ray, RayGrade, Rays};
 use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
-use crate::widgets::replay::{Impact, ShotClock, ShotPlayer, WatchRate};
+use crate::widgets::replay::{ShotClock, ShotImpact, ShotPlayer, WatchRate};
 
 /// Until when a shot is seen. Where nothing counts but the first hit, that is to the next
 /// cushion after it.
@@ -28,7 +28,7 @@ pub(super) fn asked(said: &RayInput) -> impl Iterator<Item = Ray> + '_ {
 }
 
 /// Whether all that was asked for is right.
-fn is_right(said: &RayInput, impact: &Impact) -> bool {
+fn is_right(said: &RayInput, impact: &ShotImpact) -> bool {
     let truth = Rays::from(&impact.collision.outcome());
     asked(said).all(|ray| {
         let error = said.so_far().apart(&truth, ray);

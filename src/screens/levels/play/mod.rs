@@ -20,7 +20,7 @@ use crate::screens::levels::words;
 use crate::screens::{Context, Next, Place, Screen};
 use crate::widgets::hit::{point_at, side};
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
-use crate::widgets::replay::{Impact, ShotAction, impacts};
+use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
 use crate::widgets::{Lines, Outcome, RayInput, Scroll};
 
 use dials::Dials;
@@ -81,7 +81,7 @@ struct EarlierShot {
 struct PendingShot {
     rays: RayInput,
     shot: Shot,
-    impact: Impact,
+    impact: ShotImpact,
 }
 
 /// What keys do in a level.
@@ -150,7 +150,7 @@ impl LevelPlay {
     }
 
     /// The rays of an impact that the level asks for.
-    fn asks(&self, impact: &Impact) -> impl Iterator<Item = Ray> {
+    fn asks(&self, impact: &ShotImpact) -> impl Iterator<Item = Ray> {
         let asked = impact
             .discs
             .map(|disc| self.level().say_first.contains(&disc));

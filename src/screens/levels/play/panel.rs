@@ -12,7 +12,7 @@ use crate::screens::levels::words;
 use crate::screens::{Context, why};
 use crate::widgets::hit::Watch;
 use crate::widgets::panels::{impact_angle, masses, offset, said_and_true, separation};
-use crate::widgets::replay::Impact;
+use crate::widgets::replay::ShotImpact;
 use crate::widgets::{Lines, RayInput, Role};
 
 /// Shots that are shown while the next one is set.
@@ -101,7 +101,7 @@ fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
     if pending.rays.asks(Ray::Target) {
         // The angle itself is what is asked for.
         let reach = format!("{:.1} mm", mm_from_m(collision.contact_distance()));
-        lines.pair("r₁ + r₂", &reach, Role::Dim, Role::Text);
+        lines.fact("r₁ + r₂", &reach);
     } else {
         impact_angle(collision, lines);
     }
@@ -116,14 +116,14 @@ fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
 }
 
 /// Where two meet, and what they are, but for the masses of `secret` discs.
-fn given(impact: &Impact, secret: &[usize], lines: &mut Lines) {
+fn given(impact: &ShotImpact, secret: &[usize], lines: &mut Lines) {
     offset(&impact.collision, lines);
     impact_angle(&impact.collision, lines);
     bodies(impact, secret, lines);
 }
 
 /// What the two are, but for the masses of `secret` discs.
-fn bodies(impact: &Impact, secret: &[usize], lines: &mut Lines) {
+fn bodies(impact: &ShotImpact, secret: &[usize], lines: &mut Lines) {
     let secret = impact.discs.map(|disc| secret.contains(&disc));
     masses(&impact.collision, secret, lines);
 }
@@ -131,13 +131,8 @@ fn bodies(impact: &Impact, secret: &[usize], lines: &mut Lines) {
 fn watching(play: &LevelPlay, made: &MadeShot, lines: &mut Lines) {
     goals(play, lines);
     let time = format!("{:.2} s", made.player.clock().time());
-    lines.pair("time", &time, Role::Dim, Role::Text);
-    lines.pair(
-        "watched at",
-        &made.player.clock().rate().words(),
-        Role::Dim,
-        Role::Text,
-    );
+    lines.fact("time", &time);
+    lines.fact("watched at", &made.player.clock().rate().words());
     lines.gap();
     lines.paragraph("Space: go on, or to the end.", Role::Key);
 }
@@ -208,7 +203,7 @@ fn won(play: &LevelPlay, win: Win, lines: &mut Lines, cx: &Context) {
 }
 
 /// What was said beside the truth.
-fn answers(play: &LevelPlay, made: &MadeShot, impact: &Impact, lines: &mut Lines) {
+fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, lines: &mut Lines) {
     let Some(said) = &made.said else {
         return;
     };
