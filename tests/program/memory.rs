@@ -406,7 +406,7 @@ fn the_screen_is_worked_by_keys_and_the_mouse() {
         answer(&mut game);
         game.press("<Enter>");
     }
-    game.press("<Escape><Escape><Escape>p");
+    game.press("<Escape>y<Escape>p");
     assert!(game.screen().contains("3 answers"), "{}", game.screen());
     for (keys, title) in [
         ("<Tab>", "2 topics"),

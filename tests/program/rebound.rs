@@ -16,7 +16,7 @@ fn lab(folder: &Folder) -> Headless {
 #[test]
 fn a_key_of_the_players_own_works_and_the_help_says_so() {
     let folder = Folder::new("rebound");
-    let text = "format = 1\n[keys]\n\"lab.pieces\" = [\"z\"]\n";
+    let text = "format = 1\n[keys]\n\"lab.next-set\" = [\"z\"]\n";
     folder.file("keys.toml", text);
     let mut game = lab(&folder);
     let before = game.screen();

@@ -106,7 +106,7 @@ fn it_can_be_ended_in_the_middle_of_a_hit() {
     let mut pty = started(carrom(&["lab"]));
     let before = pictures(&pty);
     // On to the prediction, past both rays, and off.
-    pty.press("\r\r\r");
+    pty.press("\r60\r30\r");
     pty.wait_until("the discs to move", |_| pictures(&pty) > before + 10);
     pty.signal(Signal::TERM);
     assert_eq!(pty.wait(), 143);

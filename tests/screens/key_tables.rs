@@ -46,7 +46,10 @@ fn does_something(moment: &TourStop, key: Key) -> bool {
     };
     let table = game(moment).app().keys();
     // A text that fits cannot be scrolled.
-    changes(None, 24) || changes(None, 20) || table.keys().any(|before| changes(Some(before), 24))
+    let sizes = [24, 20];
+    let first = sizes.iter().any(|rows| changes(None, *rows));
+    let after = |before| sizes.iter().any(|rows| changes(Some(before), *rows));
+    first || table.keys().any(after)
 }
 
 #[test]
@@ -189,6 +192,9 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
                 continue;
             };
             let old = row.keys().next().unwrap();
+            if moment.types && matches!(old, Key::Char(_)) {
+                continue;
+            }
             let mut rebound = moment.game(Settings::default());
             rebound.app_mut().settings_mut().keys = settings.keys.clone();
             let mut usual = game(moment);

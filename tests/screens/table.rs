@@ -307,7 +307,8 @@ fn a_call_is_graded_beside_the_score_never_in_it() {
         "{closer}"
     );
     game.press("<Escape><Escape><Enter>");
-    assert!(game.screen().contains("South 0 : 0 North"));
+    let screen = game.screen();
+    assert!(screen.contains("South 0 : 0 North"), "{screen}");
 }
 
 #[test]

@@ -539,8 +539,8 @@ impl Screen for Quiz {
                 keys.on(Key::Enter, GoOn, next)
                     .with(watched.telling.keys(), Watch)
                     .each(lines, scroll)
+                    .or(pages)
                     .on(Key::Escape, Leave, away)
-                    .each(pages, "")
             }
             QuizPhase::Summary(_) => keys
                 .with(ListView::keys("look at it"), LookBack)

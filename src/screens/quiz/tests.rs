@@ -153,7 +153,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
         look(&mut sitting, "What comes of it?");
         sitting.press("1\n");
         if let Form::Rays { .. } = form {
-            sitting.press("\n");
+            sitting.press("1\n");
         }
         look(&mut sitting, "How sure are you?");
         sitting.press("2");

@@ -79,6 +79,8 @@ impl<A: Copy> KeyRow<A> {
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
+    /// Whether the last keys that were added made a row: none does nothing.
+    added: bool,
 }
 
 impl<A: Copy> KeyTable<A> {
@@ -87,6 +89,7 @@ impl<A: Copy> KeyTable<A> {
         Self {
             group,
             rows: Vec::new(),
+            added: false,
         }
     }
 
@@ -107,6 +110,7 @@ impl<A: Copy> KeyTable<A> {
         A: KeyAction,
     {
         let keys: Vec<_> = keys.into_iter().collect();
+        self.added = !keys.is_empty();
         if let Some((_, first)) = keys.first() {
             self.rows.push(KeyRow {
                 id: format!("{}.{}", self.group, first.id()),
@@ -122,7 +126,7 @@ impl<A: Copy> KeyTable<A> {
     /// Other keys for what the last row does, which are not shown.
     #[must_use]
     pub fn or(mut self, aliases: impl IntoIterator<Item = (Key, A)>) -> Self {
-        if let Some(row) = self.rows.last_mut() {
+        if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             row.aliases.extend(aliases);
         }
         self
@@ -131,7 +135,7 @@ impl<A: Copy> KeyTable<A> {
     /// The last row only if `holds`.
     #[must_use]
     pub fn when(mut self, holds: bool) -> Self {
-        if !holds {
+        if !holds && std::mem::take(&mut self.added) {
             self.rows.pop();
         }
         self
@@ -193,6 +197,7 @@ impl<A: Copy> KeyTable<A> {
     #[must_use]
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {
         self.rows.extend(part.map(action).rows);
+        self.added = false;
         self
     }
 
@@ -209,6 +214,7 @@ impl<A: Copy> KeyTable<A> {
         KeyTable {
             group: self.group,
             rows: rows.collect(),
+            added: self.added,
         }
     }
 
@@ -351,6 +357,24 @@ mod tests {
         assert_eq!(table.exact(Key::Char('S')), None);
         assert_eq!(table.folded(Key::Char('S')), Some(Action::NextSet));
         assert_eq!(table.folded(Key::Left), None);
+    }
+
+    #[test]
+    fn a_condition_holds_for_the_row_before_it_alone() {
+        let table = table()
+            .each([], "nothing")
+            .or([(Key::F(5), Action::NextSet)])
+            .when(false);
+        assert_eq!(table.rows().len(), 3);
+        assert_eq!(table.exact(Key::F(5)), None);
+        assert_eq!(
+            table
+                .on(Key::F(6), Action::NextSet, "")
+                .when(false)
+                .rows()
+                .len(),
+            3
+        );
     }
 
     #[test]

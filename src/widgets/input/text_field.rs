@@ -57,22 +57,29 @@ impl TextField {
             Key::Ctrl('k') => Request::DeleteTillEnd,
             _ => return false,
         };
-        if let Request::InsertChar(_) = request {
-            let before = self.line.clone();
-            self.line.handle(request);
-            if self.text().graphemes(true).count() > self.most {
-                self.line = before;
-            }
-        } else {
-            self.line.handle(request);
+        match key {
+            Key::Char(c) => self.insert(c.encode_utf8(&mut [0; 4])),
+            _ => drop(self.line.handle(request)),
         }
         true
     }
 
+    /// Puts a letter in at the cursor, if there is room for it.
+    fn insert(&mut self, letter: &str) {
+        let before = self.line.clone();
+        for c in letter.chars() {
+            self.line.handle(Request::InsertChar(c));
+        }
+        if self.text().graphemes(true).count() > self.most {
+            self.line = before;
+        }
+    }
+
     /// Takes pasted text, as far as there is room for it.
     pub fn paste(&mut self, text: &str) {
-        for c in text.chars().filter(|c| !c.is_control()) {
-            self.update(Key::Char(c));
+        let letters = text.graphemes(true);
+        for letter in letters.filter(|letter| !letter.contains(char::is_control)) {
+            self.insert(letter);
         }
     }
 }
