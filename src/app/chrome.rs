@@ -52,7 +52,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
             AppLayer::Notice(_) => Some("go on"),
             AppLayer::Confirm(_) => None,
         };
-        let table = layer.keys();
+        let table = layer.keys(&settings.keys);
         let rows = table.rows().iter().map(|row| (row.shown(), row.name));
         let any = close.map(|close| ("any key".to_owned(), close));
         key_line(any.into_iter().chain(rows), area, buf, settings);

@@ -5,7 +5,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use crate::messages::Key;
 use crate::screens::Confirmation;
 use crate::widgets::Outcome;
-use crate::widgets::input::KeyTable;
+use crate::widgets::input::{KeyTable, Rebound};
 
 /// One thing over the screen.
 #[derive(Debug, Clone)]
@@ -35,10 +35,10 @@ pub(super) enum LayerAction {
 
 impl AppLayer {
     /// Its keys. Where nothing is asked, any other key closes it.
-    pub(super) fn keys(&self) -> KeyTable<LayerAction> {
+    pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Scroll};
         let table = KeyTable::new("layer");
-        match self {
+        let table = match self {
             Self::Notice(_) => table,
             Self::Help { .. } => table
                 .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
@@ -48,13 +48,14 @@ impl AppLayer {
                 .or([(Key::Enter, Agree)])
                 .on(Key::Char('n'), Decline, question.no)
                 .or([(Key::Escape, Decline)]),
-        }
+        };
+        table.rebound(rebound)
     }
 
     /// Takes a key; done when the layer goes, with whether the player agreed. `most` is how
     /// far a help page can be scrolled.
-    pub(super) fn press(&mut self, key: Key, most: usize) -> Outcome<bool> {
-        let action = self.keys().find(key);
+    pub(super) fn press(&mut self, key: Key, most: usize, rebound: &Rebound) -> Outcome<bool> {
+        let action = self.keys(rebound).find(key);
         match (self, action) {
             (Self::Help { scrolled }, Some(LayerAction::Scroll(by))) => {
                 *scrolled = scrolled.saturating_add_signed(by).min(most);

@@ -246,7 +246,7 @@ impl App {
     /// over the screen, or the screen's own and those that all share.
     pub fn keys(&self) -> KeyTable<()> {
         match (self.layers.last(), self.stack.last()) {
-            (Some(layer), _) => layer.keys().map(|_| ()),
+            (Some(layer), _) => layer.keys(&self.context.settings.keys).map(|_| ()),
             (None, Some(screen)) => screen.table(&self.context),
             (None, None) => KeyTable::new("app"),
         }
@@ -281,7 +281,7 @@ impl App {
         let Some(layer) = self.layers.last_mut() else {
             return self.with_screen(|screen, cx| screen.press(key, cx));
         };
-        match layer.press(key, most) {
+        match layer.press(key, most, &self.context.settings.keys) {
             Outcome::Ignored | Outcome::Used => vec![],
             Outcome::Done(agreed) => {
                 self.layers.pop();

@@ -19,8 +19,9 @@ pub struct TourStop {
     place: &'static str,
     /// The keys that lead there, as [`Headless::press`] takes them.
     keys: &'static str,
-    /// Whether letters are typed into a text there.
-    pub types: bool,
+    /// Whether keys beside those of the table mean something there: letters that are typed, or
+    /// any key at all, which closes the help.
+    pub takes_any: bool,
 }
 
 const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> TourStop {
@@ -28,14 +29,14 @@ const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> 
         name,
         place,
         keys,
-        types: false,
+        takes_any: false,
     }
 }
 
 impl TourStop {
-    const fn typing(self) -> Self {
+    const fn taking_any(self) -> Self {
         Self {
-            types: true,
+            takes_any: true,
             ..self
         }
     }
@@ -67,7 +68,7 @@ pub const TOUR: &[TourStop] = &[
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
     moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<Enter>"),
-    moment("class, setting up", "class", "").typing(),
+    moment("class, setting up", "class", "").taking_any(),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
     moment("a level, saying where", "level 4", "<Enter>"),
@@ -86,9 +87,11 @@ pub const TOUR: &[TourStop] = &[
     moment(
         "table, saved games",
         "table",
-        "<Enter><Space><End><Escape><Escape>y<Escape>s",
+        "<Enter><Space><End><Escape>ys",
     ),
     moment("progress", "progress", ""),
+    moment("help", "lab", "?").taking_any(),
+    moment("a question", "home", "<Escape>"),
 ];
 
 impl TourStop {

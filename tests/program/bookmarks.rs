@@ -102,7 +102,7 @@ fn a_dial_stands_where_it_was_left() {
         drop(game);
         let mut game = open(folder.path(), "Ada", Some(3));
         if leave == "n" {
-            game.press("b");
+            game.press("<PageUp>");
         }
         shows(&mut game, "alpha = 3 deg");
     }

@@ -25,7 +25,7 @@ fn a_key_of_the_players_own_works_and_the_help_says_so() {
     game.press("z");
     assert_ne!(game.screen(), before);
     assert!(game.screen().contains("z pieces"));
-    game.press("?");
+    game.press("?<PageDown><PageDown>");
     assert!(game.screen().contains("next set of pieces"));
 }
 

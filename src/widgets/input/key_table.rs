@@ -48,6 +48,11 @@ impl<A: Copy> KeyRow<A> {
         self.keys.iter().map(|(key, _)| *key)
     }
 
+    /// The keys that do it, shown or not.
+    pub fn all_keys(&self) -> impl Iterator<Item = Key> + '_ {
+        self.keys.iter().chain(&self.aliases).map(|(key, _)| *key)
+    }
+
     /// The keys as the screen names them: "arrows", "0-9", ", .".
     pub fn shown(&self) -> String {
         shown(&self.keys().collect::<Vec<_>>())
@@ -249,11 +254,7 @@ impl<A: Copy> KeyTable<A> {
 
     /// All keys that do something, shown or not.
     pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
-        let all = |row: &KeyRow<A>| {
-            let keys = row.keys.iter().chain(&row.aliases);
-            keys.map(|(key, _)| *key).collect::<Vec<_>>()
-        };
-        self.rows.iter().flat_map(all)
+        self.rows.iter().flat_map(KeyRow::all_keys)
     }
 
     /// What a key does; a capital letter only what is said of the capital.
