@@ -367,9 +367,11 @@ impl App {
                 Some(play) => Box::new(Hosted::new(play)),
                 None => return,
             },
-            Place::Class { code, teams } => {
-                Box::new(Hosted::new(Class::new(code.as_ref(), teams, &self.context)))
-            }
+            Place::Class { code, teams } => Box::new(Hosted::new(Class::new(
+                code.as_ref(),
+                &teams,
+                &self.context,
+            ))),
             Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
             Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
             Place::Table => Box::new(Hosted::new(Table::default())),

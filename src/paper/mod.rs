@@ -2,7 +2,7 @@
 //!
 //! A document is written as HTML on a [`HtmlPage`] (self-contained, A4, nothing is loaded
 //! and nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures
-//! are those of the screen, drawn as vectors: an [`Svg`] each. They are meant for black
+//! are those of the screen, drawn as vectors: an `Svg` each. They are meant for black
 //! and white too: what has a meaning has a name, a dash or a width beside its colour.
 //!
 //! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which

@@ -52,7 +52,7 @@ impl<'de> Visitor<'de> for ProblemVisitor {
                 ProblemField::R1Mm => set(&mut problem.r1_mm, "r1_mm", &mut map)?,
                 ProblemField::R2Mm => set(&mut problem.r2_mm, "r2_mm", &mut map)?,
                 ProblemField::Restitution => {
-                    set(&mut problem.restitution, "restitution", &mut map)?
+                    set(&mut problem.restitution, "restitution", &mut map)?;
                 }
                 ProblemField::Stick => set(&mut problem.stick, "stick", &mut map)?,
             }

@@ -99,7 +99,7 @@ pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Optio
 /// A plain cut comes first, for it is what one can learn from; other shots only
 /// where no cut works every other time.
 ///
-/// Place, direction and speed are on the [steps](super::steps) in which a player sets
+/// Place, direction and speed are on the steps in which a player sets
 /// them, and struck exactly so the striker does not fall, wherever there is such a
 /// stroke.
 pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<StrokeHint> {

@@ -1,7 +1,7 @@
 //! What students are known to believe about hits: where both discs will go, and all
 //! else in the catalogue.
 //!
-//! A misconception that predicts rays does so for any [`Hit`]; a family of questions
+//! A misconception that predicts rays does so for any `Hit`; a family of questions
 //! that asks for something else says itself what a misconception would answer. A
 //! question is only asked if it tells them apart: then no two of them, and none and
 //! the truth, lie so close that an answer could fit both.
@@ -18,7 +18,7 @@ pub use of_rays::OF_RAYS;
 pub(crate) use of_rays::*;
 pub use reasoning::reasoning;
 
-/// All misconceptions: those of [`OF_RAYS`], then those of the [`catalogue`].
+/// All misconceptions: those of [`OF_RAYS`], then those of the `catalogue`.
 pub fn all() -> impl Iterator<Item = &'static Misconception> + Clone {
     OF_RAYS.into_iter().chain(catalogue::ALL)
 }

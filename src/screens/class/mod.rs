@@ -1,6 +1,6 @@
 //! A round for a class round one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the [`ClassStep`]s of [`crate::class`]; `play` knows the way
+//! A question goes through the `ClassStep`s of [`crate::class`]; `play` knows the way
 //! through them, and every step has a view of its own.
 
 mod earlier;
@@ -99,7 +99,7 @@ enum ClassScene {
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub(crate) fn new(code: Option<&Code>, teams: Vec<String>, cx: &Context) -> Self {
+    pub(crate) fn new(code: Option<&Code>, teams: &[String], cx: &Context) -> Self {
         Self {
             scene: ClassScene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
             paused: false,
@@ -165,8 +165,8 @@ impl Class {
             ClassScene::Play(play) => play,
         };
         let question = play.question().cloned();
-        match (&mut play.phase, question) {
-            (ClassPhase::Vote(entry), Some(question)) => match &mut entry.input {
+        if let (ClassPhase::Vote(entry), Some(question)) = (&mut play.phase, question) {
+            match &mut entry.input {
                 Some(input) if pressed || mouse.kind == MouseKind::Drag => {
                     let layout = vote_view::entry_layout(&question, cx.body);
                     input.point(&question, layout.picture, cell, pressed);
@@ -180,8 +180,7 @@ impl Class {
                     play.open(outcome, cx);
                     return Next::Stay;
                 }
-            },
-            _ => {}
+            }
         }
         match mouse.kind {
             MouseKind::ScrollUp => self.scroll(-1, cx),

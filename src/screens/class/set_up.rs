@@ -102,7 +102,7 @@ pub(super) fn topics() -> Vec<Family> {
 
 impl SetUp {
     /// The page with what is known already.
-    pub(super) fn new(code: Option<&Code>, teams: Vec<String>, own: Arc<Library>) -> Self {
+    pub(super) fn new(code: Option<&Code>, teams: &[String], own: Arc<Library>) -> Self {
         let at = match (code, teams.is_empty()) {
             (_, true) => SetUpRow::Add,
             (None, false) => SetUpRow::Kind(RoundKind::Mixed),

@@ -32,11 +32,11 @@ pub enum TableAction {
     TurnFar(i16),
     /// strength; the wheel too
     Strength(i8),
-    /// move the striker: [ and ] by 2 mm, { and } by 20 mm
+    /// move the striker: square brackets by 2 mm, braces by 20 mm
     Place(i8),
     /// practice: striker up or down
     PlaceUp(i8),
-    /// a number typed: Enter takes it as the angle, + as the strength, [ or ] as millimetres left or right
+    /// a number typed: Enter takes it as the angle, + as the strength, a square bracket as millimetres left or right
     Number(EntryAction),
     /// aim line, ghost, departures on or off
     Aid(AimAid),

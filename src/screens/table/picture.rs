@@ -158,12 +158,7 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
         let number = number + 1;
         let share = impact.collision.striker.radius / impact.collision.contact_distance();
         let contact = a.lerp(b, share);
-        picture.label(
-            &format!("{number}"),
-            contact,
-            &LabelSide::ALL,
-            Role::Contact,
-        );
+        picture.label(format!("{number}"), contact, &LabelSide::ALL, Role::Contact);
     }
     picture
 }

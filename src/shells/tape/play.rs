@@ -77,7 +77,7 @@ pub fn play<G: Into<Headless>>(
             }
             Instruction::Set(ScreenSetting::Day(time_s)) => game.set_time(*time_s),
             Instruction::Set(ScreenSetting::Color(depth)) => {
-                game.app_mut().settings_mut().depth = *depth
+                game.app_mut().settings_mut().depth = *depth;
             }
             Instruction::Type(text) => text.chars().for_each(|letter| game.key(typed(letter))),
             Instruction::Press(key, times) => (0..*times).for_each(|_| game.key(*key)),

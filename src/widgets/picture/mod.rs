@@ -1,7 +1,7 @@
 //! Pictures: lists of marks in world coordinates, made once for each kind of figure.
 //!
 //! A [`Picture`] knows what is drawn, never how it looks. Two renderers draw it: the
-//! cells of a terminal ([`ink`](super::ink)) and vectors ([`svg`](super::svg)).
+//! cells of a terminal (`ink`) and vectors (`svg`).
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};
@@ -168,7 +168,7 @@ impl Picture {
         self.marks.push(Mark::Dot { at, pen });
     }
 
-    /// Part of a circle, see [`Mark::Arc`].
+    /// Part of a circle, see `Mark::Arc`.
     pub fn arc(&mut self, centre: DVec2, radius: f64, from: f64, to: f64, pen: impl Into<Pen>) {
         let pen = pen.into();
         self.marks.push(Mark::Arc {
@@ -225,7 +225,7 @@ impl Picture {
             .push(Mark::Disc(Body::new(at, radius, role, letter)));
     }
 
-    /// A disc as an outline, see [`Mark::Ring`].
+    /// A disc as an outline, see `Mark::Ring`.
     pub fn ring(&mut self, at: DVec2, radius: f64, role: Role, (sign, letter): (char, DVec2)) {
         let body = Body::new(at, radius, role, sign);
         self.marks.push(Mark::Ring { body, letter });

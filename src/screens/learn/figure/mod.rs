@@ -405,7 +405,7 @@ impl LiveFigure {
         match &mut self.state {
             FigureState::Hit(watch) => watch.advance(passed),
             FigureState::Frames(watches) => {
-                watches.iter_mut().for_each(|watch| watch.advance(passed))
+                watches.iter_mut().for_each(|watch| watch.advance(passed));
             }
             FigureState::Foil(plot) => plot.advance(),
             _ => {}

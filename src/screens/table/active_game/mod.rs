@@ -306,9 +306,8 @@ impl ActiveGame {
     /// Lets time pass on the screen.
     pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
-        match &mut self.phase {
-            TablePhase::Watch(replay) => replay.player.advance(passed),
-            _ => {}
+        if let TablePhase::Watch(replay) = &mut self.phase {
+            replay.player.advance(passed);
         }
     }
 
