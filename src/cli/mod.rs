@@ -78,6 +78,7 @@ Examples:
   carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
                                a figure of the lessons as a picture
+  carrom keys                  every key, as a file in which to change some
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
 Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
