@@ -1,4 +1,4 @@
-//! A tour of every moment in which keys mean something: for the table of all keys, and
+//! A tour of moments in which keys mean something: for the table of all keys, and
 //! for the test that walks through them.
 
 use std::collections::BTreeMap;
@@ -42,7 +42,7 @@ impl TourStop {
     }
 }
 
-/// Every phase of every screen.
+/// Moments of every screen, not yet every phase of it.
 pub const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),
