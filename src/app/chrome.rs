@@ -8,7 +8,7 @@ use ratatui::widgets::{Clear, Widget};
 use super::layer::AppLayer;
 use super::{App, SMALLEST};
 use crate::screens::{AnyScreen, Settings};
-use crate::widgets::panel::draw_panel;
+use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Role, Theme, keys, text};
 
 /// The part of a screen of this size that belongs to the screen on top.

@@ -3,40 +3,47 @@
 //! A widget knows how to look, never what a screen or the app is doing. Two
 //! choices of the player reach every one of them: the [`Charset`] (which glyphs)
 //! and the [`Theme`] (which colours).
+//!
+//! ```text
+//!    answer   a question's picture, and the answer being given to it
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    replay   a shot on the board, played back, and its impacts one by one
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    hit      the one picture of an impact, with its clock, layers and frames
+//!    board    a picture of the board
+//!    tracks   a picture of ways past a nucleus
+//!    plot     a picture of curves, bars and points over two axes
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    svg      pictures and screens as vectors
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    panels   frames, and what they tell of a hit
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    input    keys as data, and what they work: numbers, rays, lists, forms, names
+//!    ink      pictures drawn into cells
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    picture  marks in metres and where they are on the screen
+//!    text     letters in cells: spelling, rows, formulas, large type
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    theme    roles and their colours
+//! ```
 
-pub mod bar;
-pub(crate) mod big;
+mod answer;
 pub(crate) mod board;
-pub mod cells;
-pub(crate) mod charset;
+pub(crate) mod hit;
 pub(crate) mod ink;
-pub mod keys;
-pub(crate) mod panel;
+pub mod input;
 pub(crate) mod panels;
 pub mod picture;
 pub(crate) mod plot;
 pub(crate) mod replay;
 pub(crate) mod svg;
-pub(crate) mod theme;
-
-pub(crate) mod flow;
-pub mod formula;
-pub(crate) mod hit;
-pub mod input;
-mod lines;
-mod look;
-mod question_picture;
-mod scroll;
-pub(crate) mod signs;
-mod split_layout;
 pub mod text;
+pub(crate) mod theme;
 pub(crate) mod tracks;
 
-pub use charset::Charset;
-pub use input::{AnswerInput, NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
-pub use lines::{Lines, Spare};
-pub use look::Look;
-pub use question_picture::{draw_question, question_picture};
-pub use scroll::{Scroll, overflow};
-pub use split_layout::SplitLayout;
+pub use answer::{AnswerAction, AnswerInput, draw_question, question_picture};
+pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
+pub use panels::SplitLayout;
+pub use text::{Charset, Lines, Look, Scroll, Spare, bar, cells, formula, keys, overflow};
+pub(crate) use text::{big, flow, signs};
 pub use theme::{Depth, Palette, Role, Theme};

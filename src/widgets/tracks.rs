@@ -99,7 +99,7 @@ mod tests {
         let gold = Rutherford::radium_c_on_gold();
         let area = Rect::new(0, 0, 44, 18);
         let picture = tracks_picture(area, &gold, [PI, PI / 3.0]);
-        let ways = picture.marks().iter().filter_map(|mark| match mark {
+        let ways = picture.marks.iter().filter_map(|mark| match mark {
             Mark::Curve { points, .. } => Some(points),
             _ => None,
         });

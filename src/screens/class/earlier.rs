@@ -10,7 +10,7 @@ use crate::class::ClassRound;
 use crate::messages::{Kept, Mouse, StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::kept_files::{KeptAction, KeptFiles};
 use crate::screens::{Context, Next};
-use crate::widgets::panel::draw_panel;
+use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Look, Outcome, Role, text};
 
 /// Rows below the list for what is to be said of the chosen round.

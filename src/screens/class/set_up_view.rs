@@ -8,7 +8,7 @@ use super::set_up::{RoundKind, SetUp, SetUpRow, topics};
 use crate::class::MOST_TEAMS;
 use crate::quiz::{Course, CourseKind, Family};
 use crate::widgets::input::TextField;
-use crate::widgets::panel::draw_panel;
+use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Lines, Look, Role, text};
 
 /// Columns of both panels together at most.

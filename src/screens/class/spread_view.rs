@@ -15,7 +15,7 @@ use crate::quiz::{Form, Question, Ray, Response, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::hit::{HitLayout, degrees};
-use crate::widgets::panel::draw_panel;
+use crate::widgets::panels::draw_panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role, SplitLayout, brief, draw_question};

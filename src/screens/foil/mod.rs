@@ -20,8 +20,8 @@ use ratatui::layout::Rect;
 use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
-use crate::widgets::input::{AnswerAction, AnswerInput, FormAction, KeyTable, SettingsForm};
-use crate::widgets::{Outcome, Scroll, svg};
+use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll, svg};
 
 pub(crate) use field::FoilField;
 pub(crate) use plot::{FoilFigure, FoilFigureAction};

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{ENTRIES, Home};
 use crate::screens::Context;
-use crate::widgets::panel::draw_panel;
+use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Role};
 
 /// Columns of the menu.

@@ -8,8 +8,8 @@ use crate::messages::Key;
 use crate::physics::Collision;
 use crate::quiz::{Ray, Response, letter};
 use crate::widgets::hit::side;
-use crate::widgets::input::{AnswerAction, EntryAction, KeyTable, RayAction};
-use crate::widgets::{AnswerInput, Lines, NumberEntry, Outcome, RayInput, Role};
+use crate::widgets::input::{EntryAction, KeyTable, RayAction};
+use crate::widgets::{AnswerAction, AnswerInput, Lines, NumberEntry, Outcome, RayInput, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]

@@ -25,8 +25,8 @@ use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
 };
 use crate::widgets::hit::{Overlays, Telling, Watch, WatchAction};
-use crate::widgets::input::{AnswerAction, KeyTable, ListAction, ListView};
-use crate::widgets::{AnswerInput, Outcome, Scroll};
+use crate::widgets::input::{KeyTable, ListAction, ListView};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });

@@ -7,7 +7,7 @@ use super::{AnsweredQuestion, Quiz, QuizPhase, panel, summary};
 use crate::physics::Frame;
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
-use crate::widgets::panel::draw_panel;
+use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Look, SplitLayout, draw_question};
 
 /// Columns of the look back at most, with its frame.

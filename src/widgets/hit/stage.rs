@@ -4,7 +4,8 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use crate::physics::Collision;
-use crate::quiz::{Ray, Rays};
+use crate::quiz::Ray;
+use crate::widgets::input::side;
 use crate::widgets::picture::View;
 
 /// Half of the picture's shorter side, in radii of the larger disc.
@@ -152,12 +153,6 @@ pub(super) fn time_in_sight(collision: &Collision) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// +1 where the coin lies to the right of the striker's way, −1 where to the left;
-/// a player's angles count from the coin's side.
-pub(crate) fn side(collision: &Collision) -> f64 {
-    if collision.offset < 0.0 { -1.0 } else { 1.0 }
-}
-
 /// The sense in which a ray's angle counts: the scattering angle anticlockwise, the
 /// recoil angle clockwise.
 fn turn(ray: Ray) -> f64 {
@@ -165,14 +160,6 @@ fn turn(ray: Ray) -> f64 {
         Ray::Striker => 1.0,
         Ray::Target => -1.0,
     }
-}
-
-/// Where both discs go or are said to go, in the degrees of the screen.
-pub(crate) fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
-    Ray::BOTH.map(|ray| {
-        let angle = rays.get(ray)?;
-        Some(side(collision) * angle.to_degrees() + 0.0)
-    })
 }
 
 #[cfg(test)]

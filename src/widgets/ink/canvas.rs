@@ -49,7 +49,7 @@ impl Canvas {
     /// A canvas with all of a picture on it.
     pub(in crate::widgets) fn of(picture: &Picture, charset: Charset) -> Self {
         let mut canvas = Self::new(*picture.view(), charset);
-        for mark in picture.marks() {
+        for mark in &picture.marks {
             canvas.mark(mark);
         }
         canvas.write(&picture.labels);

@@ -40,27 +40,25 @@ impl Canvas {
             }
         }
     }
+}
 
-    /// Draws a picture that is on this canvas.
-    pub(in crate::widgets) fn draw_picture(
-        &self,
-        picture: &Picture,
-        buf: &mut Buffer,
-        look: &Look,
-    ) {
+impl Picture {
+    /// Draws it into cells.
+    pub fn draw(&self, buf: &mut Buffer, look: &Look) {
+        let canvas = Canvas::of(self, look.charset);
         let cells = Cells {
-            canvas: self,
-            picture,
+            canvas: &canvas,
+            picture: self,
             look,
         };
         cells.areas(buf);
-        for mark in picture.marks() {
+        for mark in &self.marks {
             if let Mark::Axes(axes) = mark {
                 cells.axes(axes, buf);
             }
         }
-        self.draw(buf, &look.theme);
-        for mark in picture.marks() {
+        canvas.draw(buf, &look.theme);
+        for mark in &self.marks {
             if let Mark::Text { at, text, role } = mark
                 && let Some((column, row)) = self.view().cell_at(*at)
             {
@@ -85,7 +83,7 @@ impl Cells<'_> {
     fn areas(&self, buf: &mut Buffer) {
         let view = self.canvas.view();
         let paper = view.area();
-        let areas = self.picture.marks().iter().filter_map(|mark| match mark {
+        let areas = self.picture.marks.iter().filter_map(|mark| match mark {
             Mark::Area { low, high, pen } => Some((*low, *high, pen.role)),
             _ => None,
         });

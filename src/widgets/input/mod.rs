@@ -1,7 +1,6 @@
-//! What the player gives: keys as data, and the parts that take them: numbers, rays and
-//! answers, lists, forms, names.
+//! What the player gives: keys as data, and the parts that take them: numbers, rays,
+//! lists, forms, names.
 
-mod answer_input;
 mod form;
 mod key_table;
 mod list_view;
@@ -11,12 +10,11 @@ mod outcome;
 mod ray_input;
 mod text_field;
 
-pub use answer_input::{AnswerAction, AnswerInput};
 pub use form::{Field, FieldValue, FormAction, FormFields, SettingsForm};
 pub use key_table::{KeyAction, KeyRow, KeyTable, Rebound};
 pub use list_view::{ListAction, ListView};
 pub use number_entry::{EntryAction, NumberEntry};
 pub use number_input::{NumberAction, NumberInput};
 pub use outcome::Outcome;
-pub use ray_input::{RayAction, RayInput, brief, shown};
+pub use ray_input::{RayAction, RayInput, brief, degrees, shown, side};
 pub use text_field::TextField;

@@ -4,6 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
+use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::{Lines, Role};
 
@@ -286,6 +287,20 @@ fn other(ray: Ray) -> Ray {
         Ray::Striker => Ray::Target,
         Ray::Target => Ray::Striker,
     }
+}
+
+/// +1 where the coin lies to the right of the striker's way, −1 where to the left;
+/// a player's angles count from the coin's side.
+pub fn side(collision: &Collision) -> f64 {
+    if collision.offset < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// Where both discs go or are said to go, in the degrees of the screen.
+pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
+    Ray::BOTH.map(|ray| {
+        let angle = rays.get(ray)?;
+        Some(side(collision) * angle.to_degrees() + 0.0)
+    })
 }
 
 #[cfg(test)]

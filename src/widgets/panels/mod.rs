@@ -1,7 +1,12 @@
-//! What panels tell of one hit: its facts, and what was said of it beside what was true.
+//! Frames and what they hold: a picture with a panel beside it, the facts of a hit, and
+//! what was said of it beside what was true.
 
 mod impact_facts;
+mod panel;
 mod said_true;
+mod split_layout;
 
 pub(crate) use impact_facts::{impact_angle, masses, offset, separation};
+pub(crate) use panel::draw_panel;
 pub(crate) use said_true::said_and_true;
+pub use split_layout::SplitLayout;

@@ -3,7 +3,7 @@
 use crate::numbers;
 use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{Ray, Rays};
-use crate::widgets::hit::degrees;
+use crate::widgets::input::degrees;
 use crate::widgets::{Lines, Role, brief};
 
 /// Writes the angles that were said beside the true ones, in the degrees of the screen, a

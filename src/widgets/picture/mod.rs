@@ -28,11 +28,9 @@ mod view;
 use std::f64::consts::TAU;
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::ink::Canvas;
-use super::{Look, Role};
+use super::Role;
 pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
@@ -138,16 +136,6 @@ impl Picture {
     #[must_use]
     pub const fn view(&self) -> &View {
         &self.view
-    }
-
-    /// What is drawn, but for the labels.
-    pub(super) fn marks(&self) -> &[Mark] {
-        &self.marks
-    }
-
-    /// Draws it into cells.
-    pub fn draw(&self, buf: &mut Buffer, look: &Look) {
-        Canvas::of(self, look.charset).draw_picture(self, buf, look);
     }
 
     /// A straight line.

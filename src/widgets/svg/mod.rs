@@ -20,7 +20,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::Look;
 use super::cells::{rows, symbols};
-use super::panel::draw_panel;
+use super::panels::draw_panel;
 use super::picture::Picture;
 use super::theme::{Rgb, Role};
 use colour::{CellColours, PAPER};

@@ -29,7 +29,7 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
         look,
         body: String::new(),
     };
-    let mut marks: Vec<&Mark> = picture.marks().iter().collect();
+    let mut marks: Vec<&Mark> = picture.marks.iter().collect();
     marks.sort_by_key(|mark| layer(mark));
     vectors.put(format_args!(
         "<g font-family=\"Helvetica Neue,Helvetica,Arial,Liberation Sans,DejaVu Sans,sans-serif\" \

@@ -3,8 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::Look;
-use super::panel::draw_panel;
+use super::draw_panel;
+use crate::widgets::Look;
 
 /// Columns of the panel, with its frame.
 const PANEL: u16 = 30;

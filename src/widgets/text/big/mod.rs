@@ -11,7 +11,7 @@ use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Charset, Look, Role};
+use crate::widgets::{Charset, Look, Role};
 
 /// Pixels between two letters.
 const GAP: usize = 1;

@@ -3,11 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::hit::{Face, HitResponse, Markings, after_picture, setup_picture};
-use super::picture::Picture;
-use super::tracks::tracks_picture;
-use super::{AnswerInput, Look};
+use super::AnswerInput;
 use crate::quiz::{Form, Illustration, Question, Response};
+use crate::widgets::Look;
+use crate::widgets::hit::{Face, HitResponse, Markings, after_picture, setup_picture};
+use crate::widgets::picture::Picture;
+use crate::widgets::tracks::tracks_picture;
 
 /// What a question shows, with no more in it than it gives, and what is being said to
 /// it; nothing for a question of words alone.

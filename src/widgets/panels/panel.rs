@@ -8,7 +8,7 @@ use ratatui::{
     widgets::{Block, Widget},
 };
 
-use super::{Charset, Role, Theme};
+use crate::widgets::{Charset, Role, Theme};
 
 /// A frame that any terminal can draw.
 const ASCII: border::Set<'static> = border::Set {

@@ -4,12 +4,12 @@ use ratatui::layout::Rect;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{KeyTable, NumberAction, NumberInput, Outcome, RayAction, RayInput};
 use crate::messages::Key;
 use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::quiz::{AimTask, Form, Measure, Question, Response, letter};
 use crate::widgets::hit::{drag_offset, point_at};
-use crate::widgets::{Lines, Role};
+use crate::widgets::input::{KeyTable, NumberAction, RayAction};
+use crate::widgets::{Lines, NumberInput, Outcome, RayInput, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! How things are drawn for this player: glyphs and colours.
 
-use super::{Charset, Theme};
+use crate::widgets::{Charset, Theme};
 
 /// Charset and theme together, as every widget needs them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr;
 
-use super::{Charset, Role, Theme};
+use crate::widgets::{Charset, Role, Theme};
 
 /// The keys of a screen in one line: each hint is a key and what it does. Hints
 /// that no longer fit into `width` are left out whole, so give the needed ones

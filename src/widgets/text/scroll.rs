@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Lines, Look, Role, text};
+use crate::widgets::{Lines, Look, Role, text};
 
 /// How far a text has been scrolled.
 ///

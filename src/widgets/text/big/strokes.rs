@@ -7,7 +7,7 @@
 
 use std::sync::LazyLock;
 
-static FONT: &str = include_str!("../../../assets/fonts/mini.flf");
+static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 
 /// Rows of a line of letters.
 pub(super) const ROWS: usize = 4;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Charset, Role, text};
+use crate::widgets::{Charset, Role, text};
 
 /// A stretch of text in one style. No-break blanks hold words together.
 #[derive(Debug, Clone, PartialEq, Eq)]

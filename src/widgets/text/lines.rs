@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::flow::{Run, flow};
-use super::{Charset, Look, Role, text};
+use crate::widgets::{Charset, Look, Role, text};
 
 /// A column of text being written from the top of an area.
 pub struct Lines<'a> {

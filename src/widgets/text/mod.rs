@@ -1,0 +1,20 @@
+//! Letters in cells: how they are spelt and broken into rows, formulas, large type, bars.
+
+pub mod bar;
+pub(crate) mod big;
+pub mod cells;
+mod charset;
+pub(crate) mod flow;
+pub mod formula;
+pub mod keys;
+mod lines;
+mod look;
+mod scroll;
+pub(crate) mod signs;
+mod wrap;
+
+pub use charset::Charset;
+pub use lines::{Lines, Spare};
+pub use look::Look;
+pub use scroll::{Scroll, overflow};
+pub use wrap::{ago, belong_together, clipped, equation, held, width, wrap};
