@@ -32,8 +32,21 @@ pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
 /// make an impact with no single answer.
 pub(crate) const GAP: f64 = 0.0001;
 
-/// One of the four kinds of piece.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+/// One of the four kinds of piece; "white" where there is little room for its name.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    strum::IntoStaticStr,
+)]
+#[strum(serialize_all = "lowercase")]
 #[serde(rename_all = "snake_case")]
 pub enum Piece {
     /// The disc that is struck.

@@ -6,7 +6,9 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// A side of the board, named as on a map with y to the north.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, strum::IntoStaticStr,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Seat {
     /// Below the board, looking up it.

@@ -42,6 +42,13 @@ pub struct Mouse {
     pub row: u16,
 }
 
+impl Mouse {
+    /// The cell: its column and its row.
+    pub fn cell(&self) -> (u16, u16) {
+        (self.column, self.row)
+    }
+}
+
 /// What the mouse did; only the main button counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MouseKind {

@@ -44,7 +44,16 @@ pub enum Key {
     F(u8),
 }
 
+impl From<char> for Key {
+    fn from(c: char) -> Self {
+        Self::Char(c)
+    }
+}
+
 impl Key {
+    /// The four arrows: up, down, left, right.
+    pub const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
+
     /// The key of a text: a character stands for itself, a name for what a tape calls so.
     pub fn parse(text: &str) -> Option<Self> {
         let mut letters = text.chars();

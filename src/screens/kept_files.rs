@@ -1,9 +1,10 @@
 //! A list of kept files, the newest first: to open one, or to remove it.
 
+use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::Confirmation;
-use crate::messages::{Kept, Key, Mouse};
+use super::{Confirmation, Context, Next};
+use crate::messages::{Kept, Key, Mouse, StoreRequest};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{Lines, Outcome, Role, text};
 
@@ -17,9 +18,29 @@ pub enum KeptAction {
     Remove,
 }
 
+/// A kind of files: what they are called, and what is asked of whoever keeps them.
+#[derive(Debug, Clone)]
+pub(super) struct KeptKind {
+    /// One of them: "game".
+    pub(super) one: &'static str,
+    /// All of them: "saved games".
+    pub(super) all: &'static str,
+    /// When one is saved, in a sentence.
+    pub(super) saved: &'static str,
+    /// Rows below the list for what is to be said of the chosen one.
+    pub(super) about: u16,
+    /// Asks what files there are.
+    pub(super) list: StoreRequest,
+    /// Asks for one.
+    pub(super) load: fn(String) -> StoreRequest,
+    /// Asks for one to be removed.
+    pub(super) remove: fn(String) -> StoreRequest,
+}
+
 /// The files of one kind that there are.
 #[derive(Debug, Clone)]
 pub(super) struct KeptFiles<T> {
+    kind: KeptKind,
     /// `None` until they are known; where nobody can say, why.
     files: Result<Option<Vec<Kept<T>>>, String>,
     list: ListView,
@@ -29,20 +50,21 @@ pub(super) struct KeptFiles<T> {
     pub(super) notice: Option<String>,
 }
 
-impl<T> Default for KeptFiles<T> {
-    fn default() -> Self {
+impl<T> KeptFiles<T> {
+    /// The list, which is asked for.
+    pub(super) fn ask(kind: KeptKind, cx: &mut Context) -> Self {
+        cx.ask(kind.list.clone());
         Self {
+            kind,
             files: Ok(None),
             list: ListView::default(),
             loading: None,
             notice: None,
         }
     }
-}
 
-impl<T> KeptFiles<T> {
     /// All that are known.
-    pub(super) fn known(&self) -> &[Kept<T>] {
+    fn known(&self) -> &[Kept<T>] {
         match &self.files {
             Ok(Some(files)) => files,
             _ => &[],
@@ -64,20 +86,30 @@ impl<T> KeptFiles<T> {
         self.files = files.map(Some);
     }
 
-    /// Takes in what came of removing one; the list is to be asked for again.
-    pub(super) fn removed(&mut self, result: &Result<(), String>) {
+    /// Takes in what came of removing one, and asks for the list again.
+    pub(super) fn removed(&mut self, result: &Result<(), String>, cx: &mut Context) {
         let reason = result.as_ref().err();
         self.notice = reason.map(|reason| format!("It cannot be removed: {reason}."));
+        cx.ask(self.kind.list.clone());
     }
 
-    /// Notes that the chosen one was asked for with a ticket.
-    pub(super) fn load(&mut self, ticket: u64) {
-        self.loading = Some(ticket);
+    /// Asks for the chosen one; gives the ticket.
+    pub(super) fn load(&mut self, cx: &mut Context) -> Option<u64> {
+        let name = self.chosen()?.name.clone();
+        self.loading = Some(cx.ask((self.kind.load)(name)));
+        self.loading
     }
 
     /// Whether an answer is the file that was asked for last.
     pub(super) fn take_loaded(&mut self, ticket: u64) -> bool {
         self.loading.take_if(|it| *it == ticket).is_some()
+    }
+
+    /// Removes the chosen one.
+    pub(super) fn remove(&self, cx: &mut Context) {
+        if let Some(kept) = self.chosen() {
+            cx.ask((self.kind.remove)(kept.name.clone()));
+        }
     }
 
     /// The keys of the list; `open` is what opening a file is called.
@@ -91,59 +123,61 @@ impl<T> KeptFiles<T> {
         }
         KeyTable::new("list")
             .with(list, KeptAction::List)
-            .on(Key::Char('d'), KeptAction::Remove, "remove")
+            .on('d', KeptAction::Remove, "remove")
             .or([(Key::Delete, KeptAction::Remove)])
     }
 
-    /// Moves the mark; done once the chosen file is to be opened.
-    pub(super) fn act(&mut self, action: ListAction) -> Outcome {
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
+        let KeptAction::List(action) = action else {
+            let text = format!("Remove this {} for good?", self.kind.one);
+            return Next::Confirm(Confirmation::new(text, "remove it", "keep it"));
+        };
         self.notice = None;
-        self.opened(|list, count| list.act(action, count))
+        let outcome = self.list.act(action, self.known().len());
+        self.opened(outcome, cx)
     }
 
-    /// The mouse, with the line that it points at.
-    pub(super) fn mouse(&mut self, mouse: &Mouse, line: Option<usize>) -> Outcome {
-        let line = line.filter(|line| *line < self.known().len());
-        self.opened(|list, count| list.mouse(mouse, count, line))
-    }
-
-    fn opened(&mut self, act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>) -> Outcome {
+    /// The mouse over the list in `area`.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, area: Rect, cx: &mut Context) -> Next {
+        let height = self.rows(area.height);
+        let row = ListView::row_at(Rect { height, ..area }, mouse.cell());
+        let line = row.map(|row| self.first_row(height) + row);
         let count = self.known().len();
-        match act(&mut self.list, count) {
-            Outcome::Ignored => Outcome::Ignored,
-            Outcome::Done(_) if self.content().is_some() => Outcome::Done(()),
-            _ => Outcome::Used,
-        }
+        let line = line.filter(|line| *line < count);
+        let outcome = self.list.mouse(mouse, count, line);
+        self.opened(outcome, cx)
     }
 
-    /// Asks whether the chosen one is to be removed; `what` it is: "game".
-    pub(super) fn ask_to_remove(what: &str) -> Confirmation {
-        Confirmation::new(
-            format!("Remove this {what} for good?"),
-            "remove it",
-            "keep it",
-        )
+    fn opened(&mut self, outcome: Outcome<usize>, cx: &mut Context) -> Next {
+        match outcome {
+            Outcome::Ignored => return Next::Ignored,
+            Outcome::Done(_) if self.content().is_some() => {
+                self.load(cx);
+            }
+            _ => {}
+        }
+        Next::Stay
+    }
+
+    /// Rows of the list in an area of so many.
+    fn rows(&self, height: u16) -> u16 {
+        height.saturating_sub(self.kind.about).max(3)
     }
 
     /// The first file that is shown in so many rows.
-    pub(super) fn first_row(&self, rows: usize) -> usize {
+    fn first_row(&self, rows: u16) -> usize {
         let count = self.known().len();
-        ListView::first_shown(self.list.chosen(count), count, rows as u16)
+        ListView::first_shown(self.list.chosen(count), count, rows)
     }
 
-    /// Writes at most so many rows of the list, or why there is none: `what` the files
-    /// are ("saved games"), and when one is `saved`.
-    pub(super) fn write(
-        &self,
-        rows: usize,
-        (what, saved): (&str, &str),
-        title: impl Fn(&Kept<T>) -> String,
-        lines: &mut Lines,
-    ) {
+    /// Writes as much of the list as there is room for, or why there is none.
+    pub(super) fn write(&self, title: impl Fn(&Kept<T>) -> String, lines: &mut Lines) {
+        let KeptKind { all, saved, .. } = self.kind;
         match &self.files {
             Ok(None) => lines.paragraph("Looking …", Role::Text),
             Err(reason) => {
-                let message = format!("The {what} cannot be looked at: {reason}.");
+                let message = format!("The {all} cannot be looked at: {reason}.");
                 lines.paragraph(&message, Role::Warn);
             }
             Ok(Some(files)) if files.is_empty() => {
@@ -151,12 +185,10 @@ impl<T> KeptFiles<T> {
             }
             Ok(Some(files)) => {
                 let chosen = self.list.chosen(files.len());
+                let rows = self.rows(lines.left());
                 let shown = files.iter().enumerate().skip(self.first_row(rows));
-                for (i, kept) in shown.take(rows) {
-                    let (mark, role) = match i == chosen {
-                        true => (">", Role::Selected),
-                        false => (" ", Role::Text),
-                    };
+                for (i, kept) in shown.take(rows.into()) {
+                    let (mark, role) = ListView::mark(i == chosen);
                     let age = kept.age.map(text::ago).unwrap_or_default();
                     lines.pair(&format!("{mark} {}", title(kept)), &age, role, Role::Dim);
                 }

@@ -107,6 +107,13 @@ pub enum Next {
     Quit,
 }
 
+impl Next {
+    /// What follows from an input that was of use or not.
+    pub(crate) fn after(used: bool) -> Self {
+        if used { Self::Stay } else { Self::Ignored }
+    }
+}
+
 /// What is asked before something is done that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Confirmation {

@@ -46,8 +46,11 @@ pub use ruling::{BoardWon, Law, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
 
-/// Which rules are played.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+/// Which rules are played; "friendly" in a word.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::IntoStaticStr,
+)]
+#[strum(serialize_all = "lowercase")]
 #[serde(rename_all = "snake_case")]
 pub enum Rules {
     /// The Laws of Carrom, in singles or doubles, as a match of three games.

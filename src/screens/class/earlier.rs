@@ -8,13 +8,21 @@ use super::set_up::SetUp;
 use super::view::column;
 use crate::class::ClassRound;
 use crate::messages::{Kept, Mouse, StoreAnswer, StoreReply, StoreRequest};
-use crate::screens::kept_files::{KeptAction, KeptFiles};
+use crate::screens::kept_files::{KeptFiles, KeptKind};
 use crate::screens::{Context, Next};
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Look, Outcome, Role, text};
+use crate::widgets::{Lines, Look, Role, text};
 
-/// Rows below the list for what is to be said of the chosen round.
-const ABOUT: u16 = 7;
+/// Rounds as files.
+const ROUNDS: KeptKind = KeptKind {
+    one: "round",
+    all: "earlier rounds",
+    saved: "Every round is saved by itself, after each vote.",
+    about: 7,
+    list: StoreRequest::ListClasses,
+    load: StoreRequest::LoadClass,
+    remove: StoreRequest::RemoveClass,
+};
 
 /// The list.
 #[derive(Debug, Clone)]
@@ -27,51 +35,14 @@ pub(super) struct EarlierRounds {
 impl EarlierRounds {
     /// The list, which is asked for.
     pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::ListClasses);
-        Self {
-            set_up,
-            rounds: KeptFiles::default(),
-        }
-    }
-
-    /// Does what a key stands for.
-    pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
-        match action {
-            KeptAction::List(action) => {
-                let outcome = self.rounds.act(action);
-                self.opened(outcome, cx)
-            }
-            KeptAction::Remove => Next::Confirm(KeptFiles::<ClassRound>::ask_to_remove("round")),
-        }
-    }
-
-    /// Removes the chosen round.
-    pub(super) fn remove(&self, cx: &mut Context) {
-        if let Some(kept) = self.rounds.chosen() {
-            cx.ask(StoreRequest::RemoveClass(kept.name.clone()));
-        }
-    }
-
-    fn opened(&mut self, outcome: Outcome, cx: &mut Context) -> Next {
-        match (outcome, self.rounds.chosen()) {
-            (Outcome::Ignored, _) => return Next::Ignored,
-            (Outcome::Done(()), Some(kept)) => {
-                let ticket = cx.ask(StoreRequest::LoadClass(kept.name.clone()));
-                self.rounds.load(ticket);
-            }
-            _ => {}
-        }
-        Next::Stay
+        let rounds = KeptFiles::ask(ROUNDS, cx);
+        Self { set_up, rounds }
     }
 
     /// Takes the mouse.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let list = list(column(cx.body).inner(Margin::new(1, 1)));
-        let shown = list.contains((mouse.column, mouse.row).into());
-        let first = self.rounds.first_row(list.height.into());
-        let line = shown.then(|| first + usize::from(mouse.row - list.y));
-        let outcome = self.rounds.mouse(mouse, line);
-        self.opened(outcome, cx)
+        let list = column(cx.body).inner(Margin::new(1, 1));
+        self.rounds.mouse(mouse, list, cx)
     }
 
     /// Takes in what came of what was asked; gives the round that is to be taken up.
@@ -91,10 +62,7 @@ impl EarlierRounds {
                     self.rounds.notice = Some(format!("It cannot be taken up: {reason}."));
                 }
             },
-            StoreReply::Removed(result) => {
-                self.rounds.removed(result);
-                cx.ask(StoreRequest::ListClasses);
-            }
+            StoreReply::Removed(result) => self.rounds.removed(result, cx),
             _ => {}
         }
         None
@@ -105,7 +73,6 @@ impl EarlierRounds {
         let frame = column(area);
         let inside = draw_panel(buf, frame, "earlier rounds", look.charset, &look.theme);
         let mut lines = Lines::new(inside, buf, *look);
-        let rows = list(inside).height.into();
         let width = usize::from(lines.width());
         let title = |kept: &Kept<ClassRound>| {
             let age = kept.age.map(text::ago).unwrap_or_default();
@@ -118,11 +85,7 @@ impl EarlierRounds {
                 width.saturating_sub(text::width(&age) + 4),
             )
         };
-        let about = (
-            "earlier rounds",
-            "Every round is saved by itself, after each vote.",
-        );
-        self.rounds.write(rows, about, title, &mut lines);
+        self.rounds.write(title, &mut lines);
         self.rounds.write_about(&mut lines, |round, lines| {
             let number = round.place().question + 1;
             let place = format!("Question {number} of {}.", round.questions().len());
@@ -131,13 +94,5 @@ impl EarlierRounds {
             lines.gap();
             lines.paragraph("Enter: take it up where it was left.", Role::Key);
         });
-    }
-}
-
-/// The place of the list.
-fn list(inside: Rect) -> Rect {
-    Rect {
-        height: inside.height.saturating_sub(ABOUT).max(1),
-        ..inside
     }
 }

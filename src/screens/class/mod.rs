@@ -262,7 +262,7 @@ impl Screen for Class {
                 return self.set_up(outcome, cx);
             }
             (ClassAction::Earlier(action), ClassScene::Earlier(earlier)) => {
-                return earlier.act(action, cx);
+                return earlier.rounds.act(action, cx);
             }
             (action, ClassScene::Play(play)) => play.act(action, cx),
             _ => return Next::Ignored,
@@ -273,7 +273,7 @@ impl Screen for Class {
     fn confirmed(&mut self, _action: ClassAction, cx: &mut Context) -> Next {
         match &self.scene {
             ClassScene::Earlier(earlier) => {
-                earlier.remove(cx);
+                earlier.rounds.remove(cx);
                 Next::Stay
             }
             _ => Next::Back,

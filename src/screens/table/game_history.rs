@@ -3,9 +3,7 @@
 use std::mem;
 
 use super::calls::Called;
-use crate::game::{
-    ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike, Team,
-};
+use crate::game::{ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike};
 use crate::physics::Shot;
 
 /// A game and its record, always in step.
@@ -102,6 +100,11 @@ impl GameHistory {
         self.past.get(number)
     }
 
+    /// The last move, if any was made.
+    pub(super) fn last(&self) -> Option<&Past> {
+        self.past.last()
+    }
+
     /// How many moves were made.
     pub(super) fn len(&self) -> usize {
         self.past.len()
@@ -166,9 +169,9 @@ impl GameHistory {
             .find(|i| self.strike(*i).is_some())
     }
 
-    /// The number of the stroke nearest after `number`.
-    pub(super) fn stroke_after(&self, number: usize) -> Option<usize> {
-        (number + 1..self.len()).find(|i| self.strike(*i).is_some())
+    /// The number of the first stroke from `number` on.
+    pub(super) fn stroke_from(&self, number: usize) -> Option<usize> {
+        (number..self.len()).find(|i| self.strike(*i).is_some())
     }
 
     /// What the calls have brought so far; they never count in the score.
@@ -182,10 +185,5 @@ impl GameHistory {
             }
         }
         calls
-    }
-
-    /// Whether anybody has called anything.
-    pub(super) fn has_calls(&self) -> bool {
-        Team::BOTH.iter().any(|team| self.calls()[*team].most > 0)
     }
 }

@@ -4,7 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::active_game::{ActiveGame, TablePhase};
 use super::new_game::NewGame;
-use crate::game::Piece;
+use crate::game::{Aids, Piece};
 use crate::messages::Key;
 use crate::screens::kept_files::KeptAction;
 use crate::widgets::input::{EntryAction, FormAction, KeyTable, RayAction};
@@ -93,13 +93,30 @@ pub enum AimAid {
     Rays,
 }
 
+impl AimAid {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Line, Self::Ghost, Self::Rays];
+
+    /// Whether it is on.
+    pub(super) fn of(self, aids: &mut Aids) -> &mut bool {
+        match self {
+            Self::Line => &mut aids.line,
+            Self::Ghost => &mut aids.ghost,
+            Self::Rays => &mut aids.rays,
+        }
+    }
+}
+
 use TableAction as Do;
+
+/// The keys of pages, up and down.
+const PAGES: [Key; 2] = [Key::PageUp, Key::PageDown];
 
 /// The keys of the page on which a new game is agreed.
 pub(super) fn new_game(page: &NewGame) -> KeyTable<TableAction> {
     KeyTable::new("table")
         .on(Key::Enter, Do::Play, "play")
-        .on(Key::Char('s'), Do::SavedGames, "saved games")
+        .on('s', Do::SavedGames, "saved games")
         .with(page.form.keys(&page.options), Do::Agree)
         .on(Key::Escape, Do::Back, "back")
 }
@@ -107,10 +124,6 @@ pub(super) fn new_game(page: &NewGame) -> KeyTable<TableAction> {
 /// The keys of a game, the most useful first.
 pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
     let table = KeyTable::new("table");
-    let scroll = [
-        (Key::PageUp, Do::Scroll(-8)),
-        (Key::PageDown, Do::Scroll(8)),
-    ];
     let table = match &game.phase {
         TablePhase::Aim => return aiming(game, table),
         TablePhase::Think { .. } => table.on(Key::Escape, Do::Back, "leave"),
@@ -122,13 +135,12 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         TablePhase::Watch(replay) => {
             let over = replay.player.clock().is_over();
             let board = replay.player.chosen().is_none();
-            let number = replay.number;
-            let before = game.history.stroke_before(number);
-            let before = before.map(|_| (Key::Char('p'), Do::StrokeBefore));
-            let after = game.history.stroke_after(number);
-            let after = after.map(|_| (Key::Char('n'), Do::StrokeAfter));
+            let before = game.history.stroke_before(replay.number);
+            let before = before.map(|_| ('p', Do::StrokeBefore));
+            let after = game.history.stroke_from(replay.number + 1);
+            let after = after.map(|_| ('n', Do::StrokeAfter));
             table
-                .on(Key::Char(' '), Do::GoOn, "go on")
+                .on(' ', Do::GoOn, "go on")
                 .or([(Key::Enter, Do::GoOn)])
                 .when(over && board)
                 .with(replay.player.keys(), Do::Replay)
@@ -142,152 +154,78 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         TablePhase::Arrange(_) => arranging(table),
         TablePhase::Over => table
             .on(Key::Enter, Do::NextBoard, "next")
-            .or([(Key::Char(' '), Do::NextBoard)])
-            .on(Key::Char('i'), Do::LookBack, "strokes"),
+            .or([(' ', Do::NextBoard)])
+            .on('i', Do::LookBack, "strokes"),
     };
     let over = matches!(game.phase, TablePhase::Over);
+    let named = |name| if over { name } else { "" };
+    let arranges = matches!(game.phase, TablePhase::Arrange(_));
     let board = match &game.phase {
         TablePhase::Watch(replay) => replay.player.chosen().is_none(),
-        TablePhase::Arrange(_) => true,
-        phase => matches!(phase, TablePhase::Over),
+        _ => over || arranges,
     };
-    let watches = board && !matches!(game.phase, TablePhase::Arrange(_));
     table
-        .on(
-            Key::Char('v'),
-            Do::WatchAll,
-            if over { "replay" } else { "" },
-        )
-        .when(watches)
-        .on(Key::Char('e'), Do::Export, if over { "export" } else { "" })
+        .on('v', Do::WatchAll, named("replay"))
+        .when(board && !arranges)
+        .on('e', Do::Export, named("export"))
         .when(board)
-        .each(scroll, "")
+        .by(PAGES, Do::Scroll, [-8, 8], "")
         .on(Key::Escape, Do::Back, "leave")
         .when(over)
 }
 
 fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableAction> {
-    use AimAid::{Ghost, Line, Rays};
     let typing = game.entry.is_open();
     let practice = game.is_practice();
     let reads = game.reads_hint();
     table
-        .on(Key::Char(' '), Do::Strike, "strike")
-        .or([(Key::Enter, Do::Strike)].into_iter().filter(|_| !typing))
-        .each(
-            [
-                (Key::Up, Do::Turn(-1)),
-                (Key::Down, Do::Turn(1)),
-                (Key::Left, Do::Turn(-10)),
-                (Key::Right, Do::Turn(10)),
-            ],
-            "aim",
-        )
-        .each(
-            [
-                (Key::Char('+'), Do::Strength(1)),
-                (Key::Char('-'), Do::Strength(-1)),
-            ],
-            "strength",
-        )
-        .or([
-            (Key::Char('='), Do::Strength(1)),
-            (Key::Char('_'), Do::Strength(-1)),
-        ])
+        .on(' ', Do::Strike, "strike")
+        .or((!typing).then_some((Key::Enter, Do::Strike)))
+        .by(Key::ARROWS, Do::Turn, [-1, 1, -10, 10], "aim")
+        .by(['+', '-'], Do::Strength, [1, -1], "strength")
+        .or([('=', Do::Strength(1)), ('_', Do::Strength(-1))])
         .when(!typing)
-        .on(Key::Char('+'), Do::Strength(1), "as the strength")
-        .or([(Key::Char('='), Do::Strength(1))])
+        .on('+', Do::Strength(1), "as the strength")
+        .or([('=', Do::Strength(1))])
         .when(typing)
-        .each(
-            [
-                (Key::Char('['), Do::Place(-1)),
-                (Key::Char(']'), Do::Place(1)),
-                (Key::Char('{'), Do::Place(-10)),
-                (Key::Char('}'), Do::Place(10)),
-            ],
-            "place",
-        )
-        .or([
-            (Key::Char('a'), Do::Place(-1)),
-            (Key::Char('d'), Do::Place(1)),
-        ])
-        .on(Key::Char('h'), Do::Hint, "hint")
+        .by(['[', ']', '{', '}'], Do::Place, [-1, 1, -10, 10], "place")
+        .or([('a', Do::Place(-1)), ('d', Do::Place(1))])
+        .on('h', Do::Hint, "hint")
         .with(game.entry.keys(), Do::Number)
-        .on(Key::Char('p'), Do::LayOut, "lay out")
+        .on('p', Do::LayOut, "lay out")
         .when(practice)
-        .on(Key::Char('z'), Do::Undo, "undo")
+        .on('z', Do::Undo, "undo")
         .when(practice)
-        .on(Key::Char('c'), Do::Call, "call")
-        .each(
-            [('l', Line), ('g', Ghost), ('r', Rays)].map(|(c, aid)| (Key::Char(c), Do::Aid(aid))),
-            "aids",
-        )
-        .on(Key::Char('i'), Do::LookBack, "impacts")
-        .on(Key::Char('v'), Do::WatchAll, "replay")
-        .on(Key::Char('e'), Do::Export, "export")
-        .each(
-            [
-                (Key::Char('w'), Do::PlaceUp(1)),
-                (Key::Char('s'), Do::PlaceUp(-1)),
-            ],
-            "",
-        )
+        .on('c', Do::Call, "call")
+        .by(['l', 'g', 'r'], Do::Aid, AimAid::ALL, "aids")
+        .on('i', Do::LookBack, "impacts")
+        .on('v', Do::WatchAll, "replay")
+        .on('e', Do::Export, "export")
+        .by(['w', 's'], Do::PlaceUp, [1, -1], "")
         .when(practice)
-        .each(
-            [
-                (Key::PageUp, Do::Scroll(-8)),
-                (Key::PageDown, Do::Scroll(8)),
-            ],
-            "",
-        )
+        .by(PAGES, Do::Scroll, [-8, 8], "")
         .when(reads)
-        .each(
-            [
-                (Key::PageUp, Do::TurnFar(-1)),
-                (Key::PageDown, Do::TurnFar(1)),
-            ],
-            "",
-        )
+        .by(PAGES, Do::TurnFar, [-1, 1], "")
         .when(!reads)
         .on(Key::Escape, Do::Back, "")
         .when(!typing)
 }
 
 fn arranging(table: KeyTable<TableAction>) -> KeyTable<TableAction> {
+    let ways = [(0, 1), (0, -1), (-1, 0), (1, 0)];
+    let far = |(x, y)| Do::Hand(10 * x, 10 * y);
+    let near = ways.map(|(x, y)| Do::Hand(x, y));
+    let coins = [Piece::White, Piece::Black, Piece::Queen];
     table
-        .each(
-            [
-                (Key::Up, Do::Hand(0, 10)),
-                (Key::Down, Do::Hand(0, -10)),
-                (Key::Left, Do::Hand(-10, 0)),
-                (Key::Right, Do::Hand(10, 0)),
-            ],
-            "move",
-        )
-        .or([
-            (Key::Char('w'), Do::Hand(0, 1)),
-            (Key::Char('s'), Do::Hand(0, -1)),
-            (Key::Char('a'), Do::Hand(-1, 0)),
-            (Key::Char('d'), Do::Hand(1, 0)),
-        ])
-        .on(Key::Char(' '), Do::TakeOrLay, "take, lay")
+        .by(Key::ARROWS, far, ways, "move")
+        .or(['w', 's', 'a', 'd'].into_iter().zip(near))
+        .on(' ', Do::TakeOrLay, "take, lay")
         .or([(Key::Enter, Do::TakeOrLay)])
-        .each(
-            [
-                ('o', Piece::White),
-                ('b', Piece::Black),
-                ('q', Piece::Queen),
-            ]
-            .map(|(c, piece)| (Key::Char(c), Do::Add(piece))),
-            "add",
-        )
-        .on(Key::Char('x'), Do::RemoveCoin, "remove")
-        .or([
-            (Key::Delete, Do::RemoveCoin),
-            (Key::Backspace, Do::RemoveCoin),
-        ])
-        .on(Key::Char('z'), Do::Undo, "undo")
-        .on(Key::Char('p'), Do::Back, "done")
+        .by(['o', 'b', 'q'], Do::Add, coins, "add")
+        .on('x', Do::RemoveCoin, "remove")
+        .or([Key::Delete, Key::Backspace].map(|key| (key, Do::RemoveCoin)))
+        .on('z', Do::Undo, "undo")
+        .on('p', Do::Back, "done")
         .or([(Key::Escape, Do::Back)])
         .on(Key::Tab, Do::NextCoin, "")
 }

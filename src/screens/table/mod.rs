@@ -23,11 +23,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Context, Next, Screen};
-use crate::game::{Game, Record};
 use crate::messages::Input;
-use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
-use active_game::{ActiveGame, GameStep};
+use active_game::ActiveGame;
 use keys::TableAction;
 use new_game::NewGame;
 pub use options::{Aids, Options, Player};
@@ -67,22 +65,6 @@ impl Table {
             page: TablePage::Playing(Box::new(ActiveGame::new(options, seed))),
         }
     }
-
-    /// The game that is played, if one is.
-    pub fn game(&self) -> Option<&Game> {
-        match &self.page {
-            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
-            TablePage::Playing(active) => Some(active.game()),
-        }
-    }
-
-    /// All that is needed to play it again.
-    pub fn record(&self) -> Option<&Record> {
-        match &self.page {
-            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
-            TablePage::Playing(active) => Some(active.record()),
-        }
-    }
 }
 
 /// The page of a new game, with what was agreed last time.
@@ -103,11 +85,8 @@ impl Screen for Table {
             TablePage::SavedGames(_) => return String::new(),
             TablePage::Playing(game) => &game.options,
         };
-        format!(
-            "{}   {}",
-            words::rules(options.rules),
-            words::masses(options.set)
-        )
+        let rules = <&str>::from(options.rules);
+        format!("{rules}   {}", words::masses(options.set))
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
@@ -139,9 +118,8 @@ impl Screen for Table {
                 action => return page.act(action, cx),
             },
             TablePage::Playing(game) => match game.act(action, cx) {
-                GameStep::Stay => {}
-                GameStep::AskToLeave => return Next::Confirm(game.parting()),
-                GameStep::Leave => self.page = agreeing(game.options),
+                Next::Back => self.page = agreeing(game.options),
+                next => return next,
             },
         }
         Next::Stay
@@ -150,28 +128,25 @@ impl Screen for Table {
     fn confirmed(&mut self, _action: TableAction, cx: &mut Context) -> Next {
         match &mut self.page {
             TablePage::NewGame(_) => {}
-            TablePage::SavedGames(page) => page.remove(cx),
+            TablePage::SavedGames(page) => page.files.remove(cx),
             TablePage::Playing(game) => self.page = agreeing(game.options),
         }
         Next::Stay
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let used = match &mut self.page {
-            TablePage::NewGame(page) => match input {
-                Input::Mouse(mouse) => page.mouse(mouse, cx).is_used(),
-                _ => false,
-            },
-            TablePage::SavedGames(page) => match page.input(input, cx) {
-                Outcome::Done(game) => {
+        match (input, &mut self.page) {
+            (Input::Mouse(mouse), TablePage::NewGame(page)) => page.mouse(mouse, cx),
+            (Input::Mouse(mouse), TablePage::SavedGames(page)) => page.mouse(mouse, cx),
+            (Input::Kept(answer), TablePage::SavedGames(page)) => {
+                if let Some(game) = page.take_answer(answer, cx) {
                     self.page = TablePage::Playing(game);
-                    true
                 }
-                outcome => outcome.is_used(),
-            },
-            TablePage::Playing(game) => game.input(input, cx),
-        };
-        if used { Next::Stay } else { Next::Ignored }
+                Next::Stay
+            }
+            (input, TablePage::Playing(game)) => game.input(input, cx),
+            _ => Next::Ignored,
+        }
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
@@ -183,8 +158,8 @@ impl Screen for Table {
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.page {
-            TablePage::NewGame(_) | TablePage::SavedGames(_) => None,
             TablePage::Playing(game) => game.wake(),
+            _ => None,
         }
     }
 

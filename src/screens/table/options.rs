@@ -91,13 +91,13 @@ impl Options {
     pub fn player(&self, seat: Seat) -> Player {
         match self.rules {
             Rules::Practice => Player::Person,
-            Rules::Tournament | Rules::Friendly => self.players[index(seat)],
+            Rules::Tournament | Rules::Friendly => self.players[seat as usize],
         }
     }
 
     /// Sets who plays from a seat.
     pub fn set_player(&mut self, seat: Seat, player: Player) {
-        self.players[index(seat)] = player;
+        self.players[seat as usize] = player;
     }
 
     /// The seats that are played from, in the order of turns.
@@ -118,7 +118,7 @@ impl Options {
             Player::Person if self.rules == Rules::Practice => "you",
             Player::Person if self.count(Player::Person) == 1 => "you",
             Player::Computer if self.count(Player::Computer) == 1 => "computer",
-            _ => compass(seat),
+            _ => seat.into(),
         }
     }
 
@@ -131,25 +131,6 @@ impl Options {
             (Hands::Four, Team::First) => "S + N",
             (Hands::Four, Team::Second) => "E + W",
         }
-    }
-}
-
-const fn index(seat: Seat) -> usize {
-    match seat {
-        Seat::South => 0,
-        Seat::East => 1,
-        Seat::North => 2,
-        Seat::West => 3,
-    }
-}
-
-/// The name of a side of the board.
-pub(super) const fn compass(seat: Seat) -> &'static str {
-    match seat {
-        Seat::South => "South",
-        Seat::East => "East",
-        Seat::North => "North",
-        Seat::West => "West",
     }
 }
 

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::active_game::{ActiveGame, Hinted};
 use super::arrange::Arrange;
 use super::pointer::Pointer;
-use super::preview::FirstHit;
+use super::preview::{FirstHit, Preview};
 use super::replay::StrokeReplay;
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
@@ -31,8 +31,8 @@ fn ground(area: Rect) -> Picture {
 }
 
 fn body(set: PieceSet, piece: Piece, at: DVec2) -> Body {
-    let radius = set.disc(piece).radius;
-    Body::new(at, radius, words::role(piece), words::letter(piece))
+    let face = words::face(piece);
+    Body::new(at, set.disc(piece).radius, face.role, face.letter)
 }
 
 fn bodies(set: PieceSet, coins: &[Coin]) -> impl Iterator<Item = Body> {
@@ -60,10 +60,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let radius = active.set().striker_radius();
     let heading = aim.heading(seat);
     let aids = active.options.aids;
-    let hit = active
-        .preview
-        .as_ref()
-        .and_then(|preview| preview.first_hit());
+    let hit = active.preview.as_ref().and_then(Preview::first_hit);
     if !active.is_practice() {
         own_side(&mut picture, seat);
     }
@@ -87,7 +84,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     }
     discs.push(striker);
     picture.discs(discs);
-    if let Some(hit) = hit {
+    if let Some(hit) = &hit {
         let ghost = hit.at - hit.impact.collision.contact_distance() * normal(hit);
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);

@@ -58,8 +58,8 @@ impl Preview {
     }
 
     /// The first impact, if there is one.
-    pub(super) fn first_hit(&self) -> Option<&FirstHit> {
-        match &self.end {
+    pub(super) fn first_hit(&self) -> Option<FirstHit> {
+        match self.end {
             WayEnd::Meets(hit) => Some(hit),
             WayEnd::Falls | WayEnd::Stops => None,
         }

@@ -2,10 +2,10 @@
 
 use glam::DVec2;
 
+use super::game_history::Past;
 use super::words;
-use crate::game::{Game, Piece};
+use crate::game::Piece;
 use crate::physics::Shot;
-use crate::quiz::Rays;
 use crate::screens::Settings;
 use crate::widgets::replay::{ShotClock, ShotPlayer, WatchRate};
 
@@ -24,24 +24,21 @@ pub(super) struct StrokeReplay {
 }
 
 impl StrokeReplay {
-    /// A stroke on the board as it lay in `before`, with what was called of its first
-    /// impact; from its beginning, or `at_end`.
+    /// A stroke that was made, with what was called of its first impact; from its
+    /// beginning, or `at_end`.
     pub(super) fn new(
         number: usize,
         shot: Shot,
-        before: &Game,
-        called: Option<Rays>,
+        past: &Past,
         at_end: bool,
         settings: &Settings,
     ) -> Self {
-        let coins = before.coins().iter().map(|coin| coin.piece);
+        let coins = past.before.coins().iter().map(|coin| coin.piece);
         let pieces: Vec<_> = std::iter::once(Piece::Striker).chain(coins).collect();
-        let faces = pieces
-            .iter()
-            .map(|piece| words::face(Some(*piece)))
-            .collect();
+        let faces = pieces.iter().copied().map(words::face).collect();
         let rate = settings.watch_rate.unwrap_or(WatchRate::REAL);
         let clock = ShotClock::new(shot.duration(), rate, at_end);
+        let called = past.called.as_ref().map(|called| called.said);
         let player = ShotPlayer::new(shot, 0, clock).with_faces(faces);
         Self {
             number,
@@ -49,11 +46,6 @@ impl StrokeReplay {
             pieces,
             player: player.with_said(called).with_list(),
         }
-    }
-
-    /// The same as a stroke that was made just now.
-    pub(super) fn live(self) -> Self {
-        Self { live: true, ..self }
     }
 
     /// The discs on the board now, with where they are.

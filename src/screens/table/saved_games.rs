@@ -8,33 +8,41 @@ use super::keys::TableAction;
 use super::options::Options;
 use super::{picture, view, words};
 use crate::game::{Game, GameStage, Rules, SavedGame, Team};
-use crate::messages::{Input, KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
-use crate::screens::kept_files::{KeptAction, KeptFiles};
+use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
+use crate::numbers::capital;
+use crate::screens::kept_files::{KeptFiles, KeptKind};
 use crate::screens::{Context, Next};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Outcome, Role};
+use crate::widgets::{Lines, Role};
 
-/// Rows below the list for what is to be said of the chosen game.
-const ABOUT: usize = 11;
+/// Games as files.
+const GAMES: KeptKind = KeptKind {
+    one: "game",
+    all: "saved games",
+    saved: "Every game is saved by itself, after each stroke.",
+    about: 11,
+    list: StoreRequest::List,
+    load: StoreRequest::Load,
+    remove: StoreRequest::Remove,
+};
 
 /// The page.
 #[derive(Debug, Clone)]
 pub(super) struct SavedGames {
     /// For the page to go back to.
     pub(super) options: Options,
-    files: KeptFiles<(SavedGame, Game)>,
-    /// Whether the game on its way is to be watched from its beginning.
-    watch: bool,
+    pub(super) files: KeptFiles<(SavedGame, Game)>,
+    /// The ticket of a game that is to be watched from its beginning.
+    watch: Option<u64>,
 }
 
 impl SavedGames {
     /// The page, with the games asked for; `options` are those of the page before.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
-        cx.ask(StoreRequest::List);
         Self {
             options,
-            files: KeptFiles::default(),
-            watch: false,
+            files: KeptFiles::ask(GAMES, cx),
+            watch: None,
         }
     }
 
@@ -43,9 +51,9 @@ impl SavedGames {
         let open = self.files.content().is_some();
         KeyTable::new("table")
             .with(self.files.keys("resume"), TableAction::Saved)
-            .on(Key::Char('v'), TableAction::WatchAll, "replay")
+            .on('v', TableAction::WatchAll, "replay")
             .when(open)
-            .on(Key::Char('e'), TableAction::Export, "export")
+            .on('e', TableAction::Export, "export")
             .when(open)
             .on(Key::Escape, TableAction::Back, "back")
     }
@@ -53,15 +61,8 @@ impl SavedGames {
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match action {
-            TableAction::Saved(KeptAction::Remove) => {
-                return Next::Confirm(KeptFiles::<()>::ask_to_remove("game"));
-            }
-            TableAction::Saved(KeptAction::List(action)) => {
-                if let Outcome::Done(()) = self.files.act(action) {
-                    self.load(false, cx);
-                }
-            }
-            TableAction::WatchAll => self.load(true, cx),
+            TableAction::Saved(action) => return self.files.act(action, cx),
+            TableAction::WatchAll => self.watch = self.files.load(cx),
             TableAction::Export => {
                 if let Some((saved, _)) = self.files.content() {
                     cx.ask(StoreRequest::Export(Box::new(saved.clone())));
@@ -72,47 +73,18 @@ impl SavedGames {
         Next::Stay
     }
 
-    /// Removes the chosen game.
-    pub(super) fn remove(&self, cx: &mut Context) {
-        if let Some(game) = self.files.chosen() {
-            cx.ask(StoreRequest::Remove(game.name.clone()));
-        }
+    /// Takes the mouse.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let list = view::layout(cx.body, false).panel;
+        self.files.mouse(mouse, list, cx)
     }
 
-    /// Takes an input that is no key; done with the game that was chosen, once it is there.
-    pub(super) fn input(&mut self, input: &Input, cx: &mut Context) -> Outcome<Box<ActiveGame>> {
-        match input {
-            Input::Mouse(mouse) => {
-                let panel = view::layout(cx.body, false).panel;
-                let rows = rows(panel.height);
-                let row = panel.contains((mouse.column, mouse.row).into());
-                let row = row.then(|| usize::from(mouse.row - panel.y));
-                let row = row.filter(|row| *row < rows);
-                let line = row.map(|row| self.files.first_row(rows) + row);
-                match self.files.mouse(mouse, line) {
-                    Outcome::Ignored => return Outcome::Ignored,
-                    Outcome::Done(()) => self.load(false, cx),
-                    Outcome::Used => {}
-                }
-                Outcome::Used
-            }
-            Input::Kept(answer) => {
-                let game = self.take_answer(answer, cx);
-                game.map_or(Outcome::Used, Outcome::Done)
-            }
-            _ => Outcome::Ignored,
-        }
-    }
-
-    fn load(&mut self, watch: bool, cx: &mut Context) {
-        if let Some(game) = self.files.chosen() {
-            let ticket = cx.ask(StoreRequest::Load(game.name.clone()));
-            self.watch = watch;
-            self.files.load(ticket);
-        }
-    }
-
-    fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) -> Option<Box<ActiveGame>> {
+    /// Takes in what came of what was asked; gives the game that is to be gone on with.
+    pub(super) fn take_answer(
+        &mut self,
+        answer: &StoreAnswer,
+        cx: &mut Context,
+    ) -> Option<Box<ActiveGame>> {
         match &answer.done {
             StoreReply::Listed(games) => self.files.listed(games.clone()),
             StoreReply::Loaded(loaded) if self.files.take_loaded(answer.ticket) => {
@@ -122,7 +94,7 @@ impl SavedGames {
                 });
                 match active {
                     Ok(mut active) => {
-                        if self.watch {
+                        if self.watch == Some(answer.ticket) {
                             active.watch_all(cx);
                         }
                         return Some(Box::new(active));
@@ -132,10 +104,7 @@ impl SavedGames {
                     }
                 }
             }
-            StoreReply::Removed(result) => {
-                self.files.removed(result);
-                cx.ask(StoreRequest::List);
-            }
+            StoreReply::Removed(result) => self.files.removed(result, cx),
             StoreReply::Exported(result) => {
                 self.files.notice = Some(match result {
                     Ok(place) => format!("It is written to {place}"),
@@ -159,23 +128,13 @@ impl SavedGames {
         };
         picture::of_pack(coins, set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
-        let what = (
-            "saved games",
-            "Every game is saved by itself, after each stroke.",
-        );
-        let rows = rows(layout.panel.height);
-        self.files.write(rows, what, title, &mut lines);
+        self.files.write(title, &mut lines);
         self.files.write_about(&mut lines, |(saved, game), lines| {
             lines.paragraph(&about(saved, game), Role::Text);
             lines.gap();
             lines.paragraph("Enter: resume it.  v: watch it from its start.", Role::Key);
         });
     }
-}
-
-/// Rows of the list in a panel of this height.
-fn rows(height: u16) -> usize {
-    usize::from(height).saturating_sub(ABOUT).max(3)
 }
 
 /// A game in a few words: who plays, and the score.
@@ -208,7 +167,7 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         Rules::Tournament => format!(", board {}", game.board_number()),
         Rules::Friendly | Rules::Practice => String::new(),
     };
-    let rules = words::sentence(words::rules(options.rules));
+    let rules = capital(options.rules.into());
     let stands = match game.stage() {
         _ if options.rules == Rules::Practice => String::new(),
         GameStage::Playing => match options.seat_name(game.seat()) {
@@ -221,11 +180,11 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         }
         GameStage::GameOver(team) => {
             let winner = words::does(options.team_name(team), "wins");
-            format!(" {} the game.", words::sentence(&winner))
+            format!(" {} the game.", capital(&winner))
         }
         GameStage::MatchOver(team) => {
             let winner = words::does(options.team_name(team), "wins");
-            format!(" {} the match.", words::sentence(&winner))
+            format!(" {} the match.", capital(&winner))
         }
     };
     let whose = match saved.player.as_str() {

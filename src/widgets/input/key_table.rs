@@ -100,7 +100,7 @@ impl<A: Copy> KeyTable<A> {
 
     /// Adds a key.
     #[must_use]
-    pub fn on(self, key: Key, action: A, name: &'static str) -> Self
+    pub fn on(self, key: impl Into<Key>, action: A, name: &'static str) -> Self
     where
         A: KeyAction,
     {
@@ -110,11 +110,15 @@ impl<A: Copy> KeyTable<A> {
     /// Adds keys that do one thing in several directions; what it is called in
     /// `keys.toml` and on the help page is the first one's.
     #[must_use]
-    pub fn each(mut self, keys: impl IntoIterator<Item = (Key, A)>, name: &'static str) -> Self
+    pub fn each<K: Into<Key>>(
+        mut self,
+        keys: impl IntoIterator<Item = (K, A)>,
+        name: &'static str,
+    ) -> Self
     where
         A: KeyAction,
     {
-        let keys: Vec<_> = keys.into_iter().collect();
+        let keys: Vec<_> = keys.into_iter().map(|(key, a)| (key.into(), a)).collect();
         self.added = !keys.is_empty();
         if let Some((_, first)) = keys.first() {
             self.rows.push(KeyRow {
@@ -128,10 +132,26 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
+    /// Adds keys that do one thing by different amounts: the first by the first of them.
+    #[must_use]
+    pub fn by<const N: usize, T>(
+        self,
+        keys: [impl Into<Key>; N],
+        action: impl Fn(T) -> A,
+        amounts: [T; N],
+        name: &'static str,
+    ) -> Self
+    where
+        A: KeyAction,
+    {
+        self.each(keys.into_iter().zip(amounts.map(action)), name)
+    }
+
     /// Other keys for what the last row does, which are not shown.
     #[must_use]
-    pub fn or(mut self, aliases: impl IntoIterator<Item = (Key, A)>) -> Self {
+    pub fn or<K: Into<Key>>(mut self, aliases: impl IntoIterator<Item = (K, A)>) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
+            let aliases = aliases.into_iter().map(|(key, a)| (key.into(), a));
             row.aliases.extend(aliases);
         }
         self
@@ -273,10 +293,9 @@ impl<A: Copy> KeyTable<A> {
 
 /// Keys as the screen names them.
 fn shown(keys: &[Key]) -> String {
-    const ARROWS: [Key; 4] = [Key::Up, Key::Down, Key::Left, Key::Right];
     let mut words: Vec<String> = Vec::new();
     let mut rest = keys;
-    if keys.len() >= 4 && ARROWS.iter().all(|arrow| keys[..4].contains(arrow)) {
+    if keys.len() >= 4 && Key::ARROWS.iter().all(|arrow| keys[..4].contains(arrow)) {
         words.push("arrows".into());
         rest = &keys[4..];
     }
@@ -363,7 +382,7 @@ mod tests {
     #[test]
     fn a_condition_holds_for_the_row_before_it_alone() {
         let table = table()
-            .each([], "nothing")
+            .each([(Key::F(5), Action::NextSet); 0], "nothing")
             .or([(Key::F(5), Action::NextSet)])
             .when(false);
         assert_eq!(table.rows().len(), 3);

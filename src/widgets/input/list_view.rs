@@ -1,9 +1,11 @@
 //! Lines one of which is chosen: the same manners wherever there is a list.
 
+use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{KeyTable, Outcome};
 use crate::messages::{Key, Mouse, MouseKind};
+use crate::widgets::Role;
 
 /// Lines that a page key goes by.
 const PAGE: isize = 10;
@@ -87,6 +89,20 @@ impl ListView {
     fn go(&mut self, by: isize, lines: usize) {
         self.at = self.chosen(lines).saturating_add_signed(by);
         self.at = self.chosen(lines);
+    }
+
+    /// The row of an area at a cell, from 0 at its top; `None` beside it.
+    pub fn row_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
+        let inside = area.contains(cell.into());
+        inside.then(|| usize::from(cell.1 - area.y))
+    }
+
+    /// The mark before a line, and the role of its words.
+    pub const fn mark(chosen: bool) -> (&'static str, Role) {
+        match chosen {
+            true => (">", Role::Selected),
+            false => (" ", Role::Text),
+        }
     }
 
     /// The first of so many rows that is shown in a place of this height: `row`, where

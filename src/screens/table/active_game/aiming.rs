@@ -11,11 +11,11 @@ use crate::physics::units::m_from_mm;
 use crate::screens::Context;
 use crate::screens::table::aim::{Aim, along_the_screen, rightwards};
 use crate::screens::table::arrange::Arrange;
-use crate::screens::table::keys::{AimAid, TableAction};
+use crate::screens::table::keys::TableAction;
+use crate::screens::table::preview::Preview;
 use crate::screens::table::replay::StrokeReplay;
-use crate::screens::table::view;
+use crate::widgets::RayInput;
 use crate::widgets::hit::side;
-use crate::widgets::{RayInput, board};
 
 /// A step of the speed, in m/s.
 const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
@@ -45,15 +45,13 @@ impl ActiveGame {
             TableAction::Turn(tenths) => self.turn(f64::from(tenths) * DIRECTION_STEP * right),
             TableAction::TurnFar(tens) => self.turn(10.0 * f64::from(tens) * right),
             TableAction::Strength(steps) => {
-                self.aim
-                    .set_speed(self.aim.speed + f64::from(steps) * SPEED_STEP);
+                let by = f64::from(steps) * SPEED_STEP;
+                self.aim.set_speed(self.aim.speed + by);
                 self.look_ahead();
             }
             TableAction::Place(steps) => self.shift(f64::from(steps) * PLACE_STEP, false),
             TableAction::PlaceUp(steps) => self.shift(f64::from(steps) * PLACE_STEP, true),
-            TableAction::Aid(AimAid::Line) => self.options.aids.line ^= true,
-            TableAction::Aid(AimAid::Ghost) => self.options.aids.ghost ^= true,
-            TableAction::Aid(AimAid::Rays) => self.options.aids.rays ^= true,
+            TableAction::Aid(aid) => *aid.of(&mut self.options.aids) ^= true,
             TableAction::Call => self.options.call ^= true,
             TableAction::LayOut => self.phase = TablePhase::Arrange(Arrange::new()),
             TableAction::Undo => self.take_back(),
@@ -106,13 +104,8 @@ impl ActiveGame {
     /// From aiming to the stroke, or to the call before it.
     fn strike(&mut self, cx: &Context) {
         let board = Board::default();
-        if !self.is_practice()
-            && self
-                .game()
-                .base_lines(&board)
-                .nearest(DVec2::ZERO)
-                .is_none()
-        {
+        let lines = self.game().base_lines(&board);
+        if !self.is_practice() && lines.nearest(DVec2::ZERO).is_none() {
             self.pass();
             return;
         }
@@ -120,16 +113,10 @@ impl ActiveGame {
             self.notice = Some(format!("Not from there: {why}."));
             return;
         }
-        let hit = self
-            .preview
-            .as_ref()
-            .and_then(|preview| preview.first_hit());
-        match hit {
+        match self.preview.as_ref().and_then(Preview::first_hit) {
             Some(hit) if self.options.call => {
-                self.phase = TablePhase::Call(Box::new(Calling {
-                    hit: *hit,
-                    rays: RayInput::new(side(&hit.impact.collision)),
-                }));
+                let rays = RayInput::new(side(&hit.impact.collision));
+                self.phase = TablePhase::Call(Box::new(Calling { hit, rays }));
             }
             _ => self.play(Move::Strike(self.aim.strike(self.seat())), cx),
         }
@@ -141,18 +128,15 @@ impl ActiveGame {
         if let Some(shot) = self.make(stroke)
             && let Some(past) = self.history.past(number)
         {
-            let called = past.called.as_ref().map(|called| called.said);
-            let (before, settings) = (&past.before, &cx.settings);
-            let at_end = settings.reduced_motion;
-            let replay = StrokeReplay::new(number, shot, before, called, at_end, settings);
-            self.phase = TablePhase::Watch(Box::new(replay.live()));
+            let at_end = cx.settings.reduced_motion;
+            let replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
+            let live = true;
+            self.phase = TablePhase::Watch(Box::new(StrokeReplay { live, ..replay }));
         }
     }
 
     pub(super) fn aiming_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let area = board::square(view::layout(cx.body, false).picture);
-        let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
-        let inside = area.contains((mouse.column, mouse.row).into());
+        let (at, inside) = Self::pointed(mouse, cx);
         match mouse.kind {
             MouseKind::ScrollUp => self.aim.set_speed(self.aim.speed + SPEED_STEP),
             MouseKind::ScrollDown => self.aim.set_speed(self.aim.speed - SPEED_STEP),

@@ -5,14 +5,14 @@ use glam::DVec2;
 use super::{ActiveGame, TablePhase};
 use crate::game::{Coin, GameError, Move, Piece};
 use crate::messages::{Mouse, MouseKind};
-use crate::physics::Board;
 use crate::screens::Context;
 use crate::screens::table::keys::TableAction;
-use crate::screens::table::view;
-use crate::widgets::board;
 
 /// A small step of the hand, in metres.
 const STEP: f64 = 0.002;
+
+/// What is said where there is nothing to take.
+const NO_COIN: &str = "There is no coin under the hand.";
 
 impl ActiveGame {
     pub(super) fn act_on_layout(&mut self, action: TableAction) {
@@ -37,9 +37,7 @@ impl ActiveGame {
     }
 
     pub(super) fn arranging_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let area = board::square(view::layout(cx.body, false).picture);
-        let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
-        let inside = area.contains((mouse.column, mouse.row).into());
+        let (at, inside) = Self::pointed(mouse, cx);
         let game = self.history.game();
         let TablePhase::Arrange(arrange) = &mut self.phase else {
             return false;
@@ -70,17 +68,11 @@ impl ActiveGame {
             return;
         };
         match arrange.moved(game) {
-            Some(coins) => {
-                if self.lay(coins)
-                    && let TablePhase::Arrange(arrange) = &mut self.phase
-                {
-                    arrange.held = None;
-                }
-            }
+            Some(coins) => self.lay_down(coins),
             None => {
                 arrange.held = arrange.under(game);
                 if arrange.held.is_none() {
-                    self.notice = Some("There is no coin under the hand.".into());
+                    self.notice = Some(NO_COIN.into());
                 }
             }
         }
@@ -105,9 +97,7 @@ impl ActiveGame {
             return;
         };
         match arrange.added(self.game(), piece) {
-            Ok(coins) => {
-                self.lay(coins);
-            }
+            Ok(coins) => drop(self.make(Move::LayOut(coins))),
             Err(GameError::TooMany { most, .. }) => {
                 self.notice = Some(format!("A set has no more than {most} of these."));
             }
@@ -119,20 +109,19 @@ impl ActiveGame {
         let TablePhase::Arrange(arrange) = &self.phase else {
             return;
         };
-        let Some(coins) = arrange.taken(self.game()) else {
-            self.notice = Some("There is no coin under the hand.".into());
-            return;
-        };
-        if self.lay(coins)
+        match arrange.taken(self.game()) {
+            Some(coins) => self.lay_down(coins),
+            None => self.notice = Some(NO_COIN.into()),
+        }
+    }
+
+    /// Lays the coins out like this, if they can lie so; then nothing is held any more.
+    fn lay_down(&mut self, coins: Vec<Coin>) {
+        self.make(Move::LayOut(coins));
+        if self.notice.is_none()
             && let TablePhase::Arrange(arrange) = &mut self.phase
         {
             arrange.held = None;
         }
-    }
-
-    /// Lays the coins out like this, if they can lie so.
-    fn lay(&mut self, coins: Vec<Coin>) -> bool {
-        self.make(Move::LayOut(coins));
-        self.notice.is_none()
     }
 }

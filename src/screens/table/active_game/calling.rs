@@ -27,7 +27,7 @@ impl ActiveGame {
 
     pub(super) fn calling_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
         let picture = view::layout(cx.body, true).picture;
-        let cell = (mouse.column, mouse.row);
+        let cell = mouse.cell();
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;
         match &mut self.phase {

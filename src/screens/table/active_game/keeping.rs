@@ -4,6 +4,7 @@ use super::ActiveGame;
 use crate::game::{Fingerprint, RecordError, SavedGame};
 use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
+use crate::screens::table::game_history::GameHistory;
 use crate::screens::table::options::Options;
 
 /// How a game is kept.
@@ -11,35 +12,11 @@ use crate::screens::table::options::Options;
 pub(in crate::screens::table) struct Keeping {
     /// The ticket it is saved with, once it has been.
     ticket: Option<u64>,
-    /// The answer to the last save; `None` while it is awaited for the first time.
-    saved: Option<Result<(), String>>,
-    /// What the player has to know, until the next stroke.
-    trouble: Option<String>,
-}
-
-impl Keeping {
-    /// What the player has to know: why the game cannot be saved.
-    pub(in crate::screens::table) fn trouble(&self) -> Option<&str> {
-        self.trouble.as_deref()
-    }
-
-    /// Whether the game as it stands can be gone on with later.
-    pub(in crate::screens::table) fn is_safe(&self) -> bool {
-        matches!(self.saved, Some(Ok(())))
-    }
-
-    /// Takes in how a save went; a failure is told once, not after each stroke.
-    fn take(&mut self, result: &Result<(), String>) {
-        let failed_before = matches!(self.saved, Some(Err(_)));
-        if let Err(reason) = result
-            && !failed_before
-        {
-            self.trouble = Some(format!(
-                "This game cannot be saved: {reason}. You can play on, but it would be lost when you leave."
-            ));
-        }
-        self.saved = Some(result.clone());
-    }
+    /// Whether the game as it stands can be gone on with later; `None` while the answer to
+    /// the first save is awaited.
+    pub(super) saved: Option<bool>,
+    /// What the player has to know, until the next stroke: why the game cannot be saved.
+    pub(in crate::screens::table) trouble: Option<String>,
 }
 
 impl ActiveGame {
@@ -52,9 +29,11 @@ impl ActiveGame {
         saved: &SavedGame,
         ticket: u64,
     ) -> Result<Self, RecordError> {
-        let mut active = Self::resume(Options::of(saved), saved.record.clone())?;
+        let history = GameHistory::from_record(saved.record.clone())?;
+        let mut active = Self::with(Options::of(saved), history);
+        active.go_on();
         active.keeping.ticket = Some(ticket);
-        active.keeping.saved = Some(Ok(()));
+        active.keeping.saved = Some(true);
         if let Some(number) = active.history.stroke_before(active.history.len())
             && let Some(strike) = active.history.strike(number)
             && !active.game().play().is_unbroken()
@@ -80,7 +59,7 @@ impl ActiveGame {
         SavedGame {
             player: cx.settings.player.clone(),
             company: self.options.company(),
-            record: self.record().clone(),
+            record: self.history.record().clone(),
             end: Fingerprint::of(self.game()),
         }
     }
@@ -89,13 +68,21 @@ impl ActiveGame {
     pub(super) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
             StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
-                self.keeping.take(result);
+                // A failure is told once, not after each stroke.
+                if let Err(reason) = result
+                    && self.keeping.saved != Some(false)
+                {
+                    self.keeping.trouble = Some(format!(
+                        "This game cannot be saved: {reason}. You can play on, but it would be lost when you leave."
+                    ));
+                }
+                self.keeping.saved = Some(result.is_ok());
             }
-            StoreReply::Exported(Ok(place)) => {
-                self.notice = Some(format!("The game is written to {place}"));
-            }
-            StoreReply::Exported(Err(reason)) => {
-                self.notice = Some(format!("The game cannot be exported: {reason}."));
+            StoreReply::Exported(exported) => {
+                self.notice = Some(match exported {
+                    Ok(place) => format!("The game is written to {place}"),
+                    Err(reason) => format!("The game cannot be exported: {reason}."),
+                });
             }
             _ => {}
         }

@@ -12,6 +12,8 @@ mod watching;
 
 use std::time::Duration;
 
+use glam::DVec2;
+
 use super::aim::Aim;
 use super::arrange::Arrange;
 use super::game_history::GameHistory;
@@ -20,15 +22,15 @@ use super::options::Options;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use super::replay::StrokeReplay;
-use super::words::sentence;
 use super::{panel, view};
 use crate::game::opponent::StrokeHint;
-use crate::game::{Game, GameStage, Move, PieceSet, Record, RecordError, Rules, Seat};
+use crate::game::{Game, GameStage, Move, PieceSet, Rules, Seat};
 use crate::messages::{Input, Mouse, StoreRequest};
-use crate::physics::Shot;
-use crate::screens::{Confirmation, Context};
+use crate::numbers::capital;
+use crate::physics::{Board, Shot};
+use crate::screens::{Confirmation, Context, Next};
 use crate::widgets::replay::ShotAction;
-use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll};
+use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, board};
 pub(super) use keeping::Keeping;
 
 /// A game in progress, and what is being done at the table.
@@ -99,17 +101,6 @@ pub(super) struct Calling {
     pub(super) rays: RayInput,
 }
 
-/// What follows from a key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum GameStep {
-    /// The game goes on.
-    Stay,
-    /// The player is to be asked whether to leave it.
-    AskToLeave,
-    /// It is left.
-    Leave,
-}
-
 /// What the mouse holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Grip {
@@ -123,24 +114,6 @@ impl ActiveGame {
     /// Sits down to a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
         Self::with(options, GameHistory::new(options.setup(seed)))
-    }
-
-    /// Sits down to a game that has been begun. What the record was agreed on counts,
-    /// whatever the options say.
-    ///
-    /// # Errors
-    /// If the record cannot be played.
-    pub(super) fn resume(options: Options, record: Record) -> Result<Self, RecordError> {
-        let setup = *record.setup();
-        let options = Options {
-            rules: setup.rules,
-            hands: setup.hands,
-            set: setup.set,
-            ..options
-        };
-        let mut active = Self::with(options, GameHistory::from_record(record)?);
-        active.go_on();
-        Ok(active)
     }
 
     fn with(options: Options, history: GameHistory) -> Self {
@@ -171,11 +144,6 @@ impl ActiveGame {
         self.history.game()
     }
 
-    /// All that is needed to play the game again.
-    pub(super) fn record(&self) -> &Record {
-        self.history.record()
-    }
-
     /// The pieces it is played with.
     pub(super) fn set(&self) -> PieceSet {
         self.game().setup().set
@@ -192,23 +160,23 @@ impl ActiveGame {
     }
 
     /// Does what a key stands for. What it asks about is leaving the game.
-    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> GameStep {
+    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         self.hand_over(cx);
         if let TableAction::Scroll(rows) = action {
             self.scroll_by(rows, cx);
-            return GameStep::Stay;
+            return Next::Stay;
         }
         self.scroll = Scroll::default();
         self.notice = None;
-        let step = self.act_now(action, cx);
-        if let GameStep::Stay = step {
+        let next = self.act_now(action, cx);
+        if next == Next::Stay {
             self.hand_over(cx);
         }
         self.save(cx);
-        step
+        next
     }
 
-    fn act_now(&mut self, action: TableAction, cx: &mut Context) -> GameStep {
+    fn act_now(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match action {
             TableAction::Number(action) => {
                 if let Outcome::Done(degrees) = self.entry.act(action) {
@@ -220,9 +188,18 @@ impl ActiveGame {
             TableAction::Replay(action) => self.act_on_replay(action, cx),
             TableAction::GoOn => self.go_on_from_stroke(cx),
             TableAction::ToTheEnd => self.act_on_replay(ShotAction::Seek(f64::INFINITY), cx),
-            TableAction::StrokeBefore => self.look_beside(false, cx),
-            TableAction::StrokeAfter => self.look_beside(true, cx),
-            TableAction::LookBack => self.look_back(self.history.len(), cx),
+            TableAction::StrokeBefore => {
+                let watched = self.watched();
+                self.look_at(self.history.stroke_before(watched), true, cx);
+            }
+            TableAction::StrokeAfter => {
+                let watched = self.watched();
+                self.look_at(self.history.stroke_from(watched + 1), true, cx);
+            }
+            TableAction::LookBack => {
+                let last = self.history.stroke_before(self.history.len());
+                self.look_at(last, true, cx);
+            }
             TableAction::WatchAll => self.watch_all(cx),
             TableAction::Export => {
                 let game = Box::new(self.saved(cx));
@@ -230,7 +207,7 @@ impl ActiveGame {
             }
             TableAction::NextBoard => {
                 if let GameStage::MatchOver(_) = self.game().stage() {
-                    return GameStep::Leave;
+                    return Next::Back;
                 }
                 self.make(Move::NextBoard);
                 self.go_on();
@@ -239,32 +216,32 @@ impl ActiveGame {
             action if matches!(self.phase, TablePhase::Arrange(_)) => self.act_on_layout(action),
             action => self.act_on_aim(action, cx),
         }
-        GameStep::Stay
+        Next::Stay
     }
 
     /// One step back: out of a call, a stroke that is watched, or laying out; from there
     /// out of the game.
-    fn back(&mut self) -> GameStep {
+    fn back(&mut self) -> Next {
         match self.phase {
             TablePhase::Call(_) | TablePhase::Arrange(_) => self.phase = TablePhase::Aim,
             TablePhase::Watch(ref replay) if !replay.live || !self.is_running() => self.go_on(),
-            _ if self.is_running() => return GameStep::AskToLeave,
-            _ => return GameStep::Leave,
+            _ if self.is_running() => return Next::Confirm(self.parting()),
+            _ => return Next::Back,
         }
-        GameStep::Stay
+        Next::Stay
     }
 
     /// What is asked before the game is left.
-    pub(super) fn parting(&self) -> Confirmation {
-        let kept = match self.keeping.is_safe() {
-            true => " It is saved: on the page of a new game, s brings it back.",
-            false => "",
+    fn parting(&self) -> Confirmation {
+        let kept = match self.keeping.saved {
+            Some(true) => " It is saved: on the page of a new game, s brings it back.",
+            _ => "",
         };
         Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
     }
 
-    /// Takes an input that is no key. Says whether it meant anything.
-    pub(super) fn input(&mut self, input: &Input, cx: &mut Context) -> bool {
+    /// Takes an input that is no key.
+    pub(super) fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         self.hand_over(cx);
         let used = match input {
             Input::Mouse(mouse) => self.mouse(mouse, cx),
@@ -280,7 +257,7 @@ impl ActiveGame {
         };
         self.hand_over(cx);
         self.save(cx);
-        used
+        Next::after(used)
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
@@ -292,6 +269,13 @@ impl ActiveGame {
             TablePhase::Arrange(_) => self.arranging_mouse(mouse, cx),
             TablePhase::Think { .. } | TablePhase::Over => false,
         }
+    }
+
+    /// Where on the board the mouse is, and whether that is on its picture.
+    fn pointed(mouse: &Mouse, cx: &Context) -> (DVec2, bool) {
+        let area = board::square(view::layout(cx.body, false).picture);
+        let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
+        (at, area.contains(mouse.cell().into()))
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
@@ -342,7 +326,7 @@ impl ActiveGame {
                 shot
             }
             Err(error) => {
-                self.notice = Some(format!("{}.", sentence(&error.to_string())));
+                self.notice = Some(format!("{}.", capital(&error.to_string())));
                 None
             }
         }
@@ -394,7 +378,6 @@ mod tests {
     use crate::game::SavedGame;
     use crate::game::opponent;
     use crate::messages::{Effect, Found, Key, SearchResult, SearchTask, Wanted};
-    use crate::physics::Board;
     use crate::screens::Settings;
 
     fn context() -> Context {
@@ -449,7 +432,7 @@ mod tests {
         press(&mut active, "c[[97.3 60\n30\n\n", &mut cx);
         press(&mut active, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
         assert_eq!(active.history.len(), 4);
-        assert!(active.history.has_calls());
+        assert!(active.history.past(0).unwrap().called.is_some());
         assert_recorded(&active, &cx);
 
         let practice = Options {

@@ -8,56 +8,39 @@ use crate::screens::table::{panel, view};
 use crate::widgets::replay::ShotAction;
 
 impl ActiveGame {
-    /// Watches the stroke before the move of this number, at its end.
-    pub(super) fn look_back(&mut self, number: usize, cx: &Context) {
-        match self.history.stroke_before(number) {
-            Some(stroke) => self.look_at(stroke, true, cx),
-            None => self.notice = Some("There is no stroke to look at yet.".into()),
-        }
-    }
-
-    /// Watches the stroke before or after the one that is watched, at its end.
-    pub(super) fn look_beside(&mut self, after: bool, cx: &Context) {
-        let TablePhase::Watch(replay) = &self.phase else {
-            return;
-        };
-        let number = replay.number;
-        match (after, self.history.stroke_after(number)) {
-            (false, _) => self.look_back(number, cx),
-            (true, Some(stroke)) => self.look_at(stroke, true, cx),
-            (true, None) => {}
+    /// The number of the stroke that is watched.
+    pub(super) fn watched(&self) -> usize {
+        match &self.phase {
+            TablePhase::Watch(replay) => replay.number,
+            _ => 0,
         }
     }
 
     /// Watches all strokes, one after the other.
     pub(in crate::screens::table) fn watch_all(&mut self, cx: &Context) {
-        let first = self.history.strike(0).map(|_| 0);
-        match first.or_else(|| self.history.stroke_after(0)) {
-            Some(stroke) => self.look_at(stroke, cx.settings.reduced_motion, cx),
-            None => self.notice = Some("There is no stroke to look at yet.".into()),
-        }
+        let first = self.history.stroke_from(0);
+        self.look_at(first, cx.settings.reduced_motion, cx);
     }
 
     /// Watches a stroke that was made, at its end or from its beginning.
-    fn look_at(&mut self, number: usize, at_end: bool, cx: &Context) {
+    pub(super) fn look_at(&mut self, stroke: Option<usize>, at_end: bool, cx: &Context) {
+        let Some(number) = stroke else {
+            self.notice = Some("There is no stroke to look at yet.".into());
+            return;
+        };
         if let Some(past) = self.history.past(number)
             && let Some(shot) = self.history.shot(number)
         {
-            let called = past.called.as_ref().map(|called| called.said);
-            let (before, settings) = (&past.before, &cx.settings);
-            let replay = StrokeReplay::new(number, shot, before, called, at_end, settings);
+            let replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
             self.phase = TablePhase::Watch(Box::new(replay));
         }
     }
 
     /// From a stroke that was seen to its end to the next one, or on with the game.
     pub(super) fn go_on_from_stroke(&mut self, cx: &Context) {
-        let TablePhase::Watch(replay) = &self.phase else {
-            return;
-        };
-        match self.history.stroke_after(replay.number) {
-            Some(next) => self.look_at(next, cx.settings.reduced_motion, cx),
+        match self.history.stroke_from(self.watched() + 1) {
             None => self.go_on(),
+            next => self.look_at(next, cx.settings.reduced_motion, cx),
         }
     }
 
@@ -74,9 +57,8 @@ impl ActiveGame {
             return false;
         };
         let layout = view::layout(cx.body, view::is_enlarged(self));
-        let cell = (mouse.column, mouse.row);
-        let on_picture = layout.picture.contains(cell.into());
-        let line = panel::impact_at(replay, layout.panel, cell);
+        let on_picture = layout.picture.contains(mouse.cell().into());
+        let line = panel::impact_at(replay, layout.panel, mouse.cell());
         match replay.player.pointed(mouse, on_picture, line) {
             Some(action) => self.act_on_replay(action, cx),
             None => return false,

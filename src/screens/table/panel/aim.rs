@@ -2,6 +2,7 @@
 
 use super::{notice, score};
 use crate::game::Game;
+use crate::numbers::{capital, fixed};
 use crate::screens::table::active_game::{ActiveGame, Hinted};
 use crate::screens::table::aim::SPEEDS;
 use crate::screens::table::preview::{FirstHit, WayEnd};
@@ -24,15 +25,11 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     } else {
         format!("{:.1}°", aim.direction_deg)
     };
-    lines.pair("aim", &direction, Role::Dim, Role::Text);
+    lines.fact("aim", &direction);
     let bar_width = lines.width().saturating_sub(NAME_AND_SPEED).min(BAR);
-    let strength = format!(
-        "{} {:.1} m/s",
-        bar(aim.speed / SPEEDS.1, bar_width, lines.charset()),
-        aim.speed
-    );
-    lines.pair("strength", &strength, Role::Dim, Role::Text);
-    lines.pair("place", &aim.place_words(game), Role::Dim, Role::Text);
+    let bar = bar(aim.speed / SPEEDS.1, bar_width, lines.charset());
+    lines.fact("strength", &format!("{bar} {:.1} m/s", aim.speed));
+    lines.fact("place", &aim.place_words(game));
     if active.entry.is_open() {
         lines.paragraph("[ ]: as the place, +: as the strength", Role::Key);
     }
@@ -64,7 +61,7 @@ fn turn(active: &ActiveGame, lines: &mut Lines) {
         "plays"
     };
     let turn = format!("{}, {}", words::does(name, does), colour.adjective());
-    lines.line(&words::sentence(&turn), Role::Title);
+    lines.line(&capital(&turn), Role::Title);
 }
 
 /// The hint: first where to look, then all of it.
@@ -104,20 +101,11 @@ fn ahead(active: &ActiveGame, lines: &mut Lines) {
 /// A first hit in numbers: which coin, b and α.
 fn first_hit(game: &Game, hit: &FirstHit, lines: &mut Lines) {
     let piece = game.coins().get(hit.coin).map(|coin| coin.piece);
-    let name = piece.map_or("coin", words::short);
-    lines.pair("first hit", name, Role::Dim, Role::Text);
+    lines.fact("first hit", piece.map_or("coin", Into::into));
     let collision = &hit.impact.collision;
-    let offset = collision.offset * 1000.0;
-    // Adding 0 turns −0 into 0.
-    let offset = (offset * 10.0).round() / 10.0 + 0.0;
-    lines.pair(
-        "  offset b",
-        &format!("{offset:.1} mm"),
-        Role::Dim,
-        Role::Text,
-    );
+    let offset = (collision.offset * 1000.0 * 10.0).round() / 10.0;
+    lines.fact("  offset b", &format!("{} mm", fixed(offset, 1)));
     if let Some(alpha) = collision.alpha() {
-        let alpha = format!("{:.1}°", alpha.to_degrees().abs());
-        lines.pair("  angle α", &alpha, Role::Dim, Role::Text);
+        lines.fact("  angle α", &format!("{:.1}°", alpha.to_degrees().abs()));
     }
 }

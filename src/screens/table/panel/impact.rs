@@ -2,7 +2,6 @@
 
 use crate::physics::Frame;
 use crate::screens::table::replay::StrokeReplay;
-use crate::screens::table::words;
 use crate::screens::why;
 use crate::widgets::hit::Watch;
 use crate::widgets::panels::{impact_angle, masses, offset, separation};
@@ -42,7 +41,7 @@ fn names(replay: &StrokeReplay) -> [&'static str; 2] {
     [0, 1].map(|body| {
         let disc = impact.map(|impact| impact.discs[body]);
         let piece = disc.and_then(|disc| replay.pieces.get(disc).copied());
-        piece.map_or("disc", words::short)
+        piece.map_or("disc", Into::into)
     })
 }
 

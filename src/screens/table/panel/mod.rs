@@ -13,7 +13,10 @@ use ratatui::layout::Rect;
 pub(super) use stroke::impact_at;
 
 use super::active_game::{ActiveGame, TablePhase};
+use super::game_history::Past;
 use super::words;
+use crate::game::Ruling;
+use crate::numbers::capital;
 use crate::screens::Context;
 use crate::widgets::{Lines, Role};
 
@@ -27,7 +30,7 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
 
 /// Writes what belongs to what is being done.
 pub(super) fn write(active: &ActiveGame, lines: &mut Lines) {
-    if let Some(trouble) = active.keeping.trouble() {
+    if let Some(trouble) = &active.keeping.trouble {
         lines.paragraph(trouble, Role::Warn);
         lines.gap();
     }
@@ -52,10 +55,19 @@ fn notice(active: &ActiveGame, lines: &mut Lines) {
     }
 }
 
+/// What the referee announced of a move, with the numbers of the laws.
+fn rulings(past: &Past, lines: &mut Lines) {
+    for Ruling { law, text, .. } in &past.rulings {
+        let law = law.map_or(String::new(), |law| format!(" (law {law})"));
+        lines.paragraph(&format!("{text}{law}"), Role::Text);
+    }
+    lines.gap();
+}
+
 fn thinking(active: &ActiveGame, lines: &mut Lines) {
     let name = active.options.seat_name(active.seat());
     let thinks = words::does(name, "thinks");
-    lines.line(&format!("{} …", words::sentence(&thinks)), Role::Title);
+    lines.line(&format!("{} …", capital(&thinks)), Role::Title);
     lines.gap();
     notice(active, lines);
     lines.gap();

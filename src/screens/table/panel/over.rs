@@ -1,7 +1,8 @@
 //! The panel at the end of a board, a game or the match.
 
-use super::{notice, score};
+use super::{notice, rulings, score};
 use crate::game::{Game, GameStage, Rules, Seat, Team};
+use crate::numbers::capital;
 use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::words;
 use crate::widgets::{Lines, Role};
@@ -17,43 +18,28 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
         GameStage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
         GameStage::Playing => String::new(),
     };
-    lines.line(&words::sentence(&headline), Role::Title);
+    lines.line(&capital(&headline), Role::Title);
     lines.gap();
-    if let Some(last) = active.history.len().checked_sub(1)
-        && let Some(past) = active.history.past(last)
-    {
-        for ruling in &past.rulings {
-            lines.paragraph(&words::ruling(ruling), Role::Text);
-        }
-        lines.gap();
+    if let Some(last) = active.history.last() {
+        rulings(last, lines);
     }
     let score = game.score();
     if game.setup().rules == Rules::Tournament {
         if let Some(won) = game.play().won() {
-            lines.pair(
-                "this board",
-                &format!("+{}", won.points),
-                Role::Dim,
-                Role::Text,
-            );
+            lines.fact("this board", &format!("+{}", won.points));
         }
         for team in Team::BOTH {
-            let points = format!("{} points", score.points[team]);
-            lines.pair(name(team), &points, Role::Dim, Role::Text);
+            lines.fact(name(team), &format!("{} points", score.points[team]));
         }
-        let games = format!(
-            "{} : {}",
-            score.games[Team::First],
-            score.games[Team::Second]
-        );
-        lines.pair("games before this", &games, Role::Dim, Role::Text);
+        let [first, second] = Team::BOTH.map(|team| score.games[team]);
+        lines.fact("games before this", &format!("{first} : {second}"));
     }
     score::calls(active, lines);
     notice(active, lines);
     lines.gap();
     if let Some(breaker) = next_breaker(game) {
         let breaks = words::does(active.options.seat_name(breaker), "breaks");
-        lines.line(&format!("{} next.", words::sentence(&breaks)), Role::Text);
+        lines.line(&format!("{} next.", capital(&breaks)), Role::Text);
     }
     let next = match game.stage() {
         GameStage::MatchOver(_) => "Enter: a new game.",

@@ -1,6 +1,6 @@
 //! What is left on the board, what is owed, what the calls have brought.
 
-use crate::game::{Colour, Game, Team};
+use crate::game::{Colour, Team};
 use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
@@ -10,34 +10,23 @@ use crate::widgets::{Lines, Role};
 pub(super) fn pieces(active: &ActiveGame, lines: &mut Lines) {
     let game = active.game();
     for colour in [Colour::White, Colour::Black] {
-        let piece = words::coin(colour);
-        let sign = token(words::role(piece), lines.charset());
-        let left = format!(
-            "{} {sign} {} left",
-            colour.adjective(),
-            game.play().on_board(colour)
-        );
-        let team = of(game, colour);
-        let whose = if active.is_practice() {
-            ""
-        } else {
-            active.options.team_name(team)
+        let sign = token(words::role(colour.piece()), lines.charset());
+        let count = game.play().on_board(colour);
+        let left = format!("{} {sign} {count} left", colour.adjective());
+        let team = Team::BOTH[usize::from(game.colour(Team::First) != colour)];
+        let (whose, role) = match team == game.team(active.seat()) {
+            _ if active.is_practice() => ("", Role::Dim),
+            true => (active.options.team_name(team), Role::Title),
+            false => (active.options.team_name(team), Role::Dim),
         };
-        let turn = !active.is_practice() && team == game.team(active.seat());
-        let role = if turn { Role::Title } else { Role::Dim };
         lines.pair(&left, whose, Role::Text, role);
     }
-    let queen = words::queen(game, |team| active.options.team_name(team));
+    let queen = match game.play().queen_covered_by() {
+        Some(team) => format!("with {}", active.options.team_name(team)),
+        None if game.play().queen_on_board() => "on the board".into(),
+        None => "to be covered".into(),
+    };
     lines.pair("queen Q", &queen, Role::Text, Role::Dim);
-}
-
-/// The team that plays a colour.
-pub(super) fn of(game: &Game, colour: Colour) -> Team {
-    if game.colour(Team::First) == colour {
-        Team::First
-    } else {
-        Team::Second
-    }
 }
 
 /// Pieces, dues, and the calls.
@@ -56,16 +45,10 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
 
 /// The tally of the calls; it is no part of the score.
 pub(super) fn calls(active: &ActiveGame, lines: &mut Lines) {
-    if !active.history.has_calls() {
-        return;
-    }
     let calls = active.history.calls();
-    for team in Team::BOTH {
-        let tally = calls[team];
-        if tally.most > 0 {
-            let name = format!("calls {}", active.options.team_name(team));
-            let points = format!("{} of {}", tally.points, tally.most);
-            lines.pair(&name, &points, Role::Dim, Role::Text);
-        }
+    for team in Team::BOTH.into_iter().filter(|team| calls[*team].most > 0) {
+        let name = format!("calls {}", active.options.team_name(team));
+        let points = format!("{} of {}", calls[team].points, calls[team].most);
+        lines.fact(&name, &points);
     }
 }

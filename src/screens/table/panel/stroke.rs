@@ -2,8 +2,9 @@
 
 use ratatui::layout::Rect;
 
-use super::{notice, score};
+use super::{notice, rulings, score};
 use crate::game::Piece;
+use crate::numbers::capital;
 use crate::screens::table::active_game::ActiveGame;
 use crate::screens::table::calls::Called;
 use crate::screens::table::replay::StrokeReplay;
@@ -23,33 +24,21 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
     let Some(past) = active.history.past(replay.number) else {
         return;
     };
-    if !replay.player.clock().is_over() {
-        let name = active.options.seat_name(past.before.seat());
-        let speed = replay.player.shot().start(0).velocity.length();
-        lines.pair("stroke of", name, Role::Dim, Role::Text);
-        lines.pair("at", &format!("{speed:.1} m/s"), Role::Dim, Role::Text);
-        let so_far = replay
-            .player
-            .impacts()
-            .iter()
-            .filter(|impact| impact.time <= replay.player.clock().time());
-        lines.pair(
-            "impacts",
-            &so_far.count().to_string(),
-            Role::Dim,
-            Role::Text,
-        );
+    let (player, clock) = (&replay.player, replay.player.clock());
+    let name = active.options.seat_name(past.before.seat());
+    if !clock.is_over() {
+        let speed = player.shot().start(0).velocity.length();
+        lines.fact("stroke of", name);
+        lines.fact("at", &format!("{speed:.1} m/s"));
+        let so_far = player.impacts().iter().filter(|it| it.time <= clock.time());
+        lines.fact("impacts", &so_far.count().to_string());
         lines.gap();
         left(replay, lines);
         return;
     }
-    for ruling in &past.rulings {
-        lines.paragraph(&words::ruling(ruling), Role::Text);
-    }
-    lines.gap();
+    rulings(past, lines);
     if let Some(told) = &past.told {
-        let name = active.options.seat_name(past.before.seat());
-        lines.line(&format!("{}:", words::sentence(name)), Role::Title);
+        lines.line(&format!("{}:", capital(name)), Role::Title);
         lines.paragraph(told, Role::Text);
         lines.gap();
     }
@@ -61,7 +50,7 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
         score::draw(active, lines);
     }
     lines.gap();
-    let enter = match active.history.stroke_after(replay.number) {
+    let enter = match active.history.stroke_from(replay.number + 1) {
         Some(_) => "Enter: the next stroke.  Esc: back to the game.",
         None => "Enter: go on.",
     };
@@ -73,12 +62,9 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
 fn left(replay: &StrokeReplay, lines: &mut Lines) {
     for piece in [Piece::White, Piece::Black, Piece::Queen] {
         let sign = token(words::role(piece), lines.charset());
-        let count = replay
-            .discs()
-            .filter(|(_, other, _)| *other == piece)
-            .count();
-        let name = format!("{} {sign}", words::short(piece));
-        lines.pair(&name, &count.to_string(), Role::Text, Role::Text);
+        let name = format!("{} {sign}", <&str>::from(piece));
+        let there = replay.discs().filter(|(_, other, _)| *other == piece);
+        lines.pair(&name, &there.count().to_string(), Role::Text, Role::Text);
     }
 }
 
@@ -96,32 +82,21 @@ pub(super) fn list(replay: &StrokeReplay, lines: &mut Lines) {
     lines.line("Choose one, Enter looks closer.", Role::Key);
     lines.gap();
     let chosen = replay.player.chosen().map_or(0, |(number, _)| number);
-    let rows = lines.left();
+    let (rows, charset) = (lines.left(), lines.charset());
     let roomy = lines.width() >= ROOMY;
-    let charset = lines.charset();
-    let first = ListView::first_shown(chosen, replay.player.impacts().len(), rows);
-    for (i, impact) in replay
-        .player
-        .impacts()
-        .iter()
-        .enumerate()
-        .skip(first)
-        .take(rows.into())
-    {
-        let name = |disc: usize| {
-            let piece = replay.pieces.get(disc).copied().unwrap_or(Piece::White);
-            if roomy {
-                words::short(piece)
-            } else {
-                token(words::role(piece), charset)
-            }
-        };
+    let name = |disc: usize| {
+        let piece = replay.pieces.get(disc).copied().unwrap_or(Piece::White);
+        match roomy {
+            true => piece.into(),
+            false => token(words::role(piece), charset),
+        }
+    };
+    let impacts = replay.player.impacts();
+    let shown = impacts.iter().enumerate();
+    let first = ListView::first_shown(chosen, impacts.len(), rows);
+    for (i, impact) in shown.skip(first).take(rows.into()) {
         let [a, b] = impact.discs.map(name);
-        let (mark, role) = if i == chosen {
-            (">", Role::Selected)
-        } else {
-            (" ", Role::Text)
-        };
+        let (mark, role) = ListView::mark(i == chosen);
         let text = format!("{mark}{:2} {a} on {b}", i + 1);
         lines.pair(&text, &format!("{:.5} s", impact.time), role, role);
     }
@@ -131,14 +106,12 @@ pub(super) fn list(replay: &StrokeReplay, lines: &mut Lines) {
 pub(in crate::screens::table) fn impact_at(
     replay: &StrokeReplay,
     panel: Rect,
-    (column, row): (u16, u16),
+    cell: (u16, u16),
 ) -> Option<usize> {
-    let chosen = replay.player.list()?.chosen(replay.player.impacts().len());
-    if !panel.contains((column, row).into()) {
-        return None;
-    }
+    let count = replay.player.impacts().len();
+    let chosen = replay.player.list()?.chosen(count);
     let rows = panel.height.saturating_sub(HEAD as u16);
-    let line = usize::from(row - panel.y).checked_sub(HEAD)?;
-    let number = ListView::first_shown(chosen, replay.player.impacts().len(), rows) + line;
-    (number < replay.player.impacts().len()).then_some(number)
+    let line = ListView::row_at(panel, cell)?.checked_sub(HEAD)?;
+    let number = ListView::first_shown(chosen, count, rows) + line;
+    (number < count).then_some(number)
 }
