@@ -205,10 +205,7 @@ impl Strike {
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
         let board = Board::default();
         game.check_place(&board, self.place)?;
-        let (discs, motions) = game.discs(Motion {
-            position: self.place,
-            velocity: self.velocity,
-        });
+        let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));
         Ok(physics::play(&board, &discs, &motions, Limits::default())?)
     }
 }

@@ -5,7 +5,6 @@ use glam::DVec2;
 
 use super::goal::{Goal, GoalCircle};
 use super::level::Level;
-use super::scene::pockets;
 use crate::files::Range;
 use crate::physics::angle::angle_between;
 use crate::physics::{DiscState, Event, EventKind, Shot};
@@ -203,7 +202,7 @@ fn falls(shot: &Shot) -> impl Iterator<Item = usize> + '_ {
 fn pocketed(discs: &[usize], shot: &Shot) -> (bool, Observed) {
     let stayed = |disc: &&usize| falls(shot).all(|fallen| fallen != **disc);
     if let Some(&disc) = discs.iter().find(stayed) {
-        let near = pockets(shot.board())
+        let near = shot.board().pockets()
             .map(|hole| nearest_on_path(shot, disc, hole).distance(hole))
             .min_by(f64::total_cmp);
         return (false, Observed::NotFallen(disc, near));

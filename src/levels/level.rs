@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::aim::{Adjust, Dial, LevelAim};
 use super::goal::Goal;
-use super::scene::{PlacedDisc, Scene, pockets, read_discs, tidy};
+use super::scene::{PlacedDisc, Scene, read_discs, tidy};
 use crate::files::{self, Fields, FileErrors, Range, Source, all};
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 
@@ -198,7 +198,7 @@ fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
         return Ok(());
     };
     let discs = scene.pieces.iter().map(|other| other.at.x);
-    let holes = pockets(&scene.board).map(|hole| hole.x);
+    let holes = scene.board.pockets().map(|hole| hole.x);
     let nearest = discs.chain(holes).map(|x| range.nearest(x));
     for x in nearest.chain([range.from, range.to]) {
         let moved = PlacedDisc {

@@ -28,7 +28,7 @@ pub use judge::{Judgement, judge};
 pub use kind::DiscKind;
 pub use level::{FORMAT, Level};
 pub use library::{LevelLibrary, Pack};
-pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene, pockets};
+pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene};
 pub use shelf::Shelf;
 pub use stars::{Best, FEW_SHOTS, MOST_STARS, Starred, Win};
 pub use told::Finding;

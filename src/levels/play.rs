@@ -26,13 +26,10 @@ impl Scene {
     ///
     /// As [`Scene::play`].
     pub fn play_into(&self, engine: &mut Engine, shot: &mut Shot) -> Result<(), EngineError> {
-        let limits = Limits {
-            horizon: if self.board.friction > 0.0 {
-                f64::INFINITY
-            } else {
-                WATCHED
-            },
-            ..Limits::default()
+        let limits = if self.board.friction > 0.0 {
+            Limits::default()
+        } else {
+            Limits::until(WATCHED)
         };
         engine.play_into(shot, &self.board, &self.discs(), &self.motions(), limits)
     }

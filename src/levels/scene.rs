@@ -142,19 +142,6 @@ impl Scene {
     }
 }
 
-/// The centres of the pockets of a board, in metres; none if it has no pockets.
-/// In the order of the engine's corners: lower left, lower right, upper left, upper
-/// right.
-pub fn pockets(board: &Board) -> impl Iterator<Item = DVec2> + use<> {
-    let reach = 0.5 * (board.side - board.pocket_diameter);
-    let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
-    let there = board.pocket_diameter > 0.0;
-    corners
-        .into_iter()
-        .filter(move |_| there)
-        .map(move |(x, y)| reach * DVec2::new(x, y))
-}
-
 /// The fields of a disc.
 const DISC_FIELDS: [&str; 4] = ["kind", "at_mm", "mass_g", "radius_mm"];
 
@@ -276,7 +263,8 @@ impl PlacedDisc {
                 small(out)
             ));
         }
-        if pockets(board).any(|hole| hole.distance(self.at) <= 0.5 * board.pocket_diameter) {
+        let radius = board.pocket_radius();
+        if board.pockets().any(|hole| hole.distance(self.at) <= radius) {
             return Err("expected a place outside the pockets, found one in a pocket".into());
         }
         let overlap =

@@ -1,5 +1,7 @@
 //! The surface that discs slide on, its frame and its pockets.
 
+use glam::DVec2;
+
 /// Standard acceleration of free fall in m/s².
 pub const G: f64 = 9.80665;
 
@@ -45,6 +47,21 @@ impl Board {
             restitution,
             cushion_restitution: 1.0,
         }
+    }
+
+    /// Radius of a pocket in metres; 0 for none.
+    pub fn pocket_radius(&self) -> f64 {
+        0.5 * self.pocket_diameter
+    }
+
+    /// The centres of the pockets: lower left, lower right, upper left, upper right; none
+    /// if it has no pockets.
+    pub fn pockets(&self) -> impl Iterator<Item = DVec2> + use<> {
+        let reach = 0.5 * (self.side - self.pocket_diameter);
+        let there = self.pocket_diameter > 0.0;
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+        let corners = corners.into_iter().filter(move |_| there);
+        corners.map(move |(x, y)| reach * DVec2::new(x, y))
     }
 
     /// Deceleration of a sliding disc in m/s²: a = μ g.

@@ -178,7 +178,7 @@ impl Collision {
     /// What becomes of the two.
     pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
-            return self.unchanged(Meeting::Miss, None);
+            return self.after(None, self.u1, self.u2);
         };
         let contact = Contact {
             m1: self.striker.mass,
@@ -194,11 +194,14 @@ impl Collision {
                 Bond::Slip => CollisionOutcome {
                     impulse: impact.impulse,
                     energy_lost: impact.energy_lost,
-                    ..self.after(Meeting::Hit, Some(normal), impact.v1, impact.v2)
+                    ..self.after(Some(normal), impact.v1, impact.v2)
                 },
                 Bond::Stick => self.captured(normal),
             },
-            _ => self.unchanged(Meeting::Graze, Some(normal)),
+            _ => CollisionOutcome {
+                meeting: Meeting::Graze,
+                ..self.after(Some(normal), self.u1, self.u2)
+            },
         }
     }
 
@@ -228,7 +231,7 @@ impl Collision {
         let shared = self.centre_of_mass_velocity();
         let relative_speed = self.relative_velocity().length();
         let pair = capture(self.striker, self.target, self.offset, relative_speed);
-        let free = self.after(Meeting::Hit, Some(normal), shared, shared);
+        let free = self.after(Some(normal), shared, shared);
         CollisionOutcome {
             spin: pair.spin,
             impulse: self.striker.mass * (shared - self.u1).length(),
@@ -239,23 +242,14 @@ impl Collision {
         }
     }
 
-    fn unchanged(&self, meeting: Meeting, normal: Option<DVec2>) -> CollisionOutcome {
-        self.after(meeting, normal, self.u1, self.u2)
-    }
-
-    /// An outcome with these velocities and nothing lost or turning.
-    fn after(
-        &self,
-        meeting: Meeting,
-        normal: Option<DVec2>,
-        v1: DVec2,
-        v2: DVec2,
-    ) -> CollisionOutcome {
+    /// An outcome with these velocities and nothing lost or turning: a hit if there is a
+    /// line of impact.
+    fn after(&self, normal: Option<DVec2>, v1: DVec2, v2: DVec2) -> CollisionOutcome {
         let energy = |a: DVec2, b: DVec2| {
             kinetic_energy(self.striker.mass, a) + kinetic_energy(self.target.mass, b)
         };
         CollisionOutcome {
-            meeting,
+            meeting: normal.map_or(Meeting::Miss, |_| Meeting::Hit),
             normal,
             tangent: normal.map(DVec2::perp),
             v1,

@@ -13,14 +13,10 @@ impl Collision {
     pub fn shot(&self, lead: f64, duration: f64) -> Option<Shot> {
         let (p1, p2) = self.positions_before(lead);
         let discs = [self.striker, self.target];
-        let start = [(p1, self.u1), (p2, self.u2)]
-            .map(|(position, velocity)| Motion { position, velocity });
+        let start = [Motion::new(p1, self.u1), Motion::new(p2, self.u2)];
         match self.bond {
             Bond::Slip => {
-                let limits = Limits {
-                    horizon: duration,
-                    ..Limits::default()
-                };
+                let limits = Limits::until(duration);
                 play(&Board::open(self.restitution), &discs, &start, limits).ok()
             }
             Bond::Stick => Shot::captured(discs, start, duration).ok(),

@@ -31,11 +31,13 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// A disc at `position` metres that moves with `velocity` m/s.
+    pub const fn new(position: DVec2, velocity: DVec2) -> Self {
+        Self { position, velocity }
+    }
+
     /// A disc that lies still at `position`.
     pub const fn at_rest(position: DVec2) -> Self {
-        Self {
-            position,
-            velocity: DVec2::ZERO,
-        }
+        Self::new(position, DVec2::ZERO)
     }
 }

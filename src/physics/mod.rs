@@ -31,6 +31,6 @@ pub use disc::{Disc, Motion};
 pub use engine::{Engine, EngineError, Limits, play};
 pub use frames::Frame;
 pub use resting_target::RestingTarget;
-pub use shot::{CaptureError, DiscState, Event, EventKind, Leg, Sample, Shot};
+pub use shot::{DiscState, Event, EventKind, Leg, Sample, Shot};
 pub use slide::{Slide, stopping_distance, stopping_time};
 pub use spec::{CollisionSpec, FieldRange, ImpactPoint};

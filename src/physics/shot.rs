@@ -6,7 +6,6 @@ use super::{Board, Disc, Motion, Slide};
 
 mod capture;
 
-pub use capture::CaptureError;
 use capture::StuckPair;
 
 /// Something that happened during a shot.
@@ -127,7 +126,7 @@ struct LegStart {
 /// Between its own events each disc slides on a parabola in time, so a few numbers
 /// an event give its place at every moment: [`Shot::at`]. Pause, slow motion and
 /// rewind are only other values of the time.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shot {
     board: Board,
     discs: Vec<Disc>,
@@ -141,14 +140,7 @@ impl Shot {
     /// A shot in which nothing has happened yet: something for
     /// [`Engine::play_into`](super::Engine::play_into) to fill.
     pub fn new() -> Self {
-        Self {
-            board: Board::default(),
-            discs: Vec::new(),
-            legs: Vec::new(),
-            events: Vec::new(),
-            duration: 0.0,
-            capture: None,
-        }
+        Self::default()
     }
 
     /// Wipes the record and writes down how the next shot starts. Keeps the memory.
@@ -286,12 +278,6 @@ impl Shot {
             .enumerate()
             .map(|(i, disc)| 0.5 * disc.mass * velocity(i).length_squared())
             .sum()
-    }
-}
-
-impl Default for Shot {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

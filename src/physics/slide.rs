@@ -56,10 +56,10 @@ pub(super) fn time_to_distance(d: DVec2, w: DVec2, distance: f64, gap: f64) -> O
 #[inline(always)]
 pub(super) fn parabola(start: Motion, acceleration: DVec2, time: f64) -> Motion {
     let Motion { position, velocity } = start;
-    Motion {
-        position: position + (velocity + acceleration * (0.5 * time)) * time,
-        velocity: velocity + acceleration * time,
-    }
+    Motion::new(
+        position + (velocity + acceleration * (0.5 * time)) * time,
+        velocity + acceleration * time,
+    )
 }
 
 /// A disc left to itself: where it starts and what slows it.

@@ -5,7 +5,6 @@ use ratatui::layout::Rect;
 
 use super::Role;
 use super::picture::{DrawLayer, Pen, Picture, View};
-use crate::levels::pockets;
 use crate::physics::Board;
 
 /// Length of a base line in metres.
@@ -52,14 +51,14 @@ fn side(board: &Board) -> f64 {
 /// The middle of the pocket in a corner, numbered as the engine does: lower left, lower
 /// right, upper left, upper right. `None` if there is no such corner or no pocket.
 pub(crate) fn pocket(board: &Board, corner: usize) -> Option<DVec2> {
-    let middle = pockets(board).nth(corner)?;
+    let middle = board.pockets().nth(corner)?;
     middle.is_finite().then_some(middle)
 }
 
 /// Draws pockets and lines.
 pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     let half = side(board) / 2.0;
-    let radius = board.pocket_diameter / 2.0;
+    let radius = board.pocket_radius();
     if radius <= 0.0 || !board.side.is_finite() {
         return;
     }

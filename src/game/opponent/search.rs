@@ -55,10 +55,7 @@ impl<'a> Search<'a> {
     /// The best stroke from a legal place; `None` if coins bar them all.
     pub(super) fn best(&mut self) -> Option<Candidate> {
         let places = self.places();
-        let resort = Motion {
-            position: *places.first()?,
-            velocity: self.game.seat().turn(DVec2::Y),
-        };
+        let resort = Motion::new(*places.first()?, self.game.seat().turn(DVec2::Y));
         let mut choices = self.first_look(&places);
         choices.sort_by(|a, b| b.worth.total_cmp(&a.worth));
         if self.skill.on_steps && choices.iter().any(|choice| !choice.fouls) {

@@ -92,10 +92,8 @@ impl Bodies {
     /// How a disc's slide began.
     #[inline(always)]
     pub(super) fn start(&self, i: usize) -> Motion {
-        Motion {
-            position: DVec2::new(self.x[i], self.y[i]),
-            velocity: DVec2::new(self.vx[i], self.vy[i]),
-        }
+        let position = DVec2::new(self.x[i], self.y[i]);
+        Motion::new(position, DVec2::new(self.vx[i], self.vy[i]))
     }
 
     /// Motion of a disc at a time not beyond its stop.

@@ -8,7 +8,7 @@ use super::{EngineError, Limits};
 /// what rounding leaves of positions meant to touch.
 const ROUNDING: f64 = 1e-10;
 
-pub(super) fn check(
+pub(in super::super) fn check(
     board: &Board,
     discs: &[Disc],
     start: &[Motion],

@@ -23,32 +23,32 @@ pub(super) enum SlideEnd {
 
 /// A side of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum FrameSide {
-    Left,
-    Right,
-    Bottom,
-    Top,
+pub(super) struct FrameSide {
+    /// The axis across it: 0 for left and right, 1 for bottom and top.
+    pub(super) axis: usize,
+    /// Whether it is the side of greater coordinates: right or top.
+    pub(super) beyond: bool,
 }
 
 impl FrameSide {
-    /// The side towards which something moves at this speed along x.
-    pub(super) fn horizontal(speed: f64) -> Self {
-        if speed < 0.0 { Self::Left } else { Self::Right }
+    /// The side that something at this velocity comes to first, and when, if it takes `x`
+    /// seconds to the one ahead of it along x and `y` to the one along y.
+    pub(super) fn ahead(velocity: DVec2, x: f64, y: f64) -> (f64, Self) {
+        let (time, axis) = if x <= y { (x, 0) } else { (y, 1) };
+        let beyond = velocity[axis] >= 0.0;
+        (time, Self { axis, beyond })
     }
 
-    /// The side towards which something moves at this speed along y.
-    pub(super) fn vertical(speed: f64) -> Self {
-        if speed < 0.0 { Self::Bottom } else { Self::Top }
+    /// 1 for the side of greater coordinates, −1 for the other.
+    pub(super) fn sign(self) -> f64 {
+        if self.beyond { 1.0 } else { -1.0 }
     }
 
     /// The unit vector into the cushion.
     pub(super) fn normal(self) -> DVec2 {
-        match self {
-            Self::Left => DVec2::NEG_X,
-            Self::Right => DVec2::X,
-            Self::Bottom => DVec2::NEG_Y,
-            Self::Top => DVec2::Y,
-        }
+        let mut normal = DVec2::ZERO;
+        normal[self.axis] = self.sign();
+        normal
     }
 }
 
@@ -71,18 +71,13 @@ pub(super) fn end(
         let wall = 0.5 * board.side - radius;
         let (mut time, side) = cushion_ahead(position, velocity, wall);
         let mut end = SlideEnd::Cushion(side);
-        if board.pocket_diameter > 0.0 {
-            let hole = 0.5 * board.pocket_diameter;
-            let corner = 0.5 * board.side - hole;
-            let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
-            for (i, (x, y)) in corners.into_iter().enumerate() {
-                let centre = DVec2::new(x * corner, y * corner);
-                if let Some(falls) = time_to_circle(position - centre, velocity, hole)
-                    && falls < time
-                {
-                    time = falls;
-                    end = SlideEnd::Pocket(i);
-                }
+        let hole = board.pocket_radius();
+        for (i, centre) in board.pockets().enumerate() {
+            if let Some(falls) = time_to_circle(position - centre, velocity, hole)
+                && falls < time
+            {
+                time = falls;
+                end = SlideEnd::Pocket(i);
             }
         }
         if let Some(time) = slowed(time, relative_deceleration) {
@@ -109,11 +104,7 @@ fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide
         }
     };
     let (x, y) = (to(position.x, velocity.x), to(position.y, velocity.y));
-    if x <= y {
-        (x, FrameSide::horizontal(velocity.x))
-    } else {
-        (y, FrameSide::vertical(velocity.y))
-    }
+    FrameSide::ahead(velocity, x, y)
 }
 
 /// Time until a point at constant velocity, now at `place` as seen from a centre, comes

@@ -15,14 +15,14 @@ pub(super) const WORTHWHILE: usize = 48;
 pub(super) struct Grid {
     /// Cells along a side; 0 if there is no grid.
     columns: usize,
-    /// FrameSide of a cell in metres.
+    /// Side of a cell in metres.
     size: f64,
     /// Half the side of the board.
     half: f64,
     /// The discs of each cell, row by row from the lower left.
     cells: Vec<Vec<usize>>,
     /// Column and row of each disc.
-    places: Vec<(usize, usize)>,
+    places: Vec<[usize; 2]>,
 }
 
 impl Grid {
@@ -45,10 +45,15 @@ impl Grid {
         for (i, motion) in start.iter().enumerate() {
             // A cast of a float saturates: what lies outside by rounding is inside.
             let along = |x: f64| (((x + self.half) / self.size) as usize).min(self.columns - 1);
-            let place = (along(motion.position.x), along(motion.position.y));
+            let place = [along(motion.position.x), along(motion.position.y)];
             self.places.push(place);
-            self.cells[place.1 * self.columns + place.0].push(i);
+            self.cell(place).push(i);
         }
+    }
+
+    /// The discs of a cell, given by its column and row.
+    fn cell(&mut self, [column, row]: [usize; 2]) -> &mut Vec<usize> {
+        &mut self.cells[row * self.columns + column]
     }
 
     pub(super) fn is_laid(&self) -> bool {
@@ -58,7 +63,7 @@ impl Grid {
     /// The discs in a disc's own and the neighbouring cells, itself among them.
     pub(super) fn near(&self, i: usize, near: &mut Vec<usize>) {
         near.clear();
-        let (column, row) = self.places[i];
+        let [column, row] = self.places[i];
         let last = self.columns - 1;
         for row in row.saturating_sub(1)..=(row + 1).min(last) {
             for column in column.saturating_sub(1)..=(column + 1).min(last) {
@@ -82,34 +87,24 @@ impl Grid {
             (way / speed).max(0.0)
         };
         let Motion { position, velocity } = start;
-        let (column, row) = self.places[i];
+        let [column, row] = self.places[i];
         let x = to(position.x, velocity.x, column);
         let y = to(position.y, velocity.y, row);
-        if x <= y {
-            (x, FrameSide::horizontal(velocity.x))
-        } else {
-            (y, FrameSide::vertical(velocity.y))
-        }
+        FrameSide::ahead(velocity, x, y)
     }
 
     /// Moves a disc into the next cell on a side.
     pub(super) fn cross(&mut self, i: usize, side: FrameSide) {
         self.remove(i);
-        let (column, row) = self.places[i];
-        let place = match side {
-            FrameSide::Left => (column - 1, row),
-            FrameSide::Right => (column + 1, row),
-            FrameSide::Bottom => (column, row - 1),
-            FrameSide::Top => (column, row + 1),
-        };
-        self.places[i] = place;
-        self.cells[place.1 * self.columns + place.0].push(i);
+        let along = &mut self.places[i][side.axis];
+        *along = if side.beyond { *along + 1 } else { *along - 1 };
+        self.cell(self.places[i]).push(i);
     }
 
     /// Takes a disc out of its cell.
     pub(super) fn remove(&mut self, i: usize) {
-        if let Some(&(column, row)) = self.places.get(i).filter(|_| self.is_laid()) {
-            self.cells[row * self.columns + column].retain(|&disc| disc != i);
+        if let Some(&place) = self.places.get(i).filter(|_| self.is_laid()) {
+            self.cell(place).retain(|&disc| disc != i);
         }
     }
 }

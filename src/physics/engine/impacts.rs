@@ -44,11 +44,7 @@ impl ShotInPlay<'_> {
         );
         let position = self.unpressed(discs, motions.map(|motion| motion.position));
         for (side, disc) in discs.into_iter().enumerate() {
-            let motion = Motion {
-                position: position[side],
-                velocity: after[side],
-            };
-            self.release(disc, time, motion);
+            self.release(disc, time, Motion::new(position[side], after[side]));
         }
     }
 

@@ -25,6 +25,7 @@ mod schedule;
 #[cfg(test)]
 mod tests;
 
+pub(super) use check::check;
 pub use error::EngineError;
 
 use super::{Board, Disc, Motion, Shot};
@@ -48,6 +49,16 @@ impl Default for Limits {
         Self {
             horizon: f64::INFINITY,
             events: 200_000,
+        }
+    }
+}
+
+impl Limits {
+    /// Up to `horizon` seconds.
+    pub fn until(horizon: f64) -> Self {
+        Self {
+            horizon,
+            ..Self::default()
         }
     }
 }
@@ -102,7 +113,7 @@ impl Engine {
         start: &[Motion],
         limits: Limits,
     ) -> Result<(), EngineError> {
-        check::check(board, discs, start, limits)?;
+        check(board, discs, start, limits)?;
         shot.begin(board, discs, start);
         let deceleration = board.deceleration();
         self.bodies.begin(discs, start, deceleration);

@@ -180,14 +180,8 @@ impl ShotInPlay<'_> {
     fn cushion(&mut self, i: usize, time: f64, now: Motion, side: FrameSide) {
         let wall = 0.5 * self.board.side - self.bodies.radius[i];
         let mut after = now;
-        let (place, speed) = match side {
-            FrameSide::Left | FrameSide::Right => (&mut after.position.x, &mut after.velocity.x),
-            FrameSide::Bottom | FrameSide::Top => (&mut after.position.y, &mut after.velocity.y),
-        };
-        *place = match side {
-            FrameSide::Left | FrameSide::Bottom => -wall,
-            FrameSide::Right | FrameSide::Top => wall,
-        };
+        after.position[side.axis] = side.sign() * wall;
+        let speed = &mut after.velocity[side.axis];
         *speed *= -self.restitution(self.board.cushion_restitution, speed.abs());
         self.event(
             time,

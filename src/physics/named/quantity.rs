@@ -1,11 +1,14 @@
 //! Everything about a collision that a text can ask for by name.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use glam::DVec2;
 
 use super::super::frames::cm_scattering_angle;
+use super::super::impact::kinetic_energy;
 use super::super::resting_target::{LargestDeflection, mass_ratio_from_angles};
 use super::super::units::{deg_from_rad, g_from_kg, mm_from_m};
-use super::super::{Bond, Collision, CollisionOutcome, Frame, RestingTarget};
+use super::super::{Bond, Collision, CollisionOutcome, Disc, Frame, RestingTarget};
 use crate::numbers::{fixed, true_minus};
 
 /// A number that follows from a collision.
@@ -19,8 +22,13 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Decimals it is shown with where nobody says how many.
     pub decimals: usize,
-    of: fn(&Collision, &CollisionOutcome) -> Option<f64>,
+    /// What its value in SI units is multiplied by.
+    scale: f64,
+    of: Formula,
 }
+
+/// How a quantity follows from a collision, in SI units where its unit has a scale.
+type Formula = fn(&Collision, &CollisionOutcome) -> Option<f64>;
 
 /// The same by name.
 impl PartialEq for Quantity {
@@ -29,174 +37,116 @@ impl PartialEq for Quantity {
     }
 }
 
-const fn quantity(
-    name: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    decimals: usize,
-    of: fn(&Collision, &CollisionOutcome) -> Option<f64>,
-) -> Quantity {
-    Quantity {
-        name,
-        symbol,
-        unit,
-        decimals,
-        of,
+/// A unit of the screen, the decimals shown in it, and what a value in SI units is
+/// multiplied by.
+struct Unit(&'static str, usize, f64);
+
+const SPEED: Unit = Unit("m/s", 2, 1.0);
+const ANGLE: Unit = Unit("°", 1, deg_from_rad(1.0));
+const LENGTH: Unit = Unit("mm", 1, mm_from_m(1.0));
+const ENERGY: Unit = Unit("mJ", 1, 1e3);
+/// Formulas give it in g m/s.
+const MOMENTUM: Unit = Unit("g m/s", 1, 1.0);
+const RATE: Unit = Unit("1/s", 1, 1.0);
+const SHARE: Unit = Unit("", 3, 1.0);
+const RATIO: Unit = Unit("", 2, 1.0);
+
+impl Unit {
+    const fn of(self, name: &'static str, symbol: &'static str, of: Formula) -> Quantity {
+        let Self(unit, decimals, scale) = self;
+        Quantity {
+            name,
+            symbol,
+            unit,
+            decimals,
+            scale,
+            of,
+        }
     }
 }
-
-/// Milli, as in millijoule.
-const MILLI: f64 = 1e3;
 
 impl Quantity {
     /// All of them, in the order of the table in `docs/lessons.md`.
     pub const ALL: [Self; 55] = [
-        quantity("u", "u", "m/s", 2, |c, _| Some(c.u1.length())),
-        quantity("v1", "v₁", "m/s", 2, |_, o| Some(o.v1.length())),
-        quantity("v2", "v₂", "m/s", 2, |_, o| Some(o.v2.length())),
-        quantity("v1_share", "v₁/u", "", 3, |c, o| {
-            share(o.v1.length(), c.u1.length())
+        SPEED.of("u", "u", |c, _| Some(c.u1.length())),
+        SPEED.of("v1", "v₁", |_, o| Some(o.v1.length())),
+        SPEED.of("v2", "v₂", |_, o| Some(o.v2.length())),
+        SHARE.of("v1_share", "v₁/u", |c, o| {
+            Some(o.v1.length() / c.u1.length())
         }),
-        quantity("v2_share", "v₂/u", "", 3, |c, o| {
-            share(o.v2.length(), c.u1.length())
+        SHARE.of("v2_share", "v₂/u", |c, o| {
+            Some(o.v2.length() / c.u1.length())
         }),
-        quantity("u1n", "u₁ₙ", "m/s", 2, |c, o| Some(c.u1.dot(o.normal?))),
-        quantity("u1t", "u₁ₜ", "m/s", 2, |c, o| {
-            Some(c.u1.dot(o.tangent?))
-        }),
-        quantity("u2n", "u₂ₙ", "m/s", 2, |c, o| Some(c.u2.dot(o.normal?))),
-        quantity("u2t", "u₂ₜ", "m/s", 2, |c, o| {
-            Some(c.u2.dot(o.tangent?))
-        }),
-        quantity("v1n", "v₁ₙ", "m/s", 2, |_, o| Some(o.v1.dot(o.normal?))),
-        quantity("v1t", "v₁ₜ", "m/s", 2, |_, o| {
-            Some(o.v1.dot(o.tangent?))
-        }),
-        quantity("v2n", "v₂ₙ", "m/s", 2, |_, o| Some(o.v2.dot(o.normal?))),
-        quantity("v2t", "v₂ₜ", "m/s", 2, |_, o| {
-            Some(o.v2.dot(o.tangent?))
-        }),
-        quantity("v1x", "v₁ₓ", "m/s", 2, |_, o| Some(o.v1.x)),
-        quantity("v1y", "v₁ᵧ", "m/s", 2, |_, o| Some(o.v1.y)),
-        quantity("v2x", "v₂ₓ", "m/s", 2, |_, o| Some(o.v2.x)),
-        quantity("v2y", "v₂ᵧ", "m/s", 2, |_, o| Some(o.v2.y)),
-        quantity("alpha_deg", "α", "°", 1, |c, _| {
-            c.alpha().map(deg_from_rad)
-        }),
-        quantity("theta1_deg", "θ₁", "°", 1, |_, o| {
-            o.theta1.map(deg_from_rad)
-        }),
-        quantity("theta2_deg", "θ₂", "°", 1, |_, o| {
-            o.theta2.map(deg_from_rad)
-        }),
-        quantity("separation_deg", "separation", "°", 1, |_, o| {
-            o.separation.map(deg_from_rad)
-        }),
-        quantity("offset_mm", "b", "mm", 1, |c, _| Some(mm_from_m(c.offset))),
-        quantity("reach_mm", "r₁ + r₂", "mm", 1, |c, _| {
-            Some(mm_from_m(c.contact_distance()))
-        }),
-        quantity("offset_share", "b/(r₁ + r₂)", "", 3, |c, _| {
+        SPEED.of("u1n", "u₁ₙ", |c, o| Some(c.u1.dot(o.normal?))),
+        SPEED.of("u1t", "u₁ₜ", |c, o| Some(c.u1.dot(o.tangent?))),
+        SPEED.of("u2n", "u₂ₙ", |c, o| Some(c.u2.dot(o.normal?))),
+        SPEED.of("u2t", "u₂ₜ", |c, o| Some(c.u2.dot(o.tangent?))),
+        SPEED.of("v1n", "v₁ₙ", |_, o| Some(o.v1.dot(o.normal?))),
+        SPEED.of("v1t", "v₁ₜ", |_, o| Some(o.v1.dot(o.tangent?))),
+        SPEED.of("v2n", "v₂ₙ", |_, o| Some(o.v2.dot(o.normal?))),
+        SPEED.of("v2t", "v₂ₜ", |_, o| Some(o.v2.dot(o.tangent?))),
+        SPEED.of("v1x", "v₁ₓ", |_, o| Some(o.v1.x)),
+        SPEED.of("v1y", "v₁ᵧ", |_, o| Some(o.v1.y)),
+        SPEED.of("v2x", "v₂ₓ", |_, o| Some(o.v2.x)),
+        SPEED.of("v2y", "v₂ᵧ", |_, o| Some(o.v2.y)),
+        ANGLE.of("alpha_deg", "α", |c, _| c.alpha()),
+        ANGLE.of("theta1_deg", "θ₁", |_, o| o.theta1),
+        ANGLE.of("theta2_deg", "θ₂", |_, o| o.theta2),
+        ANGLE.of("separation_deg", "separation", |_, o| o.separation),
+        LENGTH.of("offset_mm", "b", |c, _| Some(c.offset)),
+        LENGTH.of("reach_mm", "r₁ + r₂", |c, _| Some(c.contact_distance())),
+        SHARE.of("offset_share", "b/(r₁ + r₂)", |c, _| {
             Some(c.offset / c.contact_distance())
         }),
-        quantity("mass_ratio", "m₁/m₂", "", 2, |c, _| {
+        RATIO.of("mass_ratio", "m₁/m₂", |c, _| {
             Some(c.striker.mass / c.target.mass)
         }),
-        quantity("weighed_ratio", "m₁/m₂", "", 2, |c, o| {
+        RATIO.of("weighed_ratio", "m₁/m₂", |c, o| {
             mass_ratio_from_angles(o.theta1?, o.theta2?, c.restitution)
         }),
-        quantity("k", "k", "", 3, |c, _| Some(RestingTarget::from(c).k())),
-        quantity(
-            "largest_deflection_deg",
-            "largest θ₁",
-            "°",
-            1,
-            |c, _| largest_deflection(c),
-        ),
-        quantity("half_energy_deg", "α", "°", 1, |c, _| half_energy(c)),
-        quantity("energy_before_mj", "E before", "mJ", 1, |_, o| {
-            Some(MILLI * o.energy_before)
+        SHARE.of("k", "k", |c, _| Some(RestingTarget::from(c).k())),
+        ANGLE.of("largest_deflection_deg", "largest θ₁", |c, _| {
+            Some(largest_deflection(c))
         }),
-        quantity("energy_after_mj", "E after", "mJ", 1, |_, o| {
-            Some(MILLI * o.energy_after)
+        ANGLE.of("half_energy_deg", "α", |c, _| half_energy(c)),
+        ENERGY.of("energy_before_mj", "E before", |_, o| Some(o.energy_before)),
+        ENERGY.of("energy_after_mj", "E after", |_, o| Some(o.energy_after)),
+        ENERGY.of("energy_lost_mj", "E lost", |_, o| Some(o.energy_lost)),
+        SHARE.of("energy1_share", "E₁/E", |c, o| {
+            Some(kinetic_energy(c.striker.mass, o.v1) / o.energy_before)
         }),
-        quantity("energy_lost_mj", "E lost", "mJ", 1, |_, o| {
-            Some(MILLI * o.energy_lost)
+        SHARE.of("energy2_share", "E₂/E", |c, o| {
+            Some(kinetic_energy(c.target.mass, o.v2) / o.energy_before)
         }),
-        quantity("energy1_share", "E₁/E", "", 3, |c, o| {
-            share(
-                0.5 * c.striker.mass * o.v1.length_squared(),
-                o.energy_before,
-            )
+        SHARE.of("lost_share", "share lost", |_, o| {
+            Some(o.energy_lost / o.energy_before)
         }),
-        quantity("energy2_share", "E₂/E", "", 3, |c, o| {
-            share(0.5 * c.target.mass * o.v2.length_squared(), o.energy_before)
+        MOMENTUM.of("px", "pₓ", |c, _| Some(both(c, c.u1, c.u2).x)),
+        MOMENTUM.of("py", "pᵧ", |c, _| Some(both(c, c.u1, c.u2).y)),
+        MOMENTUM.of("px_after", "pₓ after", |c, o| Some(both(c, o.v1, o.v2).x)),
+        MOMENTUM.of("py_after", "pᵧ after", |c, o| Some(both(c, o.v1, o.v2).y)),
+        MOMENTUM.of("p1x", "p₁ₓ", |c, o| Some(momentum(c.striker, o.v1).x)),
+        MOMENTUM.of("p1y", "p₁ᵧ", |c, o| Some(momentum(c.striker, o.v1).y)),
+        MOMENTUM.of("p2x", "p₂ₓ", |c, o| Some(momentum(c.target, o.v2).x)),
+        MOMENTUM.of("p2y", "p₂ᵧ", |c, o| Some(momentum(c.target, o.v2).y)),
+        MOMENTUM.of("p1", "p₁", |c, o| {
+            Some(momentum(c.striker, o.v1).length())
         }),
-        quantity("lost_share", "share lost", "", 3, |_, o| {
-            share(o.energy_lost, o.energy_before)
+        MOMENTUM.of("p2", "p₂", |c, o| Some(momentum(c.target, o.v2).length())),
+        MOMENTUM.of("impulse", "J", |_, o| Some(g_from_kg(o.impulse))),
+        SPEED.of("cm_speed", "V", |c, _| Some(drift(c).length())),
+        ANGLE.of("cm_angle_deg", "Θ", |c, _| cm_angle(c)),
+        SPEED.of("u1_cm", "u₁*", |c, _| Some((c.u1 - drift(c)).length())),
+        SPEED.of("u2_cm", "u₂*", |c, _| Some((c.u2 - drift(c)).length())),
+        SPEED.of("v1_cm", "w₁", |c, o| Some((o.v1 - drift(c)).length())),
+        SPEED.of("v2_cm", "w₂", |c, o| Some((o.v2 - drift(c)).length())),
+        ANGLE.of("cm_separation_deg", "separation", |c, _| {
+            separation_from(Frame::CentreOfMass, c)
         }),
-        quantity("px", "pₓ", "g m/s", 1, |c, _| {
-            Some(momentum(c, c.u1, c.u2).x)
+        ANGLE.of("target_separation_deg", "separation", |c, _| {
+            separation_from(Frame::Target, c)
         }),
-        quantity("py", "pᵧ", "g m/s", 1, |c, _| {
-            Some(momentum(c, c.u1, c.u2).y)
-        }),
-        quantity("px_after", "pₓ after", "g m/s", 1, |c, o| {
-            Some(momentum(c, o.v1, o.v2).x)
-        }),
-        quantity("py_after", "pᵧ after", "g m/s", 1, |c, o| {
-            Some(momentum(c, o.v1, o.v2).y)
-        }),
-        quantity("p1x", "p₁ₓ", "g m/s", 1, |c, o| {
-            Some(momentum(c, o.v1, DVec2::ZERO).x)
-        }),
-        quantity("p1y", "p₁ᵧ", "g m/s", 1, |c, o| {
-            Some(momentum(c, o.v1, DVec2::ZERO).y)
-        }),
-        quantity("p2x", "p₂ₓ", "g m/s", 1, |c, o| {
-            Some(momentum(c, DVec2::ZERO, o.v2).x)
-        }),
-        quantity("p2y", "p₂ᵧ", "g m/s", 1, |c, o| {
-            Some(momentum(c, DVec2::ZERO, o.v2).y)
-        }),
-        quantity("p1", "p₁", "g m/s", 1, |c, o| {
-            Some(momentum(c, o.v1, DVec2::ZERO).length())
-        }),
-        quantity("p2", "p₂", "g m/s", 1, |c, o| {
-            Some(momentum(c, DVec2::ZERO, o.v2).length())
-        }),
-        quantity("impulse", "J", "g m/s", 1, |_, o| {
-            Some(g_from_kg(o.impulse))
-        }),
-        quantity("cm_speed", "V", "m/s", 2, |c, _| {
-            Some(c.centre_of_mass_velocity().length())
-        }),
-        quantity("cm_angle_deg", "Θ", "°", 1, |c, _| {
-            let smooth = c.bond == Bond::Slip;
-            let turned = cm_scattering_angle(c.alpha()?, c.restitution);
-            turned.filter(|_| smooth).map(deg_from_rad)
-        }),
-        quantity("u1_cm", "u₁*", "m/s", 2, |c, _| {
-            Some((c.u1 - drift(c)).length())
-        }),
-        quantity("u2_cm", "u₂*", "m/s", 2, |c, _| {
-            Some((c.u2 - drift(c)).length())
-        }),
-        quantity("v1_cm", "w₁", "m/s", 2, |c, o| {
-            Some((o.v1 - drift(c)).length())
-        }),
-        quantity("v2_cm", "w₂", "m/s", 2, |c, o| {
-            Some((o.v2 - drift(c)).length())
-        }),
-        quantity("cm_separation_deg", "separation", "°", 1, |c, _| {
-            seen_from(Frame::CentreOfMass, c)
-        }),
-        quantity("target_separation_deg", "separation", "°", 1, |c, _| {
-            seen_from(Frame::Target, c)
-        }),
-        quantity("turns", "turns", "1/s", 1, |_, o| {
-            Some(o.spin / std::f64::consts::TAU)
-        }),
+        RATE.of("turns", "turns", |_, o| Some(o.spin / TAU)),
     ];
 
     /// The quantity of this name.
@@ -207,7 +157,7 @@ impl Quantity {
     /// Its value in its unit; `None` where it is undefined, as the direction of a
     /// disc at rest is.
     pub fn of(&self, collision: &Collision) -> Option<f64> {
-        let value = (self.of)(collision, &collision.outcome())?;
+        let value = (self.of)(collision, &collision.outcome())? * self.scale;
         value.is_finite().then_some(value + 0.0)
     }
 
@@ -221,28 +171,34 @@ impl Quantity {
     }
 }
 
-fn share(part: f64, whole: f64) -> Option<f64> {
-    (whole > 0.0).then(|| part / whole)
+/// Momentum in g m/s.
+fn momentum(disc: Disc, velocity: DVec2) -> DVec2 {
+    g_from_kg(disc.mass) * velocity
 }
 
-/// Momentum in g m/s.
-fn momentum(c: &Collision, v1: DVec2, v2: DVec2) -> DVec2 {
-    g_from_kg(c.striker.mass) * v1 + g_from_kg(c.target.mass) * v2
+/// Momentum of both discs in g m/s.
+fn both(c: &Collision, v1: DVec2, v2: DVec2) -> DVec2 {
+    momentum(c.striker, v1) + momentum(c.target, v2)
 }
 
 fn drift(c: &Collision) -> DVec2 {
     c.centre_of_mass_velocity()
 }
 
-fn seen_from(frame: Frame, c: &Collision) -> Option<f64> {
-    frame.view(c).outcome().separation.map(deg_from_rad)
+fn cm_angle(c: &Collision) -> Option<f64> {
+    let turned = cm_scattering_angle(c.alpha()?, c.restitution);
+    turned.filter(|_| c.bond == Bond::Slip)
 }
 
-fn largest_deflection(c: &Collision) -> Option<f64> {
+fn separation_from(frame: Frame, c: &Collision) -> Option<f64> {
+    frame.view(c).outcome().separation
+}
+
+fn largest_deflection(c: &Collision) -> f64 {
     match RestingTarget::from(c).largest_deflection() {
-        LargestDeflection::Turned { theta1, .. } => Some(deg_from_rad(theta1)),
-        LargestDeflection::NearlyRight => Some(90.0),
-        LargestDeflection::Reversed => Some(180.0),
+        LargestDeflection::Turned { theta1, .. } => theta1,
+        LargestDeflection::NearlyRight => FRAC_PI_2,
+        LargestDeflection::Reversed => PI,
     }
 }
 
@@ -250,7 +206,7 @@ fn largest_deflection(c: &Collision) -> Option<f64> {
 fn half_energy(c: &Collision) -> Option<f64> {
     let is_smooth = c.bond == Bond::Slip && c.u2 == DVec2::ZERO;
     let alpha = RestingTarget::from(c).alpha_for_energy_passed(0.5)?;
-    is_smooth.then(|| deg_from_rad(alpha))
+    is_smooth.then_some(alpha)
 }
 
 #[cfg(test)]

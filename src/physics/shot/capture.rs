@@ -6,30 +6,11 @@
 //! parameter, μ the reduced mass: angular momentum about the centre of mass is kept.
 
 use glam::DVec2;
-use thiserror::Error;
 
 use super::super::capture::capture;
+use super::super::engine::{EngineError, Limits, check};
 use super::super::slide::time_to_distance;
 use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot};
-
-/// Why two discs cannot be set off to stick.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum CaptureError {
-    /// A number is not finite, or a mass or radius is not positive.
-    #[error("disc {disc}: {expected}")]
-    Unusable {
-        /// The disc, 0 or 1.
-        disc: usize,
-        /// What was expected.
-        expected: &'static str,
-    },
-    /// The discs overlap at the start.
-    #[error("the discs overlap: their centres must be at least the sum of the radii apart")]
-    Overlap,
-    /// The time to watch is not a number of seconds.
-    #[error("the time to watch must be a finite number of seconds, at least 0")]
-    Duration,
-}
 
 /// Two discs stuck together, turning about their centre of mass without friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,10 +58,10 @@ impl StuckPair {
     pub(super) fn at(&self, disc: usize, time: f64) -> Motion {
         let since = time - self.time;
         let arm = DVec2::from_angle(self.omega * since).rotate(self.arms[disc]);
-        Motion {
-            position: self.centre + self.velocity * since + arm,
-            velocity: self.velocity + arm.perp() * self.omega,
-        }
+        Motion::new(
+            self.centre + self.velocity * since + arm,
+            self.velocity + arm.perp() * self.omega,
+        )
     }
 
     /// The way of a disc from the contact to `end` in chords of at most 3°.
@@ -111,41 +92,27 @@ impl Shot {
     /// # Errors
     ///
     /// If a number is unusable or the discs overlap at the start.
-    pub fn captured(
+    pub(in super::super) fn captured(
         discs: [Disc; 2],
         start: [Motion; 2],
         duration: f64,
-    ) -> Result<Self, CaptureError> {
-        for (disc, (Disc { mass, radius }, motion)) in discs.iter().zip(&start).enumerate() {
-            let expected = if !(mass.is_finite() && *mass > 0.0) {
-                "the mass must be finite and greater than 0"
-            } else if !(radius.is_finite() && *radius > 0.0) {
-                "the radius must be finite and greater than 0"
-            } else if !(motion.position.is_finite() && motion.velocity.is_finite()) {
-                "position and velocity must be finite"
-            } else {
-                continue;
-            };
-            return Err(CaptureError::Unusable { disc, expected });
-        }
-        if !(duration.is_finite() && duration >= 0.0) {
-            return Err(CaptureError::Duration);
+    ) -> Result<Self, EngineError> {
+        let (board, limits) = (Board::open(0.0), Limits::until(duration));
+        check(&board, &discs, &start, limits)?;
+        if duration.is_infinite() {
+            return Err(EngineError::Endless);
         }
         let touching = discs[0].radius + discs[1].radius;
         let apart = start[1].position - start[0].position;
-        if apart.length() < touching * (1.0 - 1e-9) {
-            return Err(CaptureError::Overlap);
-        }
         let mut shot = Self::new();
-        shot.begin(&Board::open(0.0), &discs, &start);
+        shot.begin(&board, &discs, &start);
         shot.end(duration);
         let relative = start[1].velocity - start[0].velocity;
         let gap = (apart.length_squared() - touching * touching).max(0.0);
         let meeting = time_to_distance(apart, relative, touching, gap);
         if let Some(time) = meeting.filter(|&t| t <= duration) {
-            let met = start.map(|motion| Motion {
-                position: motion.position + motion.velocity * time,
-                velocity: motion.velocity,
+            let met = start.map(|Motion { position, velocity }| {
+                Motion::new(position + velocity * time, velocity)
             });
             let pair = StuckPair::new(time, &discs, &met);
             let after = [pair.at(0, time), pair.at(1, time)];

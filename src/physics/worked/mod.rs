@@ -61,16 +61,12 @@ pub(crate) fn steps(collision: &Collision, by_offset: bool) -> Vec<WorkedStep> {
 
 fn knowns(c: &Collision, by_offset: bool) -> WorkedStep {
     let body = |name: &str, sub: char, mass: f64, u: DVec2| {
-        let velocity = if u.length() > 0.0 {
-            format!(
-                "u{sub} = {} m/s, speed {} m/s",
-                vector(u, 0.0),
-                number(u.length())
-            )
-        } else {
-            format!("u{sub} = 0, at rest")
+        let (components, speed) = (vector(u, 0.0), number(u.length()));
+        let velocity = match u.length() > 0.0 {
+            true => format!("{components} m/s, speed {speed} m/s"),
+            false => "0, at rest".to_owned(),
         };
-        format!("{name}  m{sub} = {} g   {velocity}", grams(mass))
+        format!("{name}  m{sub} = {} g   u{sub} = {velocity}", grams(mass))
     };
     let mut lines = vec![
         body("striker", '₁', c.striker.mass, c.u1),
@@ -100,103 +96,73 @@ fn knowns(c: &Collision, by_offset: bool) -> WorkedStep {
 }
 
 fn where_they_meet(c: &Collision) -> WorkedStep {
-    let reach = c.contact_distance();
-    let mut lines = vec![format!(
-        "r₁ + r₂ = {} + {} = {} mm",
-        mm(c.striker.radius),
-        mm(c.target.radius),
-        mm(reach)
-    )];
-    lines.push(match c.alpha() {
-        Some(alpha) => format!(
-            "sin α = b / (r₁ + r₂) = {} / {} = {},  α = {}",
-            mm(c.offset),
-            mm(reach),
-            beside(c.offset / reach, 1.0),
-            degrees(alpha)
-        ),
-        None if c.offset.abs() > reach => format!(
-            "b is {} mm and r₁ + r₂ only {} mm: they pass each other",
-            mm(c.offset.abs()),
-            mm(reach)
-        ),
+    let (r1, r2, reach) = (c.striker.radius, c.target.radius, c.contact_distance());
+    let (sum, b) = (mm(reach), mm(c.offset));
+    let squareness = match c.alpha() {
+        Some(alpha) => {
+            let (sine, alpha) = (beside(c.offset / reach, 1.0), degrees(alpha));
+            format!("sin α = b / (r₁ + r₂) = {b} / {sum} = {sine},  α = {alpha}")
+        }
+        None if c.offset.abs() > reach => {
+            let b = mm(c.offset.abs());
+            format!("b is {b} mm and r₁ + r₂ only {sum} mm: they pass each other")
+        }
         None => "u₁ = u₂: neither comes nearer to the other".to_owned(),
-    });
+    };
     WorkedStep {
         title: "Do they meet, and how squarely?",
         why: "When the discs touch, their centres are r₁ + r₂ apart, and the offset b is the \
               side opposite α in the right-angled triangle with that hypotenuse."
             .to_owned(),
-        lines,
+        lines: vec![
+            format!("r₁ + r₂ = {} + {} = {sum} mm", mm(r1), mm(r2)),
+            squareness,
+        ],
     }
 }
 
 /// Speeds and angles after a hit.
 fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
-    let mut lines = vec![
-        angle_line(
-            "θ₁",
-            after.theta1,
-            "anticlockwise",
-            "clockwise",
-            c.u1,
-            after.v1,
-        ),
-        angle_line(
-            "θ₂",
-            after.theta2,
-            "clockwise",
-            "anticlockwise",
-            c.u1,
-            after.v2,
-        ),
-    ];
-    lines.push(match after.separation {
+    let separation = match after.separation {
         Some(angle) => format!("separation, from v₁ to v₂: {}", degrees(angle)),
         None => "separation: undefined, for a disc at rest has no direction".to_owned(),
-    });
+    };
     WorkedStep {
         title: "Read off the angles",
         why: "Both are measured from the striker's old direction u₁: θ₁ to where the striker \
               goes, θ₂ to where the target goes."
             .to_owned(),
-        lines,
+        lines: vec![
+            angle_line("θ₁", after.theta1, c.u1, after.v1),
+            angle_line("θ₂", after.theta2, c.u1, after.v2),
+            separation,
+        ],
     }
 }
 
-fn angle_line(
-    name: &str,
-    angle: Option<f64>,
-    positive: &str,
-    negative: &str,
-    from: DVec2,
-    to: DVec2,
-) -> String {
-    let (body, speed) = match name {
+/// Where `name`, the body that goes on with velocity `to`, goes beside its old direction
+/// `from`. Recoil angles count clockwise, all others anticlockwise.
+fn angle_line(name: &str, angle: Option<f64>, from: DVec2, to: DVec2) -> String {
+    let (body, sign) = match name {
         "θ₁" => ("striker", "v₁"),
         "θ₂" => ("target", "v₂"),
         _ => ("pair", "V"),
     };
+    let speed = format!("{sign} = {} m/s", number(to.length()));
     match angle {
         Some(angle) => {
-            let text = degrees(angle.abs());
-            let way = match text.as_str() {
-                "0°" => "straight on".to_owned(),
-                "180°" => "straight back".to_owned(),
-                _ if angle > 0.0 => format!("{positive} from u₁"),
-                _ => format!("{negative} from u₁"),
+            let way = match degrees(angle.abs()).as_str() {
+                "0°" => "straight on",
+                "180°" => "straight back",
+                _ if (angle > 0.0) == (body == "target") => "clockwise from u₁",
+                _ => "anticlockwise from u₁",
             };
-            format!(
-                "{name} = {}  ({way}), {speed} = {} m/s",
-                degrees(angle),
-                number(to.length())
-            )
+            format!("{name} = {}  ({way}), {speed}", degrees(angle))
         }
         None if to.length() <= 0.0 => format!("{name}: undefined, for the {body} is at rest"),
-        None if from.length() <= 0.0 => format!(
-            "{name}: undefined, for u₁ = 0 has no direction; {speed} = {} m/s",
-            number(to.length())
-        ),
+        None if from.length() <= 0.0 => {
+            format!("{name}: undefined, for u₁ = 0 has no direction; {speed}")
+        }
         None => format!("{name}: undefined"),
     }
 }
@@ -204,51 +170,35 @@ fn angle_line(
 fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let (m1, m2) = (g_from_kg(c.striker.mass), g_from_kg(c.target.mass));
     let scale = m1 * c.u1.length() + m2 * c.u2.length();
-    let before_p = m1 * c.u1 + m2 * c.u2;
-    let after_p = m1 * after.v1 + m2 * after.v2;
+    let before_p = vector(m1 * c.u1 + m2 * c.u2, scale);
+    let after_p = vector(m1 * after.v1 + m2 * after.v2, scale);
     let sticks = c.bond == Bond::Stick;
     let carried = if sticks {
         "(m₁ + m₂) V"
     } else {
         "m₁v₁ + m₂v₂"
     };
-    let mut lines = vec![
-        format!(
-            "momentum before  m₁u₁ + m₂u₂ = {} g m/s",
-            vector(before_p, scale)
-        ),
-        format!(
-            "momentum after   {carried} = {} g m/s",
-            vector(after_p, scale)
-        ),
-        format!(
-            "energy before    ½ m₁u₁² + ½ m₂u₂² = {} J",
-            number(after.energy_before)
-        ),
-    ];
-    lines.push(if after.energy_rotation > 0.0 {
-        format!(
-            "energy after     ½ (m₁ + m₂) V² + ½ I ω² = {} + {} = {} J",
-            number(after.energy_after - after.energy_rotation),
-            number(after.energy_rotation),
-            number(after.energy_after)
-        )
+    let kept = if after.energy_rotation > 0.0 {
+        let moving = number(after.energy_after - after.energy_rotation);
+        let turning = number(after.energy_rotation);
+        format!("½ (m₁ + m₂) V² + ½ I ω² = {moving} + {turning}")
+    } else if sticks {
+        "½ (m₁ + m₂) V²".to_owned()
     } else {
-        let kept = if sticks {
-            "½ (m₁ + m₂) V²"
-        } else {
-            "½ m₁v₁² + ½ m₂v₂²"
-        };
-        format!("energy after     {kept} = {} J", number(after.energy_after))
-    });
+        "½ m₁v₁² + ½ m₂v₂²".to_owned()
+    };
+    let (came, left) = (number(after.energy_before), number(after.energy_after));
+    let mut lines = vec![
+        format!("momentum before  m₁u₁ + m₂u₂ = {before_p} g m/s"),
+        format!("momentum after   {carried} = {after_p} g m/s"),
+        format!("energy before    ½ m₁u₁² + ½ m₂u₂² = {came} J"),
+        format!("energy after     {kept} = {left} J"),
+    ];
     let share = after.energy_lost / after.energy_before;
     let lost = share > 1e-12;
     if lost {
-        lines.push(format!(
-            "lost             {} J, {} % of it",
-            number(after.energy_lost),
-            number(100.0 * share)
-        ));
+        let (energy, percent) = (number(after.energy_lost), number(100.0 * share));
+        lines.push(format!("lost             {energy} J, {percent} % of it"));
     }
     WorkedStep {
         title: "Check",
@@ -261,6 +211,11 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
         .to_owned(),
         lines,
     }
+}
+
+/// Beside which speeds count as noise, in m/s.
+fn speed_scale(c: &Collision) -> f64 {
+    c.u1.length() + c.u2.length()
 }
 
 fn grams(mass: f64) -> String {

@@ -1,7 +1,7 @@
 //! The working for smooth discs: split, resolve along n, keep across, put together.
 
 use super::number::{beside, factor, number, vector};
-use super::{WorkedStep, grams};
+use super::{WorkedStep, grams, speed_scale};
 use crate::physics::units::g_from_kg;
 use crate::physics::{Collision, CollisionOutcome};
 use glam::DVec2;
@@ -18,49 +18,35 @@ pub(super) fn steps(c: &Collision, after: &CollisionOutcome) -> Vec<WorkedStep> 
     ]
 }
 
-fn speed_scale(c: &Collision) -> f64 {
-    c.u1.length() + c.u2.length()
-}
-
 fn split(c: &Collision, n: DVec2, t: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
-    let part = |name: &str, u: DVec2, axis: char, unit: DVec2| {
-        format!(
-            "{name} = u{} · {axis} = {} m/s",
-            if name.starts_with("u₁") {
-                '₁'
-            } else {
-                '₂'
-            },
-            beside(u.dot(unit), scale)
-        )
+    let part = |name: &str, sub: char, u: DVec2, axis: char, unit: DVec2| {
+        let along = beside(u.dot(unit), scale);
+        format!("{name} = u{sub} · {axis} = {along} m/s")
     };
     let relative = c.relative_velocity();
     let along_x = relative.x > 0.0 && relative.y.abs() <= 1e-9 * relative.x;
-    let (n_form, t_form) = if along_x {
-        (" = (cos α, −sin α)", " = (sin α, cos α)")
+    let (n_form, t_form, how) = if along_x {
+        let how = "The motion is along x, so n is that direction turned clockwise by α.";
+        (" = (cos α, −sin α)", " = (sin α, cos α)", how)
     } else {
-        ("", "")
+        let how = "To find n, turn the direction of u₁ − u₂ clockwise by α.";
+        ("", "", how)
     };
     WorkedStep {
         title: "Split each velocity along n and across it",
         why: format!(
             "Smooth discs can push on each other only along the line through their centres. \
              So the hit has two parts that do not mix: along n they collide, and along the \
-             tangent t they do not feel each other. {}",
-            if along_x {
-                "The motion is along x, so n is that direction turned clockwise by α."
-            } else {
-                "To find n, turn the direction of u₁ − u₂ clockwise by α."
-            }
+             tangent t they do not feel each other. {how}"
         ),
         lines: vec![
             format!("n{n_form} = {}", vector(n, 1.0)),
             format!("t{t_form} = {}", vector(t, 1.0)),
-            part("u₁ₙ", c.u1, 'n', n),
-            part("u₁ₜ", c.u1, 't', t),
-            part("u₂ₙ", c.u2, 'n', n),
-            part("u₂ₜ", c.u2, 't', t),
+            part("u₁ₙ", '₁', c.u1, 'n', n),
+            part("u₁ₜ", '₁', c.u1, 't', t),
+            part("u₂ₙ", '₂', c.u2, 'n', n),
+            part("u₂ₜ", '₂', c.u2, 't', t),
         ],
     }
 }
@@ -73,6 +59,9 @@ fn along(c: &Collision, after: &CollisionOutcome, n: DVec2) -> WorkedStep {
     let lively = number(1.0 + c.restitution);
     let (u1n, u2n) = (c.u1.dot(n), c.u2.dot(n));
     let (f1, f2) = (factor(u1n, scale), factor(u2n, scale));
+    let (v1n, v2n) = (after.v1.dot(n), after.v2.dot(n));
+    let (v1n, v2n) = (beside(v1n, scale), beside(v2n, scale));
+    let impulse = number(g_from_kg(after.impulse));
     WorkedStep {
         title: "Along n: a head-on collision in one dimension",
         why: "Momentum along n is kept, and restitution says how fast the two part along n: \
@@ -81,18 +70,13 @@ fn along(c: &Collision, after: &CollisionOutcome, n: DVec2) -> WorkedStep {
         lines: vec![
             "v₁ₙ = [(m₁ − e m₂) u₁ₙ + (1 + e) m₂ u₂ₙ] / (m₁ + m₂)".to_owned(),
             format!(
-                "    = [({m1} − {e} × {m2}) × {f1} + {lively} × {m2} × {f2}] / {total} = {} m/s",
-                beside(after.v1.dot(n), scale)
+                "    = [({m1} − {e} × {m2}) × {f1} + {lively} × {m2} × {f2}] / {total} = {v1n} m/s"
             ),
             "v₂ₙ = [(m₂ − e m₁) u₂ₙ + (1 + e) m₁ u₁ₙ] / (m₁ + m₂)".to_owned(),
             format!(
-                "    = [({m2} − {e} × {m1}) × {f2} + {lively} × {m1} × {f1}] / {total} = {} m/s",
-                beside(after.v2.dot(n), scale)
+                "    = [({m2} − {e} × {m1}) × {f2} + {lively} × {m1} × {f1}] / {total} = {v2n} m/s"
             ),
-            format!(
-                "impulse  J = m₂ (v₂ₙ − u₂ₙ) = {} g m/s",
-                number(g_from_kg(after.impulse))
-            ),
+            format!("impulse  J = m₂ (v₂ₙ − u₂ₙ) = {impulse} g m/s"),
         ],
     }
 }
@@ -110,14 +94,11 @@ fn across(c: &Collision, t: DVec2) -> WorkedStep {
 fn together(c: &Collision, after: &CollisionOutcome, n: DVec2, t: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
     let body = |sub: char, v: DVec2| {
+        let (along, across) = (factor(v.dot(n), scale), factor(v.dot(t), scale));
+        let speed = beside(v.length(), scale);
         [
             format!("v{sub} = v{sub}ₙ n + v{sub}ₜ t = {} m/s", vector(v, scale)),
-            format!(
-                "     speed √({}² + {}²) = {} m/s",
-                factor(v.dot(n), scale),
-                factor(v.dot(t), scale),
-                beside(v.length(), scale)
-            ),
+            format!("     speed √({along}² + {across}²) = {speed} m/s"),
         ]
     };
     WorkedStep {

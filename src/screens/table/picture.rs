@@ -101,7 +101,7 @@ fn point_out(picture: &mut Picture, pointer: &Pointer) {
     let pen = Pen::new(Role::Good).on(DrawLayer::Trail);
     picture.curve(pointer.way.iter().copied(), pen.dotted());
     if let Some(pocket) = pointer.pocket {
-        picture.circle(pocket, Board::default().pocket_diameter / 2.0, pen);
+        picture.circle(pocket, Board::default().pocket_radius(), pen);
     }
 }
 

@@ -32,10 +32,7 @@ pub(in super::super) fn knocks(
             let offset = reach * (2.0 * chance.random::<f64>() - 1.0);
             let toward = (target + way.perp() * offset - position).try_normalize()?;
             let speed = speeds.start + (speeds.end - speeds.start) * chance.random::<f64>();
-            Some(Motion {
-                position,
-                velocity: toward * speed,
-            })
+            Some(Motion::new(position, toward * speed))
         })
         .collect()
 }

@@ -23,10 +23,7 @@ pub(in super::super) struct ProposedStroke {
 impl ProposedStroke {
     /// The stroke at `times` the speed that just suffices.
     pub(in super::super) fn motion(&self, times: f64) -> Motion {
-        Motion {
-            position: self.from,
-            velocity: self.toward * (self.speed * times),
-        }
+        Motion::new(self.from, self.toward * (self.speed * times))
     }
 }
 
