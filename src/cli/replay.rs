@@ -9,12 +9,13 @@ use serde::Serialize;
 
 use super::{Failure, given, print};
 use crate::files::FileErrors;
+use crate::game::pieces::piece_of;
 use crate::game::{
     Coin, Fingerprint, Game, GameSetup, GameStage, Move, Piece, RecordError, Ruling, SavedGame,
     Seat, Strike, Team,
 };
+use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
-use crate::physics::{EventKind, Shot};
 
 /// Play a saved or exported game again and print what the referee says.
 ///
@@ -126,13 +127,8 @@ fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
 
 /// What fell, in its order.
 fn pocketed(shot: &Shot, before: &Game) -> Vec<Piece> {
-    let coins = before.coins().iter().map(|coin| coin.piece);
-    let pieces: Vec<_> = std::iter::once(Piece::Striker).chain(coins).collect();
-    let falls = shot.events().iter().filter_map(|event| match event.kind {
-        EventKind::Pocket { disc, .. } => pieces.get(disc).copied(),
-        _ => None,
-    });
-    falls.collect()
+    let piece = |disc| piece_of(before.coins(), disc);
+    shot.fallen().filter_map(piece).collect()
 }
 
 const fn kind(made: &Move) -> &'static str {

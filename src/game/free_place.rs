@@ -45,22 +45,12 @@ pub(crate) fn for_the_queen(set: PieceSet, coins: &[Coin]) -> DVec2 {
 /// from the centre of the board; `None` if there is none.
 fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) -> Option<DVec2> {
     let spacing = 2.0 * set.coin_radius() + GAP;
-    let mut circles: Vec<Circle> = coins
-        .iter()
-        .map(|coin| Circle {
-            centre: coin.at,
-            radius: spacing,
-        })
-        .collect();
-    circles.extend(
-        [hole, rim]
-            .into_iter()
-            .filter(|radius| *radius > 0.0 && radius.is_finite())
-            .map(|radius| Circle {
-                centre: DVec2::ZERO,
-                radius,
-            }),
-    );
+    let circle = |centre, radius| Circle { centre, radius };
+    let around_coins = coins.iter().map(|coin| circle(coin.at, spacing));
+    let bounds = [hole, rim].into_iter();
+    let bounds = bounds.filter(|radius| *radius > 0.0 && radius.is_finite());
+    let bounds = bounds.map(|radius| circle(DVec2::ZERO, radius));
+    let circles: Vec<Circle> = around_coins.chain(bounds).collect();
 
     let free = |at: &DVec2| {
         (hole - SLACK..=rim + SLACK).contains(&at.length())

@@ -9,6 +9,7 @@ use std::fmt;
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
+use strum::{Display, IntoStaticStr};
 
 use crate::physics::Disc;
 
@@ -33,21 +34,9 @@ pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
 pub(crate) const GAP: f64 = 0.0001;
 
 /// One of the four kinds of piece; "white" where there is little room for its name.
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Serialize,
-    Deserialize,
-    strum::IntoStaticStr,
-)]
-#[strum(serialize_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "lowercase")]
 pub enum Piece {
     /// The disc that is struck.
     Striker,
@@ -70,8 +59,8 @@ impl fmt::Display for Piece {
     }
 }
 
-/// The colour a team plays in a board.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+/// The colour a team plays in a board; as a name for those who play it, "White".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Display, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Colour {
     /// Breaks, and so has the white coins (16).
@@ -98,21 +87,8 @@ impl Colour {
     }
 
     /// The colour as an adjective: "white".
-    pub const fn adjective(self) -> &'static str {
-        match self {
-            Self::White => "white",
-            Self::Black => "black",
-        }
-    }
-}
-
-impl fmt::Display for Colour {
-    /// The colour as a name for those who play it: "White".
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::White => "White",
-            Self::Black => "Black",
-        })
+    pub fn adjective(self) -> &'static str {
+        self.piece().into()
     }
 }
 
@@ -130,6 +106,14 @@ pub struct Coin {
 pub(crate) fn count(coins: &[Coin], piece: Piece) -> u8 {
     let found = coins.iter().filter(|coin| coin.piece == piece).count();
     u8::try_from(found).unwrap_or(u8::MAX)
+}
+
+/// The piece that a disc of a shot is: disc 0 the striker, disc i + 1 the coin `coins[i]`.
+pub(crate) fn piece_of(coins: &[Coin], disc: usize) -> Option<Piece> {
+    match disc.checked_sub(1) {
+        None => Some(Piece::Striker),
+        Some(i) => coins.get(i).map(|coin| coin.piece),
+    }
 }
 
 /// A point or a velocity as a pair of numbers in SI units, so that it reads back to

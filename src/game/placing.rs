@@ -17,7 +17,7 @@ use crate::physics::Board;
 
 /// Rounding allowed when a place is checked, in metres: as much as the engine
 /// allows discs to overlap.
-const SLACK: f64 = 1e-10;
+pub(super) const SLACK: f64 = 1e-10;
 
 /// Why the striker may not stand where it was put.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -62,9 +62,14 @@ impl<'a> BaseLines<'a> {
     /// The place `along` metres to the player's right of the middle, halfway
     /// between the base lines. It need not be a legal one.
     pub fn at(&self, along: f64) -> DVec2 {
+        self.seat.turn(DVec2::new(along, self.middle()))
+    }
+
+    /// How far above the middle of the board the player sees the middle between the base
+    /// lines, in metres.
+    pub(super) fn middle(&self) -> f64 {
         let from_frame = BASE_LINE_FROM_FRAME + BASE_LINE_GAP / 2.0;
-        let line = -self.board.side / 2.0 + from_frame;
-        self.seat.turn(DVec2::new(along, line))
+        -self.board.side / 2.0 + from_frame
     }
 
     /// How far to the player's right of the middle `at` lies, in metres.
@@ -84,7 +89,7 @@ impl<'a> BaseLines<'a> {
     /// The first reason why not.
     pub fn check(&self, at: DVec2) -> Result<(), Misplaced> {
         let here = self.seat.turn_back(at);
-        let middle = self.seat.turn_back(self.at(0.0)).y;
+        let middle = self.middle();
         let striker = self.set.striker_radius();
         let circle = DVec2::new(Self::base_circle_along(), middle);
         let from_circle = DVec2::new(here.x.abs(), here.y).distance(circle);
@@ -109,19 +114,18 @@ impl<'a> BaseLines<'a> {
     /// `None` if coins bar the whole length, which takes at least seven of them
     /// on the base lines.
     pub fn nearest(&self, at: DVec2) -> Option<DVec2> {
+        let (end, circle) = (self.end_of_the_lines(), Self::base_circle_along());
+        let ends = [self.along(at).clamp(-end, end), circle, -circle];
+        self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
+    }
+
+    /// The legal one nearest to `at` of these places, in metres along.
+    pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
-        let end = self.end_of_the_lines();
-        let mut places = vec![
-            wanted.clamp(-end, end),
-            Self::base_circle_along(),
-            -Self::base_circle_along(),
-        ];
-        places.extend(self.barred().flat_map(|(from, to)| [from, to]));
-        places
-            .into_iter()
-            .filter(|along| self.check(self.at(*along)).is_ok())
-            .min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs()))
-            .map(|along| self.at(along))
+        let apart = |along: &f64| (along - wanted).abs();
+        let legal = places.filter(|along| self.check(self.at(*along)).is_ok());
+        let nearest = legal.min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        nearest.map(|along| self.at(along))
     }
 
     /// Legal places from left to right: `steps` of them spread evenly between
@@ -133,9 +137,9 @@ impl<'a> BaseLines<'a> {
             let share = (f64::from(i) + 0.5) / f64::from(steps);
             end * (2.0 * share - 1.0)
         });
-        std::iter::once(-Self::base_circle_along())
-            .chain(spread)
-            .chain(std::iter::once(Self::base_circle_along()))
+        let circle = Self::base_circle_along();
+        let places = [-circle].into_iter().chain(spread).chain([circle]);
+        places
             .map(|along| self.at(along))
             .filter(|at| self.check(*at).is_ok())
             .collect()
@@ -147,14 +151,14 @@ impl<'a> BaseLines<'a> {
     }
 
     /// The open stretches of the middle line that coins bar, as distances along.
-    fn barred(&self) -> impl Iterator<Item = (f64, f64)> {
+    fn barred(&self) -> impl Iterator<Item = [f64; 2]> {
         let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
-        let middle = self.seat.turn_back(self.at(0.0)).y;
+        let middle = self.middle();
         self.coins.iter().filter_map(move |coin| {
             let coin = self.seat.turn_back(coin.at);
             let off = coin.y - middle;
             let half = reach * reach - off * off;
-            (half > 0.0).then(|| (coin.x - half.sqrt(), coin.x + half.sqrt()))
+            (half > 0.0).then(|| [coin.x - half.sqrt(), coin.x + half.sqrt()])
         })
     }
 }

@@ -182,11 +182,9 @@ impl BoardInPlay {
             self.queen_covered_by = Some(team);
             main.effects.push(RulingEffect::QueenCovered(colour));
         }
-        if let Some(end) = verdict.end {
-            let won = BoardWon {
-                winner: if end.won { team } else { team.other() },
-                points: end.points,
-            };
+        if let TurnFate::Ends { won, points } = verdict.turn {
+            let winner = if won { team } else { team.other() };
+            let won = BoardWon { winner, points };
             self.won = Some(won);
             // Whatever is owed is written off (28).
             self.owed = ByTeam::default();

@@ -28,12 +28,7 @@ impl Seat {
 
     /// The neighbour on the right hand.
     pub const fn right(self) -> Self {
-        match self {
-            Self::South => Self::East,
-            Self::East => Self::North,
-            Self::North => Self::West,
-            Self::West => Self::South,
-        }
+        Self::ALL[(self as usize + 1) % 4]
     }
 
     /// The seat across the board.
@@ -85,37 +80,21 @@ impl Team {
     }
 }
 
-/// One value for each team.
+/// One value for each team, the first team's first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct ByTeam<T> {
-    first: T,
-    second: T,
-}
-
-impl<T> ByTeam<T> {
-    /// The values of the first and of the second team.
-    pub const fn new(first: T, second: T) -> Self {
-        Self { first, second }
-    }
-}
+pub struct ByTeam<T>([T; 2]);
 
 impl<T> Index<Team> for ByTeam<T> {
     type Output = T;
 
     fn index(&self, team: Team) -> &T {
-        match team {
-            Team::First => &self.first,
-            Team::Second => &self.second,
-        }
+        &self.0[team as usize]
     }
 }
 
 impl<T> IndexMut<Team> for ByTeam<T> {
     fn index_mut(&mut self, team: Team) -> &mut T {
-        match team {
-            Team::First => &mut self.first,
-            Team::Second => &mut self.second,
-        }
+        &mut self.0[team as usize]
     }
 }
 

@@ -40,12 +40,7 @@ impl BaseLines<'_> {
     /// The legal place nearest to `at` that steps from the middle lead to: a whole
     /// number of steps away from it, or on a base circle. `None` if there is none.
     pub fn nearest_on_steps(&self, at: DVec2) -> Option<DVec2> {
-        let wanted = self.along(at);
-        let apart = |along: &f64| (along - wanted).abs();
-        Self::steps()
-            .filter(|along| self.check(self.at(*along)).is_ok())
-            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
-            .map(|along| self.at(along))
+        self.nearest_of(Self::steps(), at)
     }
 
     /// The next legal place on the steps at least `metres` to the player's right of

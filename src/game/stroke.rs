@@ -1,14 +1,13 @@
 //! What the laws need to know of a stroke.
 
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::pieces::{Coin, Piece, count};
-use crate::physics::{DiscState, EventKind, Shot};
+use super::pieces::{Coin, Piece, count, piece_of};
+use crate::physics::{DiscState, Shot};
 
 /// A stroke as the referee sees it: what was touched, what fell and what lies
 /// where afterwards. How it came about is the engine's business.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
     /// Whether the striker touched any piece.
     pub touched: bool,
@@ -69,18 +68,7 @@ impl Stroke {
                 found: shot.discs().len(),
             });
         }
-        let piece = |disc: usize| match disc.checked_sub(1) {
-            None => Some(Piece::Striker),
-            Some(i) => coins.get(i).map(|coin| coin.piece),
-        };
-        let pocketed = shot.events().iter().filter_map(|event| match event.kind {
-            EventKind::Pocket { disc, .. } => piece(disc),
-            _ => None,
-        });
-        let touched = shot
-            .events()
-            .iter()
-            .any(|event| matches!(event.kind, EventKind::Impact { .. }) && event.kind.involves(0));
+        let mut events = shot.events().iter();
         let left = coins
             .iter()
             .zip(shot.final_states().skip(1))
@@ -90,8 +78,11 @@ impl Stroke {
                 ..*coin
             });
         Ok(Self {
-            touched,
-            pocketed: pocketed.collect(),
+            touched: events.any(|event| event.kind.partner(0).is_some()),
+            pocketed: shot
+                .fallen()
+                .filter_map(|disc| piece_of(coins, disc))
+                .collect(),
             left: left.collect(),
         })
     }

@@ -3,11 +3,8 @@
 use thiserror::Error;
 
 use super::pieces::{COINS_EACH, Coin, Piece, PieceSet, count};
+use super::placing::SLACK;
 use crate::physics::Board;
-
-/// Overlap that rounding may leave between coins at rest, in metres: as much as
-/// the engine allows.
-const SLACK: f64 = 1e-10;
 
 /// Why a game cannot do what it is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]

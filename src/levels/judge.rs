@@ -76,7 +76,7 @@ impl Goal {
     fn judge(&self, shot: &Shot) -> Judged {
         let (met, seen) = match self {
             Self::Pocket { discs } => pocketed(discs, shot),
-            Self::Keep { disc } => match falls(shot).any(|fallen| fallen == *disc) {
+            Self::Keep { disc } => match shot.fallen().any(|fallen| fallen == *disc) {
                 true => (false, Observed::Fell),
                 false => (true, Observed::Nothing),
             },
@@ -191,32 +191,24 @@ impl FirstImpact {
     }
 }
 
-/// The discs that fall, in order.
-fn falls(shot: &Shot) -> impl Iterator<Item = usize> + '_ {
-    shot.events().iter().filter_map(|event| match event.kind {
-        EventKind::Pocket { disc, .. } => Some(disc),
-        _ => None,
-    })
-}
-
 fn pocketed(discs: &[usize], shot: &Shot) -> (bool, Observed) {
-    let stayed = |disc: &&usize| falls(shot).all(|fallen| fallen != **disc);
+    let stayed = |disc: &&usize| shot.fallen().all(|fallen| fallen != **disc);
     if let Some(&disc) = discs.iter().find(stayed) {
-        let near = shot.board().pockets()
+        let near = shot
+            .board()
+            .pockets()
             .map(|hole| nearest_on_path(shot, disc, hole).distance(hole))
             .min_by(f64::total_cmp);
         return (false, Observed::NotFallen(disc, near));
     }
-    let order: Vec<_> = falls(shot).filter(|disc| discs.contains(disc)).collect();
+    let order: Vec<_> = shot.fallen().filter(|disc| discs.contains(disc)).collect();
     (order == discs, Observed::FellInOrder(order))
 }
 
 /// The events before two discs first meet; `None` if they never do.
 fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
-    let at = shot.events().iter().position(|event| match event.kind {
-        EventKind::Impact { discs, .. } => discs.contains(&one) && discs.contains(&other),
-        _ => false,
-    })?;
+    let meets = |event: &Event| event.kind.partner(one) == Some(other);
+    let at = shot.events().iter().position(meets)?;
     shot.events().get(..at)
 }
 
@@ -229,11 +221,7 @@ fn cushions(disc: usize, events: &[Event]) -> usize {
 fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Observed) {
     let hit_by = match by {
         Some(by) => before_meeting(disc, by, shot).map(|_| by),
-        None => shot.events().iter().find_map(|event| match event.kind {
-            EventKind::Impact { discs: [a, b], .. } if a == disc => Some(b),
-            EventKind::Impact { discs: [a, b], .. } if b == disc => Some(a),
-            _ => None,
-        }),
+        None => (shot.events().iter()).find_map(|event| event.kind.partner(disc)),
     };
     match hit_by {
         Some(by) => (false, Observed::HitBy(by)),
@@ -242,19 +230,16 @@ fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Observed) {
 }
 
 fn banked(disc: usize, target: usize, least: usize, shot: &Shot) -> (bool, Observed) {
-    let meets = |event: &Event| match event.kind {
-        EventKind::Impact { discs, .. } => discs.contains(&disc),
-        _ => false,
-    };
-    let Some(at) = shot.events().iter().position(meets) else {
-        return (false, Observed::Nothing);
-    };
-    let (before, from) = shot.events().split_at(at);
-    match from.first().map(|event| event.kind) {
-        Some(EventKind::Impact { discs, .. }) if discs.contains(&target) => {
-            counted(cushions(disc, before), least)
+    let partners = shot.events().iter().map(|event| event.kind.partner(disc));
+    match partners
+        .enumerate()
+        .find_map(|(at, other)| Some((at, other?)))
+    {
+        None => (false, Observed::Nothing),
+        Some((at, other)) if other == target => {
+            counted(cushions(disc, &shot.events()[..at]), least)
         }
-        _ => (false, Observed::OtherFirst),
+        Some(_) => (false, Observed::OtherFirst),
     }
 }
 

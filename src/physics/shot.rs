@@ -68,10 +68,13 @@ impl EventKind {
         }
     }
 
-    /// Whether the event is about this disc.
-    pub fn involves(&self, disc: usize) -> bool {
-        let (a, b) = self.discs();
-        a == disc || b == Some(disc)
+    /// The other disc of an impact in which this one takes part.
+    pub fn partner(&self, disc: usize) -> Option<usize> {
+        match self.discs() {
+            (a, Some(b)) if a == disc => Some(b),
+            (a, Some(b)) if b == disc => Some(a),
+            _ => None,
+        }
     }
 }
 
@@ -198,6 +201,14 @@ impl Shot {
     /// All events in the order in which they happened.
     pub fn events(&self) -> &[Event] {
         &self.events
+    }
+
+    /// The discs that fell into pockets, in order.
+    pub fn fallen(&self) -> impl Iterator<Item = usize> + '_ {
+        self.events.iter().filter_map(|event| match event.kind {
+            EventKind::Pocket { disc, .. } => Some(disc),
+            _ => None,
+        })
     }
 
     /// How a disc started.

@@ -1,7 +1,5 @@
 //! All that the rules look at, and what they can decide.
 
-use serde::{Deserialize, Serialize};
-
 use super::Law;
 use crate::game::pieces::{COINS_EACH, Colour};
 
@@ -11,8 +9,7 @@ pub(super) const QUEEN_POINTS: u8 = 3;
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 
 /// The queen just before a stroke.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenBefore {
     /// On the board.
     OnBoard,
@@ -114,15 +111,13 @@ pub(crate) enum TurnFate {
     Continues,
     /// The next.
     Passes,
-}
-
-/// The end of a board, seen from the player who struck.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct BoardEnd {
-    /// Whether that player won it.
-    pub won: bool,
-    /// Points to the winner.
-    pub points: u8,
+    /// Nobody: the board is over.
+    Ends {
+        /// Whether the player who struck won it.
+        won: bool,
+        /// Points to the winner.
+        points: u8,
+    },
 }
 
 /// What the rules decide.
@@ -138,10 +133,8 @@ pub(crate) struct Verdict {
     pub dues: u8,
     /// What becomes of the queen.
     pub queen: QueenFate,
-    /// Who strikes next, if the board goes on.
+    /// Who strikes next.
     pub turn: TurnFate,
-    /// The end of the board, if this is it.
-    pub end: Option<BoardEnd>,
 }
 
 impl Verdict {
@@ -153,7 +146,6 @@ impl Verdict {
             dues: 0,
             queen: QueenFate::Stays,
             turn,
-            end: None,
         }
     }
 
@@ -168,11 +160,8 @@ impl Verdict {
     }
 
     /// The board is over.
-    pub(super) fn ends(law: impl Into<Option<Law>>, text: String, end: BoardEnd) -> Self {
-        Self {
-            end: Some(end),
-            ..Self::new(law.into(), text, TurnFate::Passes)
-        }
+    pub(super) fn ends(law: impl Into<Option<Law>>, text: String, won: bool, points: u8) -> Self {
+        Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
 
     /// That many own coins are put back at once.
@@ -187,7 +176,15 @@ impl Verdict {
 
     /// What becomes of the queen.
     pub(super) fn queen(self, queen: QueenFate) -> Self {
-        Self { queen, ..self }
+        self.queen_if(true, queen)
+    }
+
+    /// What becomes of the queen in this case; in any other she stays.
+    pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
+        if case {
+            self.queen = queen;
+        }
+        self
     }
 }
 

@@ -1,6 +1,6 @@
 //! Last coins: who wins the board, and by how much (25 to 28, 75 to 85).
 
-use super::case::{BoardEnd, Case, QueenBefore, QueenFate, Verdict, points};
+use super::case::{Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
 /// The most points a board can bring (28).
@@ -154,5 +154,5 @@ fn ends(case: &Case, law: Law, by: u8, why: String, won: bool) -> Verdict {
     };
     let by = by.min(MOST_POINTS);
     let text = why + &format!(", so {winner} wins the board by {}.", points(by));
-    Verdict::ends(law, text, BoardEnd { won, points: by })
+    Verdict::ends(law, text, won, by)
 }

@@ -13,7 +13,7 @@
 
 use crate::game::pieces::COINS_EACH;
 
-use super::case::{BoardEnd, Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, points};
+use super::case::{Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, points};
 
 /// The verdict on a stroke in the friendly game.
 pub(super) fn judge(case: &Case) -> Verdict {
@@ -51,30 +51,18 @@ fn ending(case: &Case) -> Option<Verdict> {
         winner.adjective(),
         points(by)
     );
-    let verdict = Verdict::ends(None, text, BoardEnd { won, points: by });
-    Some(if covers {
-        verdict.queen(QueenFate::Covered)
-    } else {
-        verdict
-    })
+    Some(Verdict::ends(None, text, won, by).queen_if(covers, QueenFate::Covered))
 }
 
 fn striker_fell(case: &Case) -> Verdict {
     let player = case.colour;
-    let verdict = Verdict {
-        own_back: u8::from(case.own_left() < COINS_EACH),
-        ..Verdict::passes(
-            None,
-            format!(
-                "The striker fell, so one of {player}'s coins goes back, if there is one, and the turn passes."
-            ),
-        )
-    };
-    if case.queen_fell || case.queen == QueenBefore::ToCover {
-        verdict.queen(QueenFate::GoesBack)
-    } else {
-        verdict
-    }
+    let text = format!(
+        "The striker fell, so one of {player}'s coins goes back, if there is one, and the turn passes."
+    );
+    let queen_open = case.queen_fell || case.queen == QueenBefore::ToCover;
+    Verdict::passes(None, text)
+        .own_back(u8::from(case.own_left() < COINS_EACH))
+        .queen_if(queen_open, QueenFate::GoesBack)
 }
 
 fn proper(case: &Case) -> Verdict {

@@ -1,17 +1,13 @@
 //! Practice: no turns, no dues, no cover. What falls stays down, and one plays
 //! on until the board is empty.
 
-use super::case::{BoardEnd, Case, QueenBefore, QueenFate, Verdict};
+use super::case::{Case, QueenBefore, QueenFate, Verdict};
 
 /// The verdict on a stroke in practice.
 pub(super) fn judge(case: &Case) -> Verdict {
     let queen_left = case.queen == QueenBefore::OnBoard && !case.queen_fell;
     if case.own_left() == 0 && case.other_left() == 0 && !queen_left {
-        let end = BoardEnd {
-            won: true,
-            points: 0,
-        };
-        return Verdict::ends(None, "The board is empty: well played.".to_owned(), end);
+        return Verdict::ends(None, "The board is empty: well played.".to_owned(), true, 0);
     }
     let fell = case.own_fell + case.other_fell + u8::from(case.queen_fell);
     let text = match (fell, case.striker_fell) {
@@ -21,10 +17,5 @@ pub(super) fn judge(case: &Case) -> Verdict {
         (1, false) => "One piece is down; play on.".to_owned(),
         (more, false) => format!("{more} pieces are down; play on."),
     };
-    let verdict = Verdict::continues(None, text);
-    if case.queen_fell {
-        verdict.queen(QueenFate::Covered)
-    } else {
-        verdict
-    }
+    Verdict::continues(None, text).queen_if(case.queen_fell, QueenFate::Covered)
 }

@@ -30,6 +30,10 @@ pub struct Slip {
 }
 
 impl Hand {
+    pub(super) const fn new(direction: f64, speed: f64) -> Self {
+        Self { direction, speed }
+    }
+
     /// A slip of this hand.
     pub(super) fn slip(self, chance: &mut Pcg64) -> Slip {
         Slip {

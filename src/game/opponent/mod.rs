@@ -138,8 +138,7 @@ fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Candidat
         judge: Judge {
             board,
             team: game.team(game.seat()),
-            hand: skill.hand,
-            looks_ahead: skill.looks_ahead,
+            skill,
         },
         rehearsal: Rehearsal::new(game, board),
         chance: Pcg64::seed_from_u64(seed),

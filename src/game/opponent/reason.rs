@@ -1,14 +1,12 @@
 //! Why a stroke was chosen.
 
-use serde::{Deserialize, Serialize};
-
 use super::story::{Chance, Story};
 use super::words;
 use crate::game::Seat;
 
 /// What a chosen stroke does when it is struck exactly as it was meant, and how sure
 /// it is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reason {
     /// From where it was seen: left, right, near and far are this player's.
     pub seat: Seat,

@@ -16,8 +16,8 @@ use super::story::Chance;
 use super::strength::Skill;
 use super::wants::wants;
 use super::worth::Judge;
+use crate::game::Game;
 use crate::game::steps::on_steps;
-use crate::game::{BaseLines, Game};
 use crate::physics::{Board, Motion};
 
 /// Aims that are kept of one course: neighbouring places give much the same shot.
@@ -51,7 +51,7 @@ pub(super) struct Search<'a> {
     pub(super) chance: Pcg64,
 }
 
-impl<'a> Search<'a> {
+impl Search<'_> {
     /// The best stroke from a legal place; `None` if coins bar them all.
     pub(super) fn best(&mut self) -> Option<Candidate> {
         let places = self.places();
@@ -73,7 +73,7 @@ impl<'a> Search<'a> {
     /// Places along the base lines; where coins bar all of those, the free one that is
     /// nearest to the middle.
     fn places(&self) -> Vec<DVec2> {
-        let lines = self.lines();
+        let lines = self.game.base_lines(self.board);
         let mut places = lines.candidates(self.skill.places);
         if self.skill.on_steps {
             let on_steps = places.iter().filter_map(|at| lines.nearest_on_steps(*at));
@@ -86,10 +86,6 @@ impl<'a> Search<'a> {
         places
     }
 
-    fn lines(&self) -> BaseLines<'a> {
-        self.game.base_lines(self.board)
-    }
-
     /// Every stroke that geometry proposes, tried once as it is meant.
     fn first_look(&mut self, places: &[DVec2]) -> Vec<Candidate> {
         let mut proposed: Vec<(Motion, f64)> = Vec::new();
@@ -99,7 +95,7 @@ impl<'a> Search<'a> {
             let playable = strokes.filter(|(motion, _)| motion.velocity.length() <= FASTEST);
             proposed.extend(playable);
         }
-        let sight = self.sight();
+        let sight = Sight::of(self.game, self.board);
         let speeds = if self.game.play().is_unbroken() {
             BREAK
         } else {
@@ -115,15 +111,12 @@ impl<'a> Search<'a> {
 
     /// The aims that forgive most, the most forgiving first.
     fn aims(&self, places: &[DVec2]) -> Vec<ProposedStroke> {
-        let sight = self.sight();
+        let sight = Sight::of(self.game, self.board);
         let mut aims = Vec::new();
         for course in self.courses(&sight) {
             let mut own: Vec<ProposedStroke> = strikes(&sight, &course, places).collect();
-            own.extend(strikes(
-                &sight,
-                &course,
-                self.straight_place(&course).as_slice(),
-            ));
+            let behind = self.straight_place(&course);
+            own.extend(strikes(&sight, &course, behind.as_slice()));
             if self.skill.cushions {
                 own.extend(kicks(&sight, &course, places));
             }
@@ -154,11 +147,11 @@ impl<'a> Search<'a> {
     /// The place from which a course is a full, straight hit, or the legal one
     /// nearest to it.
     fn straight_place(&self, course: &PocketPath) -> Option<DVec2> {
-        let lines = self.lines();
+        let lines = self.game.base_lines(self.board);
         let seat = self.game.seat();
         let coin = seat.turn_back(self.game.coins().get(course.coin)?.at);
         let way = seat.turn_back(course.toward);
-        let back = (coin.y - seat.turn_back(lines.at(0.0)).y) / way.y;
+        let back = (coin.y - lines.middle()) / way.y;
         let along = coin.x - way.x * back;
         let there = (back > 0.0 && along.is_finite()).then(|| lines.at(along))?;
         if self.skill.on_steps {
@@ -177,10 +170,7 @@ impl<'a> Search<'a> {
             .collect();
         if self.skill.on_steps {
             // Whoever sets a stroke by keys strikes it exactly so.
-            slips
-                .iter_mut()
-                .take(1)
-                .for_each(|slip| *slip = Slip::default());
+            slips[..1.min(count)].fill(Slip::default());
         }
         let finalists = choices.iter().take(self.skill.finalists);
         let tried = finalists.filter_map(|c| self.tried(c.motion, c.allowance, &slips));
@@ -226,14 +216,6 @@ impl<'a> Search<'a> {
             fouls,
             allowance,
         })
-    }
-
-    fn sight(&self) -> Sight<'a> {
-        Sight {
-            board: self.board,
-            set: self.game.setup().set,
-            coins: self.game.coins(),
-        }
     }
 }
 

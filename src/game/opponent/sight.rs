@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::game::pieces::{Coin, Piece, PieceSet};
+use crate::game::{Coin, Game, Piece, PieceSet};
 use crate::physics::{Board, RestingTarget};
 
 /// Coins on a board, and the numbers that shots are made of.
@@ -16,15 +16,13 @@ pub(super) struct Sight<'a> {
 /// A wall of the frame, by the unit vector that points into it.
 pub(super) const WALLS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
 
-impl Sight<'_> {
-    /// The four pockets, in the order in which the engine numbers the corners.
-    pub(super) fn pockets(&self) -> [DVec2; 4] {
-        let far = self.board.side / 2.0 - self.pocket_radius();
-        [(-far, -far), (far, -far), (-far, far), (far, far)].map(DVec2::from)
-    }
-
-    pub(super) fn pocket_radius(&self) -> f64 {
-        self.board.pocket_diameter / 2.0
+impl<'a> Sight<'a> {
+    pub(super) fn of(game: &'a Game, board: &'a Board) -> Self {
+        Self {
+            board,
+            set: game.setup().set,
+            coins: game.coins(),
+        }
     }
 
     pub(super) fn coin(&self) -> f64 {
@@ -46,13 +44,13 @@ impl Sight<'_> {
     }
 
     /// The speed in m/s a disc needs to have `left` of it after `distance` metres.
-    pub(super) fn speed_for(&self, distance: f64, left: f64) -> f64 {
+    fn speed_for(&self, distance: f64, left: f64) -> f64 {
         (left * left + 2.0 * self.board.deceleration() * distance).sqrt()
     }
 
     /// Whether a disc of `radius` can go straight from one point to another past
     /// every coin but those that take part.
-    pub(super) fn is_clear(&self, from: DVec2, to: DVec2, radius: f64, part: &[usize]) -> bool {
+    fn is_clear(&self, from: DVec2, to: DVec2, radius: f64, part: [Option<usize>; 2]) -> bool {
         let way = to - from;
         let length_squared = way.length_squared();
         let reach = radius + self.coin();
@@ -63,7 +61,7 @@ impl Sight<'_> {
             } else {
                 0.0
             };
-            (seen - way * share).length_squared() >= reach * reach || part.contains(&i)
+            (seen - way * share).length_squared() >= reach * reach || part.contains(&Some(i))
         })
     }
 
@@ -78,13 +76,7 @@ impl Sight<'_> {
     /// The wall takes the part 1 − e of the velocity across it and leaves the rest,
     /// so the disc must aim at the image of its goal that lies 1/e times as far
     /// behind the wall as the goal lies before it.
-    pub(super) fn bounce(
-        &self,
-        from: DVec2,
-        to: DVec2,
-        wall: DVec2,
-        radius: f64,
-    ) -> Option<Bounce> {
+    pub(super) fn bounce(&self, from: DVec2, to: DVec2, wall: DVec2, radius: f64) -> Option<Way> {
         let e = self.board.cushion_restitution;
         let line = self.board.side / 2.0 - radius;
         let (before, behind) = (line - from.dot(wall), line - to.dot(wall));
@@ -96,24 +88,74 @@ impl Sight<'_> {
         let at = from + toward * (before / across);
         let after = toward - wall * ((1.0 + e) * across);
         let kept = after.length();
-        Some(Bounce {
+        Some(Way {
+            from,
+            to,
             toward,
-            at,
-            leaving: after / kept,
-            kept,
+            arriving: after / kept,
+            wall: Some((at, kept)),
         })
     }
 }
 
-/// The way of a disc by a wall.
+/// A way of a disc from one point to another, straight or by a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bounce {
+pub(super) struct Way {
+    pub(super) from: DVec2,
+    pub(super) to: DVec2,
     /// Its direction at the start.
     pub(super) toward: DVec2,
-    /// Its centre when it meets the wall.
-    pub(super) at: DVec2,
-    /// Its direction from there.
-    pub(super) leaving: DVec2,
-    /// The share of its speed that the wall leaves it.
-    pub(super) kept: f64,
+    /// Its direction at the end.
+    pub(super) arriving: DVec2,
+    /// Where the disc's centre is when it meets a wall, and the share of its speed that
+    /// the wall leaves it.
+    wall: Option<(DVec2, f64)>,
+}
+
+impl Way {
+    /// The straight way; `None` if there is none to go.
+    pub(super) fn straight(from: DVec2, to: DVec2) -> Option<Self> {
+        let toward = (to - from).try_normalize()?;
+        Some(Self {
+            from,
+            to,
+            toward,
+            arriving: toward,
+            wall: None,
+        })
+    }
+
+    /// Metres to the wall, and from there to the end.
+    fn legs(&self) -> (f64, f64) {
+        let turn = self.wall.map_or(self.from, |(at, _)| at);
+        (self.from.distance(turn), turn.distance(self.to))
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        let (before, after) = self.legs();
+        before + after
+    }
+
+    /// The speed in m/s a disc needs at the start to have `left` of it `short` metres
+    /// before the end.
+    pub(super) fn speed(&self, sight: &Sight, short: f64, left: f64) -> f64 {
+        let (before, after) = self.legs();
+        let leaving = sight.speed_for((after - short).max(0.0), left);
+        self.wall
+            .map_or(leaving, |(_, kept)| sight.speed_for(before, leaving / kept))
+    }
+
+    /// Whether a disc of `radius` can go it past every coin but itself, if it is the coin
+    /// `own`, and the coin `target` at its end.
+    pub(super) fn is_clear(
+        &self,
+        sight: &Sight,
+        radius: f64,
+        own: Option<usize>,
+        target: Option<usize>,
+    ) -> bool {
+        let turn = self.wall.map(|(at, _)| at);
+        turn.is_none_or(|at| sight.is_clear(self.from, at, radius, [own, None]))
+            && sight.is_clear(turn.unwrap_or(self.from), self.to, radius, [own, target])
+    }
 }

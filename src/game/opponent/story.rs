@@ -3,16 +3,14 @@
 //! Nothing is taken over from the search: the story of a shot is what the exact
 //! record says happened in it, so that the words are true of it.
 
-use glam::DVec2;
-use serde::{Deserialize, Serialize};
-
 use super::wants::wants;
-use crate::game::{Game, Piece};
+use crate::game::pieces::piece_of;
+use crate::game::{Coin, Game, Piece};
 use crate::physics::angle::signed_angle;
 use crate::physics::{EventKind, Shot};
 
 /// How often a stroke worked when it was rehearsed with an unsteady hand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Chance {
     /// The rehearsals in which a wanted piece fell, and the striker did not.
     pub fell: u8,
@@ -33,7 +31,7 @@ impl Chance {
 }
 
 /// The first meeting of the striker with a coin, which is at rest until then.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstContact {
     /// The coin it met, by its place in [`Game::coins`].
     pub coin: usize,
@@ -54,7 +52,7 @@ pub struct FirstContact {
 }
 
 /// How the first wanted piece fell.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fall {
     /// The coin, by its place in [`Game::coins`].
     pub coin: usize,
@@ -69,7 +67,7 @@ pub struct Fall {
 }
 
 /// A shot in short.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Story {
     /// The first meeting; `None` if the striker touched nothing.
     pub first_hit: Option<FirstContact>,
@@ -85,7 +83,9 @@ impl Story {
         let mut falls = falls(game, shot);
         Self {
             first_hit: first_hit(game, shot),
-            fall: falls.next().and_then(|fallen| fallen.told(game, shot)),
+            fall: falls
+                .next()
+                .and_then(|fallen| fallen.told(game.coins(), shot)),
             also: u8::try_from(falls.count()).unwrap_or(u8::MAX),
         }
     }
@@ -96,13 +96,6 @@ impl Story {
             let straight = hit.cushions == 0 && fall.cushions == 0;
             straight && fall.sent_by == Piece::Striker && fall.coin == hit.coin
         })
-    }
-}
-
-fn piece(game: &Game, disc: usize) -> Option<Piece> {
-    match disc.checked_sub(1) {
-        None => Some(Piece::Striker),
-        Some(i) => game.coins().get(i).map(|coin| coin.piece),
     }
 }
 
@@ -118,15 +111,15 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
                 after,
             } if a == 0 || b == 0 => {
                 // The record may name the coin first.
-                let (disc, [u1, _], [v1, _], normal) = match a {
-                    0 => (b, before, after, normal),
-                    _ => (a, swapped(before), swapped(after), -normal),
+                let (disc, u1, v1, normal) = match a {
+                    0 => (b, before[0], after[0], normal),
+                    _ => (a, before[1], after[1], -normal),
                 };
                 let reach = shot.discs().first()?.radius + shot.discs().get(disc)?.radius;
                 let along = u1.try_normalize()?;
                 return Some(FirstContact {
                     coin: disc.checked_sub(1)?,
-                    piece: piece(game, disc)?,
+                    piece: piece_of(game.coins(), disc)?,
                     cushions,
                     alpha: signed_angle(normal, along)?,
                     offset: reach * normal.perp_dot(along),
@@ -140,10 +133,6 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
     None
 }
 
-fn swapped([a, b]: [DVec2; 2]) -> [DVec2; 2] {
-    [b, a]
-}
-
 /// A disc and where in the record it fell into which corner.
 struct Fallen {
     disc: usize,
@@ -155,7 +144,7 @@ struct Fallen {
 fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + 'a {
     let events = shot.events().iter().enumerate();
     events.filter_map(|(when, event)| match event.kind {
-        EventKind::Pocket { disc, corner } if wants(game, piece(game, disc)?) => {
+        EventKind::Pocket { disc, corner } if wants(game, piece_of(game.coins(), disc)?) => {
             Some(Fallen { disc, corner, when })
         }
         _ => None,
@@ -164,24 +153,20 @@ fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + '
 
 impl Fallen {
     /// How it came there: back through the record to the last impact.
-    fn told(&self, game: &Game, shot: &Shot) -> Option<Fall> {
+    fn told(&self, coins: &[Coin], shot: &Shot) -> Option<Fall> {
         let mut cushions = 0_u8;
         for event in shot.events().iter().take(self.when).rev() {
-            match event.kind {
-                EventKind::Cushion { disc, .. } if disc == self.disc => {
-                    cushions = cushions.saturating_add(1);
-                }
-                EventKind::Impact { discs: [a, b], .. } if a == self.disc || b == self.disc => {
-                    let sender = if a == self.disc { b } else { a };
-                    return Some(Fall {
-                        coin: self.disc.checked_sub(1)?,
-                        piece: piece(game, self.disc)?,
-                        corner: self.corner,
-                        sent_by: piece(game, sender)?,
-                        cushions,
-                    });
-                }
-                _ => {}
+            if let Some(sender) = event.kind.partner(self.disc) {
+                return Some(Fall {
+                    coin: self.disc.checked_sub(1)?,
+                    piece: piece_of(coins, self.disc)?,
+                    corner: self.corner,
+                    sent_by: piece_of(coins, sender)?,
+                    cushions,
+                });
+            }
+            if matches!(event.kind, EventKind::Cushion { disc, .. } if disc == self.disc) {
+                cushions = cushions.saturating_add(1);
             }
         }
         None

@@ -1,8 +1,7 @@
 //! How strong an opponent is: how far it looks and how steady its hand is.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
+use strum::Display;
 
 use super::hand::Hand;
 
@@ -19,9 +18,10 @@ use super::hand::Hand;
 /// | expert | 0.55° | 7 % | all | yes |
 /// | champion | 0.3° | 4 % | all | yes |
 #[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize,
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Default, Display, Serialize, Deserialize,
 )]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "lowercase")]
 pub enum Strength {
     /// Sees the plain cuts and has a lively hand.
     Beginner,
@@ -29,6 +29,7 @@ pub enum Strength {
     #[default]
     Regular,
     /// Thinks of the stroke after this one, and sees one coin drive another.
+    #[strum(to_string = "club player")]
     Club,
     /// Sees cushion shots too, and tries each with an unsteady hand in mind.
     Expert,
@@ -88,10 +89,7 @@ impl Strength {
     pub(super) fn skill(self) -> Skill {
         match self {
             Self::Beginner => Skill {
-                hand: Hand {
-                    direction: 0.05,
-                    speed: 0.20,
-                },
+                hand: Hand::new(0.05, 0.20),
                 places: 5,
                 combinations: false,
                 cushions: false,
@@ -105,10 +103,7 @@ impl Strength {
                 on_steps: false,
             },
             Self::Regular => Skill {
-                hand: Hand {
-                    direction: 0.03,
-                    speed: 0.15,
-                },
+                hand: Hand::new(0.03, 0.15),
                 places: 9,
                 aims: 10,
                 speeds: &[1.5],
@@ -116,10 +111,7 @@ impl Strength {
                 ..Self::Beginner.skill()
             },
             Self::Club => Skill {
-                hand: Hand {
-                    direction: 0.0175,
-                    speed: 0.10,
-                },
+                hand: Hand::new(0.0175, 0.10),
                 places: 13,
                 combinations: true,
                 aims: 16,
@@ -131,10 +123,7 @@ impl Strength {
                 ..Self::Regular.skill()
             },
             Self::Expert => Skill {
-                hand: Hand {
-                    direction: 0.0096,
-                    speed: 0.07,
-                },
+                hand: Hand::new(0.0096, 0.07),
                 places: 17,
                 cushions: true,
                 aims: 40,
@@ -146,10 +135,7 @@ impl Strength {
                 ..Self::Club.skill()
             },
             Self::Champion => Skill {
-                hand: Hand {
-                    direction: 0.0052,
-                    speed: 0.04,
-                },
+                hand: Hand::new(0.0052, 0.04),
                 places: 25,
                 aims: 80,
                 speeds: &[1.15, 1.5, 2.0, 2.8],
@@ -168,18 +154,6 @@ impl Skill {
         let first_look = self.aims * self.speeds.len() + self.knocks;
         // One more: the stroke as it is meant, to tell of it afterwards.
         first_look + (self.finalists + self.refinements) * self.slips + 1
-    }
-}
-
-impl fmt::Display for Strength {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Beginner => "beginner",
-            Self::Regular => "regular",
-            Self::Club => "club player",
-            Self::Expert => "expert",
-            Self::Champion => "champion",
-        })
     }
 }
 

@@ -3,6 +3,7 @@
 use super::hand::Hand;
 use super::shots::{straight, strikes};
 use super::sight::Sight;
+use super::strength::Skill;
 use super::wants::wants_from;
 use crate::game::laws::Rules;
 use crate::game::{BaseLines, Game, Seat, Team};
@@ -24,47 +25,41 @@ const PLACES: u16 = 7;
 pub(super) struct Judge<'a> {
     pub(super) board: &'a Board,
     pub(super) team: Team,
-    /// The hand that both sides are thought to have.
-    pub(super) hand: Hand,
-    pub(super) looks_ahead: bool,
+    /// What both sides are thought to be able to do.
+    pub(super) skill: Skill,
 }
 
 impl Judge<'_> {
     /// What `game` is worth to the team.
     pub(super) fn worth(&self, game: &Game) -> f64 {
-        let sides = [(self.team, 1.0), (self.team.other(), -1.0)];
         if let Some(won) = game.play().won() {
-            let sign = if won.winner == self.team { 1.0 } else { -1.0 };
-            return sign * (BOARD + f64::from(won.points));
+            return self.sign(won.winner) * (BOARD + f64::from(won.points));
         }
         if game.setup().rules == Rules::Practice {
             // Nobody to play against: every coin is one's own.
             return self.prospect(game, game.seat()) * TO_STRIKE - game.coins().len() as f64;
         }
-        let counted: f64 = sides
-            .iter()
-            .map(|(team, sign)| {
-                let left = game.play().on_board(game.colour(*team)) + game.play().owed(*team);
-                let queen = game.play().queen_covered_by() == Some(*team);
-                sign * (if queen { QUEEN } else { 0.0 } - f64::from(left))
-            })
-            .sum();
-        counted + self.prospects(game)
+        let play = game.play();
+        let counted = |team| {
+            let left = play.on_board(game.colour(team)) + play.owed(team);
+            let queen = play.queen_covered_by() == Some(team);
+            self.sign(team) * (if queen { QUEEN } else { 0.0 } - f64::from(left))
+        };
+        counted(self.team) + counted(self.team.other()) + self.prospects(game)
+    }
+
+    /// 1 for what is good for the team, −1 for what is good for the other.
+    fn sign(&self, team: Team) -> f64 {
+        if team == self.team { 1.0 } else { -1.0 }
     }
 
     /// What the next strokes of both sides promise.
     fn prospects(&self, game: &Game) -> f64 {
-        if !self.looks_ahead {
+        if !self.skill.looks_ahead {
             return 0.0;
         }
         let (seat, next) = (game.seat(), game.setup().hands.next(game.seat()));
-        let sign = |seat| {
-            if game.team(seat) == self.team {
-                1.0
-            } else {
-                -1.0
-            }
-        };
+        let sign = |seat| self.sign(game.team(seat));
         let first = self.prospect(game, seat);
         let queen = if game.play().queen_to_cover() {
             QUEEN * first
@@ -77,16 +72,11 @@ impl Judge<'_> {
     /// How likely the player at `seat` pockets something with the easiest straight
     /// shot, 0 to 1.
     fn prospect(&self, game: &Game, seat: Seat) -> f64 {
-        if !self.looks_ahead {
+        if !self.skill.looks_ahead {
             return 0.0;
         }
-        let set = game.setup().set;
-        let sight = Sight {
-            board: self.board,
-            set,
-            coins: game.coins(),
-        };
-        let places = BaseLines::new(self.board, set, seat, game.coins()).candidates(PLACES);
+        let sight = Sight::of(game, self.board);
+        let places = BaseLines::new(self.board, sight.set, seat, sight.coins).candidates(PLACES);
         let wanted = game.coins().iter().enumerate();
         let easiest = wanted
             .filter(|(_, coin)| wants_from(game, seat, coin.piece))
@@ -96,7 +86,7 @@ impl Judge<'_> {
                 aims.map(|aim| aim.allowance).fold(0.0, f64::max)
             })
             .fold(0.0, f64::max);
-        likelihood(easiest, self.hand)
+        likelihood(easiest, self.skill.hand)
     }
 }
 

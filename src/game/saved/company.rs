@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::files::{is_invisible, tidy_name};
 use crate::game::opponent::Strength;
-use crate::game::seat::Seat;
 
 /// Who plays from a seat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,7 +41,7 @@ impl Default for Aids {
 /// began.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Company {
-    /// Who plays from each seat, in the order of [`Seat::ALL`].
+    /// Who plays from each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],
     /// How strong the computer is.
     pub strength: Strength,
@@ -56,32 +55,10 @@ pub struct Company {
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Players {
-    south: Player,
-    east: Player,
-    north: Player,
-    west: Player,
-}
-
-impl From<[Player; 4]> for Players {
-    /// In the order of [`Seat::ALL`].
-    fn from([south, east, north, west]: [Player; 4]) -> Self {
-        const _: () = assert!(matches!(
-            Seat::ALL,
-            [Seat::South, Seat::East, Seat::North, Seat::West]
-        ));
-        Self {
-            south,
-            east,
-            north,
-            west,
-        }
-    }
-}
-
-impl From<Players> for [Player; 4] {
-    fn from(players: Players) -> Self {
-        [players.south, players.east, players.north, players.west]
-    }
+    pub(super) south: Player,
+    pub(super) east: Player,
+    pub(super) north: Player,
+    pub(super) west: Player,
 }
 
 /// Whether this can be shown as the name of a player: 1 to 40 letters, all of them

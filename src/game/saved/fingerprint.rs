@@ -2,15 +2,15 @@
 
 use std::fmt;
 
-use crate::game::pieces::Piece;
-use crate::game::seat::{Seat, Team};
+use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
 
 /// A number that differs between games that differ in a single bit, but for one
 /// chance in 10¹⁹: what lies where, the turn, the dues, the queen, the score.
 ///
-/// It is FNV-1a (64 bits) of those, in an order that is part of the file format. It
+/// It is FNV-1a (64 bits) of those, in an order that is part of the file format, as the
+/// orders are in which pieces, seats and teams are declared. It
 /// finds damage and differences between machines; it is no seal against forgery.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Fingerprint(u64);
@@ -20,28 +20,14 @@ impl Fingerprint {
     pub fn of(game: &Game) -> Self {
         let mut hash = Self(FNV_START);
         for coin in game.coins() {
-            hash.take(&[match coin.piece {
-                Piece::Striker => 0,
-                Piece::White => 1,
-                Piece::Black => 2,
-                Piece::Queen => 3,
-            }]);
+            hash.take(&[coin.piece as u8]);
             hash.take(&coin.at.x.to_bits().to_le_bytes());
             hash.take(&coin.at.y.to_bits().to_le_bytes());
         }
-        let team = |team| match team {
-            None => 0,
-            Some(Team::First) => 1,
-            Some(Team::Second) => 2,
-        };
+        let team = |team: Option<Team>| team.map_or(0, |team| team as u8 + 1);
         let play = game.play();
         hash.take(&[
-            match game.seat() {
-                Seat::South => 0,
-                Seat::East => 1,
-                Seat::North => 2,
-                Seat::West => 3,
-            },
+            game.seat() as u8,
             play.is_unbroken().into(),
             team(play.queen_covered_by()),
             team(play.won().map(|won| won.winner)),

@@ -41,10 +41,11 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         let message = format!("expected the moves to lead to {end}, but they lead to {found}");
         return fields.refuse("end", message);
     }
+    let players = players?;
     let saved = SavedGame {
         player: player?,
         company: Company {
-            players: players?.into(),
+            players: [players.south, players.east, players.north, players.west],
             strength: strength?,
             call: call?,
             aids: aids?,

@@ -15,10 +15,17 @@ const HEAD: &str = "\
 /// The text of the file.
 pub(super) fn text(saved: &SavedGame) -> String {
     let company = &saved.company;
+    let [south, east, north, west] = company.players;
+    let players = Players {
+        south,
+        east,
+        north,
+        west,
+    };
     let mut text = HEAD.to_owned();
     line(&mut text, "format", &FORMAT);
     line(&mut text, "player", &saved.player);
-    line(&mut text, "players", &Players::from(company.players));
+    line(&mut text, "players", &players);
     line(&mut text, "computer", &company.strength);
     line(&mut text, "call", &company.call);
     line(&mut text, "aids", &company.aids);

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::super::sight::{Sight, WALLS};
+use super::super::sight::{Sight, WALLS, Way};
 use super::THINNEST;
 use crate::game::pieces::Piece;
 
@@ -25,20 +25,11 @@ pub(in super::super) fn straight<'a>(
     coin: usize,
 ) -> impl Iterator<Item = PocketPath> + 'a {
     let from = sight.coins.get(coin).map(|coin| coin.at);
-    let ways = from.map(|from| sight.pockets().map(|pocket| (from, pocket)));
-    ways.into_iter()
-        .flatten()
-        .filter_map(move |(from, pocket)| {
-            let length = from.distance(pocket);
-            let toward = (pocket - from).try_normalize()?;
-            let clear = sight.is_clear(from, pocket, sight.coin(), &[coin]);
-            clear.then(|| PocketPath {
-                coin,
-                toward,
-                speed: sight.speed_for((length - sight.pocket_radius()).max(0.0), 0.0),
-                allowance: sight.pocket_radius() / length,
-            })
-        })
+    let ways = from.into_iter().flat_map(move |from| {
+        let pockets = sight.board.pockets();
+        pockets.filter_map(move |pocket| Way::straight(from, pocket))
+    });
+    ways.filter_map(move |way| into_pocket(sight, coin, &way))
 }
 
 /// The ways of a coin into a pocket by way of the wall opposite to it.
@@ -49,24 +40,24 @@ pub(in super::super) fn off_a_cushion<'a>(
     let from = sight.coins.get(coin).map(|coin| coin.at);
     let ways = from.into_iter().flat_map(move |from| {
         WALLS.into_iter().flat_map(move |wall| {
-            let pockets = sight.pockets().into_iter();
+            let pockets = sight.board.pockets();
             pockets
                 .filter(move |pocket| pocket.dot(wall) < 0.0)
-                .map(move |pocket| (from, wall, pocket))
+                .filter_map(move |pocket| sight.bounce(from, pocket, wall, sight.coin()))
         })
     });
-    ways.filter_map(move |(from, wall, pocket)| {
-        let bounce = sight.bounce(from, pocket, wall, sight.coin())?;
-        let (before, after) = (from.distance(bounce.at), bounce.at.distance(pocket));
-        let clear = sight.is_clear(from, bounce.at, sight.coin(), &[coin])
-            && sight.is_clear(bounce.at, pocket, sight.coin(), &[coin]);
-        let leaving = sight.speed_for((after - sight.pocket_radius()).max(0.0), 0.0);
-        clear.then(|| PocketPath {
-            coin,
-            toward: bounce.toward,
-            speed: sight.speed_for(before, leaving / bounce.kept),
-            allowance: sight.pocket_radius() / (before + after),
-        })
+    ways.filter_map(move |way| into_pocket(sight, coin, &way))
+}
+
+/// The course that leads a coin to the middle of a pocket, if nothing is in the way.
+fn into_pocket(sight: &Sight, coin: usize, way: &Way) -> Option<PocketPath> {
+    let hole = sight.board.pocket_radius();
+    let clear = way.is_clear(sight, sight.coin(), Some(coin), None);
+    clear.then(|| PocketPath {
+        coin,
+        toward: way.toward,
+        speed: way.speed(sight, hole, 0.0),
+        allowance: hole / way.length(),
     })
 }
 
@@ -75,29 +66,25 @@ pub(in super::super) fn combinations<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
 ) -> impl Iterator<Item = PocketPath> + 'a {
+    let reach = 2.0 * sight.coin();
     let target = sight.coins.get(course.coin).map(|coin| coin.at);
-    let drivers = target.into_iter().flat_map(move |target| {
-        let coins = sight.coins.iter().enumerate();
-        coins.map(move |(i, driver)| (target, i, driver.at))
-    });
-    drivers.filter_map(move |(target, i, from)| {
-        if i == course.coin {
-            return None;
-        }
-        let reach = 2.0 * sight.coin();
+    let ways = target.into_iter().flat_map(move |target| {
         let ghost = target - course.toward * reach;
-        let length = from.distance(ghost);
-        let toward = (ghost - from).try_normalize()?;
-        let cosine = toward.dot(course.toward);
-        let reachable = cosine > THINNEST
-            && sight.is_inside(ghost, sight.coin())
-            && sight.is_clear(from, ghost, sight.coin(), &[i, course.coin]);
+        let drivers = sight.coins.iter().enumerate();
+        drivers.filter_map(move |(i, driver)| Some((i, Way::straight(driver.at, ghost)?)))
+    });
+    ways.filter_map(move |(i, way)| {
+        let cosine = way.arriving.dot(course.toward);
+        let reachable = i != course.coin
+            && cosine > THINNEST
+            && sight.is_inside(way.to, sight.coin())
+            && way.is_clear(sight, sight.coin(), Some(i), Some(course.coin));
         let arriving = course.speed / (sight.passed_on(Piece::White) * cosine);
         reachable.then(|| PocketPath {
             coin: i,
-            toward,
-            speed: sight.speed_for(length, arriving),
-            allowance: course.allowance * (reach * cosine / length).min(1.0),
+            toward: way.toward,
+            speed: way.speed(sight, 0.0, arriving),
+            allowance: course.allowance * (reach * cosine / way.length()).min(1.0),
         })
     })
 }

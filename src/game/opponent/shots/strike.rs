@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::super::sight::{Sight, WALLS};
+use super::super::sight::{Sight, WALLS, Way};
 use super::{PocketPath, THINNEST};
 use crate::game::pieces::Piece;
 use crate::physics::Motion;
@@ -41,22 +41,11 @@ pub(in super::super) fn strikes<'a>(
     course: &'a PocketPath,
     places: &'a [DVec2],
 ) -> impl Iterator<Item = ProposedStroke> + 'a {
-    let ghost = ghost(sight, course);
-    ghost.into_iter().flat_map(move |ghost| {
-        places.iter().filter_map(move |&from| {
-            let toward = (ghost - from).try_normalize()?;
-            let cosine = toward.dot(course.toward);
-            let clear =
-                cosine > THINNEST && sight.is_clear(from, ghost, sight.striker(), &[course.coin]);
-            let length = from.distance(ghost);
-            clear.then(|| ProposedStroke {
-                from,
-                toward,
-                speed: sight.speed_for(length, arriving(sight, course, cosine)),
-                allowance: allowance(sight, course, cosine, length),
-            })
-        })
-    })
+    let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
+        let places = places.iter();
+        places.filter_map(move |&from| Way::straight(from, ghost))
+    });
+    ways.filter_map(move |way| stroke(sight, course, &way))
 }
 
 /// The strokes from these places that come off a cushion first.
@@ -65,38 +54,30 @@ pub(in super::super) fn kicks<'a>(
     course: &'a PocketPath,
     places: &'a [DVec2],
 ) -> impl Iterator<Item = ProposedStroke> + 'a {
-    let ghost = ghost(sight, course);
-    let ways = ghost.into_iter().flat_map(move |ghost| {
-        let places = places.iter();
-        places.flat_map(move |&from| WALLS.map(|wall| (ghost, from, wall)))
+    let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
+        let walls = places
+            .iter()
+            .flat_map(|&from| WALLS.map(|wall| (from, wall)));
+        walls.filter_map(move |(from, wall)| sight.bounce(from, ghost, wall, sight.striker()))
     });
-    ways.filter_map(move |(ghost, from, wall)| {
-        let bounce = sight.bounce(from, ghost, wall, sight.striker())?;
-        let cosine = bounce.leaving.dot(course.toward);
-        let clear = cosine > THINNEST
-            && sight.is_clear(from, bounce.at, sight.striker(), &[])
-            && sight.is_clear(bounce.at, ghost, sight.striker(), &[course.coin]);
-        let (before, after) = (from.distance(bounce.at), bounce.at.distance(ghost));
-        let leaving = sight.speed_for(after, arriving(sight, course, cosine));
-        clear.then(|| ProposedStroke {
-            from,
-            toward: bounce.toward,
-            speed: sight.speed_for(before, leaving / bounce.kept),
-            allowance: allowance(sight, course, cosine, before + after),
-        })
-    })
+    ways.filter_map(move |way| stroke(sight, course, &way))
 }
 
-/// The speed in m/s with which the striker must meet the coin: along the line of
-/// impact it passes on a fixed share, and only the cosine of its speed counts.
-fn arriving(sight: &Sight, course: &PocketPath, cosine: f64) -> f64 {
-    course.speed / (sight.passed_on(Piece::Striker) * cosine)
-}
-
-/// The error of the striker's direction that the course forgives: over its way it
-/// grows to a shift, which the reach and the cosine turn into an error of the line
-/// of impact.
-fn allowance(sight: &Sight, course: &PocketPath, cosine: f64, length: f64) -> f64 {
+/// The stroke by which the striker gives a coin its course at the end of this way, if it
+/// does and nothing is in the way.
+///
+/// Along the line of impact it passes on a fixed share, and only the cosine of its speed
+/// counts. An error of its direction grows over its way to a shift, which the reach and
+/// the cosine turn into an error of the line of impact.
+fn stroke(sight: &Sight, course: &PocketPath, way: &Way) -> Option<ProposedStroke> {
+    let cosine = way.arriving.dot(course.toward);
+    let clear = cosine > THINNEST && way.is_clear(sight, sight.striker(), None, Some(course.coin));
+    let arriving = course.speed / (sight.passed_on(Piece::Striker) * cosine);
     let reach = sight.striker() + sight.coin();
-    course.allowance * reach * cosine / length
+    clear.then(|| ProposedStroke {
+        from: way.from,
+        toward: way.toward,
+        speed: way.speed(sight, 0.0, arriving),
+        allowance: course.allowance * reach * cosine / way.length(),
+    })
 }

@@ -59,7 +59,7 @@ fn cushions_of(shot: &Shot, disc: usize) -> usize {
 }
 
 fn into_the_corner(sight: &Sight, coin: usize) -> PocketPath {
-    let pocket = sight.pockets()[CORNER];
+    let pocket = sight.board.pockets().nth(CORNER).unwrap();
     let at = sight.coins[coin].at;
     straight(sight, coin)
         .find(|course| course.toward.dot(pocket - at) > 0.999 * pocket.distance(at))

@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 
 use super::made_shot::{MadeShot, asked};
 use crate::levels::{Dial, Level, Scene};
+use crate::physics::Shot;
 use crate::physics::units::m_from_mm;
-use crate::physics::{EventKind, Shot};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
@@ -147,13 +147,8 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, area: Rect) -> Picture {
 /// Where a disc first meets something or stops, and whether it is another disc.
 fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
     let (time, touches) = shot.events().iter().find_map(|event| {
-        let touches = match event.kind {
-            EventKind::Impact { discs, .. } => discs.contains(&aimed).then_some(true),
-            EventKind::Cushion { disc, .. }
-            | EventKind::Pocket { disc, .. }
-            | EventKind::Rest { disc } => (disc == aimed).then_some(false),
-        };
-        touches.map(|touches| (event.time, touches))
+        let touches = event.kind.partner(aimed).is_some();
+        (touches || event.kind.discs().0 == aimed).then_some((event.time, touches))
     })?;
     Some((shot.at(aimed, time).position, touches))
 }
