@@ -1,7 +1,8 @@
 //! What each question showed about the class.
 
 use super::{ClassRound, Vote};
-use crate::quiz::{Misconception, misconceptions};
+use crate::quiz::Misconception;
+use crate::quiz::misconceptions::most_held;
 
 /// What a question showed.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +21,7 @@ pub struct ItemAnalysis {
     /// `None` for fewer than three teams or where all did alike.
     pub discrimination: Option<f64>,
     /// The misconception that most first votes fitted, and how many did.
-    pub commonest: Option<(&'static Misconception, usize)>,
+    pub commonest: Option<(Misconception, usize)>,
 }
 
 /// How errors of angles are spread, in radians.
@@ -58,12 +59,6 @@ fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
         .filter_map(|said| round.diagnose(question, Some(said)))
         .map(|diagnosis| diagnosis.misconception)
         .collect();
-    let mut counted: Vec<_> = misconceptions::all()
-        .map(|it| (it, held.iter().filter(|other| **other == it).count()))
-        .filter(|(_, count)| *count > 0)
-        .collect();
-    // Of equals the first: the sort keeps their order.
-    counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     ItemAnalysis {
         question,
         votes: grades.each_ref().map(Vec::len),
@@ -76,7 +71,7 @@ fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
             spread(&errors)
         }),
         discrimination: discrimination(round, question, asked),
-        commonest: counted.first().copied(),
+        commonest: most_held(&held),
     }
 }
 

@@ -82,7 +82,7 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
             .map(bare_degrees)
             .unwrap_or_default(),
         diagnosis
-            .map(|it| it.misconception.id.to_owned())
+            .map(|it| it.misconception.id().to_owned())
             .unwrap_or_default(),
     ]
 }
@@ -124,7 +124,7 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
             }
             row.push(share(item.discrimination));
             row.extend(match item.commonest {
-                Some((misconception, count)) => [misconception.id.to_owned(), count.to_string()],
+                Some((misconception, count)) => [misconception.id().to_owned(), count.to_string()],
                 None => [String::new(), String::new()],
             });
             Some(row)

@@ -16,7 +16,7 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
         .into_iter()
         .find(|belief| !belief.trend().is_good() && belief.since.times >= 2);
     if let Some(belief) = held {
-        return belief.misconception.advice.to_owned();
+        return belief.misconception.advice().to_owned();
     }
     let reviews = reviews(attempts, calendar);
     let due = |today| {
@@ -82,7 +82,7 @@ mod tests {
         };
         says(Some(held.clone()), None);
         let swapped = Misconception::with_id("swapped").unwrap();
-        assert_eq!(says(Some(held), None), swapped.advice);
+        assert_eq!(says(Some(held), None), swapped.advice());
     }
 
     #[test]

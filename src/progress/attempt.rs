@@ -62,7 +62,7 @@ impl Attempt {
         let mut figures = question.figures.clone();
         figures.insert("round".into(), code.to_string().into());
         figures.insert("difficulty".into(), question.difficulty.id().into());
-        let beliefs = question.beliefs.iter().map(|it| it.misconception.id);
+        let beliefs = question.beliefs.iter().map(|it| it.misconception.id());
         figures.insert(MISCONCEPTIONS.into(), beliefs.collect());
         Self {
             time_s: None,
@@ -80,7 +80,7 @@ impl Attempt {
             confidence: Some(answer.confidence),
             misconception: question
                 .diagnose(answer)
-                .map(|diagnosis| diagnosis.misconception.id.to_owned()),
+                .map(|diagnosis| diagnosis.misconception.id().to_owned()),
         }
     }
 
@@ -90,13 +90,13 @@ impl Attempt {
     }
 
     /// The misconception it fits, if this carrom knows it.
-    pub(super) fn held(&self) -> Option<&'static Misconception> {
+    pub(super) fn held(&self) -> Option<Misconception> {
         Misconception::with_id(self.misconception.as_deref()?)
     }
 
     /// The misconceptions that an answer to this question could have shown; none where that
     /// was not noted, and none that this carrom does not know.
-    pub(super) fn could_show(&self) -> Vec<&'static Misconception> {
+    pub(super) fn could_show(&self) -> Vec<Misconception> {
         let figures = serde_json::from_str(&self.question);
         let ids = figures.map_or_else(|_| Vec::new(), |it: StoredFigures| it.misconceptions);
         ids.into_iter().filter_map(Misconception::with_id).collect()
@@ -140,7 +140,6 @@ fn said(form: &Form, said: &Response) -> Value {
 mod tests {
     use super::*;
     use crate::physics::ImpactPoint;
-    use crate::quiz::misconceptions::{COPIED_ANGLE, LOSSLESS};
     use crate::quiz::{Hit, Pieces, Ray, Rays};
 
     const HIT: Hit = Hit {
@@ -177,7 +176,8 @@ mod tests {
         assert_eq!(figures["alpha_deg"].as_f64(), Some(30.0));
         assert_eq!(figures["direction_deg"].as_f64(), Some(90.0));
         let could_show = right.could_show();
-        assert!(could_show.contains(&&COPIED_ANGLE) && !could_show.contains(&&LOSSLESS));
+        assert!(could_show.contains(&Misconception::CopiedAngle));
+        assert!(!could_show.contains(&Misconception::Lossless));
     }
 
     #[test]

@@ -3,14 +3,14 @@
 use std::fmt;
 
 use super::Attempt;
-use crate::quiz::{Misconception, misconceptions};
+use crate::quiz::Misconception;
 
 /// A misconception that answers fitted, in the first half of all attempts and in the
 /// second, which is the larger one by one where there is an odd number of attempts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HeldBelief {
     /// Which.
-    pub misconception: &'static Misconception,
+    pub misconception: Misconception,
     /// In the first half.
     pub before: Occurrence,
     /// In the second.
@@ -96,9 +96,10 @@ impl HeldBelief {
 /// that this carrom does not know are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let held: Vec<_> = attempts.iter().map(Attempt::held).collect();
-    let mut beliefs: Vec<_> = misconceptions::all()
-        .filter(|it| held.contains(&Some(it)))
-        .map(|misconception| HeldBelief {
+    let mut beliefs: Vec<_> = Misconception::ALL
+        .iter()
+        .filter(|it| held.contains(&Some(**it)))
+        .map(|&misconception| HeldBelief {
             misconception,
             before: Occurrence::default(),
             since: Occurrence::default(),
@@ -148,7 +149,7 @@ mod tests {
             .map(|it| {
                 let (before, since) = (it.before, it.since);
                 let counts = [before.times, before.asked, since.times, since.asked];
-                (it.misconception.id, counts, it.trend())
+                (it.misconception.id(), counts, it.trend())
             })
             .collect()
     }

@@ -236,7 +236,7 @@ fn summary(attempts: &[Attempt], calendar: &Calendar) -> Value {
         .iter()
         .map(|belief| {
             json!({
-                "misconception": belief.misconception.id,
+                "misconception": belief.misconception.id(),
                 "before": belief.before.times,
                 "before_asked": belief.before.asked,
                 "since": belief.since.times,

@@ -84,7 +84,7 @@ fn a_database_of_format_2_means_the_same() {
     let found = beliefs(&attempts(&mut store, Some(ADA)));
     let merged = found
         .iter()
-        .find(|it| it.misconception.id == "offset-as-angle");
+        .find(|it| it.misconception.id() == "offset-as-angle");
     assert_eq!(merged.unwrap().since, Occurrence { times: 5, asked: 5 });
 
     let StoreReply::Stars(Ok(stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {

@@ -111,7 +111,7 @@ fn each_misconception_is_named() {
         lines.as_bytes(),
     );
     for question in round.questions() {
-        let name = carrom::shells::plain::spoken(question.beliefs[0].misconception.name);
+        let name = carrom::shells::plain::spoken(question.beliefs[0].misconception.name());
         assert!(
             said.contains(&format!("It looks like this: {name}.")),
             "{name}\n{said}"

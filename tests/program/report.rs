@@ -381,9 +381,9 @@ fn thousands_of_answers_fit_the_page_too() {
                 error_deg: Some(40.0 / (1.0 + f64::from(i) / 500.0)),
                 right: i > 4_000,
                 confidence: Some(Confidence::ALL[i as usize % 3]),
-                misconception: carrom::quiz::misconceptions::all()
-                    .nth(i as usize % 13)
-                    .map(|it| it.id.to_owned()),
+                misconception: carrom::quiz::Misconception::ALL
+                    .get(i as usize % 13)
+                    .map(|it| it.id().to_owned()),
                 ..attempt("Ada", i % 9)
             }
         })

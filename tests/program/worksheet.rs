@@ -91,7 +91,7 @@ fn the_key_holds_every_truth_and_every_belief() {
             }
             for belief in &question.beliefs {
                 let said = question.form.words(&belief.said);
-                let name = belief.misconception.name;
+                let name = belief.misconception.name();
                 let parts = [said.as_str(), name, &belief.says];
                 let is_it = |row: &String| parts.iter().all(|part| row.contains(part));
                 assert!(rows.iter().any(is_it), "{parts:?}");

@@ -150,7 +150,7 @@ fn the_tables_can_be_read_back_and_hold_no_formula() {
     assert_eq!(&rows[0][8], "yes");
     assert_eq!(
         &rows[1][11],
-        round.questions()[0].beliefs[0].misconception.id
+        round.questions()[0].beliefs[0].misconception.id()
     );
     assert_eq!(&rows[1][13], "yes");
     let items = items_csv(&round).unwrap();

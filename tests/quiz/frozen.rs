@@ -96,7 +96,7 @@ fn written(question: &Question) -> Value {
         .iter()
         .map(|it| {
             json!({
-                "id": it.misconception.id,
+                "id": it.misconception.id(),
                 "said": said(&it.said),
                 "telltale": it.telltale.map(|ray| format!("{ray:?}")),
                 "says": it.says,
@@ -157,7 +157,8 @@ fn kept(name: &str, text: &str) -> String {
 /// The hash of every family with so many seeds at each difficulty.
 fn families(seeds: u64) -> String {
     let (first, second): (Vec<_>, Vec<_>) = Family::ALL
-        .into_iter()
+        .iter()
+        .copied()
         .enumerate()
         .partition(|(i, _)| i % 2 == 0);
     let hashes = |families: Vec<(usize, Family)>| -> Vec<(usize, String)> {

@@ -41,9 +41,7 @@ fn side(question: &Question) -> f64 {
 }
 
 /// What misconceptions make of a question, with the ray that gives each away.
-fn beliefs(
-    question: &Question,
-) -> impl Iterator<Item = (&'static Misconception, Rays, Option<Ray>)> {
+fn beliefs(question: &Question) -> impl Iterator<Item = (Misconception, Rays, Option<Ray>)> {
     question.beliefs.iter().map(|belief| match belief.said {
         Response::Rays(rays) => (belief.misconception, rays, belief.telltale),
         other => panic!("not rays: {other:?}"),
@@ -251,7 +249,7 @@ fn a_round_of_one_belief_names_it() {
             let met = round.questions().len() - summary.right();
             if met > 0 {
                 assert_eq!(summary.most_held(), Some((misconception, met)));
-                assert_eq!(summary.advice(), misconception.advice);
+                assert_eq!(summary.advice(), misconception.advice());
             } else {
                 assert_eq!(summary.most_held(), None);
             }

@@ -127,7 +127,7 @@ fn three_teams_play_a_round_to_its_tables() {
         assert_eq!(&row[0], code);
         assert_eq!(row[1], (question + 1).to_string());
         assert_eq!(&row[6], ["Ants", "'=Bees()", "Cats"][team]);
-        let held = round.questions()[question].beliefs[0].misconception.id;
+        let held = round.questions()[question].beliefs[0].misconception.id();
         // first_right, first_misconception; second_right; points.
         assert_eq!(&row[8], ["yes", "no", "no"][team]);
         assert_eq!(&row[11], ["", held, held][team]);
@@ -142,7 +142,7 @@ fn three_teams_play_a_round_to_its_tables() {
         // 3 votes, one of them right; after talking two.
         assert_eq!((&row[6], &row[7]), ("3", "0.333"));
         assert_eq!((&row[10], &row[11]), ("3", "0.667"));
-        let held = question.beliefs[0].misconception.id;
+        let held = question.beliefs[0].misconception.id();
         assert_eq!((&row[15], &row[16]), (held, "2"));
     }
     // None of it is a player's own record.

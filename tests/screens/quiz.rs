@@ -151,7 +151,7 @@ fn every_misconception_is_named_and_explained_in_whole() {
             };
             let confidence = Confidence::ThinkSo;
             let explanation = explain(question, &Answer::new(Response::Rays(rays), confidence));
-            let expected = format!("{} {}", ALL[i].name, explanation.text);
+            let expected = format!("{} {}", ALL[i].name(), explanation.text);
             let expected = words(&charset.text(&expected));
             let shown = panel(&mut game, (80, 24));
             assert!(shown.contains(&expected), "{expected}\n{}", game.screen());

@@ -156,7 +156,7 @@ fn beliefs(report: &Report) -> Markup {
                 thead { tr { th { "what wrong answers had in common" } th.n { "before" } th.n { "since" } th { "" } } }
                 tbody {
                     @for belief in &report.beliefs.rows { tr {
-                        td { (belief.misconception.name) }
+                        td { (belief.misconception.name()) }
                         td.n { (belief.before.to_string()) }
                         td.n { (belief.since.to_string()) }
                         td { @match belief.trend() {

@@ -84,7 +84,7 @@ fn tables(report: &Report, document: &mut Markdown) {
     } else {
         let rows = report.beliefs.rows.iter().map(|belief| {
             vec![
-                belief.misconception.name.to_owned(),
+                belief.misconception.name().to_owned(),
                 belief.before.to_string(),
                 belief.since.to_string(),
                 belief.trend().name().to_owned(),

@@ -50,7 +50,7 @@ fn row(question: &Question, belief: &WrongAnswer) -> Markup {
     html! {
         tr {
             td { (words::said(question, &belief.said)) }
-            td { strong { (belief.misconception.name) } " " (belief.says) }
+            td { strong { (belief.misconception.name()) } " " (belief.says) }
         }
     }
 }

@@ -91,7 +91,7 @@ pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
             let rows = question.beliefs.iter().map(|belief| {
                 vec![
                     words::said(question, &belief.said),
-                    format!("{}: {}", belief.misconception.name, belief.says),
+                    format!("{}: {}", belief.misconception.name(), belief.says),
                 ]
             });
             document.table(&["Who says", "may think"], rows);

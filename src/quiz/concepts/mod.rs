@@ -66,7 +66,7 @@ pub struct Wrong {
     /// The choice.
     pub choice: String,
     /// The misconception that it follows, where it follows one.
-    pub misconception: Option<&'static Misconception>,
+    pub misconception: Option<Misconception>,
     /// What to say to whoever chose it; begins from what this choice says.
     pub says: String,
 }

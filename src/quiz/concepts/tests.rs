@@ -6,7 +6,7 @@ use super::*;
 use crate::physics::named::Constant;
 use crate::physics::units::deg_from_rad;
 use crate::physics::{RestingTarget, resting_target::LargestDeflection};
-use crate::quiz::misconceptions;
+use crate::quiz::question::Misconception;
 
 #[test]
 fn nothing_is_wrong_with_the_files() {
@@ -50,12 +50,12 @@ fn every_misconception_is_met_twice() {
             .iter()
             .filter_map(|wrong| wrong.misconception)
         {
-            met.entry(belief.id).or_default().insert(&concept.id);
+            met.entry(belief.id()).or_default().insert(&concept.id);
         }
     }
-    for belief in misconceptions::all() {
-        let count = met.get(belief.id).map_or(0, BTreeSet::len);
-        assert!(count >= 2, "{} is met {count} times", belief.id);
+    for belief in Misconception::ALL {
+        let count = met.get(belief.id()).map_or(0, BTreeSet::len);
+        assert!(count >= 2, "{} is met {count} times", belief.id());
     }
 }
 

@@ -3,17 +3,9 @@
 
 use glam::DVec2;
 
-use super::hit_draws::direction_deg;
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, degrees, significant};
-use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::{Collision, CollisionOutcome};
-use crate::quiz::misconceptions::ALWAYS_SQUARE;
-use crate::quiz::misconceptions::catalogue::{
-    FRAMES_MIXED, ONE_LINE_FORMULA, SINE_COSINE, SPEED_OPENS_ANGLE, SQUARE_ON_THE_GROUND,
-};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Illustration, Markings, Measure, Pieces, Question};
+use super::prelude::*;
+use crate::physics::CollisionOutcome;
+use crate::physics::units::g_from_kg;
 
 /// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
 const LEAST_COSINE: f64 = 0.3;
@@ -112,25 +104,23 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let pair = MovingPair::draw(ways_deg, difficulty, dice)?;
     let collision = pair.collision()?;
     let outcome = collision.outcome();
-    let draft = if difficulty == Difficulty::Hard {
-        let place = format!(
+    let place = match difficulty {
+        Difficulty::Easy | Difficulty::Middle => "They meet off-centre.".into(),
+        Difficulty::Hard => format!(
             "The line of impact makes {} with the striker's path.",
             in_degrees(pair.line_deg)
-        );
-        let draft = pair.told(collision, &place);
-        match dice.below(3) {
-            0 => parting(&pair, &outcome, draft)?,
+        ),
+    };
+    let draft = pair.told(collision, &place);
+    match difficulty {
+        Difficulty::Easy => frames(&pair, &outcome, draft, dice),
+        Difficulty::Middle => on_the_board(&pair, &outcome, draft),
+        Difficulty::Hard => match dice.below(3) {
+            0 => parting(&pair, &outcome, draft),
             1 => speed(&pair, true, &outcome, draft),
             _ => speed(&pair, false, &outcome, draft),
-        }
-    } else {
-        let draft = pair.told(collision, "They meet off-centre.");
-        match difficulty {
-            Difficulty::Easy => frames(&pair, &outcome, draft, dice)?,
-            _ => on_the_board(&pair, &outcome, draft)?,
-        }
-    };
-    Some(draft.finish())
+        },
+    }
 }
 
 const TOPIC: &str = "both-moving";
@@ -141,7 +131,7 @@ fn frames(
     outcome: &CollisionOutcome,
     draft: Outline,
     dice: &mut Dice,
-) -> Option<Outline> {
+) -> Option<Question> {
     const RIDES: &str = "Ride along with the coin as it came: there it is at rest before the hit, \
                          and the rule for a coin at rest holds.";
     const BACK_TO_BACK: &str = "With the centre of mass the momentum is zero, so the two part \
@@ -149,68 +139,67 @@ fn frames(
     const DEPENDS: &str = "At an angle that depends on the offset";
     const IT_DEPENDS: &str = "The offset decides where they go. But seen from there, the angle \
                               between them is always the same.";
+    let angle_for =
+        |ride: &str| format!("At what angle do they part for one who rides along with {ride}?");
     // The board would be the frame of the centre of mass.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
     }
     let on_board = degrees(outcome.separation?);
     let (draft, rule) = match dice.below(3) {
-        0 => {
-            let draft = draft
-                .ask(TOPIC, "Who sees them part at exactly 90°?")
-                .figure("asked", "who")
+        0 => (
+            draft
+                .named("who", TOPIC)
+                .ask("Who sees them part at exactly 90°?")
                 .right("One who rides along with the coin as it came")
                 .choice(
-                    &SQUARE_ON_THE_GROUND,
+                    SquareOnTheGround,
                     "One who stands still at the edge of the board",
                 )
                 .says(
                     "You looked for 90° on the board. There it takes a coin at rest, and here \
                      both move.",
                 )
-                .choice(&FRAMES_MIXED, "One who rides along with the centre of mass")
+                .choice(FramesMixed, "One who rides along with the centre of mass")
                 .says(BACK_TO_BACK)
-                .choice(&ALWAYS_SQUARE, "Everyone, however they move themselves")
+                .choice(AlwaysSquare, "Everyone, however they move themselves")
                 .says(
                     "You took 90° for everyone. But whoever moves along sees other velocities, \
                      and other angles.",
-                );
-            (draft, RIDES)
-        }
-        1 => {
-            let text =
-                "At what angle do they part for one who rides along with the coin as it came?";
-            let draft = draft
-                .ask(TOPIC, text)
-                .figure("asked", "from-the-coin")
+                ),
+            RIDES,
+        ),
+        1 => (
+            draft
+                .named("from-the-coin", TOPIC)
+                .ask(angle_for("the coin as it came"))
                 .right("At 90°, wherever they touch")
-                .choice(&FRAMES_MIXED, "At 180°, wherever they touch")
+                .choice(FramesMixed, "At 180°, wherever they touch")
                 .says("You took 180°. That is seen from the centre of mass, not from the coin.")
                 .choice(None, DEPENDS)
-                .says(IT_DEPENDS);
-            (draft, RIDES)
-        }
-        _ => {
-            let text =
-                "At what angle do they part for one who rides along with their centre of mass?";
-            let draft = draft
-                .ask(TOPIC, text)
-                .figure("asked", "from-the-centre")
-                .choice(&FRAMES_MIXED, "At 90°, wherever they touch")
+                .says(IT_DEPENDS),
+            RIDES,
+        ),
+        _ => (
+            draft
+                .named("from-the-centre", TOPIC)
+                .ask(angle_for("their centre of mass"))
+                .choice(FramesMixed, "At 90°, wherever they touch")
                 .says("You took 90°. That is seen by one who rides along with the coin as it came.")
                 .right("At 180°, wherever they touch")
                 .choice(None, DEPENDS)
-                .says(IT_DEPENDS);
-            (draft, BACK_TO_BACK)
-        }
+                .says(IT_DEPENDS),
+            BACK_TO_BACK,
+        ),
     };
-    let why = format!("{rule} On the board the angle is {on_board}.");
-    Some(draft.why(why).shuffled(dice))
+    draft
+        .shuffled(dice)
+        .why(format!("{rule} On the board the angle is {on_board}."))
 }
 
 /// More or less than 90° on the board. For equal masses without loss v₁·v₂ = u₁·u₂, so
 /// that alone the way of the coin decides.
-fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Outline> {
+fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
     let (right, came) = match pair.way_deg {
@@ -224,49 +213,40 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
         return None;
     }
-    let mut draft = draft
-        .ask(TOPIC, "On the board, at what angle do they part?")
-        .figure("asked", "on-the-board")
+    draft
+        .named("on-the-board", TOPIC)
+        .ask("On the board, at what angle do they part?")
+        .options(CORNERS, right)
+        .chooses(None, 0)
+        .says("You let them go on side by side. But as they came, so they part.")
+        .chooses(SquareOnTheGround, 1)
+        .says("You looked for 90° on the board. But that rule wants one coin at rest.")
+        .chooses(SpeedOpensAngle, 2)
+        .says("You took a fast meeting to throw them wide apart. Speed alone opens no angle.")
         .why(format!(
             "Equal masses, momentum and energy kept: so v₁·v₂ = u₁·u₂. {came} {}.",
             degrees(separation)
-        ));
-    for (i, text) in CORNERS.into_iter().enumerate() {
-        draft = match i {
-            _ if i == right => draft.right(text),
-            0 => draft
-                .choice(None, text)
-                .says("You let them go on side by side. But as they came, so they part."),
-            1 => draft
-                .choice(&SQUARE_ON_THE_GROUND, text)
-                .says("You looked for 90° on the board. But that rule wants one coin at rest."),
-            _ => draft.choice(&SPEED_OPENS_ANGLE, text).says(
-                "You took a fast meeting to throw them wide apart. Speed alone opens no angle.",
-            ),
-        };
-    }
-    Some(draft)
+        ))
 }
 
 /// The angle between the two on the board.
-fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Outline> {
+fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     let [v1, v2] = [outcome.v1, outcome.v2].map(|it| significant(it.length()));
     let sign = if pair.way_deg == 180 { "-" } else { "" };
-    let draft = draft
-        .ask(TOPIC, "At what angle do they part on the board?")
-        .figure("asked", "separation")
+    draft
+        .named("separation", TOPIC)
+        .ask("At what angle do they part on the board?")
         .number(Measure::Angle, deg_from_rad(outcome.separation?))
-        .wrong(&SQUARE_ON_THE_GROUND, 90.0)
+        .wrong(SquareOnTheGround, 90.0)
         .says("You took 90°. On the board that wants a coin at rest.")
-        .wrong(&FRAMES_MIXED, 180.0)
+        .wrong(FramesMixed, 180.0)
         .says("You took 180°. That is seen from the centre of mass, not on the board.")
         .why(format!(
             "Along the line of impact they exchange velocities, across it each keeps its own: so \
              they leave at {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is \
              {sign}{} / ({v1} × {v2}).",
             significant(f64::from(pair.speed * pair.target_speed))
-        ));
-    Some(draft)
+        ))
 }
 
 /// How fast one of the two leaves: equal discs exchange their parts along the line of
@@ -276,7 +256,7 @@ fn speed(
     of_target: bool,
     outcome: &CollisionOutcome,
     draft: Outline,
-) -> Outline {
+) -> Option<Question> {
     let line = rad_from_deg(f64::from(pair.line_deg));
     let (sin, cos) = line.sin_cos();
     let (u1, u2) = (f64::from(pair.speed), f64::from(pair.target_speed));
@@ -285,35 +265,28 @@ fn speed(
     } else {
         u1 - u2
     };
-    let (name, id, text) = if of_target {
-        ("coin", "target-speed", "How fast does the coin leave?")
+    let (name, id, velocity, seen) = if of_target {
+        ("coin", "target-speed", outcome.v2, relative * cos)
     } else {
-        (
-            "striker",
-            "striker-speed",
-            "How fast does the striker leave?",
-        )
+        ("striker", "striker-speed", outcome.v1, relative * sin)
     };
-    let (own, others, truth, seen) = if of_target {
-        (u2, u1, outcome.v2.length(), relative * cos)
-    } else {
-        (u1, u2, outcome.v1.length(), relative * sin)
-    };
+    let (own, others) = if of_target { (u2, u1) } else { (u1, u2) };
+    let truth = velocity.length();
     draft
-        .ask(TOPIC, text)
-        .figure("asked", id)
+        .named(id, TOPIC)
+        .ask(format!("How fast does the {name} leave?"))
         .number(Measure::Speed, truth)
-        .wrong(&FRAMES_MIXED, seen)
+        .wrong(FramesMixed, seen)
         .says(format!(
             "You took the coin as if it had been at rest. That is how fast the {name} looks to \
              one who rides along with the coin as it came."
         ))
-        .wrong(&SINE_COSINE, (others * sin).hypot(own * cos))
+        .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(
             "You exchanged the parts across the line of impact. They are kept; those along it are \
              exchanged.",
         )
-        .wrong(&ONE_LINE_FORMULA, others)
+        .wrong(OneLineFormula, others)
         .says(
             "You let them exchange all of their velocities. That is for a head-on hit; here only \
              the parts along the line are exchanged.",

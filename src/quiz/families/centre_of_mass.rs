@@ -1,19 +1,10 @@
 //! The frame of the centre of mass: how fast it moves, by what angle Θ it sees both
 //! turned, and what that is on the board.
 
-use super::hit_draws::{ALL, HitDraws, NO_LOSS, UNEQUAL, in_short, unmarked, who};
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
-use crate::physics::Collision;
-use crate::physics::ImpactPoint;
+use super::prelude::*;
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
-use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::quiz::misconceptions::catalogue::{
-    DOUBLE_ANGLE_FORGOTTEN, FRAMES_MIXED, HALFWAY_CENTRE, SCALAR_MOMENTUM, UPSIDE_DOWN,
-};
-use crate::quiz::misconceptions::{COPIED_ANGLE, OFFSET_AS_ANGLE, SWAPPED};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Measure, Pieces, Question};
+
+const TOPIC: &str = "centre-of-mass";
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -21,7 +12,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = |pieces: &[Pieces], dice: &mut Dice| {
         HitDraws::new(pieces, 10..=80, NO_LOSS).draw(difficulty, dice)
     };
-    let draft = match (difficulty, first) {
+    match (difficulty, first) {
         (Difficulty::Easy, true) => turn_from_angle(&hit(ALL, dice)?),
         (Difficulty::Easy, false) => speed_of_centre(&hit(UNEQUAL, dice)?, None),
         (Difficulty::Middle, true) => {
@@ -43,8 +34,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
                 target_on_the_board(&hit, turn_deg)
             }
         }
-    };
-    draft.map(|draft| draft.topic("centre-of-mass").finish())
+    }
 }
 
 /// Why Θ = 180° − 2α.
@@ -70,14 +60,15 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
         .theta1
         .map(|theta1| deg_from_rad(theta1.abs()));
     Outline::told(hit, text, picture)
+        .topic(TOPIC)
         .figure("asked", "turn")
         .number(Measure::Angle, deg_from_rad(turn))
         .wrong(
-            &DOUBLE_ANGLE_FORGOTTEN,
+            DoubleAngleForgotten,
             180.0 - deg_from_rad(hit.alpha().abs()),
         )
         .says("You took α off 180° once. It counts twice: on the way in and on the way out.")
-        .wrong(&FRAMES_MIXED, on_board)
+        .wrong(FramesMixed, on_board)
         .says(
             "That is by how much the striker turns on the board. The centre of mass moves, and \
              sees another angle.",
@@ -85,18 +76,17 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
 }
 
 /// Θ from α.
-fn turn_from_angle(hit: &Hit) -> Option<Outline> {
+fn turn_from_angle(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let angle = cm_scattering_angle(alpha, hit.restitution)?;
-    let draft = turn(hit, angle)
-        .wrong(&COPIED_ANGLE, deg_from_rad(alpha))
+    turn(hit, angle)
+        .wrong(CopiedAngle, deg_from_rad(alpha))
         .says("You took α itself. It says where they touch, not by how much they turn.")
-        .why(why_turn(alpha, angle));
-    Some(draft)
+        .why(why_turn(alpha, angle))
 }
 
 /// Θ from an offset of so many tenths of r₁ + r₂, which makes the figures easy.
-fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Outline> {
+fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;
     let hit = Hit {
@@ -107,8 +97,8 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Outline> {
     };
     let alpha = hit.alpha().abs();
     let angle = cm_scattering_angle(alpha, hit.restitution)?;
-    let draft = turn(&hit, angle)
-        .wrong(&OFFSET_AS_ANGLE, 180.0 * (1.0 - offset_mm / reach_mm))
+    turn(&hit, angle)
+        .wrong(OffsetAsAngle, 180.0 * (1.0 - offset_mm / reach_mm))
         .says(
             "You let the angle shrink in step with the offset. It is the sine of α that goes with \
              the offset.",
@@ -119,15 +109,14 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Outline> {
             bare_millimetres(reach_mm),
             degrees(alpha),
             why_turn(alpha, angle)
-        ));
-    Some(draft)
+        ))
 }
 
 /// The speed of the centre of mass; the target at rest, or moving along the same line,
 /// the same way if `target_speed` is positive.
-fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Outline> {
+fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let name = hit.pieces.target_name();
-    let (m1, m2) = hit.masses_g();
+    let [m1, m2] = hit.masses_g();
     let (u1, u2) = (hit.speed, target_speed.unwrap_or(0.0));
     // On the same way the striker has to catch up.
     if u2 >= u1 {
@@ -148,7 +137,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Outline> {
     let [m1_words, m2_words, u1_words, u2_words] = [m1, m2, u1, u2.abs()].map(significant);
     let (setting, momentum) = match target_speed {
         None => (
-            format!("{} at {u1_words} m/s.", who(hit)),
+            format!("{} at {u1_words} m/s.", hit.who("striker", "hits")),
             format!("{m1_words} × {u1_words}"),
         ),
         Some(_) => {
@@ -172,19 +161,20 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Outline> {
         ""
     };
     let text = format!("{setting} How fast does their centre of mass move?");
-    let draft = Outline::told(
+    Outline::told(
         hit,
         text,
         Illustration::before(collision, Markings::FIGURES),
     )
+    .topic(TOPIC)
     .figure("asked", "centre-speed")
     .figure("target_speed", u2)
     .number(Measure::Speed, velocity.length())
-    .wrong(&HALFWAY_CENTRE, (u1 + u2).abs() / 2.0)
+    .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
     .says("You took the middle between the two velocities. The heavier one counts for more.")
-    .wrong(&UPSIDE_DOWN, exchanged.abs())
+    .wrong(UpsideDown, exchanged.abs())
     .says("You had the masses the other way round: the centre moves more like the heavier one.")
-    .wrong(&SCALAR_MOMENTUM, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
+    .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
     .says(
         "You added the momenta as plain numbers. They point against each other, so one is \
              taken off.",
@@ -193,8 +183,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Outline> {
         "All the momentum, {momentum} g m/s, belongs to {} g in all: {} m/s.{backward}",
         significant(m1 + m2),
         significant(velocity.length())
-    ));
-    Some(draft)
+    ))
 }
 
 /// A question that goes from Θ back to the board.
@@ -202,13 +191,14 @@ fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) 
     let text = format!(
         "{}, and no energy is lost. Seen from their centre of mass the hit turns both by Θ = {}. \
          {text}",
-        who(hit),
+        hit.who("striker", "hits"),
         degrees(rad_from_deg(turn_deg))
     );
     Outline::told(hit, text, unmarked(hit))
+        .topic(TOPIC)
         .figure("asked", asked)
         .figure("turn_deg", turn_deg)
-        .wrong(&FRAMES_MIXED, turn_deg)
+        .wrong(FramesMixed, turn_deg)
         .says(format!(
             "You took Θ for {mixed}. It is seen from the centre of mass, which moves over the \
              board."
@@ -222,37 +212,36 @@ fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
 }
 
 /// From Θ to the striker's angle.
-fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Outline> {
+fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let text = "By what angle is the striker turned on the board?";
-    let draft = on_the_board(hit, turn_deg, "theta1", text, "the striker")
+    on_the_board(hit, turn_deg, "theta1", text, "the striker")
         .number(Measure::Angle, theta1_deg(hit, turn_deg)?)
-        .wrong(&HALFWAY_CENTRE, turn_deg / 2.0)
+        .wrong(HalfwayCentre, turn_deg / 2.0)
         .says(
             "You took half of Θ. That is for equal masses, where the centre of mass lies halfway.",
         )
-        .wrong(&UPSIDE_DOWN, theta1_deg(&hit.exchanged(), turn_deg))
+        .wrong(UpsideDown, theta1_deg(&hit.exchanged(), turn_deg))
         .says("You had the masses the other way round: a heavier striker is turned less.")
         .why(format!(
             "From there the striker has m₂ parts of the speed, the centre itself m₁ parts, \
              straight ahead. Add them: tan θ₁ = sin Θ / (cos Θ + m₁ / m₂), with m₁ / m₂ = {}.",
             significant(hit.mass_ratio())
-        ));
-    Some(draft)
+        ))
 }
 
 /// From Θ to the target's angle.
-fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Outline> {
+fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let name = hit.pieces.target_name();
     let text =
         format!("At what angle to the striker's old path does the {name} leave on the board?");
     let mixed = format!("the way of the {name}");
-    let draft = on_the_board(hit, turn_deg, "theta2", &text, &mixed)
+    on_the_board(hit, turn_deg, "theta2", &text, &mixed)
         .number(Measure::Angle, 90.0 - turn_deg / 2.0)
-        .wrong(&DOUBLE_ANGLE_FORGOTTEN, 180.0 - turn_deg)
+        .wrong(DoubleAngleForgotten, 180.0 - turn_deg)
         .says(format!(
             "You took Θ off 180°. On the board the {name} leaves at α, and that is half of it."
         ))
-        .wrong(&SWAPPED, theta1_deg(hit, turn_deg)?)
+        .wrong(Swapped, theta1_deg(hit, turn_deg)?)
         .says(format!(
             "That is the striker's angle. The {name} has one of its own."
         ))
@@ -260,6 +249,5 @@ fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Outline> {
             "The {name} was at rest, so it leaves along the line of impact, at α. As Θ = 180° - \
              2α, that is 90 - {} / 2.",
             bare_degrees(rad_from_deg(turn_deg))
-        ));
-    Some(draft)
+        ))
 }

@@ -2,26 +2,24 @@
 
 use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept, ConceptChoice};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Illustration, Markings, Question};
+use crate::quiz::question::{Dice, Difficulty, Illustration, Markings, Question};
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let concepts = concepts::all().iter();
     let concepts: Vec<&Concept> = concepts.filter(|it| it.difficulty == difficulty).collect();
-    Some(question(dice.pick(&concepts)?, dice))
+    question(dice.pick(&concepts)?, dice)
 }
 
 /// The question of a written one: its choices in their order, or in any.
-pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Question {
+pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Question> {
     let picture = match concept.hit {
         Some(collision) => Illustration::before(collision, Markings::default()),
         None => Illustration::Nothing,
     };
     let mut draft = Outline::new(&concept.ask, picture)
         .topic(concept.topic())
-        .figure("id", concept.id.as_str())
-        .why(&concept.why);
+        .figure("id", concept.id.as_str());
     for choice in concept.choices() {
         draft = match choice {
             ConceptChoice::Right(text) => draft.right(text),
@@ -33,9 +31,9 @@ pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Question 
     if !concept.ordered {
         draft = draft.shuffled(dice);
     }
-    Question {
+    Some(Question {
         family: super::Family::Concept,
         difficulty: concept.difficulty,
-        ..draft.finish()
-    }
+        ..draft.why(&concept.why)?
+    })
 }

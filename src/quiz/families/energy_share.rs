@@ -1,16 +1,7 @@
 //! What share of the striker's energy each one has after the hit, and what share is lost.
 
-use super::hit_draws::{ALL, EQUAL, HitDraws, NO_LOSS, pair};
-use super::outline::Outline;
+use super::prelude::*;
 use super::speeds::{SHRUNK, sine_for_cosine};
-use crate::numbers::{bare_degrees, significant};
-use crate::physics::RestingTarget;
-use crate::quiz::misconceptions::catalogue::{
-    E_AS_ENERGY, ENERGY_AS_SPEED, HEAVY_TAKES_ENERGY, LOSS_ON_EVERYTHING, SINE_COSINE,
-};
-use crate::quiz::misconceptions::{HALF_AND_HALF, LOSSLESS};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Measure, Pieces, Question};
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
@@ -26,12 +17,11 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         Difficulty::Hard => HitDraws::new(ALL, 15..=75, &[0.2, 0.3, 0.4, 0.5, 0.6]),
     };
     let hit = draws.draw(difficulty, dice)?;
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy if dice.coin() => kept(&hit),
         Difficulty::Hard if dice.coin() => lost(&hit),
         _ => passed(&hit),
-    };
-    Some(draft.finish())
+    }
 }
 
 const PERCENT: f64 = 100.0;
@@ -44,24 +34,21 @@ fn percent(x: f64) -> String {
 const HALVES: &str = "You shared it out in halves. That is so at 45° alone, and with equal masses.";
 
 /// What the striker keeps, equal masses.
-fn kept(hit: &Hit) -> Outline {
+fn kept(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let shares = RestingTarget::from(&hit.collision()).energy_shares(alpha);
     Outline::about(hit)
-        .ask(
-            "energy-of-striker",
-            "What share of its energy does it keep?",
-        )
-        .figure("asked", "kept")
+        .named("kept", "energy-of-striker")
+        .ask("What share of its energy does it keep?")
         .number(Measure::Share, PERCENT * shares.kept)
-        .wrong(&ENERGY_AS_SPEED, PERCENT * alpha.sin())
+        .wrong(EnergyAsSpeed, PERCENT * alpha.sin())
         .says(format!(
             "{} is its share of the speed. Energy goes with the square.",
             percent(alpha.sin())
         ))
-        .wrong(&SINE_COSINE, PERCENT * shares.passed)
+        .wrong(SineCosine, PERCENT * shares.passed)
         .says("That is the coin's share. Head-on the striker keeps nothing: a sine.")
-        .wrong(&HALF_AND_HALF, 50.0)
+        .wrong(HalfAndHalf, 50.0)
         .says(HALVES)
         .why(format!(
             "The striker keeps the part of its speed across the line of impact, sin {} = {}. \
@@ -73,7 +60,7 @@ fn kept(hit: &Hit) -> Outline {
 }
 
 /// What the struck disc takes.
-fn passed(hit: &Hit) -> Outline {
+fn passed(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());
@@ -95,32 +82,26 @@ fn passed(hit: &Hit) -> Outline {
         )
     };
     Outline::about(hit)
-        .ask(
-            "energy-of-target",
-            format!("What share of its energy does the {name} get?"),
-        )
-        .figure("asked", "passed")
+        .named("passed", "energy-of-target")
+        .ask(format!("What share of its energy does the {name} get?"))
         .number(Measure::Share, PERCENT * shares.passed)
-        .wrong(&ENERGY_AS_SPEED, PERCENT * speed)
+        .wrong(EnergyAsSpeed, PERCENT * speed)
         .says(format!(
             "{} is its speed against the striker's. Energy goes with the square, and with the \
              mass.",
             percent(speed)
         ))
-        .wrong(&SINE_COSINE, PERCENT * shares.passed * alpha.tan().powi(2))
+        .wrong(SineCosine, PERCENT * shares.passed * alpha.tan().powi(2))
         .says(sine_for_cosine(name))
-        .wrong(&HALF_AND_HALF, equal.then_some(50.0))
+        .wrong(HalfAndHalf, equal.then_some(50.0))
         .says(HALVES)
-        .wrong(&HEAVY_TAKES_ENERGY, (!equal).then_some(by_mass))
+        .wrong(HeavyTakesEnergy, (!equal).then_some(by_mass))
         .says("You shared the energy out by mass. The hit shares out momentum, not energy.")
-        .wrong(&LOSSLESS, without_loss)
-        .says(format!(
-            "That is so without loss. Here e = {}.",
-            significant(e)
-        ))
-        .wrong(&E_AS_ENERGY, e * without_loss)
+        .wrong(Lossless, without_loss)
+        .says(here_e("That is so without loss.", e))
+        .wrong(EAsEnergy, e * without_loss)
         .says("You took e as a share of energy. It compares speeds of parting and of meeting.")
-        .wrong(&LOSS_ON_EVERYTHING, e * e * without_loss)
+        .wrong(LossOnEverything, e * e * without_loss)
         .says(SHRUNK)
         .why(format!(
             "The {name} leaves with (1 + e) m₁ / (m₁ + m₂) cos {} = {} times the striker's speed. \
@@ -132,27 +113,27 @@ fn passed(hit: &Hit) -> Outline {
 }
 
 /// What is lost: only of what the two have against each other along the line of impact.
-fn lost(hit: &Hit) -> Outline {
+fn lost(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());
     let lost = masses.energy_shares(alpha).lost;
     let e = hit.restitution;
     let missing = (1.0 - e) * (1.0 + e);
     Outline::about(hit)
-        .ask("energy-lost", "What share of its energy is lost?")
-        .figure("asked", "lost")
+        .named("lost", "energy-lost")
+        .ask("What share of its energy is lost?")
         .number(Measure::Share, PERCENT * lost)
-        .wrong(&E_AS_ENERGY, PERCENT * (1.0 - e))
+        .wrong(EAsEnergy, PERCENT * (1.0 - e))
         .says(format!(
             "You took e = {} as the share that is kept. e compares speeds, not energies.",
             significant(e)
         ))
-        .wrong(&LOSS_ON_EVERYTHING, PERCENT * missing)
+        .wrong(LossOnEverything, PERCENT * missing)
         .says(
             "You took the loss off all of the motion. Only the part along the line of impact is \
              at stake.",
         )
-        .wrong(&SINE_COSINE, PERCENT * lost * alpha.tan().powi(2))
+        .wrong(SineCosine, PERCENT * lost * alpha.tan().powi(2))
         .says("You took the sine for the cosine. Head-on the most is lost.")
         .why(format!(
             "At stake is m₂ / (m₁ + m₂) cos² {} = {} of the energy: what they have against each \

@@ -3,10 +3,8 @@
 use std::ops::RangeInclusive;
 
 use crate::numbers::{bare_millimetres, degrees, significant};
-use crate::physics::Disc;
-use crate::physics::ImpactPoint;
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Pieces};
+use crate::physics::{Disc, ImpactPoint};
+use crate::quiz::question::{Dice, Difficulty, Hit, Illustration, Markings, Pieces};
 
 pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];
 pub(super) const UNEQUAL: &[Pieces] = &[Pieces::Tournament, Pieces::Marbles];
@@ -58,6 +56,16 @@ impl<'a> HitDraws<'a> {
     }
 }
 
+/// A hit between these discs with this e, off-centre.
+pub(super) fn drawn(
+    pieces: Pieces,
+    restitution: f64,
+    difficulty: Difficulty,
+    dice: &mut Dice,
+) -> Option<Hit> {
+    HitDraws::new(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
+}
+
 /// A direction of the striker on the picture, in degrees.
 pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
     let turn = difficulty.turn_deg();
@@ -91,13 +99,17 @@ pub(super) fn in_short(hit: &Hit) -> String {
             bare_millimetres(hit.reach_mm())
         ),
     };
-    format!("{} at {} m/s; {place}.", who(hit), significant(hit.speed))
+    let who = hit.who("striker", "hits");
+    format!("{who} at {} m/s; {place}.", significant(hit.speed))
 }
 
-/// What hits what: "A striker of 15.0 g hits a resting coin of 5.50 g".
-pub(super) fn who(hit: &Hit) -> String {
-    let (m1, m2) = hit.masses_g();
-    let [m1, m2] = [m1, m2].map(significant);
-    let name = hit.pieces.target_name();
-    format!("A striker of {m1} g hits a resting {name} of {m2} g")
+/// A hit between smooth discs with its masses and its speed alone.
+pub(super) fn off_centre(hit: &Hit) -> String {
+    let who = hit.who("smooth striker", "hits");
+    format!("{who} off-centre at {} m/s.", significant(hit.speed))
+}
+
+/// What is said to whoever forgets the loss, with the e there is.
+pub(super) fn here_e(says: &str, e: f64) -> String {
+    format!("{says} Here e = {}.", significant(e))
 }

@@ -7,9 +7,7 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::numbers::tenths;
 use crate::physics::ImpactPoint;
 use crate::quiz::misconceptions::OF_RAYS;
-use crate::quiz::question::Dice;
-use crate::quiz::question::MIN_SEPARATION;
-use crate::quiz::question::{Difficulty, Hit, Pieces, RIGHT_DEG, Rays};
+use crate::quiz::question::{Dice, Difficulty, Hit, MIN_SEPARATION, Pieces, RIGHT_DEG, Rays};
 
 /// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -203,8 +201,7 @@ fn within_reason(hit: &Hit) -> bool {
 fn clearance(hit: &Hit) -> f64 {
     let mut rays: Vec<Rays> = OF_RAYS
         .into_iter()
-        .filter_map(|misconception| misconception.predict(hit))
-        .map(|prediction| prediction.rays)
+        .filter_map(|misconception| Some(misconception.predict(hit)?.0))
         .collect();
     rays.push(hit.truth());
     let pairs = rays

@@ -1,22 +1,9 @@
 //! The most a striker can be turned by one hit: whether there is a limit, where it lies,
 //! and how to aim for it.
 
-use super::hit_draws::{direction_deg, pair, unmarked};
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, degrees, millimetres, significant};
-use crate::physics::ImpactPoint;
-use crate::physics::RestingTarget;
+use super::prelude::*;
+use crate::numbers::millimetres;
 use crate::physics::resting_target::LargestDeflection;
-use crate::physics::units::deg_from_rad;
-use crate::quiz::misconceptions::catalogue::{
-    BEYOND_LARGEST, DOUBLE_ANGLE_FORGOTTEN, SINE_COSINE, UPSIDE_DOWN,
-};
-use crate::quiz::misconceptions::{
-    ALWAYS_SQUARE, COPIED_ANGLE, HALF_AND_HALF, HEAVY_UNMOVED, LOSSLESS, OFF_A_WALL,
-    OFFSET_AS_ANGLE,
-};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.
 const LIMITS: [&str; 3] = [
@@ -56,16 +43,15 @@ const NOT_HEAVIER: [(u32, u32); 8] = [
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy => limit(dice),
         Difficulty::Middle => how_much(10, difficulty, dice),
         Difficulty::Hard => match dice.below(3) {
             0 => how_much(*dice.pick(&[2, 4, 5, 6, 8])?, difficulty, dice),
-            1 => aimed(dice, where_by_angle),
-            _ => aimed(dice, where_by_offset),
+            1 => where_by_angle(dice),
+            _ => where_by_offset(dice),
         },
-    };
-    draft.map(Outline::finish)
+    }
 }
 
 /// A hit with these masses that turns the striker as far as can be, or one at 30° where
@@ -97,17 +83,12 @@ fn most(hit: &Hit) -> LargestDeflection {
 
 /// The two masses and the loss in words.
 fn setting(hit: &Hit) -> String {
-    let (m1, m2) = hit.masses_g();
-    format!(
-        "A smooth striker of {} g is shot at a resting coin of {} g. {}",
-        significant(m1),
-        significant(m2),
-        hit.loss()
-    )
+    let who = hit.who("smooth striker", "is shot at");
+    format!("{who}. {}", hit.loss())
 }
 
 /// Whether there is a limit, and which.
-fn limit(dice: &mut Dice) -> Option<Outline> {
+fn limit(dice: &mut Dice) -> Option<Question> {
     let pairs: &[(u32, u32)] = if dice.below(5) < 2 {
         &HEAVIER
     } else {
@@ -115,17 +96,14 @@ fn limit(dice: &mut Dice) -> Option<Outline> {
     };
     let hit = turned_most(*dice.pick(pairs)?, 10, Difficulty::Easy, dice);
     let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
-        .ask(
-            "limit-of-turn",
-            "You choose the offset. How far can it be turned?",
-        )
-        .figure("asked", "limit");
-    Some(match most(&hit) {
+        .named("limit", "limit-of-turn")
+        .ask("You choose the offset. How far can it be turned?");
+    match most(&hit) {
         LargestDeflection::Turned { theta1, .. } => draft
             .options(LIMITS, BELOW)
-            .chooses(&BEYOND_LARGEST, BACK)
+            .chooses(BeyondLargest, BACK)
             .says("You set the heavier striker no limit. A light coin cannot throw it back.")
-            .chooses(&ALWAYS_SQUARE, SQUARE)
+            .chooses(AlwaysSquare, SQUARE)
             .says("You took 90° - α from equal masses. A heavier striker is turned by less.")
             .why(format!(
                 "The coin is too light to stop the striker, whatever the offset: some of its \
@@ -134,12 +112,12 @@ fn limit(dice: &mut Dice) -> Option<Outline> {
             )),
         LargestDeflection::NearlyRight => draft
             .options(LIMITS, SQUARE)
-            .chooses(&OFF_A_WALL, BACK)
+            .chooses(OffAWall, BACK)
             .says(
                 "You let it bounce back as off a wall. But an equal coin gives way, and takes all \
                  it has along the line.",
             )
-            .chooses(&HALF_AND_HALF, BELOW)
+            .chooses(HalfAndHalf, BELOW)
             .says("Did you take 45° for the most? That is only the hit that shares evenly.")
             .why(
                 "With equal masses the striker leaves square to the line of impact, at 90° - α. \
@@ -147,9 +125,9 @@ fn limit(dice: &mut Dice) -> Option<Outline> {
             ),
         LargestDeflection::Reversed => draft
             .options(LIMITS, BACK)
-            .chooses(&ALWAYS_SQUARE, SQUARE)
+            .chooses(AlwaysSquare, SQUARE)
             .says("You took 90° - α from equal masses. A lighter striker bounces further.")
-            .chooses(&UPSIDE_DOWN, BELOW)
+            .chooses(UpsideDown, BELOW)
             .says(
                 "You had the masses the other way round: it is the heavier striker that has such \
                  a limit.",
@@ -158,11 +136,11 @@ fn limit(dice: &mut Dice) -> Option<Outline> {
                 "Head-on a lighter striker bounces straight back: 180°. The offset chooses \
                  anything from there down to a graze at 0°.",
             ),
-    })
+    }
 }
 
 /// By how many degrees at most.
-fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Outline> {
+fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = turned_most(*dice.pick(&HEAVIER)?, e_tenths, difficulty, dice);
     let LargestDeflection::Turned { theta1, .. } = most(&hit) else {
         return None;
@@ -186,67 +164,59 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Ou
             degrees(theta1)
         )
     };
-    let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
-        .ask(
-            "largest-turn",
-            "By how many degrees can it be turned at most?",
-        )
-        .figure("asked", "theta1")
+    Outline::told(&hit, setting(&hit), unmarked(&hit))
+        .named("theta1", "largest-turn")
+        .ask("By how many degrees can it be turned at most?")
         .number(Measure::Angle, deg_from_rad(theta1))
-        .wrong(&BEYOND_LARGEST, 90.0)
+        .wrong(BeyondLargest, 90.0)
         .says(
             "You set the heavier striker no limit below 90°. A light coin cannot take all its \
              forward motion.",
         )
-        .wrong(&HEAVY_UNMOVED, 0.0)
+        .wrong(HeavyUnmoved, 0.0)
         .says("You sent it straight on. It is heavier, yet every hit off-centre turns it.")
-        .wrong(&SINE_COSINE, 90.0 - deg_from_rad(theta1))
+        .wrong(SineCosine, 90.0 - deg_from_rad(theta1))
         .says("You took a cosine. The lighter the coin, the smaller the turn: a sine.")
-        .wrong(&LOSSLESS, most_deg(&hit.with_restitution(1.0)))
-        .says(format!(
-            "That is the most without loss. Here e = {}.",
-            significant(hit.restitution)
-        ))
-        .why(why);
-    Some(draft)
+        .wrong(Lossless, most_deg(&hit.with_restitution(1.0)))
+        .says(here_e("That is the most without loss.", hit.restitution))
+        .why(why)
 }
 
-/// A question where to aim a heavier striker without loss, from the hit, the largest θ₁ and
-/// the α that brings it.
-fn aimed(dice: &mut Dice, ask: fn(&Hit, f64, f64, Outline) -> Outline) -> Option<Outline> {
+/// A question where to aim a heavier striker without loss: the hit, the largest θ₁, the α
+/// that brings it, and what is told.
+fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER)?, 10, Difficulty::Hard, dice);
     let LargestDeflection::Turned { theta1, alpha } = most(&hit) else {
         return None;
     };
     let draft = Outline::told(&hit, setting(&hit), Illustration::Nothing);
-    let draft = ask(&hit, theta1, alpha, draft)
-        .wrong(&BEYOND_LARGEST, 0.0)
-        .says("Head-on a heavier striker goes straight on: it is not turned at all.");
-    Some(draft)
+    Some((hit, theta1, alpha, draft))
 }
 
+const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not turned at all.";
+
 /// At which impact angle.
-fn where_by_angle(_: &Hit, theta1: f64, alpha: f64, draft: Outline) -> Outline {
+fn where_by_angle(dice: &mut Dice) -> Option<Question> {
+    let (_, theta1, alpha, draft) = aimed(dice)?;
     let theta1_deg = deg_from_rad(theta1);
     draft
-        .ask(
-            "aim-for-largest-turn",
-            format!(
-                "It can be turned by {} at most. At which impact angle?",
-                degrees(theta1)
-            ),
-        )
-        .figure("asked", "alpha")
+        .named("alpha", "aim-for-largest-turn")
+        .ask(format!(
+            "It can be turned by {} at most. At which impact angle?",
+            degrees(theta1)
+        ))
         .number(Measure::Angle, deg_from_rad(alpha))
-        .wrong(&HALF_AND_HALF, 45.0)
+        .wrong(HalfAndHalf, 45.0)
         .says("You took 45° for the best. That is so only for a very heavy striker.")
-        .wrong(&COPIED_ANGLE, theta1_deg)
+        .wrong(CopiedAngle, theta1_deg)
         .says("That is the turn itself. The impact angle is the coin's way.")
-        .wrong(&DOUBLE_ANGLE_FORGOTTEN, 90.0 - theta1_deg)
+        .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)
         .says(format!(
             "90 - {} is right for twice the angle. Take half of it.",
             bare_degrees(theta1)
         ))
+        .wrong(BeyondLargest, 0.0)
+        .says(HEAD_ON)
         .why(format!(
             "Its velocity after ends on a circle, at twice the impact angle round it. At the most \
              its way touches the circle: 2 α + {} = 90, so α is {}.",
@@ -256,34 +226,34 @@ fn where_by_angle(_: &Hit, theta1: f64, alpha: f64, draft: Outline) -> Outline {
 }
 
 /// At which offset.
-fn where_by_offset(hit: &Hit, theta1: f64, alpha: f64, draft: Outline) -> Outline {
+fn where_by_offset(dice: &mut Dice) -> Option<Question> {
+    let (hit, theta1, alpha, draft) = aimed(dice)?;
     let reach_mm = hit.reach_mm();
     let offset_mm = reach_mm * alpha.sin();
     draft
-        .ask(
-            "aim-for-largest-turn",
-            format!(
-                "The radii make {} together. It is turned most, by {}, when the coin leaves at \
+        .named("offset", "aim-for-largest-turn")
+        .ask(format!(
+            "The radii make {} together. It is turned most, by {}, when the coin leaves at \
                  {}. At which offset?",
-                millimetres(reach_mm),
-                degrees(theta1),
-                degrees(alpha)
-            ),
-        )
-        .figure("asked", "offset")
+            millimetres(reach_mm),
+            degrees(theta1),
+            degrees(alpha)
+        ))
         .number(Measure::Length, offset_mm)
-        .wrong(&OFFSET_AS_ANGLE, reach_mm * deg_from_rad(alpha) / 90.0)
+        .wrong(OffsetAsAngle, reach_mm * deg_from_rad(alpha) / 90.0)
         .says(format!(
             "You took the offset in proportion to {}. It goes with the sine.",
             degrees(alpha)
         ))
-        .wrong(&SINE_COSINE, reach_mm * alpha.cos())
+        .wrong(SineCosine, reach_mm * alpha.cos())
         .says("You took the cosine for the sine. Head-on the offset is 0: a sine.")
-        .wrong(&COPIED_ANGLE, reach_mm * theta1.sin())
+        .wrong(CopiedAngle, reach_mm * theta1.sin())
         .says(format!(
             "You aimed with the turn itself, {}. The impact angle is the coin's way.",
             degrees(theta1)
         ))
+        .wrong(BeyondLargest, 0.0)
+        .says(HEAD_ON)
         .why(format!(
             "The coin leaves along the line of impact: α is {}. The offset is both radii together \
              times sin α = {}: {}.",

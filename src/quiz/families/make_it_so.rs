@@ -1,17 +1,8 @@
 //! "Make it so": choose the offset that sends a disc the way it is to go, and shoot.
 
-use super::hit_draws::direction_deg;
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
-use crate::physics::Disc;
-use crate::physics::ImpactPoint;
-use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
-use crate::quiz::misconceptions::catalogue::{FRAMES_MIXED, SINE_COSINE};
-use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, OFFSET_AS_ANGLE, SIDES_EXCHANGED};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{
-    AimTask, Difficulty, Hit, Illustration, Markings, Pieces, Question, Ray, Topic,
-};
+use super::prelude::*;
+use crate::physics::units::m_from_mm;
+use crate::quiz::question::{AimTask, Ray, Topic};
 
 /// Lighter strikers, which can be turned by any angle.
 const LIGHT: [Pieces; 3] = [
@@ -50,11 +41,10 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         side: if dice.coin() { -1.0 } else { 1.0 },
         wanted_deg,
     };
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy => task.target(),
         Difficulty::Middle | Difficulty::Hard => task.striker(),
-    };
-    Some(draft.finish())
+    }
 }
 
 /// What is to be done.
@@ -69,27 +59,28 @@ struct ShotTask {
 
 impl ShotTask {
     /// Send the coin: it leaves along the line of impact.
-    fn target(&self) -> Outline {
+    fn target(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
         let why = format!(
             "The coin leaves along the line of impact, which must be {}° off the path. So",
             bare_degrees(wanted)
         );
-        self.asks(Ray::Target, wanted, &why)
-            .wrong(&OFFSET_AS_ANGLE, self.at(reach_mm * self.wanted_deg / 90.0))
+        self.asks(Ray::Target, wanted)
+            .wrong(OffsetAsAngle, self.at(reach_mm * self.wanted_deg / 90.0))
             .says("You took the offset in proportion to the angle. It goes with the sine.")
-            .wrong(&SINE_COSINE, self.at(reach_mm * wanted.cos()))
+            .wrong(SineCosine, self.at(reach_mm * wanted.cos()))
             .says(
                 "You took the cosine for the sine. Offset 0 is head-on and sends the coin \
                  straight ahead.",
             )
-            .wrong(&SIDES_EXCHANGED, self.at(-reach_mm * wanted.sin()))
+            .wrong(SidesExchanged, self.at(-reach_mm * wanted.sin()))
             .says("The coin goes off to the other side. It goes to the side on which it lies.")
+            .why(self.why(&why, wanted))
     }
 
     /// Turn the striker, which is no heavier than its target: no loss.
-    fn striker(&self) -> Outline {
+    fn striker(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
         // Seen from the centre of mass the striker is turned by Θ = 180° − 2α, and
@@ -117,41 +108,39 @@ impl ShotTask {
         // Nothing lies further across to be hit, nor can the target leave square to it.
         let across = self.wanted_deg < 90.0;
         let if_so = |so: bool, offset_mm: f64| so.then_some(self.at(offset_mm));
-        self.asks(Ray::Striker, alpha, &why)
+        self.asks(Ray::Striker, alpha)
             .wrong(
-                &ALWAYS_SQUARE,
+                AlwaysSquare,
                 if_so(!equal && across, reach_mm * wanted.cos()),
             )
             .says(
                 "You aimed as if the two would part at 90°. They do so for equal masses; here \
                  they part wider.",
             )
-            .wrong(&COPIED_ANGLE, if_so(across, reach_mm * wanted.sin()))
+            .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says(
                 "You let the line of impact be the striker's way. That is the way of the one it \
                  hits.",
             )
             .wrong(
-                &OFFSET_AS_ANGLE,
+                OffsetAsAngle,
                 self.at(reach_mm * deg_from_rad(alpha) / 90.0),
             )
             .says(format!(
                 "You took the offset in proportion to α = {}. It goes with the sine.",
                 degrees(alpha)
             ))
-            .wrong(&SIDES_EXCHANGED, self.at(-reach_mm * alpha.sin()))
+            .wrong(SidesExchanged, self.at(-reach_mm * alpha.sin()))
             .says(
                 "The striker goes off to the other side. It is thrown to the side away from what \
                  it hits.",
             )
-            .wrong(
-                &FRAMES_MIXED,
-                if_so(!equal, reach_mm * (wanted / 2.0).cos()),
-            )
+            .wrong(FramesMixed, if_so(!equal, reach_mm * (wanted / 2.0).cos()))
             .says(format!(
                 "You turned it by {} as seen from the centre of mass. On the board it turns less.",
                 degrees(wanted)
             ))
+            .why(self.why(&why, alpha))
     }
 
     /// An offset in metres, from one in millimetres that is meant for a coin to the right.
@@ -159,13 +148,24 @@ impl ShotTask {
         self.side * m_from_mm(offset_mm)
     }
 
-    /// The question, which wants this impact angle in radians, and why up to the offset.
-    fn asks(&self, ray: Ray, alpha: f64, why: &str) -> Outline {
+    /// Why it is this impact angle in radians, and so which offset.
+    fn why(&self, angle: &str, alpha: f64) -> String {
+        let reach_mm = self.hit.reach_mm();
+        format!(
+            "{angle} b = {} sin {} = {} mm.",
+            bare_millimetres(reach_mm),
+            bare_degrees(alpha),
+            significant(reach_mm * alpha.sin())
+        )
+    }
+
+    /// The question, which wants this impact angle in radians.
+    fn asks(&self, ray: Ray, alpha: f64) -> Outline {
         let hit = &self.hit;
         let name = hit.pieces.target_name();
-        let (m1, m2) = hit.masses_g();
+        let [m1_g, m2_g] = hit.masses_g();
+        let [m1, m2] = [m1_g, m2_g].map(significant);
         let reach_mm = hit.reach_mm();
-        let offset_mm = reach_mm * alpha.sin();
         let wanted = rad_from_deg(self.wanted_deg);
         // The striker is thrown to the side away from its target.
         let (sent, asked, rightward) = match ray {
@@ -173,13 +173,9 @@ impl ShotTask {
             Ray::Striker => ("striker", "striker", self.side < 0.0),
         };
         let masses = if hit.masses_are_equal() {
-            format!("Both weigh {} g", significant(m1))
+            format!("Both weigh {m1} g")
         } else {
-            format!(
-                "The striker weighs {} g, the {name} {} g",
-                significant(m1),
-                significant(m2)
-            )
+            format!("The striker weighs {m1} g, the {name} {m2} g")
         };
         let text = format!(
             "Send the {sent} off {} to the {} of the striker's path. {masses}, the {name} is at \
@@ -196,8 +192,8 @@ impl ShotTask {
         let collision = hit.collision();
         Outline::new(text, Illustration::before(collision, shown))
             .topic(Topic::with_id(format!("send-{sent}")))
-            .figure("m1_g", m1)
-            .figure("m2_g", m2)
+            .figure("m1_g", m1_g)
+            .figure("m2_g", m2_g)
             .figure("r1_mm", mm_from_m(collision.striker.radius))
             .figure("r2_mm", mm_from_m(collision.target.radius))
             .figure("speed", hit.speed)
@@ -209,13 +205,7 @@ impl ShotTask {
                 collision,
                 ray,
                 wanted: self.side * wanted,
-                offset: self.at(offset_mm),
+                offset: self.at(reach_mm * alpha.sin()),
             })
-            .why(format!(
-                "{why} b = {} sin {} = {} mm.",
-                bare_millimetres(reach_mm),
-                bare_degrees(alpha),
-                significant(offset_mm)
-            ))
     }
 }

@@ -17,6 +17,7 @@ mod hit_kinds;
 mod largest_deflection;
 mod make_it_so;
 mod outline;
+mod prelude;
 mod restitution;
 mod rutherford;
 mod separation;
@@ -32,74 +33,32 @@ const DRAWS: usize = 20_000;
 /// One draw, clear or not; `None` where the figures drawn make no question.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
-/// What is declared of a family.
-struct FamilyEntry {
-    family: Family,
-    id: &'static str,
-    name: &'static str,
-    draw: Draw,
-}
-
-const fn declared(family: Family, id: &'static str, name: &'static str, draw: Draw) -> FamilyEntry {
-    FamilyEntry {
-        family,
-        id,
-        name,
-        draw,
-    }
-}
-
-/// All families, in the order in which they are taught, which is that of [`Family`].
+/// Each family's name as shown, and how it draws a question: in the order of [`Family`].
 #[rustfmt::skip]
-static TABLE: [FamilyEntry; 17] = [
-    declared(Family::WhereTo, "where-to", "where will they go?", where_to::ask),
-    declared(Family::FromAngle, "from-angle", "angles from the angle", where_to::from_angle),
-    declared(Family::FromOffset, "from-offset", "angles from the offset", where_to::from_offset),
-    declared(Family::FromPicture, "from-picture", "from the picture alone", where_to::from_picture),
-    declared(Family::UnequalMasses, "unequal-masses", "unequal masses", where_to::unequal_masses),
-    declared(Family::Speeds, "speeds", "speeds after the hit", speeds::ask),
-    declared(Family::Separation, "separation", "more or less than 90°?", separation::ask),
-    declared(Family::EnergyShare, "energy-share", "shares of energy", energy_share::ask),
-    declared(Family::Restitution, "restitution", "what e does", restitution::ask),
-    declared(Family::LargestDeflection, "largest-deflection", "the most it can be turned", largest_deflection::ask),
-    declared(Family::Weigh, "weigh", "weighing by angles", weigh::ask),
-    declared(Family::SlipOrStick, "slip-or-stick", "slip or stick", slip_or_stick::ask),
-    declared(Family::BothMoving, "both-moving", "both moving", both_moving::ask),
-    declared(Family::CentreOfMass, "centre-of-mass", "the centre of mass", centre_of_mass::ask),
-    declared(Family::Rutherford, "rutherford", "Rutherford's counts", rutherford::ask),
-    declared(Family::MakeItSo, "make-it-so", "make it so", make_it_so::ask),
-    declared(Family::Concept, "concept", "ideas in words", concept::ask),
+static TABLE: [(&str, Draw); Family::ALL.len()] = [
+    ("where will they go?", where_to::ask),
+    ("angles from the angle", where_to::from_angle),
+    ("angles from the offset", where_to::from_offset),
+    ("from the picture alone", where_to::from_picture),
+    ("unequal masses", where_to::unequal_masses),
+    ("speeds after the hit", speeds::ask),
+    ("more or less than 90°?", separation::ask),
+    ("shares of energy", energy_share::ask),
+    ("what e does", restitution::ask),
+    ("the most it can be turned", largest_deflection::ask),
+    ("weighing by angles", weigh::ask),
+    ("slip or stick", slip_or_stick::ask),
+    ("both moving", both_moving::ask),
+    ("the centre of mass", centre_of_mass::ask),
+    ("Rutherford's counts", rutherford::ask),
+    ("make it so", make_it_so::ask),
+    ("ideas in words", concept::ask),
 ];
 
 impl Family {
-    /// All families, in the order in which they are taught.
-    pub const ALL: [Self; TABLE.len()] = {
-        let mut all = [Self::WhereTo; TABLE.len()];
-        let mut i = 0;
-        while i < all.len() {
-            all[i] = TABLE[i].family;
-            i += 1;
-        }
-        all
-    };
-
-    const fn entry(self) -> &'static FamilyEntry {
-        &TABLE[self as usize]
-    }
-
-    /// Its name in files and in the codes of rounds.
-    pub const fn id(self) -> &'static str {
-        self.entry().id
-    }
-
     /// Its name as shown.
     pub const fn name(self) -> &'static str {
-        self.entry().name
-    }
-
-    /// The family of an `id`.
-    pub fn with_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|family| family.id() == id)
+        TABLE[self as usize].0
     }
 
     /// A question of this family that is clear, with the draws it took. The same dice
@@ -110,7 +69,7 @@ impl Family {
             let question = Question {
                 family: self,
                 difficulty,
-                ..(self.entry().draw)(difficulty, dice)?
+                ..TABLE[self as usize].1(difficulty, dice)?
             };
             question.is_clear().then_some((question, draws))
         })
@@ -126,16 +85,16 @@ mod tests {
     use crate::quiz::question::Topic;
 
     #[test]
-    fn the_table_has_every_family_at_its_place() {
-        for (place, family) in Family::ALL.into_iter().enumerate() {
-            assert_eq!(family as usize, place);
-            assert_eq!(Family::with_id(family.id()), Some(family));
+    fn every_family_is_at_its_place_and_has_an_id() {
+        for (place, family) in Family::ALL.iter().enumerate() {
+            assert_eq!(*family as usize, place);
+            assert_eq!(Family::with_id(family.id()), Some(*family));
         }
     }
 
     #[test]
     fn every_family_asks_about_its_topics_and_no_others() {
-        for family in Family::ALL {
+        for &family in Family::ALL {
             let mut met = BTreeSet::new();
             for (seed, difficulty) in (0..500).flat_map(|s| Difficulty::ALL.map(|d| (s, d))) {
                 let asked = family.ask(difficulty, &mut Dice::new(seed));

@@ -3,24 +3,24 @@
 use serde_json::{Map, Value};
 
 use super::where_to::figures;
-use crate::quiz::question::Dice;
 use crate::quiz::question::{
-    AimTask, Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Misconception,
+    AimTask, Dice, Difficulty, Family, Form, Hit, Illustration, Markings, Measure, Misconception,
     Question, Response, Topic, WrongAnswer,
 };
 
 /// A wrong answer as it is declared, whether or not it can be given.
 struct OutlinedAnswer {
     /// Whoever gives it follows this; `None` for a wrong choice that follows nothing known.
-    misconception: Option<&'static Misconception>,
-    response: Response,
+    misconception: Option<Misconception>,
+    /// `None` where there is nothing to answer so here.
+    response: Option<Response>,
     says: String,
 }
 
 /// A question in the making: what is told, what is asked, what is true, and what is wrong.
 ///
 /// Wrong answers are declared whether or not they make sense for the figures drawn;
-/// [`finish`](Self::finish) leaves out those that cannot be given or happen to be right.
+/// [`why`](Self::why) leaves out those that cannot be given or happen to be right.
 pub(super) struct Outline {
     question: Question,
     wrong: Vec<OutlinedAnswer>,
@@ -64,18 +64,22 @@ impl Outline {
         draft
     }
 
-    /// What is asked, after what has been told, and the id of the topic.
-    pub(super) fn ask(mut self, topic: &'static str, text: impl AsRef<str>) -> Self {
-        self.question.topic = Topic::with_id(topic);
+    /// What is asked, after what has been told.
+    pub(super) fn ask(mut self, text: impl AsRef<str>) -> Self {
         self.question.text += " ";
         self.question.text += text.as_ref();
         self
     }
 
-    /// The topic, where all is told that is asked.
+    /// The topic.
     pub(super) fn topic(mut self, topic: impl Into<Topic>) -> Self {
         self.question.topic = topic.into();
         self
+    }
+
+    /// Which of its family's questions it is, and the topic.
+    pub(super) fn named(self, id: &str, topic: &'static str) -> Self {
+        self.figure("asked", id).topic(topic)
     }
 
     /// A figure that fixes the question, to be kept with its answers.
@@ -106,25 +110,28 @@ impl Outline {
     }
 
     /// What a misconception answers, as a number of the quantity asked for or an offset in
-    /// metres; `None` or NaN where it answers nothing here.
+    /// metres; `None` where it answers nothing here.
     pub(super) fn wrong(
         mut self,
-        misconception: &'static Misconception,
+        misconception: Misconception,
         answer: impl Into<Option<f64>>,
     ) -> Self {
-        let answer = answer.into().unwrap_or(f64::NAN);
         let response = match self.question.form {
-            Form::Shot(_) => Response::Shot(answer),
-            _ => Response::Number(answer),
+            Form::Shot(_) => Response::Shot,
+            _ => Response::Number,
         };
-        self.push(Some(misconception), response);
+        self.push(misconception, answer.into().map(response));
         self
     }
 
     /// Which of the [`options`](Self::options) a misconception chooses. Of those that choose
     /// alike the first counts.
-    pub(super) fn chooses(mut self, misconception: &'static Misconception, choice: usize) -> Self {
-        self.push(Some(misconception), Response::Choice(choice));
+    pub(super) fn chooses(
+        mut self,
+        misconception: impl Into<Option<Misconception>>,
+        choice: impl Into<Option<usize>>,
+    ) -> Self {
+        self.push(misconception, choice.into().map(Response::Choice));
         self
     }
 
@@ -136,9 +143,13 @@ impl Outline {
         self
     }
 
-    fn push(&mut self, misconception: Option<&'static Misconception>, response: Response) {
+    fn push(
+        &mut self,
+        misconception: impl Into<Option<Misconception>>,
+        response: Option<Response>,
+    ) {
         self.wrong.push(OutlinedAnswer {
-            misconception,
+            misconception: misconception.into(),
             response,
             says: String::new(),
         });
@@ -167,11 +178,11 @@ impl Outline {
     /// Adds a wrong choice, which follows a misconception or none that is known.
     pub(super) fn choice(
         mut self,
-        misconception: impl Into<Option<&'static Misconception>>,
+        misconception: impl Into<Option<Misconception>>,
         text: impl Into<String>,
     ) -> Self {
         let place = self.add_option(text);
-        self.push(misconception.into(), Response::Choice(place));
+        self.push(misconception, Some(Response::Choice(place)));
         self
     }
 
@@ -184,36 +195,30 @@ impl Outline {
             *options = order.iter().map(|old| options[*old].clone()).collect();
             *right = place(*right);
             for wrong in &mut self.wrong {
-                if let Response::Choice(choice) = &mut wrong.response {
+                if let Some(Response::Choice(choice)) = &mut wrong.response {
                     *choice = place(*choice);
                 }
             }
             self.wrong.sort_by_key(|wrong| match wrong.response {
-                Response::Choice(choice) => choice,
+                Some(Response::Choice(choice)) => choice,
                 _ => 0,
             });
         }
         self
     }
 
-    /// Why the truth is true.
-    pub(super) fn why(mut self, why: impl Into<String>) -> Self {
-        self.question.why = why.into();
-        self
-    }
-
-    /// The question, with the wrong answers that can be given and are not right by accident.
-    pub(super) fn finish(self) -> Question {
+    /// Why the truth is true, which is all that was left to say: the question, with the wrong
+    /// answers that can be given and are not right by accident.
+    pub(super) fn why(self, why: impl Into<String>) -> Option<Question> {
         /// What rounding alone may do.
         const SAME: f64 = 1e-6;
         let mut question = self.question;
+        question.why = why.into();
         let form = &question.form;
-        for OutlinedAnswer {
-            misconception,
-            response,
-            says,
-        } in self.wrong
-        {
+        for wrong in self.wrong {
+            let Some(response) = wrong.response else {
+                continue;
+            };
             let can_be_given = match (form, response) {
                 (Form::Number { quantity, .. }, Response::Number(x)) => {
                     (0.0..=quantity.largest()).contains(&x)
@@ -228,17 +233,13 @@ impl Outline {
             if !can_be_given || form.spacing(&response, &form.truth()) <= SAME {
                 continue;
             }
-            match (misconception, response) {
-                (Some(misconception), _) => {
-                    let wrong = WrongAnswer::new(misconception, response, says);
-                    question.beliefs.push(wrong);
-                }
-                (None, Response::Choice(choice)) => {
-                    question.replies.insert(choice, says);
-                }
-                (None, _) => {}
+            if let Some(misconception) = wrong.misconception {
+                let wrong = WrongAnswer::new(misconception, response, wrong.says);
+                question.beliefs.push(wrong);
+            } else if let Response::Choice(choice) = response {
+                question.replies.insert(choice, wrong.says);
             }
         }
-        question
+        Some(question)
     }
 }

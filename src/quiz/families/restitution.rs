@@ -1,19 +1,9 @@
 //! What the coefficient of restitution e does: speeds of parting, the corner, and where the
 //! right angle is found again.
 
-use super::hit_draws::{HitDraws, pair, unmarked};
-use super::outline::Outline;
+use super::prelude::*;
 use super::separation::twice_alpha;
 use super::weigh::seen_angles;
-use crate::numbers::{bare_degrees, degrees, significant};
-use crate::physics::RestingTarget;
-use crate::physics::units::deg_from_rad;
-use crate::quiz::misconceptions::catalogue::{
-    E_AS_ENERGY, LOSS_FORBIDS_SQUARE, LOSS_ON_EVERYTHING, UPSIDE_DOWN,
-};
-use crate::quiz::misconceptions::{ALWAYS_SQUARE, COPIED_ANGLE, LOSSLESS};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Pieces, Question};
 
 /// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
 const SQUARE: [(u32, u32, u32); 12] = [
@@ -33,43 +23,32 @@ const SQUARE: [(u32, u32, u32); 12] = [
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy if dice.coin() => square_again(dice),
         Difficulty::Easy => parting(dice),
         Difficulty::Middle if dice.coin() => striker_for_square(dice),
         Difficulty::Middle => e_for_square(dice),
         Difficulty::Hard if dice.coin() => corner(dice),
         Difficulty::Hard => e_from_angles(dice),
-    };
-    draft.map(Outline::finish)
-}
-
-/// A hit between these discs.
-fn drawn(pieces: Pieces, restitution: f64, difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
-    HitDraws::new(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
+    }
 }
 
 /// A hit of which the striker's mass is asked for, in words.
 fn of_any_striker(hit: &Hit) -> String {
     format!(
         "Smooth discs meet off-centre, the coin of {} g at rest. {}",
-        significant(hit.masses_g().1),
+        significant(hit.masses_g()[1]),
         hit.loss()
     )
 }
 
-fn not_here(e: f64) -> String {
-    format!(
-        "The right angle of equal masses needs that nothing is lost. Here e = {}.",
-        significant(e)
-    )
-}
+const NOT_HERE: &str = "The right angle of equal masses needs that nothing is lost.";
 
 const HEAVIER_CLOSES: &str = "You had it the other way round: a heavier striker closes the \
                               corner, and so does loss.";
 
 /// Whether, and with which striker, there is a right angle in spite of loss.
-fn square_again(dice: &mut Dice) -> Option<Outline> {
+fn square_again(dice: &mut Dice) -> Option<Question> {
     const STRIKERS: [&str; 4] = [
         "with a certain lighter striker",
         "with a striker of equal mass",
@@ -82,25 +61,21 @@ fn square_again(dice: &mut Dice) -> Option<Outline> {
     let mut order = [0, 1, 2, 3];
     dice.shuffle(&mut order);
     let place = |it: usize| order.iter().position(|i| *i == it).unwrap_or(0);
-    let draft = Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
-        .ask(
-            "square-in-spite-of-loss",
-            "With which striker do the two part at exactly 90°?",
-        )
-        .figure("asked", "striker")
+    Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
+        .named("striker", "square-in-spite-of-loss")
+        .ask("With which striker do the two part at exactly 90°?")
         .options(order.map(|i| STRIKERS[i]), place(0))
-        .chooses(&ALWAYS_SQUARE, place(1))
-        .says(not_here(e))
-        .chooses(&UPSIDE_DOWN, place(2))
+        .chooses(AlwaysSquare, place(1))
+        .says(here_e(NOT_HERE, e))
+        .chooses(UpsideDown, place(2))
         .says(HEAVIER_CLOSES)
-        .chooses(&LOSS_FORBIDS_SQUARE, place(3))
+        .chooses(LossForbidsSquare, place(3))
         .says("You took it that loss forbids the right angle. It only asks for other masses.")
         .why(format!(
             "The corner is square when the striker stops along the line of impact. With loss it \
              still follows an equal coin; one of m₁ = e m₂ = {} g just stops.",
             significant(e * f64::from(coin_g))
-        ));
-    Some(draft)
+        ))
 }
 
 /// An e from 0.2 to 0.8.
@@ -110,7 +85,7 @@ fn tenths(dice: &mut Dice) -> Option<f64> {
 }
 
 /// e from the speeds after a head-on hit of equal masses.
-fn parting(dice: &mut Dice) -> Option<Outline> {
+fn parting(dice: &mut Dice) -> Option<Question> {
     let e = tenths(dice)?;
     let hit = drawn(Pieces::Equal, e, Difficulty::Easy, dice)?.at_angle(0.0);
     let outcome = hit.outcome();
@@ -120,29 +95,28 @@ fn parting(dice: &mut Dice) -> Option<Outline> {
         "A striker hits a resting coin of the same mass head-on at {u_words} m/s. After it the \
          striker goes on at {v1_words} m/s, the coin at {v2_words} m/s."
     );
-    let draft = Outline::told(&hit, text, unmarked(&hit))
-        .ask("e-head-on", "What is e?")
-        .figure("asked", "e head-on")
+    Outline::told(&hit, text, unmarked(&hit))
+        .named("e head-on", "e-head-on")
+        .ask("What is e?")
         .number(Measure::Restitution, e)
-        .wrong(&E_AS_ENERGY, outcome.energy_after / outcome.energy_before)
+        .wrong(EAsEnergy, outcome.energy_after / outcome.energy_before)
         .says(
             "That is the share of the energy that is left. e compares speeds: how they part and \
              how they met.",
         )
-        .wrong(&LOSS_ON_EVERYTHING, v2 / u)
+        .wrong(LossOnEverything, v2 / u)
         .says(
             "You compared the coin's speed with the striker's before. e compares how fast the two \
              part from each other.",
         )
-        .wrong(&LOSSLESS, 1.0)
+        .wrong(Lossless, 1.0)
         .says("e = 1 is a hit without loss: the striker would have stopped.")
         .why(format!(
             "They part at {v2_words} - {v1_words} = {} m/s and met at {u_words} m/s. e is the one \
              over the other: {}.",
             significant(v2 - v1),
             significant(e)
-        ));
-    Some(draft)
+        ))
 }
 
 /// A hit that is square in spite of loss.
@@ -156,76 +130,62 @@ const STOPS: &str = "Square means that the striker stops along the line of impac
                      left with m₁ - e m₂.";
 
 /// The striker's mass that brings the right angle back.
-fn striker_for_square(dice: &mut Dice) -> Option<Outline> {
+fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
-    let ((m1, m2), e) = (hit.masses_g(), hit.restitution);
-    let draft = Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
-        .ask(
-            "square-in-spite-of-loss",
-            "With which mass of the striker do they part at exactly 90°?",
-        )
-        .figure("asked", "striker mass")
+    let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
+    Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
+        .named("striker mass", "square-in-spite-of-loss")
+        .ask("With which mass of the striker do they part at exactly 90°?")
         .number(Measure::Mass, m1)
-        .wrong(&ALWAYS_SQUARE, m2)
-        .says(format!(
-            "Equal masses part at 90° when nothing is lost. Here e = {}.",
-            significant(e)
-        ))
-        .wrong(&UPSIDE_DOWN, m2 / e)
+        .wrong(AlwaysSquare, m2)
+        .says(here_e("Equal masses part at 90° when nothing is lost.", e))
+        .wrong(UpsideDown, m2 / e)
         .says(HEAVIER_CLOSES)
-        .wrong(&E_AS_ENERGY, e.sqrt() * m2)
+        .wrong(EAsEnergy, e.sqrt() * m2)
         .says("You took the root of e, as if it were a share of energy. e compares speeds.")
-        .why(format!("{STOPS} So m₁ = e m₂ = {} g.", significant(m1)));
-    Some(draft)
+        .why(format!("{STOPS} So m₁ = e m₂ = {} g.", significant(m1)))
 }
 
 /// The e that brings the right angle to two masses.
-fn e_for_square(dice: &mut Dice) -> Option<Outline> {
+fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
-    let ((m1, m2), e) = (hit.masses_g(), hit.restitution);
-    let text = format!(
-        "A smooth striker of {} g hits a resting coin of {} g off-centre at {} m/s.",
-        significant(m1),
-        significant(m2),
-        significant(hit.speed)
-    );
-    let draft = Outline::told(&hit, text, unmarked(&hit))
-        .ask("e-for-square", "They part at exactly 90°. What is e?")
-        .figure("asked", "e square")
+    let e = hit.restitution;
+    Outline::told(&hit, off_centre(&hit), unmarked(&hit))
+        .named("e square", "e-for-square")
+        .ask("They part at exactly 90°. What is e?")
         .number(Measure::Restitution, e)
-        .wrong(&LOSS_FORBIDS_SQUARE, 1.0)
+        .wrong(LossForbidsSquare, 1.0)
         .says(
             "You took it that only a hit without loss can be square. With a lighter striker it \
              needs some loss.",
         )
-        .wrong(&E_AS_ENERGY, e * e)
+        .wrong(EAsEnergy, e * e)
         .says("You squared the ratio, as if e were a share of energy. e compares speeds.")
-        .wrong(&LOSS_ON_EVERYTHING, 1.0 - e)
+        .wrong(LossOnEverything, 1.0 - e)
         .says("That is what is missing of the ratio of masses. e is the ratio itself.")
-        .why(format!("{STOPS} So e = m₁ / m₂ = {}.", significant(e)));
-    Some(draft)
+        .why(format!("{STOPS} So e = m₁ / m₂ = {}.", significant(e)))
 }
 
 /// How far loss closes the corner of equal masses.
-fn corner(dice: &mut Dice) -> Option<Outline> {
+fn corner(dice: &mut Dice) -> Option<Question> {
     let e = f64::from(*dice.pick(&[2, 3, 4, 5, 6, 7])?) / 10.0;
     let hit = drawn(Pieces::Equal, e, Difficulty::Hard, dice)?;
     let alpha = hit.alpha().abs();
     let separation = hit.outcome().separation?;
-    let draft = Outline::about(&hit)
-        .ask("corner-with-loss", "How many degrees apart do they leave?")
-        .figure("asked", "separation")
+    Outline::about(&hit)
+        .named("separation", "corner-with-loss")
+        .ask("How many degrees apart do they leave?")
         .number(Measure::Angle, deg_from_rad(separation))
-        .wrong(&ALWAYS_SQUARE, 90.0)
-        .says(not_here(e))
-        .wrong(&LOSS_ON_EVERYTHING, 90.0 * e)
+        .wrong(AlwaysSquare, 90.0)
+        .says(here_e(NOT_HERE, e))
+        .wrong(LossOnEverything, 90.0 * e)
         .says(
             "You multiplied the right angle itself by e. But e works along the line of impact \
              alone.",
         )
-        .wrong(&COPIED_ANGLE, 2.0 * deg_from_rad(alpha))
+        .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
-        .wrong(&UPSIDE_DOWN, 180.0 - deg_from_rad(separation))
+        .wrong(UpsideDown, 180.0 - deg_from_rad(separation))
         .says("You opened the corner by as much as loss closes it.")
         .why(format!(
             "Of its speed the striker keeps sin {} = {} across the line and (1 - e) / 2 cos {0} = \
@@ -234,43 +194,40 @@ fn corner(dice: &mut Dice) -> Option<Outline> {
             significant(alpha.sin()),
             significant(0.5 * (1.0 - e) * alpha.cos()),
             degrees(separation)
-        ));
-    Some(draft)
+        ))
 }
 
 /// e from the two angles after a hit, the masses being known.
-fn e_from_angles(dice: &mut Dice) -> Option<Outline> {
+fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let e = tenths(dice)?;
     let (m1_g, m2_g) = *dice.pick(&[(15, 15), (20, 20), (15, 10), (20, 15), (10, 15), (15, 20)])?;
     let hit = drawn(pair(m1_g, m2_g), e, Difficulty::Hard, dice)?;
     let outcome = hit.outcome();
-    let (m1, m2) = hit.masses_g();
+    let [m1, m2] = hit.masses_g();
     let k = RestingTarget::from(&hit.collision()).k();
     let text = format!(
-        "A smooth striker of {} g hit a resting coin of {} g. {}",
-        significant(m1),
-        significant(m2),
+        "{}. {}",
+        hit.who("smooth striker", "hit"),
         seen_angles(outcome.theta1?.abs(), outcome.theta2?.abs())
     );
     let collision = hit.collision();
-    let draft = Outline::told(&hit, text, Illustration::After { collision })
-        .ask("e-from-angles", "What is e?")
-        .figure("asked", "e angles")
+    Outline::told(&hit, text, Illustration::After { collision })
+        .named("e angles", "e-from-angles")
+        .ask("What is e?")
         .number(Measure::Restitution, e)
-        .wrong(&E_AS_ENERGY, outcome.energy_after / outcome.energy_before)
+        .wrong(EAsEnergy, outcome.energy_after / outcome.energy_before)
         .says(
             "That is the share of the energy that is left. e compares speeds along the line of \
              impact.",
         )
-        .wrong(&UPSIDE_DOWN, k * (m1 + m2) / m1 - 1.0)
+        .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You had the two masses the other way round.")
-        .wrong(&LOSSLESS, 1.0)
+        .wrong(Lossless, 1.0)
         .says("Without loss these masses would part at another angle.")
         .why(format!(
             "Along the line the striker gives up k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {} of its \
              speed. k is (1 + e) m₂ / (m₁ + m₂), so e = {}.",
             significant(k),
             significant(e)
-        ));
-    Some(draft)
+        ))
 }

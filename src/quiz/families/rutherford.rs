@@ -1,14 +1,7 @@
 //! Rutherford's law: how many are counted at two angles, 1 / sin⁴(φ/2).
 
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, degrees, significant};
+use super::prelude::*;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
-use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::quiz::misconceptions::catalogue::{
-    EVERY_ANGLE_ALIKE, HALF_ANGLE_FORGOTTEN, TOO_GENTLE, UPSIDE_DOWN,
-};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Illustration, Measure, Question};
 
 /// Foils and their charge numbers.
 const FOILS: [(&str, f64); 4] = [
@@ -51,13 +44,12 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         charge,
         energy_mev: f64::from(5 + dice.below(4)),
     };
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy => whole_ratio(&beam, dice),
         Difficulty::Middle => ratio(&beam, dice),
         Difficulty::Hard if dice.coin() => ratio_of_energies(&beam, dice),
         Difficulty::Hard => angle(&beam, dice),
-    };
-    draft.map(Outline::finish)
+    }
 }
 
 /// The sine of half an angle in degrees.
@@ -89,7 +81,7 @@ fn in_degrees(deg: f64) -> String {
 }
 
 /// A whole ratio, to be chosen.
-fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
+fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));
     // Asked from the small angle to the large one, or back.
@@ -107,27 +99,27 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
         in_degrees(there),
         in_degrees(here)
     );
-    let draft = beam
-        .told(Some([near_deg, far_deg]))
-        .ask("counts-at-two-angles", text)
+    beam.told(Some([near_deg, far_deg]))
+        .topic("counts-at-two-angles")
+        .ask(text)
         .figure("angle_deg", here)
         .figure("to_deg", there)
         .figure("asked", "choice")
         .right(right)
-        .choice(&TOO_GENTLE, gentle)
+        .choice(TooGentle, gentle)
         .says("You took the square of the sine. It is the fourth power that counts.")
-        .choice(&UPSIDE_DOWN, upside_down)
+        .choice(UpsideDown, upside_down)
         .says(
             "You had it the other way round. Small angles are the common ones: most pass far from \
              a nucleus.",
         )
-        .choice(&EVERY_ANGLE_ALIKE, "Just as many")
+        .choice(EveryAngleAlike, "Just as many")
         .says(
             "You took all angles as alike. But to be turned far, one must pass close by, and few \
              do.",
         )
-        .why(why(near_deg, far_deg));
-    Some(draft.shuffled(dice))
+        .shuffled(dice)
+        .why(why(near_deg, far_deg))
 }
 
 /// What misconceptions answer that is asked for a ratio.
@@ -140,18 +132,18 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
         .figure("to_deg", to_deg)
         .figure("asked", "ratio")
         .number(Measure::Times, truth)
-        .wrong(&HALF_ANGLE_FORGOTTEN, whole.map(|whole| by_energy * whole))
+        .wrong(HalfAngleForgotten, whole.map(|whole| by_energy * whole))
         .says("You took the sine of the whole angles. It is the half of each that counts.")
         .wrong(
-            &TOO_GENTLE,
+            TooGentle,
             by_energy * times_as_many(from_deg, to_deg).sqrt(),
         )
         .says("You took the square of the sines. Counts fall with the fourth power.")
-        .wrong(&UPSIDE_DOWN, truth.recip())
+        .wrong(UpsideDown, truth.recip())
 }
 
 /// A ratio as a number.
-fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
+fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let text = format!(
         "How many times as many does a small screen count at {} as at {}?",
@@ -160,15 +152,15 @@ fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
     );
     let draft = beam
         .told(Some([here_deg, there_deg]))
-        .ask("counts-at-two-angles", text);
-    let draft = wrong_ratios(draft, here_deg, there_deg, 1.0)
+        .topic("counts-at-two-angles")
+        .ask(text);
+    wrong_ratios(draft, here_deg, there_deg, 1.0)
         .says("You had the ratio upside down. The smaller angle has the larger count.")
-        .why(why(here_deg, there_deg));
-    Some(draft)
+        .why(why(here_deg, there_deg))
 }
 
 /// The energy changes with the angle: d goes as 1 / E, and counts as d².
-fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
+fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let to_energy_mev = f64::from(3 + dice.below(6));
     if (to_energy_mev - beam.energy_mev).abs() < 0.5 {
@@ -184,11 +176,12 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
     );
     let draft = beam
         .told(Some([here_deg, there_deg]))
-        .ask("counts-angle-and-energy", text)
+        .topic("counts-angle-and-energy")
+        .ask(text)
         .figure("to_energy_mev", to_energy_mev);
-    let draft = wrong_ratios(draft, here_deg, there_deg, by_energy)
+    wrong_ratios(draft, here_deg, there_deg, by_energy)
         .says("You had the ratio upside down. Counts fall with the angle, and with the energy.")
-        .wrong(&EVERY_ANGLE_ALIKE, by_energy)
+        .wrong(EveryAngleAlike, by_energy)
         .says(
             "You counted the energy alone, as if all angles were alike. The larger angle is the \
              rarer one.",
@@ -198,12 +191,11 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
             why(here_deg, there_deg),
             significant(by_energy),
             significant(by_energy * times_as_many(here_deg, there_deg))
-        ));
-    Some(draft)
+        ))
 }
 
 /// The ratio is given, the angle asked for.
-fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
+fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let from_deg = f64::from(15 * (2 + dice.below(5)));
     let fewer = f64::from(*dice.pick(&[2_u32, 3, 4, 5, 8, 10, 16, 20, 50])?);
     // The angle at which sin⁴ of its half, or what is taken for it, is so many times as
@@ -220,21 +212,21 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
         "At which angle does a small screen count 1/{fewer} of what it counts at {}?",
         in_degrees(from_deg)
     );
-    let draft = beam
-        .told(None)
-        .ask("angle-of-count", text)
+    beam.told(None)
+        .topic("angle-of-count")
+        .ask(text)
         .figure("angle_deg", from_deg)
         .figure("fewer_times", fewer)
         .figure("asked", "angle")
         .number(Measure::Angle, truth)
         .wrong(
-            &HALF_ANGLE_FORGOTTEN,
+            HalfAngleForgotten,
             at(rad_from_deg(from_deg).sin() * root) / 2.0,
         )
         .says("You took the sine of the whole angle. It is the half of it that counts.")
-        .wrong(&TOO_GENTLE, at(half_sine * fewer.sqrt()))
+        .wrong(TooGentle, at(half_sine * fewer.sqrt()))
         .says("You took the square of the sine. Counts fall with its fourth power.")
-        .wrong(&UPSIDE_DOWN, at(half_sine / root))
+        .wrong(UpsideDown, at(half_sine / root))
         .says("You went to a smaller angle. There more are counted, not fewer.")
         .why(format!(
             "Counts go as 1 / sin⁴ of half the angle. For 1/{fewer} of them the sine must be {} \
@@ -244,8 +236,7 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Outline> {
             significant(half_sine),
             significant(half_sine * root),
             in_degrees(truth / 2.0)
-        ));
-    Some(draft)
+        ))
 }
 
 /// Two different angles in degrees, the smaller one first.

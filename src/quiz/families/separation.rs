@@ -3,17 +3,8 @@
 
 use std::cmp::Ordering;
 
-use super::hit_draws::{HitDraws, NO_LOSS, UNEQUAL, pair, unmarked};
-use super::outline::Outline;
-use crate::numbers::{degrees, significant};
-use crate::physics::units::deg_from_rad;
-use crate::quiz::misconceptions::catalogue::{LOSS_FORBIDS_SQUARE, SPEED_OPENS_ANGLE, UPSIDE_DOWN};
+use super::prelude::*;
 use crate::quiz::misconceptions::reasoning;
-use crate::quiz::misconceptions::{
-    ALWAYS_SQUARE, COPIED_ANGLE, HEAVY_UNMOVED, LOSSLESS, PUSHED_AHEAD,
-};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Measure, Question};
 
 /// The choices, in their natural order.
 const CORNERS: [&str; 3] = ["more than 90°", "exactly 90°", "less than 90°"];
@@ -66,14 +57,13 @@ const NEAR_SQUARE: [MassesAndLoss; 12] = [
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy => corner(&LOSSLESS_PAIRS, difficulty, dice),
         Difficulty::Middle if dice.coin() => corner(&LOSSY_PAIRS, difficulty, dice),
         Difficulty::Middle => how_wide(NO_LOSS, difficulty, dice),
         Difficulty::Hard if dice.coin() => corner(&NEAR_SQUARE, difficulty, dice),
         Difficulty::Hard => how_wide(&[0.4, 0.5, 0.6, 0.8], difficulty, dice),
-    };
-    draft.map(Outline::finish)
+    }
 }
 
 /// The corner of a hit: the lighter the striker against e times the target, the wider.
@@ -86,14 +76,12 @@ fn compared(striker: u32, target: u32) -> usize {
 }
 
 /// More, exactly or less than 90°.
-fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> Option<Outline> {
+fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let &(m1_g, m2_g, e_tenths) = dice.pick(pairs)?;
-    let pieces = [pair(m1_g, m2_g)];
-    let restitutions = [f64::from(e_tenths) / 10.0];
-    let hit = HitDraws::new(&pieces, 20..=70, &restitutions).draw(difficulty, dice)?;
+    let e = f64::from(e_tenths) / 10.0;
+    let hit = drawn(pair(m1_g, m2_g), e, difficulty, dice)?;
     let right = compared(10 * m1_g, e_tenths * m2_g);
     let lossy = e_tenths < 10;
-    let (m1, m2) = (f64::from(m1_g), f64::from(m2_g));
     let not_here = if m1_g == m2_g {
         "Equal masses part at a right angle if no energy is lost. Here some is."
     } else if lossy {
@@ -102,52 +90,40 @@ fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> O
     } else {
         "The right angle without loss is that of equal masses. Here they differ."
     };
-    let text = format!(
-        "A smooth striker of {} g hits a resting coin of {} g off-centre at {} m/s. {}",
-        significant(m1),
-        significant(m2),
-        significant(hit.speed),
-        hit.loss()
-    );
+    let text = format!("{} {}", off_centre(&hit), hit.loss());
     let topic = if lossy {
         "corner-with-loss"
     } else {
         "corner-without-loss"
     };
-    let mut draft = Outline::told(&hit, text, unmarked(&hit))
-        .ask(topic, "How large is the angle between their ways out?")
-        .options(CORNERS, right);
-    if lossy && right == EXACTLY {
-        draft = draft.chooses(&LOSS_FORBIDS_SQUARE, LESS).says(
+    let square = right == EXACTLY;
+    Outline::told(&hit, text, unmarked(&hit))
+        .topic(topic)
+        .ask("How large is the angle between their ways out?")
+        .options(CORNERS, right)
+        .chooses(LossForbidsSquare, (lossy && square).then_some(LESS))
+        .says(
             "You took it that loss always closes the right angle. It moves it to another pair of \
              masses.",
-        );
-    }
-    draft = draft.chooses(&ALWAYS_SQUARE, EXACTLY).says(not_here);
-    if lossy {
-        draft = draft
-            .chooses(&LOSSLESS, compared(m1_g, m2_g))
-            .says("That is so without loss. Loss closes the corner, the more the more is lost.");
-    }
-    draft = if right == EXACTLY {
-        draft
-            .chooses(&SPEED_OPENS_ANGLE, MORE)
-            .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
-            .chooses(&PUSHED_AHEAD, LESS)
-            .says(
-                "Does the striker push the coin along with it? A smooth rim pushes along the line \
-                 of impact alone.",
-            )
-    } else {
-        draft
-            .chooses(&UPSIDE_DOWN, LESS - right)
-            .says(FOLLOWS_OR_BOUNCES)
-    };
-    Some(draft.why(if lossy {
-        lossy_corner(right, hit.restitution * m2, m1)
-    } else {
-        lossless_corner(right).into()
-    }))
+        )
+        .chooses(AlwaysSquare, EXACTLY)
+        .says(not_here)
+        .chooses(Lossless, lossy.then(|| compared(m1_g, m2_g)))
+        .says("That is so without loss. Loss closes the corner, the more the more is lost.")
+        .chooses(SpeedOpensAngle, square.then_some(MORE))
+        .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
+        .chooses(PushedAhead, square.then_some(LESS))
+        .says(
+            "Does the striker push the coin along with it? A smooth rim pushes along the line of \
+             impact alone.",
+        )
+        .chooses(UpsideDown, (!square).then(|| LESS - right))
+        .says(FOLLOWS_OR_BOUNCES)
+        .why(if lossy {
+            lossy_corner(right, e * f64::from(m2_g), f64::from(m1_g))
+        } else {
+            lossless_corner(right).into()
+        })
 }
 
 /// Of whoever has the masses upside down.
@@ -186,7 +162,7 @@ fn lossy_corner(right: usize, lossy_target_g: f64, striker_g: f64) -> String {
 }
 
 /// How many degrees, with unequal masses.
-fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Outline> {
+fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = HitDraws::new(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
     let alpha = hit.alpha().abs();
     let wide = |hit: &Hit| hit.outcome().separation.map(deg_from_rad);
@@ -196,24 +172,21 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
     } else {
         "corner-lighter-striker"
     };
-    let draft = Outline::about(&hit)
-        .ask(topic, "How many degrees apart do they leave?")
+    Outline::about(&hit)
+        .topic(topic)
+        .ask("How many degrees apart do they leave?")
         .number(Measure::Angle, wide(&hit)?)
-        .wrong(&ALWAYS_SQUARE, 90.0)
+        .wrong(AlwaysSquare, 90.0)
         .says("You opened a right angle. It takes m₁ = e m₂: without loss, equal masses.")
-        .wrong(&COPIED_ANGLE, 2.0 * deg_from_rad(alpha))
+        .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, hit.pieces.target_name()))
-        .wrong(&HEAVY_UNMOVED, heavy.then_some(deg_from_rad(alpha)))
+        .wrong(HeavyUnmoved, heavy.then_some(deg_from_rad(alpha)))
         .says("You sent the striker straight on. It is heavier, yet it is turned.")
-        .wrong(&UPSIDE_DOWN, wide(&hit.exchanged()))
+        .wrong(UpsideDown, wide(&hit.exchanged()))
         .says("That is so with the two masses exchanged.")
-        .wrong(&LOSSLESS, wide(&hit.with_restitution(1.0)))
-        .says(format!(
-            "That is the angle without loss. Here e = {}.",
-            significant(hit.restitution)
-        ))
-        .why(reasoning(&hit));
-    Some(draft)
+        .wrong(Lossless, wide(&hit.with_restitution(1.0)))
+        .says(here_e("That is the angle without loss.", hit.restitution))
+        .why(reasoning(&hit))
 }
 
 /// Of whoever takes twice the impact angle for the corner.

@@ -1,16 +1,7 @@
 //! Slipping, e = 0 with smooth rims, against sticking: how the two go on.
 
-use super::hit_draws::{EQUAL, HitDraws, UNEQUAL, in_short};
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, degrees, significant};
-use crate::physics::units::deg_from_rad;
-use crate::physics::{Bond, Collision};
-use crate::quiz::misconceptions::catalogue::{
-    GRIP_IGNORED, GRIP_STOPS_ALL, HALFWAY_CENTRE, MOMENTUM_LOST, SINE_COSINE, UPSIDE_DOWN,
-};
-use crate::quiz::misconceptions::{ALWAYS_SQUARE, LOSSLESS};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Illustration, Markings, Measure, Question};
+use super::prelude::*;
+use crate::physics::Bond;
 
 /// What the rims do.
 #[derive(Clone, Copy, PartialEq)]
@@ -62,7 +53,8 @@ impl Rims {
         };
         let picture = Illustration::before(self.collision(hit), shown);
         Outline::told(hit, format!("{} {words}", in_short(hit)), picture)
-            .ask(topic, text)
+            .topic(topic)
+            .ask(text)
             .figure("rims", id)
             .figure("asked", asked)
     }
@@ -70,22 +62,21 @@ impl Rims {
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let by_number: [fn(&Hit) -> Option<Outline>; 4] = [parting, striker_speed, pair_speed, loss];
+    let by_number: [fn(&Hit) -> Option<Question>; 4] = [parting, striker_speed, pair_speed, loss];
     let (pieces, asks) = match difficulty {
         Difficulty::Easy => (EQUAL, 0),
         Difficulty::Middle => (EQUAL, 3),
         Difficulty::Hard => (UNEQUAL, 4),
     };
     let hit = HitDraws::new(pieces, 20..=70, &[0.0]).draw(difficulty, dice)?;
-    let draft = match dice.pick(&by_number[..asks]) {
+    match dice.pick(&by_number[..asks]) {
         Some(ask) => ask(&hit),
         None => by_choice(&hit, dice),
-    };
-    draft.map(Outline::finish)
+    }
 }
 
 /// How do they go on? Equal masses.
-fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Outline> {
+fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     const SQUARE: &str = "They part at exactly 90°";
     const NARROW: &str = "They part at less than 90°";
     const MOVING: &str = "They stay together and move on";
@@ -103,56 +94,65 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Outline> {
     let outcome = rims.collision(hit).outcome();
     let across = significant(hit.speed * hit.alpha().abs().sin());
     let draft = rims.ask(hit, "picture", "How do the two go on?");
-    let draft = match rims {
-        Rims::Lossless => draft
-            .right(SQUARE)
-            .choice(None, NARROW)
-            .says("You let some of the bounce be lost. With e = 1 all of it comes back.")
-            .choice(&GRIP_STOPS_ALL, MOVING)
-            .says("You let them stick. But smooth rims cannot hold each other.")
-            .why(format!(
+    let (draft, why) = match rims {
+        Rims::Lossless => (
+            draft
+                .right(SQUARE)
+                .choice(None, NARROW)
+                .says("You let some of the bounce be lost. With e = 1 all of it comes back.")
+                .choice(GripStopsAll, MOVING)
+                .says("You let them stick. But smooth rims cannot hold each other."),
+            format!(
                 "Along the line of impact the coin takes all that the striker had. Across it the \
                  striker keeps its {across} m/s: a corner of 90°."
-            )),
-        Rims::Slip => draft
-            .choice(&LOSSLESS, SQUARE)
-            .says(BOUNCED)
-            .right(NARROW)
-            .choice(&GRIP_STOPS_ALL, MOVING)
-            .says(
-                "You let them stick. But smooth rims do not grip: across the line of impact \
-                 nothing is stopped.",
-            )
-            .why(format!(
+            ),
+        ),
+        Rims::Slip => (
+            draft
+                .choice(Lossless, SQUARE)
+                .says(BOUNCED)
+                .right(NARROW)
+                .choice(GripStopsAll, MOVING)
+                .says(
+                    "You let them stick. But smooth rims do not grip: across the line of impact \
+                     nothing is stopped.",
+                ),
+            format!(
                 "Along the line of impact both go on alike. Across it the striker keeps its \
                  {across} m/s and slides off: they part at {}.",
                 degrees(outcome.separation?)
-            )),
-        Rims::Stick => draft
-            .choice(&LOSSLESS, SQUARE)
-            .says(BOUNCED)
-            .choice(&GRIP_IGNORED, NARROW)
-            .says(
-                "You let them slip along each other. So it would be with smooth rims and e = 0; \
-                 these hold fast.",
-            )
-            .right(MOVING)
-            .why(format!(
+            ),
+        ),
+        Rims::Stick => (
+            draft
+                .choice(Lossless, SQUARE)
+                .says(BOUNCED)
+                .choice(GripIgnored, NARROW)
+                .says(
+                    "You let them slip along each other. So it would be with smooth rims and \
+                     e = 0; these hold fast.",
+                )
+                .right(MOVING),
+            format!(
                 "Stuck together they go on with their centre of mass, at {} m/s. Off-centre, the \
                  pair also turns.",
                 significant(outcome.v1.length())
-            )),
+            ),
+        ),
     };
-    let draft = draft.choice(&MOMENTUM_LOST, STILL).says(
-        "You let all motion go. Energy can be lost, but momentum cannot: the two carry it on.",
-    );
-    Some(draft.shuffled(dice))
+    draft
+        .choice(MomentumLost, STILL)
+        .says(
+            "You let all motion go. Energy can be lost, but momentum cannot: the two carry it on.",
+        )
+        .shuffled(dice)
+        .why(why)
 }
 
 /// The striker's share of the masses, which is the share of its speed that the two have in
 /// common.
 fn share(hit: &Hit) -> f64 {
-    let (m1, m2) = hit.masses_g();
+    let [m1, m2] = hit.masses_g();
     m1 / (m1 + m2)
 }
 
@@ -170,21 +170,21 @@ fn shared(hit: &Hit) -> String {
 }
 
 /// The angle at which the two slip apart.
-fn parting(hit: &Hit) -> Option<Outline> {
+fn parting(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (along, across) = parts(hit);
     let separation = |rims: Rims| rims.collision(hit).outcome().separation.map(deg_from_rad);
-    let draft = Rims::Slip
+    Rims::Slip
         .ask(hit, "separation", "At what angle do they part?")
         .number(Measure::Angle, separation(Rims::Slip)?)
-        .wrong(&GRIP_STOPS_ALL, 0.0)
+        .wrong(GripStopsAll, 0.0)
         .says("You let them stick. Smooth rims do not grip: the striker slides off.")
-        .wrong(&LOSSLESS, separation(Rims::Lossless))
+        .wrong(Lossless, separation(Rims::Lossless))
         .says(
             "That is the angle without loss. With e = 0 nothing springs back along the line of \
              impact.",
         )
-        .wrong(&ALWAYS_SQUARE, 90.0)
+        .wrong(AlwaysSquare, 90.0)
         .says("You took 90°. That is for equal masses without loss.")
         .why(format!(
             "{} Across it the striker keeps {across} m/s, the {name} has none: the tangent of the \
@@ -192,28 +192,27 @@ fn parting(hit: &Hit) -> Option<Outline> {
             shared(hit),
             significant(share(hit) * along),
             across = significant(across),
-        ));
-    Some(draft)
+        ))
 }
 
 /// How fast the striker slips on.
-fn striker_speed(hit: &Hit) -> Option<Outline> {
+fn striker_speed(hit: &Hit) -> Option<Question> {
     let (_, across) = parts(hit);
     let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
-    let draft = Rims::Slip
+    Rims::Slip
         .ask(hit, "striker-speed", "How fast does the striker go on?")
         .number(Measure::Speed, speed(Rims::Slip))
-        .wrong(&GRIP_STOPS_ALL, speed(Rims::Stick))
+        .wrong(GripStopsAll, speed(Rims::Stick))
         .says(
             "You let them stick and share all the speed. Across the line of impact smooth rims \
              share nothing.",
         )
-        .wrong(&LOSSLESS, speed(Rims::Lossless))
+        .wrong(Lossless, speed(Rims::Lossless))
         .says(
             "That is the speed without loss. With e = 0 the two stay level along the line of \
              impact.",
         )
-        .wrong(&MOMENTUM_LOST, (!hit.masses_are_equal()).then_some(across))
+        .wrong(MomentumLost, (!hit.masses_are_equal()).then_some(across))
         .says(
             "You let all that was along the line of impact be lost. But momentum stays: the two \
              share it.",
@@ -226,63 +225,58 @@ fn striker_speed(hit: &Hit) -> Option<Outline> {
             bare_degrees(hit.alpha().abs()),
             significant(across),
             significant(speed(Rims::Slip))
-        ));
-    Some(draft)
+        ))
 }
 
 /// How fast the stuck pair goes on.
-fn pair_speed(hit: &Hit) -> Option<Outline> {
+fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
-    let draft = Rims::Stick
+    Rims::Stick
         .ask(hit, "pair-speed", "How fast does the pair go on?")
         .number(
             Measure::Speed,
             Rims::Stick.collision(hit).outcome().v1.length(),
         )
-        .wrong(&GRIP_IGNORED, share * parts(hit).0)
+        .wrong(GripIgnored, share * parts(hit).0)
         .says(
             "You shared only the part along the line of impact. Sticky rims take the part across \
              along, too.",
         )
-        .wrong(&LOSSLESS, u * share.sqrt())
+        .wrong(Lossless, u * share.sqrt())
         .says("You kept the energy of motion. Sticking costs energy; what stays is the momentum.")
-        .wrong(
-            &HALFWAY_CENTRE,
-            (!hit.masses_are_equal()).then_some(u / 2.0),
-        )
+        .wrong(HalfwayCentre, (!hit.masses_are_equal()).then_some(u / 2.0))
         .says("You took half the speed. That is for equal masses.")
-        .wrong(&UPSIDE_DOWN, u * (1.0 - share))
+        .wrong(UpsideDown, u * (1.0 - share))
         .says("You had the masses the other way round: a heavier striker is slowed less.")
         .why(format!(
             "Stuck together they go on with their centre of mass: m₁ / (m₁ + m₂) = {} times {} \
              m/s, wherever they touch.",
             significant(share),
             significant(u)
-        ));
-    Some(draft)
+        ))
 }
 
 /// The share of the energy that is lost as they slip.
-fn loss(hit: &Hit) -> Option<Outline> {
+fn loss(hit: &Hit) -> Option<Question> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));
     let outcome = Rims::Slip.collision(hit).outcome();
-    let draft = Rims::Slip
+    Rims::Slip
         .ask(hit, "energy-lost", "What share of the energy is lost?")
         .number(
             Measure::Share,
             100.0 * outcome.energy_lost / outcome.energy_before,
         )
-        .wrong(&GRIP_STOPS_ALL, 100.0 * (1.0 - share))
+        .wrong(GripStopsAll, 100.0 * (1.0 - share))
         .says("You let them go on as one. But across the line of impact smooth rims stop nothing.")
-        .wrong(&MOMENTUM_LOST, 100.0 * at_stake)
+        .wrong(MomentumLost, 100.0 * at_stake)
         .says(
             "You let all that was along the line of impact be lost. But momentum stays, and some \
              energy with it.",
         )
-        .wrong(&UPSIDE_DOWN, 100.0 * share * at_stake)
+        .wrong(UpsideDown, 100.0 * share * at_stake)
         .says("You had the masses the other way round: against a heavier target more is lost.")
-        .wrong(&SINE_COSINE, 100.0 * (1.0 - share) * sin.powi(2))
+        .wrong(SineCosine, 100.0 * (1.0 - share) * sin.powi(2))
         .says("You took the sine for the cosine. A graze loses least, a head-on hit most.")
         .why(format!(
             "Only the part along the line of impact is at stake: cos² {} = {} of the energy. Of \
@@ -290,6 +284,5 @@ fn loss(hit: &Hit) -> Option<Outline> {
             bare_degrees(hit.alpha().abs()),
             significant(at_stake),
             significant(1.0 - share)
-        ));
-    Some(draft)
+        ))
 }

@@ -1,14 +1,6 @@
 //! How fast one of the two leaves, from the speed before and the impact angle.
 
-use super::hit_draws::{EQUAL, HitDraws, NO_LOSS, UNEQUAL};
-use super::outline::Outline;
-use crate::numbers::{bare_degrees, significant};
-use crate::quiz::misconceptions::LOSSLESS;
-use crate::quiz::misconceptions::catalogue::{
-    LOSS_ON_EVERYTHING, ONE_LINE_FORMULA, SINE_COSINE, SPEEDS_ADD, UPSIDE_DOWN,
-};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Measure, Question};
+use super::prelude::*;
 
 const DRAWS: [HitDraws; 3] = [
     HitDraws::new(EQUAL, 15..=75, NO_LOSS),
@@ -19,15 +11,14 @@ const DRAWS: [HitDraws; 3] = [
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = DRAWS[difficulty as usize].draw(difficulty, dice)?;
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy if dice.coin() => striker(&hit),
         _ => target(&hit),
-    };
-    Some(draft.finish())
+    }
 }
 
 /// The struck disc's speed: the head-on formula, for the part along the line of impact.
-fn target(hit: &Hit) -> Outline {
+fn target(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (u, alpha, e) = (hit.speed, hit.alpha().abs(), hit.restitution);
     let speed = |hit: &Hit| hit.outcome().v2.length();
@@ -45,30 +36,27 @@ fn target(hit: &Hit) -> Outline {
         )
     };
     Outline::about(hit)
-        .ask("target-speed", format!("How fast does the {name} leave?"))
-        .figure("asked", "target")
+        .named("target", "target-speed")
+        .ask(format!("How fast does the {name} leave?"))
         .number(Measure::Speed, truth)
-        .wrong(&SINE_COSINE, truth * alpha.tan())
+        .wrong(SineCosine, truth * alpha.tan())
         .says(sine_for_cosine(name))
-        .wrong(&ONE_LINE_FORMULA, truth / alpha.cos())
+        .wrong(OneLineFormula, truth / alpha.cos())
         .says(format!(
             "You used the formula of a head-on hit on the whole {} m/s. Only the part along the \
              line of impact takes part.",
             significant(u)
         ))
-        .wrong(&SPEEDS_ADD, equal.then_some(u * (1.0 - alpha.sin())))
+        .wrong(SpeedsAdd, equal.then_some(u * (1.0 - alpha.sin())))
         .says(
             "You took what the striker keeps off the speed before. Speeds do not add up so: they \
              are the sides of a triangle.",
         )
-        .wrong(&UPSIDE_DOWN, speed(&hit.exchanged()))
+        .wrong(UpsideDown, speed(&hit.exchanged()))
         .says("You had the masses the other way round: a heavier striker gives the more speed.")
-        .wrong(&LOSSLESS, lossless)
-        .says(format!(
-            "That is the speed without loss. Here e = {}.",
-            significant(e)
-        ))
-        .wrong(&LOSS_ON_EVERYTHING, e * lossless)
+        .wrong(Lossless, lossless)
+        .says(here_e("That is the speed without loss.", e))
+        .wrong(LossOnEverything, e * lossless)
         .says(SHRUNK)
         .why(format!(
             "Along the line of impact the striker brings {} cos {} = {} m/s. {share}",
@@ -89,21 +77,21 @@ pub(super) const SHRUNK: &str = "You multiplied the speed without loss by e. But
 
 /// The striker's speed, equal masses: the part across the line of impact, which is all
 /// that it keeps.
-fn striker(hit: &Hit) -> Outline {
+fn striker(hit: &Hit) -> Option<Question> {
     let (u, alpha) = (hit.speed, hit.alpha().abs());
     let outcome = hit.outcome();
     Outline::about(hit)
-        .ask("striker-speed", "How fast does the striker go on?")
-        .figure("asked", "striker")
+        .named("striker", "striker-speed")
+        .ask("How fast does the striker go on?")
         .number(Measure::Speed, outcome.v1.length())
-        .wrong(&SINE_COSINE, outcome.v2.length())
+        .wrong(SineCosine, outcome.v2.length())
         .says("You took the cosine for the sine. Head-on the striker keeps nothing.")
-        .wrong(&SPEEDS_ADD, u - outcome.v2.length())
+        .wrong(SpeedsAdd, u - outcome.v2.length())
         .says(
             "You took the coin's speed off the speed before. Speeds do not add up so: they are \
              the sides of a triangle.",
         )
-        .wrong(&ONE_LINE_FORMULA, 0.0)
+        .wrong(OneLineFormula, 0.0)
         .says(
             "You stopped the striker as in a head-on hit. Its part across the line of impact is \
              not touched.",

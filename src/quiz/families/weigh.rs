@@ -2,17 +2,10 @@
 
 use std::cmp::Ordering;
 
-use super::hit_draws::{HitDraws, NO_LOSS, pair};
-use super::outline::Outline;
+use super::prelude::*;
 use super::separation::FOLLOWS_OR_BOUNCES;
-use crate::numbers::{degrees, significant, tenths};
+use crate::numbers::tenths;
 use crate::physics::resting_target::{k_from_angles, mass_ratio_from_angles};
-use crate::quiz::misconceptions::catalogue::{
-    DOUBLE_ANGLE_FORGOTTEN, SCALAR_MOMENTUM, SINE_COSINE, UPSIDE_DOWN,
-};
-use crate::quiz::misconceptions::{HEAVY_UNMOVED, LOSSLESS};
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Hit, Illustration, Measure, Question};
 
 /// The choices, in their natural order.
 const WEIGHTS: [&str; 3] = [
@@ -31,17 +24,14 @@ const STRIKER: f64 = STRIKER_G as f64;
 
 /// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let draft = match difficulty {
+    match difficulty {
         Difficulty::Easy => which(dice),
-        Difficulty::Middle => Some(by_momentum(&SeenHit::draw(
-            &COINS_G, NO_LOSS, difficulty, dice,
-        )?)),
+        Difficulty::Middle => by_momentum(&SeenHit::draw(&COINS_G, NO_LOSS, difficulty, dice)?),
         Difficulty::Hard => {
             let restitutions = [1.0, 1.0, 0.8, 0.6, 0.5];
             by_angles(&SeenHit::draw(&COINS_G, &restitutions, difficulty, dice)?)
         }
-    };
-    draft.map(Outline::finish)
+    }
 }
 
 /// A hit seen from the outside.
@@ -101,7 +91,7 @@ const fn weight(coin: Ordering) -> usize {
 }
 
 /// Which of the two is the heavier, from the corner.
-fn which(dice: &mut Dice) -> Option<Outline> {
+fn which(dice: &mut Dice) -> Option<Question> {
     let alike = dice.below(3) == 0;
     let coins_g: &[u32] = if alike { &[STRIKER_G] } else { &COINS_G };
     let seen = SeenHit::draw(coins_g, NO_LOSS, Difficulty::Easy, dice)?;
@@ -122,53 +112,48 @@ fn which(dice: &mut Dice) -> Option<Outline> {
              the heavier."
         }
     };
-    let draft = seen
-        .told("A smooth striker")
-        .ask("which-is-heavier", "No energy was lost. What is the coin?")
-        .figure("asked", "which")
+    seen.told("A smooth striker")
+        .named("which", "which-is-heavier")
+        .ask("No energy was lost. What is the coin?")
         .options(WEIGHTS, right)
-        .chooses(&HEAVY_UNMOVED, turned_less)
+        .chooses(HeavyUnmoved, turned_less)
         .says(
             "You took the one that is turned less for the heavier. How far each is turned depends \
              on the offset, too.",
         )
-        .chooses(&UPSIDE_DOWN, HEAVIER - right)
+        .chooses(UpsideDown, HEAVIER - right)
         .says(FOLLOWS_OR_BOUNCES)
         .why(format!(
             "Together that is {}{why}",
             degrees(seen.theta1 + seen.theta2)
-        ));
-    Some(draft)
+        ))
 }
 
 const RATIO_UPSIDE_DOWN: &str = "You had the ratio of the masses upside down.";
 
 /// The mass of the coin by the momentum across the striker's way: angles and speeds.
-fn by_momentum(seen: &SeenHit) -> Outline {
+fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let outcome = seen.hit.outcome();
     let (u, v1, v2) = (seen.hit.speed, outcome.v1.length(), outcome.v2.length());
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     seen.told(&format!("A striker of {} g", significant(STRIKER)))
-        .ask(
-            "mass-from-momentum",
-            format!(
-                "Speeds: {} m/s before, then {} m/s, the coin {} m/s. Its mass?",
-                significant(u),
-                significant(v1),
-                significant(v2)
-            ),
-        )
-        .figure("asked", "momentum")
+        .named("momentum", "mass-from-momentum")
+        .ask(format!(
+            "Speeds: {} m/s before, then {} m/s, the coin {} m/s. Its mass?",
+            significant(u),
+            significant(v1),
+            significant(v2)
+        ))
         .number(Measure::Mass, seen.coin_g)
-        .wrong(&SCALAR_MOMENTUM, STRIKER * (u - v1) / v2)
+        .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)
         .says(
             "You added the momenta like plain numbers. They point different ways: across the way \
              they cancel.",
         )
-        .wrong(&UPSIDE_DOWN, STRIKER * STRIKER / seen.coin_g)
+        .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
         .wrong(
-            &SINE_COSINE,
+            SineCosine,
             (STRIKER * v1 * theta1.cos() / (v2 * theta2.cos())).abs(),
         )
         .says(
@@ -185,18 +170,18 @@ fn by_momentum(seen: &SeenHit) -> Outline {
 }
 
 /// The mass of the coin by the two angles alone.
-fn by_angles(seen: &SeenHit) -> Option<Outline> {
+fn by_angles(seen: &SeenHit) -> Option<Question> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
-    let e = significant(seen.hit.restitution);
+    let e = seen.hit.restitution;
     let lossless = mass_ratio_from_angles(theta1, theta2, 1.0)?;
     let coin = significant(seen.coin_g);
-    let (loss, why) = if seen.hit.restitution < 1.0 {
+    let (loss, why) = if e < 1.0 {
         let why = format!(
             "k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {} is what the striker gives up along the line. \
              It is (1 + e) m₂ / (m₁ + m₂), so m₂ = {coin} g.",
             significant(k_from_angles(theta1, theta2)?)
         );
-        (format!("e = {e}."), why)
+        (format!("e = {}.", significant(e)), why)
     } else {
         let why = format!(
             "Without loss m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁ = {ratio}. So m₂ = {} / {ratio} = \
@@ -206,28 +191,21 @@ fn by_angles(seen: &SeenHit) -> Option<Outline> {
         );
         ("No energy was lost.".into(), why)
     };
-    let draft = seen
-        .told(&format!("A smooth striker of {} g", significant(STRIKER)))
-        .ask(
-            "mass-from-angles",
-            format!("{loss} What is the coin's mass?"),
-        )
-        .figure("asked", "angles")
+    seen.told(&format!("A smooth striker of {} g", significant(STRIKER)))
+        .named("angles", "mass-from-angles")
+        .ask(format!("{loss} What is the coin's mass?"))
         .number(Measure::Mass, seen.coin_g)
-        .wrong(&UPSIDE_DOWN, STRIKER * STRIKER / seen.coin_g)
+        .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
-        .wrong(&LOSSLESS, STRIKER / lossless)
-        .says(format!(
-            "That is the mass if nothing is lost. Here e = {e}."
-        ))
+        .wrong(Lossless, STRIKER / lossless)
+        .says(here_e("That is the mass if nothing is lost.", e))
         .wrong(
-            &DOUBLE_ANGLE_FORGOTTEN,
+            DoubleAngleForgotten,
             STRIKER * theta1.sin() / (theta1 + theta2).sin(),
         )
         .says(
             "You took θ₂ once where it stands twice: seen from the centre of mass the line turns \
              by twice the angle.",
         )
-        .why(why);
-    Some(draft)
+        .why(why)
 }

@@ -7,11 +7,9 @@ use serde_json::{Map, Value, json};
 use super::hit_kinds::HitKind;
 use crate::physics::ImpactPoint;
 use crate::physics::units::mm_from_m;
-use crate::quiz::misconceptions::OF_RAYS;
-use crate::quiz::misconceptions::reasoning;
-use crate::quiz::question::Dice;
+use crate::quiz::misconceptions::{OF_RAYS, reasoning};
 use crate::quiz::question::{
-    Difficulty, Family, Form, Hit, Illustration, Markings, Question, Response, WrongAnswer,
+    Dice, Difficulty, Family, Form, Hit, Illustration, Markings, Question, Response, WrongAnswer,
 };
 
 /// How many hits a round of this family has.
@@ -132,11 +130,11 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
     OF_RAYS
         .into_iter()
         .filter_map(|misconception| {
-            let prediction = misconception.predict(hit)?;
+            let (rays, telltale) = misconception.predict(hit)?;
             Some(WrongAnswer {
                 misconception,
-                said: Response::Rays(prediction.rays),
-                telltale: prediction.telltale,
+                said: Response::Rays(rays),
+                telltale,
                 says: misconception.say(hit),
             })
         })
@@ -146,7 +144,7 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
 /// All that fixes a hit.
 pub(super) fn figures(hit: &Hit) -> Map<String, Value> {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
-    let (m1_g, m2_g) = hit.masses_g();
+    let [m1_g, m2_g] = hit.masses_g();
     let place = match hit.given {
         ImpactPoint::Angle { alpha_deg } => ("alpha_deg", alpha_deg),
         ImpactPoint::Offset { offset_mm } => ("offset_mm", offset_mm),

@@ -25,7 +25,7 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
         fit,
     });
     let (title, opening) = match belief {
-        Some((belief, _)) => (belief.misconception.name, belief.says.clone()),
+        Some((belief, _)) => (belief.misconception.name(), belief.says.clone()),
         None if Grade::new(question, answer).right => ("right", "Right, and this is why.".into()),
         None => undiagnosed(question, answer),
     };

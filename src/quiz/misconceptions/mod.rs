@@ -6,7 +6,7 @@
 //! question is only asked if it tells them apart: then no two of them, and none and
 //! the truth, lie so close that an answer could fit both.
 
-pub(crate) mod catalogue;
+mod catalogue;
 mod explain;
 mod of_rays;
 mod reasoning;
@@ -15,23 +15,17 @@ use crate::quiz::question::Misconception;
 
 pub use explain::{Explanation, explain};
 pub use of_rays::OF_RAYS;
-pub(crate) use of_rays::*;
 pub use reasoning::reasoning;
 
-/// All misconceptions: those of [`OF_RAYS`], then those of the `catalogue`.
-pub fn all() -> impl Iterator<Item = &'static Misconception> + Clone {
-    OF_RAYS.into_iter().chain(catalogue::ALL)
-}
-
-impl Misconception {
-    /// The misconception of an `id`; ids of former versions have theirs for ever.
-    pub fn with_id(id: &str) -> Option<&'static Self> {
-        let id = match id {
-            "linear-offset" => OFFSET_AS_ANGLE.id,
-            id => id,
-        };
-        all().find(|misconception| misconception.id == id)
-    }
+/// Which of these misconceptions stands there most often, and how often; of several the
+/// first of [`Misconception::ALL`].
+pub(crate) fn most_held(held: &[Misconception]) -> Option<(Misconception, usize)> {
+    let count = |it| held.iter().filter(|other| **other == it).count();
+    // Of equals, `max_by_key` gives the last.
+    let counted = Misconception::ALL.iter().rev().map(|it| (*it, count(*it)));
+    counted
+        .filter(|(_, count)| *count > 0)
+        .max_by_key(|(_, count)| *count)
 }
 
 #[cfg(test)]
@@ -87,7 +81,7 @@ mod tests {
                 target: angle(theta2_deg),
             };
             let misconception = Misconception::with_id(id).unwrap();
-            let found = misconception.predict(&hit).unwrap().rays;
+            let found = misconception.predict(&hit).unwrap().0;
             assert!(found.gap(&expected) < 1e-12, "{id}: {found:?}");
         }
     }
@@ -98,20 +92,20 @@ mod tests {
         // m1 = e m2 opens a right angle again.
         let half = hit(Pieces::Marbles, ImpactPoint::Angle { alpha_deg: 30.0 }, 0.5);
         for hit in [equal, half] {
-            assert_eq!(ALWAYS_SQUARE.predict(&hit), None);
+            assert_eq!(Misconception::AlwaysSquare.predict(&hit), None);
         }
     }
 
     #[test]
     fn no_two_share_an_id_or_a_name() {
-        for (i, a) in all().enumerate() {
-            for b in all().skip(i + 1) {
-                assert!(a.id != b.id && a.name != b.name);
+        for (i, a) in Misconception::ALL.iter().enumerate() {
+            for b in &Misconception::ALL[i + 1..] {
+                assert!(a.id() != b.id() && a.name() != b.name());
             }
-            assert_eq!(Misconception::with_id(a.id), Some(a));
+            assert_eq!(Misconception::with_id(a.id()), Some(*a));
         }
         assert_eq!(Misconception::with_id("none"), None);
         let merged = Misconception::with_id("linear-offset");
-        assert_eq!(merged, Some(&OFFSET_AS_ANGLE));
+        assert_eq!(merged, Some(Misconception::OffsetAsAngle));
     }
 }

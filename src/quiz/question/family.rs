@@ -1,7 +1,10 @@
 //! The families of questions by name; what they ask is declared a floor above.
 
+use strum::{EnumString, IntoStaticStr, VariantArray};
+
 /// A family of questions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Family {
     /// Where will the two go, whatever the pieces and the loss?
     WhereTo,
@@ -37,4 +40,19 @@ pub enum Family {
     MakeItSo,
     /// The written questions, one idea each.
     Concept,
+}
+
+impl Family {
+    /// All families, in the order in which they are taught.
+    pub const ALL: &'static [Self] = Self::VARIANTS;
+
+    /// Its name in files and in the codes of rounds.
+    pub fn id(self) -> &'static str {
+        self.into()
+    }
+
+    /// The family of an `id`.
+    pub fn with_id(id: &str) -> Option<Self> {
+        id.parse().ok()
+    }
 }

@@ -109,9 +109,16 @@ impl Hit {
     }
 
     /// Both masses in grams.
-    pub(in crate::quiz) fn masses_g(&self) -> (f64, f64) {
-        let (striker, target) = (self.pieces.striker(), self.pieces.target());
-        (g_from_kg(striker.mass), g_from_kg(target.mass))
+    pub(in crate::quiz) fn masses_g(&self) -> [f64; 2] {
+        [self.pieces.striker(), self.pieces.target()].map(|disc| g_from_kg(disc.mass))
+    }
+
+    /// What meets what: "A striker of 15.0 g hits a resting coin of 5.50 g", where the
+    /// striker is called so and does so.
+    pub(in crate::quiz) fn who(&self, striker: &str, does: &str) -> String {
+        let [m1, m2] = self.masses_g().map(significant);
+        let name = self.pieces.target_name();
+        format!("A {striker} of {m1} g {does} a resting {name} of {m2} g")
     }
 
     /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."
@@ -153,8 +160,6 @@ impl Hit {
     /// The hit in words, without what the picture alone can tell.
     pub fn setting(&self) -> String {
         let name = self.pieces.target_name();
-        let (m1, m2) = self.masses_g();
-        let [m1, m2] = [m1, m2].map(significant);
         let speed = significant(self.speed);
         let side = self.side_name();
         let place = match self.given {
@@ -170,10 +175,7 @@ impl Hit {
                 numbers::millimetres(self.reach_mm())
             ),
         };
-        let loss = self.loss();
-        format!(
-            "A striker of {m1} g hits a resting {name} of {m2} g at {speed} m/s. \
-             {place} {loss}"
-        )
+        let (who, loss) = (self.who("striker", "hits"), self.loss());
+        format!("{who} at {speed} m/s. {place} {loss}")
     }
 }

@@ -1,80 +1,106 @@
-//! Something students are known to believe.
+//! What students are known to believe, by name; what each predicts and is told is declared a
+//! floor above.
 
-use std::fmt;
+use strum::{EnumString, IntoStaticStr, VariantArray};
 
-use super::{Hit, Ray, Rays};
-
-/// A prediction that differs from the truth by less is the truth, in radians.
-const SAME: f64 = 1e-9;
-
-/// Something students are known to believe.
-pub struct Misconception {
-    /// Its name in files.
-    pub id: &'static str,
-    /// Its name as shown: "the angle was copied".
-    pub name: &'static str,
-    /// What to try next against it.
-    pub advice: &'static str,
-    /// Where it sends the two; `None` where it has nothing to say.
-    pub(in crate::quiz) predicts: fn(&Hit) -> Option<Prediction>,
-    /// One or two sentences on what is wrong, on the figures of the hit.
-    pub(in crate::quiz) says: fn(&Hit) -> String,
-}
-
-/// Where a misconception sends the two.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Prediction {
-    /// Both rays.
-    pub rays: Rays,
-    /// The ray that gives the misconception away whatever the other one does; `None`
-    /// if only both together do.
-    pub telltale: Option<Ray>,
-}
-
-impl Prediction {
-    pub(in crate::quiz) const fn new(rays: Rays, telltale: Option<Ray>) -> Self {
-        Self { rays, telltale }
-    }
+/// Something students are known to believe. First those that say where both discs of a hit
+/// will go; then those that show in something else (a speed, a share, a ratio, a choice of
+/// words), in the order in which their subjects are taught.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Misconception {
+    /// The scattering angle is taken to be the impact angle.
+    CopiedAngle,
+    /// The right angle of equal masses is taken to hold for all.
+    AlwaysSquare,
+    /// The two are taken to share a right angle evenly.
+    HalfAndHalf,
+    /// The striker's angle is given to the target and the target's to the striker.
+    Swapped,
+    /// The heavier disc is taken to go on, or to lie, as if nothing had hit it.
+    HeavyUnmoved,
+    /// The striker is taken to keep its direction, though it is not the heavier one
+    /// (that is another belief).
+    StraightOn,
+    /// The target is taken to be pushed along the striker's path, not along the line of
+    /// impact.
+    PushedAhead,
+    /// The striker is taken to be drawn after the target.
+    SameSide,
+    /// Both angles right, each to the wrong side.
+    SidesExchanged,
+    /// The target is taken to throw the striker back as a wall would.
+    OffAWall,
+    /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
+    OffsetAsAngle,
+    /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
+    Lossless,
+    /// What equal masses do head-on is taken to hold for all.
+    AlwaysStops,
+    /// Momenta of different directions added like plain numbers.
+    ScalarMomentum,
+    /// Speeds taken to add up to the speed before.
+    SpeedsAdd,
+    /// Momentum taken to be lost with the energy.
+    MomentumLost,
+    /// The two forces of a hit taken to differ.
+    HeavierPushesHarder,
+    /// The formula for a head-on hit used on the whole velocity.
+    OneLineFormula,
+    /// Sine and cosine exchanged.
+    SineCosine,
+    /// Angles taken to depend on how fast the hit is.
+    SpeedOpensAngle,
+    /// Energy taken in proportion to speed.
+    EnergyAsSpeed,
+    /// The heavier disc taken to have the more energy.
+    HeavyTakesEnergy,
+    /// All angles, or all offsets, taken to do alike.
+    EveryAngleAlike,
+    /// A ratio turned upside down.
+    UpsideDown,
+    /// No limit to how far a heavier striker can be turned.
+    BeyondLargest,
+    /// e taken off the whole velocity.
+    LossOnEverything,
+    /// e taken as the share of energy that is kept.
+    EAsEnergy,
+    /// A right angle taken to be impossible with loss.
+    LossForbidsSquare,
+    /// Grip at the contact taken to do nothing.
+    GripIgnored,
+    /// Grip at the contact taken to stop all motion across it.
+    GripStopsAll,
+    /// An angle of one frame read in another.
+    FramesMixed,
+    /// The centre of mass taken halfway, whatever the masses.
+    HalfwayCentre,
+    /// The right angle looked for on the ground although both move.
+    SquareOnTheGround,
+    /// The whole angle used where its half belongs.
+    HalfAngleForgotten,
+    /// A law falling too gently: a square where the fourth power belongs.
+    TooGentle,
+    /// Nothing heavy or fast taken ever to come back.
+    NeverBack,
+    /// An angle turned by the impact angle where it is turned by twice as much.
+    DoubleAngleForgotten,
 }
 
 impl Misconception {
-    /// A misconception that says nothing of where both discs go.
-    pub(in crate::quiz) const fn in_words(
-        id: &'static str,
-        name: &'static str,
-        advice: &'static str,
-    ) -> Self {
-        Self {
-            id,
-            name,
-            advice,
-            predicts: |_| None,
-            says: |_| String::new(),
+    /// All of them.
+    pub const ALL: &'static [Self] = Self::VARIANTS;
+
+    /// Its name in files.
+    pub fn id(self) -> &'static str {
+        self.into()
+    }
+
+    /// The misconception of an `id`; ids of former versions have theirs for ever.
+    pub fn with_id(id: &str) -> Option<Self> {
+        match id {
+            "linear-offset" => Some(Self::OffsetAsAngle),
+            id => id.parse().ok(),
         }
-    }
-
-    /// Where it sends the two of a hit; `None` where it has nothing to say or happens
-    /// to be right.
-    pub fn predict(&self, hit: &Hit) -> Option<Prediction> {
-        (self.predicts)(hit).filter(|prediction| prediction.rays.gap(&hit.truth()) > SAME)
-    }
-
-    /// What is wrong with its rays, in one or two sentences.
-    pub fn say(&self, hit: &Hit) -> String {
-        (self.says)(hit)
-    }
-}
-
-impl PartialEq for Misconception {
-    fn eq(&self, other: &Self) -> bool {
-        self.id == other.id
-    }
-}
-
-impl Eq for Misconception {}
-
-impl fmt::Debug for Misconception {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Misconception").field(&self.id).finish()
     }
 }

@@ -31,7 +31,6 @@ pub use hit::Hit;
 pub use illustration::{Illustration, Markings};
 pub use measure::Measure;
 pub use misconception::Misconception;
-pub(super) use misconception::Prediction;
 pub use pieces::Pieces;
 pub use question::{Diagnosis, Fit, MIN_SEPARATION, Question, WrongAnswer};
 pub use rays::{Ray, Rays};

@@ -44,7 +44,7 @@ pub struct Question {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrongAnswer {
     /// Which misconception.
-    pub misconception: &'static Misconception,
+    pub misconception: Misconception,
     /// Its answer.
     pub said: Response,
     /// Of two rays the one that gives it away whatever the other does; `None` if only
@@ -56,7 +56,7 @@ pub struct WrongAnswer {
 
 impl WrongAnswer {
     /// What a misconception would answer where one thing is asked for.
-    pub fn new(misconception: &'static Misconception, said: Response, says: String) -> Self {
+    pub fn new(misconception: Misconception, said: Response, says: String) -> Self {
         Self {
             misconception,
             said,
@@ -70,7 +70,7 @@ impl WrongAnswer {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {
     /// Which one.
-    pub misconception: &'static Misconception,
+    pub misconception: Misconception,
     /// How much of the answer fits it.
     pub fit: Fit,
 }

@@ -45,7 +45,7 @@ impl CourseKind {
     pub const ALWAYS: [Self; 4] = [Self::Quick, Self::Mixed, Self::Hits, Self::Exam];
 
     /// Its name in codes.
-    pub const fn id(&self) -> &'static str {
+    pub fn id(&self) -> &'static str {
         match self {
             Self::Hits => "hits",
             Self::Quick => "quick",
@@ -94,9 +94,8 @@ impl CourseKind {
     /// The families that make a round of one topic: all but the hits of every kind,
     /// which are a course of their own.
     pub fn topics() -> impl Iterator<Item = Family> {
-        Family::ALL
-            .into_iter()
-            .filter(|family| *family != Family::WhereTo)
+        let all = Family::ALL.iter().copied();
+        all.filter(|family| *family != Family::WhereTo)
     }
 }
 

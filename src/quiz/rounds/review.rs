@@ -1,7 +1,6 @@
 //! The questions of a review: one about each topic that is due.
 
-use crate::quiz::question::Dice;
-use crate::quiz::question::{Difficulty, Family, Question, Topic};
+use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
 /// How many draws may pass before a topic is looked for at another difficulty, or in
 /// another family: enough for the rarest of them.
@@ -68,7 +67,7 @@ mod tests {
             let of = |family: Family| {
                 Difficulty::ALL.map(|difficulty| family.ask(difficulty, &mut dice))
             };
-            let found: Vec<_> = Family::ALL.into_iter().flat_map(of).flatten().collect();
+            let found: Vec<_> = Family::ALL.iter().copied().flat_map(of).flatten().collect();
             found.into_iter().map(|(question, _)| question.topic)
         };
         let mut topics: BTreeSet<Topic> = (0..200).flat_map(asked).collect();

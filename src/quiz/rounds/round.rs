@@ -116,7 +116,7 @@ fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
     concepts.sort_by_key(|concept| concept.difficulty);
     let questions = concepts.into_iter();
     questions
-        .map(|it| concept::question(it, &mut dice))
+        .filter_map(|it| concept::question(it, &mut dice))
         .collect()
 }
 

@@ -1,6 +1,6 @@
 //! A look back over a round.
 
-use crate::quiz::misconceptions::all;
+use crate::quiz::misconceptions::most_held;
 use crate::quiz::question::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
 
 /// Fewest angles whose mean error says something.
@@ -120,28 +120,17 @@ impl Summary {
     }
 
     /// The misconception that most answers fitted and how many did; of several the
-    /// first of [`all`].
-    pub fn most_held(&self) -> Option<(&'static Misconception, usize)> {
-        let held = |misconception: &Misconception| {
-            self.lines
-                .iter()
-                .filter_map(|line| line.diagnosis)
-                .filter(|diagnosis| diagnosis.misconception == misconception)
-                .count()
-        };
-        // Of equals, `max_by_key` gives the last.
-        let mut counted: Vec<_> = all().map(|it| (it, held(it))).collect();
-        counted.reverse();
-        counted
-            .into_iter()
-            .max_by_key(|(_, count)| *count)
-            .filter(|(_, count)| *count > 0)
+    /// first of all.
+    pub fn most_held(&self) -> Option<(Misconception, usize)> {
+        let held = self.lines.iter().filter_map(|line| line.diagnosis);
+        let held: Vec<_> = held.map(|it| it.misconception).collect();
+        most_held(&held)
     }
 
     /// One piece of advice on what to try next.
     pub fn advice(&self) -> String {
         if let Some((misconception, _)) = self.most_held() {
-            return misconception.advice.into();
+            return misconception.advice().into();
         }
         match self.lines.len() {
             0 => "Answer a question first.".into(),

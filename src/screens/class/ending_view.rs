@@ -10,7 +10,7 @@ use super::scores_view;
 use super::view::{Text, column};
 use crate::class::{ClassRound, ItemAnalysis, items};
 use crate::physics::units::deg_from_rad;
-use crate::quiz::{Misconception, misconceptions};
+use crate::quiz::Misconception;
 use crate::widgets::{Lines, Look, Role, text};
 
 fn heading(page: EndPage) -> Heading<'static> {
@@ -51,7 +51,7 @@ pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect, look: &Lo
 /// A misconception with how many first votes fitted it, and how many votes after
 /// talking.
 struct Held {
-    misconception: &'static Misconception,
+    misconception: Misconception,
     first: usize,
     second: usize,
 }
@@ -62,7 +62,7 @@ fn held(round: &ClassRound) -> Vec<Held> {
         .flat_map(|question| (0..round.teams().len()).map(move |team| (question, team)))
         .map(|(question, team)| (question, round.ballot(question, team)))
         .collect();
-    let count = |it: &Misconception, after: bool| {
+    let count = |it: Misconception, after: bool| {
         let fits = ballots.iter().filter(|(question, ballot)| {
             let said = if after { ballot.counts() } else { ballot.first };
             round
@@ -71,8 +71,9 @@ fn held(round: &ClassRound) -> Vec<Held> {
         });
         fits.count()
     };
-    let mut held: Vec<Held> = misconceptions::all()
-        .map(|misconception| Held {
+    let mut held: Vec<Held> = Misconception::ALL
+        .iter()
+        .map(|&misconception| Held {
             misconception,
             first: count(misconception, false),
             second: count(misconception, true),
@@ -104,8 +105,8 @@ fn write_held(round: &ClassRound, lines: &mut Lines) {
     {
         lines.gap();
         let counts = format!("{first}, then {second}");
-        lines.pair(misconception.name, &counts, Role::Title, Role::Title);
-        lines.paragraph(misconception.advice, Role::Text);
+        lines.pair(misconception.name(), &counts, Role::Title, Role::Title);
+        lines.paragraph(misconception.advice(), Role::Text);
     }
 }
 
@@ -142,7 +143,7 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
         if let Some((misconception, count)) = item.commonest {
             lines.hanging(
                 "     ",
-                &format!("{}: {count}", misconception.name),
+                &format!("{}: {count}", misconception.name()),
                 Role::Text,
             );
         }

@@ -8,7 +8,7 @@ use super::play::ClassPlay;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
 use crate::messages::{Key, Mouse};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, Course, CourseKind, Family};
+use crate::quiz::{Code, Course, CourseKind};
 use crate::screens::Context;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
@@ -26,7 +26,7 @@ pub(super) struct SetUp {
     list: ListView,
     /// The kind of round that is chosen.
     pub(super) kind: RoundKind,
-    /// The one topic, by its place among [`topics`].
+    /// The one topic, by its place among [`CourseKind::topics`].
     pub(super) topic: usize,
     /// The code as typed.
     pub(super) code: TextField,
@@ -91,13 +91,6 @@ pub(super) enum SetUpEnd {
     Start(Box<ClassPlay>),
     /// The list of earlier rounds is wanted.
     Earlier,
-}
-
-/// The families that a round of one topic can have.
-pub(super) fn topics() -> Vec<Family> {
-    let all = Family::ALL.into_iter();
-    all.filter(|family| CourseKind::with_id(family.id()).is_some())
-        .collect()
 }
 
 impl SetUp {
@@ -213,7 +206,7 @@ impl SetUp {
         match action {
             SetUpAction::List(action) => self.listed(cx, |list, rows| list.act(action, rows)),
             SetUpAction::Topic(by) => {
-                let count = topics().len();
+                let count = CourseKind::topics().count();
                 self.topic = (self.topic + count).saturating_add_signed(by) % count.max(1);
                 self.kind = RoundKind::Topic;
                 Outcome::Used
@@ -330,7 +323,7 @@ impl SetUp {
             RoundKind::Mixed => Some(CourseKind::Mixed),
             RoundKind::Quick => Some(CourseKind::Quick),
             RoundKind::Hits => Some(CourseKind::Hits),
-            RoundKind::Topic => topics().get(self.topic).copied().map(CourseKind::Topic),
+            RoundKind::Topic => CourseKind::topics().nth(self.topic).map(CourseKind::Topic),
             RoundKind::Own => Some(CourseKind::Own(Arc::clone(&self.own))),
             RoundKind::Code => None,
         };

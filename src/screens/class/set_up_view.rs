@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::heading::Heading;
-use super::set_up::{RoundKind, SetUp, SetUpRow, topics};
+use super::set_up::{RoundKind, SetUp, SetUpRow};
 use crate::class::MOST_TEAMS;
 use crate::quiz::{Course, CourseKind, Family};
 use crate::widgets::input::TextField;
@@ -176,8 +176,7 @@ fn words(
         RoundKind::Quick => course(CourseKind::Quick, "all kinds mixed"),
         RoundKind::Hits => course(CourseKind::Hits, "where to?"),
         RoundKind::Topic => {
-            let topics = topics();
-            let family = topics.get(set_up.topic).copied();
+            let family = CourseKind::topics().nth(set_up.topic);
             let name = family.map_or("", Family::name);
             let name = match chosen {
                 true => format!("< {name} >"),

@@ -1,9 +1,8 @@
 //! What really happens, and why.
 
 use crate::class::{ClassRound, Vote};
-use crate::quiz::{
-    Answer, Confidence, Form, Misconception, Question, Response, explain, misconceptions,
-};
+use crate::quiz::misconceptions::most_held;
+use crate::quiz::{Answer, Confidence, Form, Misconception, Question, Response, explain};
 use crate::widgets::hit::{Telling, Watch};
 
 /// What really happens, and why.
@@ -12,7 +11,7 @@ pub(super) struct ClassReveal {
     /// The hit, where the question is about one.
     pub(super) telling: Telling,
     /// What most teams that were wrong alike believed, and how many of them.
-    pub(super) held: Option<(&'static Misconception, usize)>,
+    pub(super) held: Option<(Misconception, usize)>,
     /// Why it is as it is.
     pub(super) why: String,
 }
@@ -60,7 +59,7 @@ fn commonest(
     round: &ClassRound,
     question: usize,
     vote: Vote,
-) -> Option<(&'static Misconception, usize, Response)> {
+) -> Option<(Misconception, usize, Response)> {
     let votes = (0..round.teams().len()).filter_map(|team| {
         let ballot = round.ballot(question, team);
         match vote {
@@ -68,19 +67,13 @@ fn commonest(
             Vote::Second => ballot.counts(),
         }
     });
-    let held: Vec<_> = votes
+    let (held, said): (Vec<_>, Vec<_>) = votes
         .filter_map(|said| {
             let diagnosis = round.diagnose(question, Some(said))?;
             Some((diagnosis.misconception, said))
         })
-        .collect();
-    let mut counted: Vec<_> = misconceptions::all()
-        .filter_map(|it| {
-            let mut votes = held.iter().filter(|(other, _)| *other == it);
-            let (_, said) = votes.next()?;
-            Some((it, 1 + votes.count(), *said))
-        })
-        .collect();
-    counted.sort_by_key(|(_, count, _)| std::cmp::Reverse(*count));
-    counted.first().copied()
+        .unzip();
+    let (misconception, count) = most_held(&held)?;
+    let first = held.iter().position(|it| *it == misconception)?;
+    Some((misconception, count, said[first]))
 }

@@ -114,7 +114,7 @@ fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut
     );
     if let Some((misconception, count)) = shown.held {
         lines.gap();
-        let words = format!("{}: {}.", teams(count), misconception.name);
+        let words = format!("{}: {}.", teams(count), misconception.name());
         lines.paragraph(&words, Role::Title);
     }
     lines.gap();

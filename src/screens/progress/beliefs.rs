@@ -34,7 +34,7 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
             Role::Text
         };
         let HeldBelief { before, since, .. } = belief;
-        let shown = belief.misconception.name;
+        let shown = belief.misconception.name();
         if wide {
             let shown = padded(&brief(shown, name - 1), name);
             let row = format!("{shown}{before:>11}{since:>11}  {}", trend.name());
@@ -67,8 +67,8 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     let held = beliefs.iter().find(|belief| belief.trend() != Trend::Gone);
     match held {
         Some(belief) => {
-            lines.paragraph(belief.misconception.name, Role::Title);
-            lines.paragraph(belief.misconception.advice, Role::Text);
+            lines.paragraph(belief.misconception.name(), Role::Title);
+            lines.paragraph(belief.misconception.advice(), Role::Text);
             lines.gap();
             lines.paragraph(
                 "Many hold it at first. To say it, and to see the hit disagree, is how it goes.",

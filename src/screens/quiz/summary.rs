@@ -91,8 +91,8 @@ fn closing(summary: &Summary) -> Vec<String> {
     let mut closing = vec![summary.calibration_words()];
     if let Some((misconception, count)) = summary.most_held() {
         closing.push(match count {
-            1 => format!("Once it looked like this: {}.", misconception.name),
-            _ => format!("Most often, {count} times: {}.", misconception.name),
+            1 => format!("Once it looked like this: {}.", misconception.name()),
+            _ => format!("Most often, {count} times: {}.", misconception.name()),
         });
     }
     closing.push(summary.advice());

@@ -12,7 +12,7 @@ use crate::numbers;
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Family, Grade, Question, Round, Summary, Topic, explain,
+    Answer, Code, Course, CourseKind, Grade, Question, Round, Summary, Topic, explain,
 };
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
@@ -63,10 +63,9 @@ fn choose(
         let about = format!("your own questions, of {}", own.concepts.len());
         kinds.push((about, CourseKind::Own(Arc::clone(own))));
     }
-    for family in Family::ALL {
-        if let Some(kind) = CourseKind::with_id(family.id()) {
-            kinds.push((format!("topic: {}", family.name()), kind));
-        }
+    for family in CourseKind::topics() {
+        let about = format!("topic: {}", family.name());
+        kinds.push((about, CourseKind::Topic(family)));
     }
     let mut lines = vec!["Which round?".to_owned()];
     let each = (1..).zip(&kinds);
@@ -202,10 +201,13 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     talk.say(&summary.calibration_words())?;
     if let Some((misconception, count)) = summary.most_held() {
         talk.say(&match count {
-            1 => format!("Once it looked like this: {}", sentence(misconception.name)),
+            1 => format!(
+                "Once it looked like this: {}",
+                sentence(misconception.name())
+            ),
             _ => format!(
                 "Most often, {count} times: {}",
-                sentence(misconception.name)
+                sentence(misconception.name())
             ),
         })?;
     }
@@ -223,11 +225,11 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
 mod tests {
     use super::super::{assert_spoken, spoken};
     use super::*;
-    use crate::quiz::{Form, concepts};
+    use crate::quiz::{Family, Form, concepts};
 
     #[test]
     fn every_question_is_spoken_whole() {
-        for family in Family::ALL {
+        for &family in Family::ALL {
             for seed in 0..20 {
                 let round = Round::new(Course::new(CourseKind::Topic(family)), seed);
                 for (number, question) in (1..).zip(round.questions()) {

@@ -1,0 +1,14 @@
+//! What nearly every family of figures is declared with.
+
+pub(super) use super::hit_draws::{
+    ALL, EQUAL, HitDraws, NO_LOSS, UNEQUAL, direction_deg, drawn, here_e, in_short, off_centre,
+    pair, unmarked,
+};
+pub(super) use super::outline::Outline;
+pub(super) use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
+pub(super) use crate::physics::units::{deg_from_rad, mm_from_m, rad_from_deg};
+pub(super) use crate::physics::{Collision, Disc, ImpactPoint, RestingTarget};
+pub(super) use crate::quiz::question::Misconception::*;
+pub(super) use crate::quiz::question::{
+    Dice, Difficulty, Hit, Illustration, Markings, Measure, Pieces, Question,
+};
