@@ -1,7 +1,9 @@
 //! The votes of the teams.
 
 use super::ClassPlace;
-use crate::quiz::{Answer, Code, Confidence, Diagnosis, Grade, Question, Response, Round};
+use crate::quiz::{
+    Answer, Code, Confidence, Diagnosis, Grade, Misconception, Question, Response, Round,
+};
 
 /// Which of the two votes on a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -10,6 +12,11 @@ pub enum Vote {
     First,
     /// After talking.
     Second,
+}
+
+impl Vote {
+    /// Both, in order.
+    pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
 /// What a team said to a question.
@@ -27,6 +34,15 @@ impl Ballot {
         match vote {
             Vote::First => self.first,
             Vote::Second => self.second,
+        }
+    }
+
+    /// What the team says at a vote: at the second what it said at first, unless it has
+    /// changed that.
+    pub fn said(&self, vote: Vote) -> Option<Response> {
+        match vote {
+            Vote::First => self.first,
+            Vote::Second => self.counts(),
         }
     }
 
@@ -90,10 +106,8 @@ impl ClassRound {
     /// What a team said to a question, both counted from 0; nothing where there is no
     /// such team or question.
     pub fn ballot(&self, question: usize, team: usize) -> Ballot {
-        let row = self.ballots.get(question);
-        row.and_then(|row| row.get(team))
-            .copied()
-            .unwrap_or_default()
+        let ballot = self.ballots(question).nth(team);
+        ballot.copied().unwrap_or_default()
     }
 
     /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
@@ -116,12 +130,45 @@ impl ClassRound {
         }
     }
 
+    /// The ballots on a question, one a team; none where there is no such question.
+    fn ballots(&self, question: usize) -> impl Iterator<Item = &Ballot> {
+        self.ballots.get(question).into_iter().flatten()
+    }
+
     /// How many teams gave this vote on a question.
     pub fn voted(&self, question: usize, vote: Vote) -> usize {
-        let row = self.ballots.get(question);
-        row.map_or(0, |row| {
-            row.iter().filter(|it| it.vote(vote).is_some()).count()
+        let given = self.ballots(question).filter_map(|it| it.vote(vote));
+        given.count()
+    }
+
+    /// What the teams that have voted say to a question at a vote, as [`Ballot::said`].
+    pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
+        self.ballots(question).filter_map(move |it| it.said(vote))
+    }
+
+    /// How good that was.
+    pub fn grades(&self, question: usize, vote: Vote) -> Vec<Grade> {
+        let said = self.said(question, vote);
+        said.filter_map(|said| self.grade(question, Some(said)))
+            .collect()
+    }
+
+    /// The misconceptions that it fitted, each with what was said.
+    pub fn held(
+        &self,
+        question: usize,
+        vote: Vote,
+    ) -> impl Iterator<Item = (Misconception, Response)> {
+        self.said(question, vote).filter_map(move |said| {
+            let diagnosis = self.diagnose(question, Some(said))?;
+            Some((diagnosis.misconception, said))
         })
+    }
+
+    /// Whether anybody has voted at all.
+    pub fn is_begun(&self) -> bool {
+        let mut ballots = self.ballots.iter().flatten();
+        ballots.any(|ballot| ballot.counts().is_some())
     }
 
     /// Questions on which at least one team has voted, from the first on without a gap.

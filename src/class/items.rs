@@ -41,24 +41,8 @@ pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
 }
 
 fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
-    let teams = 0..round.teams().len();
-    let said = |vote: Vote| {
-        teams.clone().filter_map(move |team| {
-            let ballot = round.ballot(question, team);
-            match vote {
-                Vote::First => ballot.first,
-                Vote::Second => ballot.counts(),
-            }
-        })
-    };
-    let grades = [Vote::First, Vote::Second].map(|vote| {
-        let graded = said(vote).filter_map(|said| round.grade(question, Some(said)));
-        graded.collect::<Vec<_>>()
-    });
-    let held: Vec<_> = said(Vote::First)
-        .filter_map(|said| round.diagnose(question, Some(said)))
-        .map(|diagnosis| diagnosis.misconception)
-        .collect();
+    let grades = Vote::BOTH.map(|vote| round.grades(question, vote));
+    let held = round.held(question, Vote::First).map(|(held, _)| held);
     ItemAnalysis {
         question,
         votes: grades.each_ref().map(Vec::len),
@@ -71,7 +55,7 @@ fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
             spread(&errors)
         }),
         discrimination: discrimination(round, question, asked),
-        commonest: most_held(&held),
+        commonest: most_held(&held.collect::<Vec<_>>()),
     }
 }
 

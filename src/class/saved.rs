@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use serde::Serialize;
+use strum::VariantArray;
 
-use super::{Ballot, ClassPlace, ClassRound, ClassStep, Vote, team_names};
+use super::{ClassPlace, ClassRound, ClassStep, Vote, team_names};
 use crate::files::{Fields, FileErrors, Source};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question, Response};
@@ -61,7 +62,7 @@ impl ClassRound {
             code: self.code().to_string(),
             teams: self.teams(),
             number: self.place().question + 1,
-            step: self.place().step.id(),
+            step: self.place().step.into(),
             asked: self.own_ids(),
             question: (0..self.questions().len())
                 .map(|question| Votes {
@@ -119,7 +120,7 @@ impl ClassRound {
             return fields.refuse("asked", message);
         }
         for (question, votes) in votes?.iter().enumerate() {
-            for (vote, field) in [(Vote::First, "first"), (Vote::Second, "second")] {
+            for (vote, field) in Vote::BOTH.into_iter().zip(["first", "second"]) {
                 let said = votes.any_texts(field).unwrap_or_default();
                 for (team, text) in said.into_iter().enumerate() {
                     if let Err(message) = round.take(question, team, vote, text) {
@@ -135,7 +136,8 @@ impl ClassRound {
             Some(fields.whole(name, &expected, 1..=last + 1)? - 1)
         });
         let step = fields.or("step", ClassStep::default(), |name| {
-            fields.word(name, &ClassStep::ALL.map(|step| (step.id(), step)))
+            let steps = ClassStep::VARIANTS.iter().map(|step| (step.into(), *step));
+            fields.word(name, &steps.collect::<Vec<_>>())
         });
         round.go(ClassPlace {
             question: question?,
@@ -166,14 +168,5 @@ impl ClassRound {
             ));
         }
         Ok(())
-    }
-
-    /// Whether anybody has voted at all.
-    pub fn is_begun(&self) -> bool {
-        let voted = |ballot: Ballot| ballot.counts().is_some();
-        let questions = 0..self.questions().len();
-        questions
-            .flat_map(|question| (0..self.teams().len()).map(move |team| (question, team)))
-            .any(|(question, team)| voted(self.ballot(question, team)))
     }
 }

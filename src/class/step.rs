@@ -1,7 +1,10 @@
 //! The steps in which a class goes through a question.
 
-/// A step of a question, in their order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+use strum::{FromRepr, IntoStaticStr, VariantArray};
+
+/// A step of a question, in their order; its name in files is "first-vote".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, FromRepr, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 pub enum ClassStep {
     /// The question is read out.
     #[default]
@@ -21,43 +24,14 @@ pub enum ClassStep {
 }
 
 impl ClassStep {
-    /// All of them, in order.
-    pub const ALL: [Self; 7] = [
-        Self::Describe,
-        Self::Predict,
-        Self::FirstVote,
-        Self::Talk,
-        Self::SecondVote,
-        Self::Shot,
-        Self::Scores,
-    ];
-
-    /// Its name in files.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Describe => "describe",
-            Self::Predict => "predict",
-            Self::FirstVote => "first-vote",
-            Self::Talk => "talk",
-            Self::SecondVote => "second-vote",
-            Self::Shot => "shot",
-            Self::Scores => "scores",
-        }
-    }
-
-    /// The step of an `id`.
-    pub fn with_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|step| step.id() == id)
-    }
-
     /// The step after it; `None` after the last.
     pub fn next(self) -> Option<Self> {
-        Self::ALL.into_iter().find(|step| *step > self)
+        Self::from_repr(self as usize + 1)
     }
 
     /// The step before it; `None` before the first.
     pub fn before(self) -> Option<Self> {
-        Self::ALL.into_iter().rev().find(|step| *step < self)
+        (self as usize).checked_sub(1).and_then(Self::from_repr)
     }
 }
 

@@ -52,13 +52,11 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
             let ballot = round.ballot(i, team);
             let mut row = asked(round, i, question);
             row.push(name.clone());
-            for vote in [Vote::First, Vote::Second] {
+            for vote in Vote::BOTH {
                 row.extend(judged(round, i, ballot.vote(vote)));
             }
-            row.push(match ballot.counts() {
-                Some(_) => format!("{:.1}", round.points(i, team)),
-                None => String::new(),
-            });
+            let points = |_| format!("{:.1}", round.points(i, team));
+            row.push(cell(ballot.counts(), points));
             rows.push(row);
         }
     }
@@ -73,18 +71,16 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
     let diagnosis = round.diagnose(question, said);
     [
         words.unwrap_or_default(),
-        grade.map(|it| yes_or_no(it.right)).unwrap_or_default(),
-        grade
-            .map(|it| format!("{:.3}", it.credit))
-            .unwrap_or_default(),
-        grade
-            .and_then(|it| it.angle_error)
-            .map(bare_degrees)
-            .unwrap_or_default(),
-        diagnosis
-            .map(|it| it.misconception.id().to_owned())
-            .unwrap_or_default(),
+        cell(grade, |it| if it.right { "yes" } else { "no" }.into()),
+        cell(grade, |it| format!("{:.3}", it.credit)),
+        cell(grade.and_then(|it| it.angle_error), bare_degrees),
+        cell(diagnosis, |it| it.misconception.id().into()),
     ]
+}
+
+/// What a cell says of something; nothing where that is not there.
+fn cell<T>(of: Option<T>, text: impl Fn(T) -> String) -> String {
+    of.map(text).unwrap_or_default()
 }
 
 /// A row a question: what it showed about the class.
@@ -105,7 +101,7 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
         "commonest_misconception",
         "commonest_votes",
     ];
-    let share = |share: Option<f64>| share.map(|it| format!("{it:.3}")).unwrap_or_default();
+    let share = |share: Option<f64>| cell(share, |it| format!("{it:.3}"));
     let rows: Vec<Vec<String>> = items(round, round.questions().len())
         .iter()
         .filter_map(|item| {
@@ -116,23 +112,17 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
                 row.extend([
                     item.votes[vote].to_string(),
                     share(item.right[vote]),
-                    spread.map(|it| bare_degrees(it.mean)).unwrap_or_default(),
-                    spread
-                        .map(|it| bare_degrees(it.deviation))
-                        .unwrap_or_default(),
+                    cell(spread, |it| bare_degrees(it.mean)),
+                    cell(spread, |it| bare_degrees(it.deviation)),
                 ]);
             }
             row.push(share(item.discrimination));
-            row.extend(match item.commonest {
-                Some((misconception, count)) => [misconception.id().to_owned(), count.to_string()],
-                None => [String::new(), String::new()],
-            });
+            row.push(cell(item.commonest, |(misconception, _)| {
+                misconception.id().into()
+            }));
+            row.push(cell(item.commonest, |(_, count)| count.to_string()));
             Some(row)
         })
         .collect();
     table(&[&ASKED[..], &heads].concat(), &rows)
-}
-
-fn yes_or_no(yes: bool) -> String {
-    if yes { "yes" } else { "no" }.into()
 }
