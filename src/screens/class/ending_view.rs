@@ -1,86 +1,51 @@
 //! After the last question: the final board, what the class believed, what each
 //! question showed.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::heading::Heading;
 use super::play::{ClassPlay, EndPage};
-use super::scores_view;
 use super::view::{Text, column};
-use crate::class::{ClassRound, ItemAnalysis, items};
+use crate::class::{ClassRound, ItemAnalysis, Vote, items};
 use crate::physics::units::deg_from_rad;
 use crate::quiz::Misconception;
-use crate::widgets::{Lines, Look, Role, text};
-
-fn heading(page: EndPage) -> Heading<'static> {
-    match page {
-        EndPage::Board => Heading::new(
-            &["The end"],
-            "e: write the answers as tables for a spreadsheet",
-        ),
-        EndPage::Held => Heading::new(&["What you held", "You held"], ""),
-        EndPage::Items => Heading::new(&["Questions"], ""),
-    }
-}
-
-/// Draws a page.
-pub(super) fn draw(play: &ClassPlay, page: EndPage, area: Rect, buf: &mut Buffer, look: &Look) {
-    let rest = heading(page).draw(area, buf, look);
-    if page == EndPage::Board {
-        let asked = play.round.questions().len();
-        scores_view::draw(&play.round, asked, rest, buf, look);
-    }
-}
+use crate::widgets::{Lines, Role, text};
 
 /// The words of a page that has some.
-pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect, look: &Look) -> Text<'a> {
-    let place = column(heading(page).rest(area, look));
+pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect) -> Option<Text<'a>> {
+    let write = match page {
+        EndPage::Board => return None,
+        EndPage::Held => write_held,
+        EndPage::Items => write_items,
+    };
+    let place = column(area);
     // The last row is for the word that there is more.
     let place = Rect {
         height: place.height.saturating_sub(1),
         ..place
     };
-    let round = &play.round;
-    match page {
-        EndPage::Items => (place, Box::new(move |lines| write_items(round, lines))),
-        _ => (place, Box::new(move |lines| write_held(round, lines))),
-    }
+    Some((place, Box::new(move |lines| write(&play.round, lines))))
 }
 
-/// A misconception with how many first votes fitted it, and how many votes after
-/// talking.
-struct Held {
-    misconception: Misconception,
-    first: usize,
-    second: usize,
-}
-
-/// What the class believed, the commonest first.
-fn held(round: &ClassRound) -> Vec<Held> {
-    let ballots: Vec<_> = (0..round.questions().len())
-        .flat_map(|question| (0..round.teams().len()).map(move |team| (question, team)))
-        .map(|(question, team)| (question, round.ballot(question, team)))
-        .collect();
-    let count = |it: Misconception, after: bool| {
-        let fits = ballots.iter().filter(|(question, ballot)| {
-            let said = if after { ballot.counts() } else { ballot.first };
-            round
-                .diagnose(*question, said)
-                .is_some_and(|diagnosis| diagnosis.misconception == it)
-        });
-        fits.count()
+/// What the class believed, the commonest first: each misconception with how many first
+/// votes fitted it, and how many votes after talking.
+fn held(round: &ClassRound) -> Vec<(Misconception, [usize; 2])> {
+    let fitted = Vote::BOTH.map(|vote| {
+        let questions = 0..round.questions().len();
+        let held = questions.flat_map(|question| round.held(question, vote));
+        held.map(|(misconception, _)| misconception)
+            .collect::<Vec<_>>()
+    });
+    let counts = |it| {
+        fitted
+            .each_ref()
+            .map(|held| held.iter().filter(|other| **other == it).count())
     };
-    let mut held: Vec<Held> = Misconception::ALL
+    let mut held: Vec<_> = Misconception::ALL
         .iter()
-        .map(|&misconception| Held {
-            misconception,
-            first: count(misconception, false),
-            second: count(misconception, true),
-        })
-        .filter(|it| it.first + it.second > 0)
+        .map(|it| (*it, counts(*it)))
+        .filter(|(_, counts)| *counts != [0, 0])
         .collect();
-    held.sort_by_key(|it| std::cmp::Reverse(it.first + it.second));
+    held.sort_by_key(|(_, [first, second])| std::cmp::Reverse(first + second));
     held
 }
 
@@ -97,12 +62,7 @@ fn write_held(round: &ClassRound, lines: &mut Lines) {
         "How often a vote fitted a misconception that many have: at first, and after talking.",
         Role::Dim,
     );
-    for Held {
-        misconception,
-        first,
-        second,
-    } in held
-    {
+    for (misconception, [first, second]) in held {
         lines.gap();
         let counts = format!("{first}, then {second}");
         lines.pair(misconception.name(), &counts, Role::Title, Role::Title);
@@ -131,21 +91,13 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
         ),
         Role::Dim,
     );
-    let most = round.questions().len();
-    for item in items(round, most) {
-        let about = round
-            .questions()
-            .get(item.question)
-            .map_or(String::new(), |question| {
-                text::clipped(&question.topic.name(), topic)
-            });
+    let asked = round.questions();
+    for item in items(round, asked.len()) {
+        let about = text::clipped(&asked[item.question].topic.name(), topic);
         lines.line(&row(&item, &about, topic), Role::Title);
         if let Some((misconception, count)) = item.commonest {
-            lines.hanging(
-                "     ",
-                &format!("{}: {count}", misconception.name()),
-                Role::Text,
-            );
+            let held = format!("{}: {count}", misconception.name());
+            lines.hanging("     ", &held, Role::Text);
         }
     }
     lines.gap();

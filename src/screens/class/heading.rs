@@ -14,16 +14,17 @@ const LARGER_FROM: u16 = 56;
 const AIRY_FROM: u16 = 30;
 
 /// A heading with the line below it that says what to do.
-pub(super) struct Heading<'a> {
+pub(super) struct Heading {
     /// What it may say, the best first; the first that fits is taken.
-    texts: &'a [&'a str],
+    texts: Vec<String>,
     /// The line below it.
-    line: &'a str,
+    line: &'static str,
 }
 
-impl<'a> Heading<'a> {
+impl Heading {
     /// A heading.
-    pub(super) const fn new(texts: &'a [&'a str], line: &'a str) -> Self {
+    pub(super) fn new(texts: &[&str], line: &'static str) -> Self {
+        let texts = texts.iter().map(ToString::to_string).collect();
         Self { texts, line }
     }
 
@@ -34,8 +35,9 @@ impl<'a> Heading<'a> {
             LARGE_FROM..LARGER_FROM => 4,
             _ => 8,
         };
-        let fit = |text: &&str| Big::fit(text, area.width.saturating_sub(2), most, look.charset);
-        self.texts.iter().find_map(fit)
+        let width = area.width.saturating_sub(2);
+        let mut texts = self.texts.iter();
+        texts.find_map(|text| Big::fit(text, width, most, look.charset))
     }
 
     /// What is left of an area below it.
@@ -43,56 +45,45 @@ impl<'a> Heading<'a> {
         let air = u16::from(area.height >= AIRY_FROM);
         let heading = self.big(area, look).map_or(1, |big| big.rows() + air);
         let line = u16::from(!self.line.is_empty()) + air;
-        let rows = (heading + line).min(area.height);
-        Rect {
-            y: area.y + rows,
-            height: area.height - rows,
-            ..area
-        }
+        below(area, heading + line)
     }
 
-    /// Draws it and gives what is left below it.
-    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) -> Rect {
-        let rest = self.rest(area, look);
+    /// Draws it.
+    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
         let air = u16::from(area.height >= AIRY_FROM);
-        let mut row = area.y;
-        match self.big(area, look) {
+        let rows = match self.big(area, look) {
             Some(big) => {
                 big.draw(area, buf, look, Role::Title, Align::Centre);
-                row += big.rows() + air;
+                big.rows() + air
             }
             None => {
-                centred(
-                    self.texts.first().unwrap_or(&""),
-                    row,
-                    area,
-                    buf,
-                    look,
-                    Role::Title,
-                );
-                row += 1;
+                let text = self.texts.first().map_or("", String::as_str);
+                centred(text, area, buf, look, Role::Title);
+                1
             }
-        }
-        centred(self.line, row, area, buf, look, Role::Key);
-        rest
+        };
+        centred(self.line, below(area, rows), buf, look, Role::Key);
     }
 }
 
-/// Writes a line in the middle of a row, if the area has that row.
-pub(super) fn centred(
-    words: &str,
-    row: u16,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-    role: Role,
-) {
-    if row >= area.bottom() {
+/// What is left of an area below so many rows.
+pub(super) fn below(area: Rect, rows: u16) -> Rect {
+    let rows = rows.min(area.height);
+    Rect {
+        y: area.y + rows,
+        height: area.height - rows,
+        ..area
+    }
+}
+
+/// Writes a line in the middle of the first row of an area, if it has one.
+pub(super) fn centred(words: &str, area: Rect, buf: &mut Buffer, look: &Look, role: Role) {
+    if area.height == 0 {
         return;
     }
     let words = look.charset.text(words);
     let words = text::clipped(&words, area.width.into());
     let column = area.x + (area.width - text::width(&words) as u16) / 2;
     let room = usize::from(area.right() - column);
-    buf.set_stringn(column, row, words, room, look.theme.style(role));
+    buf.set_stringn(column, area.y, words, room, look.theme.style(role));
 }

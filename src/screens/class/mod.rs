@@ -23,18 +23,17 @@ use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
 use super::{Confirmation, Context, Next, Screen};
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::{AnswerAction, Outcome, Palette};
 use earlier::EarlierRounds;
-use play::{ClassPhase, ClassPlay};
+use play::ClassPlay;
 use set_up::{SetUp, SetUpAction, SetUpEnd};
 
 /// What keys do in a class round.
@@ -143,49 +142,16 @@ impl Class {
         }
     }
 
-    fn scroll(&mut self, rows: i16, cx: &Context) -> Next {
-        if let ClassScene::Play(play) = &mut self.scene {
-            view::scroll(play, rows, cx.body, &cx.settings.look());
-        }
-        Next::Stay
-    }
-
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let cell = (mouse.column, mouse.row);
-        let pressed = mouse.kind == MouseKind::Down;
-        let look = cx.settings.look();
-        let play = match &mut self.scene {
-            _ if self.paused => return Next::Ignored,
+        match &mut self.scene {
+            _ if self.paused => Next::Ignored,
             ClassScene::SetUp(set_up) => {
-                let row = set_up_view::row_at(set_up, cx.body, cell);
+                let row = set_up_view::row_at(set_up, cx.body, mouse.cell());
                 let outcome = set_up.mouse(mouse, row, cx);
-                return self.set_up(outcome, cx);
+                self.set_up(outcome, cx)
             }
-            ClassScene::Earlier(earlier) => return earlier.mouse(mouse, cx),
-            ClassScene::Play(play) => play,
-        };
-        let question = play.question().cloned();
-        if let (ClassPhase::Vote(entry), Some(question)) = (&mut play.phase, question) {
-            match &mut entry.input {
-                Some(input) if pressed || mouse.kind == MouseKind::Drag => {
-                    let layout = vote_view::entry_layout(&question, cx.body);
-                    input.point(&question, layout.picture, cell, pressed);
-                    return Next::Stay;
-                }
-                Some(_) => {}
-                None => {
-                    let row = vote_view::row_at(&play.round, entry.vote, cx.body, &look, cell);
-                    let rows = play.round.teams().len() + 1;
-                    let outcome = entry.teams.mouse(mouse, rows, row);
-                    play.open(outcome, cx);
-                    return Next::Stay;
-                }
-            }
-        }
-        match mouse.kind {
-            MouseKind::ScrollUp => self.scroll(-1, cx),
-            MouseKind::ScrollDown => self.scroll(1, cx),
-            _ => Next::Ignored,
+            ClassScene::Earlier(earlier) => earlier.mouse(mouse, cx),
+            ClassScene::Play(play) => play.mouse(mouse, cx),
         }
     }
 }
@@ -210,21 +176,21 @@ impl Screen for Class {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ClassAction> {
+        use ClassAction::{Earlier, Leave, Pause, SetUp, StayPaused};
         let keys = KeyTable::new("class");
         match &self.scene {
-            _ if self.paused => keys.on(Key::Char('p'), ClassAction::Pause, "go on").on(
-                Key::Escape,
-                ClassAction::StayPaused,
-                "",
-            ),
-            ClassScene::SetUp(set_up) => keys.with(set_up.keys(), ClassAction::SetUp).on(
-                Key::Escape,
-                ClassAction::Leave,
-                "back",
-            ),
-            ClassScene::Earlier(earlier) => keys
-                .with(earlier.rounds.keys("take it up"), ClassAction::Earlier)
-                .on(Key::Escape, ClassAction::Leave, "back"),
+            _ if self.paused => {
+                let keys = keys.on('p', Pause, "go on");
+                keys.on(Key::Escape, StayPaused, "")
+            }
+            ClassScene::SetUp(set_up) => {
+                let keys = keys.with(set_up.keys(), SetUp);
+                keys.on(Key::Escape, Leave, "back")
+            }
+            ClassScene::Earlier(earlier) => {
+                let keys = keys.with(earlier.rounds.keys("take it up"), Earlier);
+                keys.on(Key::Escape, Leave, "back")
+            }
             ClassScene::Play(play) => play.keys(),
         }
     }
@@ -255,7 +221,6 @@ impl Screen for Class {
                     Palette::Dark | Palette::Mono => Palette::Light,
                 };
             }
-            (ClassAction::Scroll(rows), _) => return self.scroll(rows, cx),
             (ClassAction::Leave, _) => return self.leave(),
             (ClassAction::SetUp(action), ClassScene::SetUp(set_up)) => {
                 let outcome = set_up.act(action, cx);

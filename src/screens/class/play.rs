@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use super::ClassAction;
 use super::shown::ClassReveal;
 use super::vote_entry::VoteEntry;
+use super::{ClassAction, view, vote_view};
 use crate::class::{ClassPlace, ClassRound, ClassStep, Vote};
-use crate::messages::{Key, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
-use crate::screens::Context;
+use crate::screens::{Context, Next};
 use crate::widgets::input::{KeyTable, ListView};
 use crate::widgets::{Outcome, Scroll};
 
@@ -126,18 +126,13 @@ impl ClassPlay {
         if let Some(kept) = self.steps.get_mut(question) {
             *kept = step;
         }
+        let vote = |vote| ClassPhase::Vote(VoteEntry::new(&self.round, question, vote));
         self.phase = match step {
-            ClassStep::FirstVote => {
-                ClassPhase::Vote(VoteEntry::new(&self.round, question, Vote::First))
-            }
-            ClassStep::SecondVote => {
-                ClassPhase::Vote(VoteEntry::new(&self.round, question, Vote::Second))
-            }
+            ClassStep::FirstVote => vote(Vote::First),
+            ClassStep::SecondVote => vote(Vote::Second),
             ClassStep::Shot => {
-                match ClassReveal::new(&self.round, question, cx.settings.reduced_motion) {
-                    Some(shown) => ClassPhase::Shot(Box::new(shown)),
-                    None => ClassPhase::Look,
-                }
+                let shown = ClassReveal::new(&self.round, question, cx.settings.reduced_motion);
+                shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
             }
             _ => ClassPhase::Look,
         };
@@ -196,19 +191,16 @@ impl ClassPlay {
     }
 
     fn turn_page(&mut self, page: EndPage, by: isize) {
-        let at = EndPage::ALL.iter().position(|it| *it == page).unwrap_or(0);
-        let to = at.saturating_add_signed(by).min(EndPage::ALL.len() - 1);
-        self.phase = ClassPhase::End(EndPage::ALL[to]);
+        let to = (page as usize).saturating_add_signed(by);
+        self.phase = ClassPhase::End(EndPage::ALL[to.min(EndPage::ALL.len() - 1)]);
         self.scroll = Scroll::default();
     }
 
     /// Has it kept as it stands, once there is a vote in it.
     fn save(&self, cx: &mut Context) {
         if self.round.is_begun() {
-            cx.keep(
-                self.ticket,
-                StoreRequest::SaveClass(Box::new(self.round.clone())),
-            );
+            let round = Box::new(self.round.clone());
+            cx.keep(self.ticket, StoreRequest::SaveClass(round));
         }
     }
 
@@ -225,12 +217,10 @@ impl ClassPlay {
                 }
                 self.unsaved = saved.is_err();
             }
-            StoreReply::Exported(Ok(place)) => {
-                cx.tell(format!("Both tables are written: {place}"));
-            }
-            StoreReply::Exported(Err(reason)) => {
-                cx.tell(format!("The tables cannot be written: {reason}."));
-            }
+            StoreReply::Exported(exported) => cx.tell(match exported {
+                Ok(place) => format!("Both tables are written: {place}"),
+                Err(reason) => format!("The tables cannot be written: {reason}."),
+            }),
             _ => {}
         }
     }
@@ -238,85 +228,74 @@ impl ClassPlay {
     /// The keys of the step at hand.
     pub(super) fn keys(&self) -> KeyTable<ClassAction> {
         use ClassAction::{
-            Backward, Forward, Leap, Leave, Light, NotYet, Pause, Scroll, Tables, TakeBack, Team,
-            Teams, TurnPage, Vote, Watch, WordsAlone,
+            Backward, Forward, Leap, Leave, Light, NotYet, Pause, Tables, TakeBack, Team, Teams,
+            TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
-        let light = KeyTable::new("class").on(Key::Char('l'), Light, "dark or light");
-        let scroll = KeyTable::new("class")
-            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "")
-            .each([(Key::PageUp, Scroll(-8)), (Key::PageDown, Scroll(8))], "");
         let forward = |name| {
-            KeyTable::new("class")
-                .on(Key::Enter, Forward, name)
-                .or([(Key::Char(' '), Forward)])
+            let keys = KeyTable::new("class").on(Key::Enter, Forward, name);
+            keys.or([(' ', Forward)])
         };
-        let step = match (&self.phase, self.step()) {
-            (ClassPhase::Vote(entry), _) => match &entry.input {
-                Some(input) => {
-                    let input = input.keys();
-                    let free = input.exact(Key::Escape).is_none();
-                    return keys
-                        .with(input, Vote)
-                        .on(Key::Escape, NotYet, "not yet")
-                        .when(free)
-                        .on(Key::Char('p'), Pause, "pause")
-                        .with(light, |action| action)
-                        .with(scroll, |action| action);
+        let step =
+            match (&self.phase, self.step()) {
+                (ClassPhase::Vote(entry), _) => match &entry.input {
+                    Some(input) => {
+                        let input = input.keys();
+                        let free = input.exact(Key::Escape).is_none();
+                        let keys = keys.with(input, Vote);
+                        return scrolled(
+                            keys.on(Key::Escape, NotYet, "not yet")
+                                .when(free)
+                                .on('p', Pause, "pause")
+                                .on('l', Light, "dark or light"),
+                        );
+                    }
+                    None => {
+                        let count = self.round.teams().len();
+                        let numbers = ('1'..).zip((0..count).map(Team));
+                        keys.with(ListView::keys("give a vote"), Teams)
+                            .each(numbers, "a team")
+                            .on('x', TakeBack, "take back")
+                            .or([(Key::Delete, TakeBack)])
+                            .when(entry.at(&self.round) < count)
+                    }
+                },
+                (ClassPhase::Shot(shown), _) => {
+                    let next = match shown.telling.is_told() {
+                        true => "the scores",
+                        false => "show it",
+                    };
+                    // What is watched has the space bar.
+                    let keys = match shown.telling.watch() {
+                        Some(_) => keys.on(Key::Enter, Forward, next),
+                        None => forward(next),
+                    };
+                    keys.with(shown.telling.keys(), Watch)
                 }
-                None => {
-                    let count = self.round.teams().len();
-                    let numbers = ('1'..).map(Key::Char).zip((0..count).map(Team));
-                    keys.with(ListView::keys("give a vote"), Teams)
-                        .each(numbers, "a team")
-                        .on(Key::Char('x'), TakeBack, "take back")
-                        .or([(Key::Delete, TakeBack)])
-                        .when(entry.at(&self.round) < count)
+                (ClassPhase::End(page), _) => forward("next page")
+                    .when(*page != EndPage::Items)
+                    .by([Key::Left, Key::Right], TurnPage, [-1, 1], ""),
+                (_, ClassStep::Describe) => forward("predict").on('z', WordsAlone, "words alone"),
+                (_, ClassStep::Predict) => forward("first vote").on('z', WordsAlone, "words alone"),
+                (_, ClassStep::Talk) => forward("second vote"),
+                (_, ClassStep::Scores) if self.number() + 1 < self.round.questions().len() => {
+                    forward("next question")
                 }
-            },
-            (ClassPhase::Shot(shown), _) => {
-                let next = match shown.telling.is_told() {
-                    true => "the scores",
-                    false => "show it",
-                };
-                // What is watched has the space bar.
-                let keys = match shown.telling.watch() {
-                    Some(_) => keys.on(Key::Enter, Forward, next),
-                    None => forward(next),
-                };
-                keys.with(shown.telling.keys(), Watch)
-            }
-            (ClassPhase::End(page), _) => forward("next page")
-                .when(*page != EndPage::Items)
-                .each([(Key::Left, TurnPage(-1)), (Key::Right, TurnPage(1))], ""),
-            (_, ClassStep::Describe | ClassStep::Predict) => {
-                let next = match self.step() {
-                    ClassStep::Describe => "predict",
-                    _ => "first vote",
-                };
-                forward(next).on(Key::Char('z'), WordsAlone, "words alone")
-            }
-            (_, ClassStep::Talk) => forward("second vote"),
-            (_, ClassStep::Scores) if self.number() + 1 < self.round.questions().len() => {
-                forward("next question")
-            }
-            (_, ClassStep::Scores) => forward("the end"),
-            _ => forward("go on"),
-        };
+                (_, ClassStep::Scores) => forward("the end"),
+                _ => forward("go on"),
+            };
         let tables = match self.is_over() {
             true => "tables",
             false => "",
         };
-        step.on(Key::Char('e'), Tables, tables)
-            .on(Key::Backspace, Backward, "back")
-            .on(Key::Char('p'), Pause, "pause")
-            .with(light, |action| action)
-            .each(
-                [(Key::Char('['), Leap(-1)), (Key::Char(']'), Leap(1))],
-                "questions",
-            )
-            .on(Key::Escape, Leave, "leave")
-            .with(scroll, |action| action)
+        scrolled(
+            step.on('e', Tables, tables)
+                .on(Key::Backspace, Backward, "back")
+                .on('p', Pause, "pause")
+                .on('l', Light, "dark or light")
+                .by(['[', ']'], Leap, [-1, 1], "questions")
+                .on(Key::Escape, Leave, "leave"),
+        )
     }
 
     /// Does what a key stands for.
@@ -327,6 +306,9 @@ impl ClassPlay {
                 shown.telling.tell();
             }
             (ClassAction::Forward, _) => self.forward(cx),
+            (ClassAction::Scroll(rows), _) => {
+                view::scroll(self, rows, cx.body, &cx.settings.look());
+            }
             (ClassAction::Backward, _) => self.back(cx),
             (ClassAction::Leap(by), _) => self.leap(by, cx),
             (ClassAction::TurnPage(by), ClassPhase::End(page)) => {
@@ -359,8 +341,35 @@ impl ClassPlay {
         }
     }
 
+    /// Takes the mouse: it chooses a team or makes its vote; the wheel scrolls what is long.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let (cell, look) = (mouse.cell(), cx.settings.look());
+        let place = view::rest(self, cx.body, &look);
+        let number = self.number();
+        let (round, pressed) = (&self.round, mouse.kind == MouseKind::Down);
+        match (&mut self.phase, mouse.kind) {
+            (ClassPhase::Vote(entry), _) if entry.input.is_none() => {
+                let row = vote_view::row_at(round, place, &look, cell);
+                let outcome = entry.teams.mouse(mouse, round.teams().len() + 1, row);
+                self.open(outcome, cx);
+            }
+            (ClassPhase::Vote(entry), MouseKind::Down | MouseKind::Drag) => {
+                if let (Some(input), Some(question)) =
+                    (&mut entry.input, round.questions().get(number))
+                {
+                    let picture = vote_view::entry_layout(question, place).picture;
+                    input.point(question, picture, cell, pressed);
+                }
+            }
+            (_, MouseKind::ScrollUp) => view::scroll(self, -1, cx.body, &look),
+            (_, MouseKind::ScrollDown) => view::scroll(self, 1, cx.body, &look),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
     /// Lets a team vote, or after the last one goes on.
-    pub(super) fn open(&mut self, row: Outcome<usize>, cx: &mut Context) {
+    fn open(&mut self, row: Outcome<usize>, cx: &mut Context) {
         let count = self.round.teams().len();
         match (row, &mut self.phase) {
             (Outcome::Done(team), ClassPhase::Vote(entry)) if team < count => {
@@ -385,4 +394,15 @@ impl ClassPlay {
             _ => None,
         }
     }
+}
+
+/// The keys with those that scroll.
+fn scrolled(keys: KeyTable<ClassAction>) -> KeyTable<ClassAction> {
+    keys.by([Key::Up, Key::Down], ClassAction::Scroll, [-1, 1], "")
+        .by(
+            [Key::PageUp, Key::PageDown],
+            ClassAction::Scroll,
+            [-8, 8],
+            "",
+        )
 }

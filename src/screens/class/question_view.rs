@@ -1,9 +1,9 @@
 //! How a question looks while it is read out and while everyone thinks.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
-use super::heading::Heading;
+use super::heading::below;
 use super::play::ClassPlay;
 use super::view::{Text, column};
 use crate::class::ClassStep;
@@ -12,56 +12,27 @@ use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
 
 /// The place of the question's words, and of its picture if it is to be seen.
-struct WordsPlace {
-    words: Rect,
-    beside: Option<SplitLayout>,
-}
-
-fn heading_and(play: &ClassPlay, then: impl FnOnce(Heading)) {
-    let number = format!("Question {}", play.number() + 1);
-    match play.step() {
-        ClassStep::Predict => then(Heading::new(
-            &["Predict in silence", "In silence"],
-            "Everyone writes down an answer. Nobody speaks.",
-        )),
-        _ => then(Heading::new(&[&number], "")),
-    }
-}
-
-fn layout(play: &ClassPlay, question: &Question, area: Rect, look: &Look) -> WordsPlace {
+fn layout(play: &ClassPlay, question: &Question, area: Rect) -> (Rect, Option<SplitLayout>) {
     if play.words_alone {
-        return WordsPlace {
-            words: area,
-            beside: None,
-        };
+        return (area, None);
     }
-    let mut rest = area;
-    heading_and(play, |heading| rest = heading.rest(area, look));
     if question.picture == Illustration::Nothing {
-        return WordsPlace {
-            words: column(rest),
-            beside: None,
-        };
+        return (column(area), None);
     }
-    let beside = SplitLayout::square(rest);
-    WordsPlace {
-        words: beside.panel,
-        beside: Some(beside),
-    }
+    let beside = SplitLayout::square(area);
+    (beside.panel, Some(beside))
 }
 
 /// Draws the question: its picture, and its words where there is room for large type.
-pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
-    let Some(question) = play.question() else {
-        return;
-    };
-    if !play.words_alone {
-        heading_and(play, |heading| {
-            heading.draw(area, buf, look);
-        });
-    }
-    let layout = layout(play, question, area, look);
-    if let Some(beside) = &layout.beside {
+pub(super) fn draw(
+    play: &ClassPlay,
+    question: &Question,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    let (words, beside) = layout(play, question, area);
+    if let Some(beside) = beside {
         let aside = match play.step() {
             ClassStep::Predict => "what will happen?",
             _ => "the question",
@@ -69,16 +40,10 @@ pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) 
         beside.draw(buf, look, question.family.name(), aside);
         draw_question(beside.picture, buf, look, question, None);
     }
-    let place = inner(layout.words);
-    let mut row = place.y;
+    let mut place = inner(words);
     for block in large(question, place, look).0 {
-        let left = Rect {
-            y: row,
-            height: place.bottom().saturating_sub(row),
-            ..place
-        };
-        block.draw(left, buf, look, Role::Title, Align::Left);
-        row += block.rows() + GAP;
+        block.draw(place, buf, look, Role::Title, Align::Left);
+        place = below(place, block.rows() + GAP);
     }
 }
 
@@ -87,17 +52,15 @@ const GAP: u16 = 1;
 
 /// A column of margin on both sides.
 fn inner(area: Rect) -> Rect {
-    let margin = 1.min(area.width / 2);
-    Rect {
-        x: area.x + margin,
-        width: area.width - 2 * margin,
-        ..area
-    }
+    area.inner(Margin::new(1, 0))
 }
 
-/// What of the words fits in large type, and what is left in plain type: nothing; the
+/// What writes those words of a question that are in plain type.
+type Plain = fn(&Question, &mut Lines);
+
+/// What of the words fits in large type, and what writes the rest, if there is any: the
 /// choices, below the question; or all.
-fn large(question: &Question, place: Rect, look: &Look) -> (Vec<Big>, Plain) {
+fn large(question: &Question, place: Rect, look: &Look) -> (Vec<Big>, Option<Plain>) {
     let fit = |texts: &[&str], rows| Big::fit_all(texts, GAP, place.width, rows, look.charset);
     let mut texts = vec![question.text.clone()];
     let options = options(question);
@@ -105,21 +68,13 @@ fn large(question: &Question, place: Rect, look: &Look) -> (Vec<Big>, Plain) {
     texts.extend(lettered.map(|(i, option)| format!("{}: {option}", letter(i))));
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     if let Some(all) = fit(&texts, place.height) {
-        return (all, Plain::Nothing);
+        return (all, None);
     }
     let below = rows_of_choices(question, place, look) + GAP;
     match fit(&texts[..1], place.height.saturating_sub(below)) {
-        Some(text) if !options.is_empty() => (text, Plain::Choices),
-        _ => (Vec::new(), Plain::All),
+        Some(text) if !options.is_empty() => (text, Some(write_choices)),
+        _ => (Vec::new(), Some(write)),
     }
-}
-
-/// What of a question is in plain type.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Plain {
-    Nothing,
-    Choices,
-    All,
 }
 
 /// The choices of a question that has any.
@@ -139,32 +94,24 @@ fn rows_of_choices(question: &Question, place: Rect, look: &Look) -> u16 {
 }
 
 /// The words that are not in large type.
-pub(super) fn text<'a>(play: &'a ClassPlay, area: Rect, look: &Look) -> Option<Text<'a>> {
-    let question = play.question()?;
-    let layout = layout(play, question, area, look);
-    let place = inner(layout.words);
-    let (blocks, plain) = large(question, place, look);
-    match plain {
-        Plain::Nothing => None,
-        Plain::All => {
-            let write = move |lines: &mut Lines| write(question, lines);
-            Some((layout.words, Box::new(write)))
-        }
-        Plain::Choices => {
-            let high = blocks.iter().map(Big::rows).sum::<u16>() + GAP;
-            let below = Rect {
-                y: place.y + high,
-                height: place.height.saturating_sub(high),
-                ..place
-            };
-            let write = move |lines: &mut Lines| write_choices(question, lines);
-            Some((below, Box::new(write)))
-        }
-    }
+pub(super) fn text<'a>(
+    play: &ClassPlay,
+    question: &'a Question,
+    area: Rect,
+    look: &Look,
+) -> Option<Text<'a>> {
+    let (words, _) = layout(play, question, area);
+    let (blocks, plain) = large(question, inner(words), look);
+    let plain = plain?;
+    let place = match blocks.first() {
+        Some(text) => below(inner(words), text.rows() + GAP),
+        None => words,
+    };
+    Some((place, Box::new(move |lines| plain(question, lines))))
 }
 
 /// Writes a question with its choices.
-pub(super) fn write(question: &Question, lines: &mut Lines) {
+fn write(question: &Question, lines: &mut Lines) {
     lines.paragraph(&question.text, Role::Title);
     write_choices(question, lines);
 }

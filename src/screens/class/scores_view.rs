@@ -1,18 +1,20 @@
 //! The scoreboard: everyone's place, points and gain.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
-use super::view::column;
+use super::heading::below;
+use super::view::{column, slot};
 use crate::class::{ClassRound, standings};
 use crate::quiz::Grade;
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, text};
 
-/// Rows of a team in large type: four of letters, one of its bar, and if possible one
-/// empty.
-const LARGE: [u16; 2] = [5, 6];
+/// Rows of large letters.
+const LETTERS: u16 = 4;
+/// Rows of a team in large type: its letters, one of its bar, and if possible one empty.
+const LARGE: [u16; 2] = [LETTERS + 1, LETTERS + 2];
 /// Columns between a name and the points in large type.
 const APART: u16 = 3;
 
@@ -32,19 +34,13 @@ struct ScoreRow {
 pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffer, look: &Look) {
     let area = column(area);
     let most = Grade::MOST * asked.max(1) as f64;
-    let rows: Vec<ScoreRow> = standings(round, asked)
-        .into_iter()
-        .map(|it| ScoreRow {
-            name: format!(
-                "{}. {}",
-                it.place,
-                round.teams().get(it.team).map_or("", String::as_str)
-            ),
-            points: format!("{:.1}", it.points),
-            gain: format!("+{:.1}", it.gain),
-            share: it.points / most,
-        })
-        .collect();
+    let standings = standings(round, asked).into_iter().map(|it| ScoreRow {
+        name: format!("{}. {}", it.place, round.teams()[it.team]),
+        points: format!("{:.1}", it.points),
+        gain: format!("+{:.1}", it.gain),
+        share: it.points / most,
+    });
+    let rows: Vec<_> = standings.collect();
     let high = area.height / (rows.len() as u16).max(1);
     match large(&rows, high, area.width, look) {
         Some(letters) => draw_large(&rows, &letters, high.min(LARGE[1]), area, buf, look),
@@ -64,13 +60,8 @@ fn large(rows: &[ScoreRow], high: u16, width: u16, look: &Look) -> Option<Vec<[B
     let names: Vec<&str> = texts(|row| &row.name);
     let room = width.saturating_sub(widest + APART + 2);
     let names = Big::fit_lines(&names, room, look.charset)?;
-    Some(
-        names
-            .into_iter()
-            .zip(points)
-            .map(<[Big; 2]>::from)
-            .collect(),
-    )
+    let letters = names.into_iter().zip(points);
+    Some(letters.map(<[Big; 2]>::from).collect())
 }
 
 fn draw_large(
@@ -82,40 +73,20 @@ fn draw_large(
     look: &Look,
 ) {
     for (i, (row, [name, points])) in rows.iter().zip(letters).enumerate() {
-        let place = Rect {
-            x: area.x + 1,
-            y: area.y + high * i as u16,
-            width: area.width.saturating_sub(2),
-            height: high,
-        };
+        let whole = slot(area, i, high);
+        let place = whole.inner(Margin::new(1, 0));
         name.draw(place, buf, look, Role::Title, Align::Left);
         points.draw(place, buf, look, Role::Title, Align::Right);
-        let below = Rect {
-            x: area.x,
-            y: place.y + 4,
-            width: area.width,
-            height: 1,
-        };
-        let mut lines = Lines::new(below, buf, *look);
+        let mut lines = Lines::new(below(whole, LETTERS), buf, *look);
         let width = lines.width().saturating_sub(9);
-        lines.pair(
-            &bar(row.share, width, look.charset),
-            &row.gain,
-            Role::Predicted,
-            Role::Title,
-        );
+        let bar = bar(row.share, width, look.charset);
+        lines.pair(&bar, &row.gain, Role::Predicted, Role::Title);
     }
 }
 
 fn draw_plain(rows: &[ScoreRow], high: u16, area: Rect, buf: &mut Buffer, look: &Look) {
     for (i, row) in rows.iter().enumerate() {
-        let place = Rect {
-            y: area.y + high * i as u16,
-            height: high,
-            ..area
-        }
-        .intersection(area);
-        let mut lines = Lines::new(place, buf, *look);
+        let mut lines = Lines::new(slot(area, i, high), buf, *look);
         let room = usize::from(lines.width().saturating_sub(20));
         let name = text::clipped(&row.name, room);
         let numbers = format!("{:>6}  {:>6}", row.points, row.gain);

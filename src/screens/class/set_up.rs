@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use strum::{EnumMessage, IntoStaticStr};
+use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::play::ClassPlay;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
@@ -52,7 +52,7 @@ pub(super) enum SetUpRow {
 }
 
 /// Which questions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum RoundKind {
     Mixed,
     Quick,
@@ -60,17 +60,6 @@ pub(super) enum RoundKind {
     Topic,
     Own,
     Code,
-}
-
-impl RoundKind {
-    const ALL: [Self; 6] = [
-        Self::Mixed,
-        Self::Quick,
-        Self::Hits,
-        Self::Topic,
-        Self::Own,
-        Self::Code,
-    ];
 }
 
 /// What keys do where a round is set up.
@@ -105,11 +94,7 @@ impl SetUp {
         let mut set_up = Self {
             teams: teams.collect(),
             list: ListView::default(),
-            kind: if code.is_some() {
-                RoundKind::Code
-            } else {
-                RoundKind::Mixed
-            },
+            kind: code.map_or(RoundKind::Mixed, |_| RoundKind::Code),
             topic: 0,
             code: TextField::new(&code.map(ToString::to_string).unwrap_or_default(), LONGEST),
             trouble: None,
@@ -133,9 +118,21 @@ impl SetUp {
 
     /// The kinds of round there are; own questions only where there are any.
     pub(super) fn kinds(&self) -> Vec<RoundKind> {
-        let all = RoundKind::ALL.into_iter();
-        all.filter(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty())
-            .collect()
+        let mut kinds = RoundKind::VARIANTS.to_vec();
+        kinds.retain(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty());
+        kinds
+    }
+
+    /// The course of a kind of round; of a code it stands in that.
+    pub(super) fn course(&self, kind: RoundKind) -> Option<CourseKind> {
+        Some(match kind {
+            RoundKind::Mixed => CourseKind::Mixed,
+            RoundKind::Quick => CourseKind::Quick,
+            RoundKind::Hits => CourseKind::Hits,
+            RoundKind::Topic => CourseKind::Topic(CourseKind::topics().nth(self.topic)?),
+            RoundKind::Own => CourseKind::Own(Arc::clone(&self.own)),
+            RoundKind::Code => return None,
+        })
     }
 
     /// All rows, from the top of the left side to the foot of the right one.
@@ -169,10 +166,7 @@ impl SetUp {
             SetUpRow::Earlier => "open the list",
         };
         KeyTable::new("class")
-            .each(
-                [(Key::Left, Topic(-1)), (Key::Right, Topic(1))],
-                "another topic",
-            )
+            .by([Key::Left, Key::Right], Topic, [-1, 1], "another topic")
             .when(at == SetUpRow::Kind(RoundKind::Topic))
             .with(ListView::keys(enter), List)
             .on(Key::Delete, Remove, "remove it")
@@ -319,15 +313,7 @@ impl SetUp {
                 return Outcome::Used;
             }
         };
-        let kind = match self.kind {
-            RoundKind::Mixed => Some(CourseKind::Mixed),
-            RoundKind::Quick => Some(CourseKind::Quick),
-            RoundKind::Hits => Some(CourseKind::Hits),
-            RoundKind::Topic => CourseKind::topics().nth(self.topic).map(CourseKind::Topic),
-            RoundKind::Own => Some(CourseKind::Own(Arc::clone(&self.own))),
-            RoundKind::Code => None,
-        };
-        let code = match kind {
+        let code = match self.course(self.kind) {
             Some(kind) => Ok(Code {
                 course: Course::new(kind),
                 seed: cx.next_seed(),

@@ -3,45 +3,31 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
-use super::heading::Heading;
+use super::heading::{Heading, below};
 use super::set_up::{RoundKind, SetUp, SetUpRow};
+use super::view::{column, slot};
 use crate::class::MOST_TEAMS;
-use crate::quiz::{Course, CourseKind, Family};
-use crate::widgets::input::TextField;
+use crate::quiz::CourseKind;
+use crate::widgets::input::{ListView, TextField};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Lines, Look, Role, text};
-
-/// Columns of both panels together at most.
-const WIDEST: u16 = 100;
 
 /// The frames of the teams and of the round, and the rows below them.
 fn layout(set_up: &SetUp, area: Rect) -> [Rect; 3] {
     // Two rows a kind of round, and the frame.
     let panel = 2 * set_up.kinds().len() as u16 + 2;
-    let width = area.width.min(WIDEST);
-    let x = area.x + (area.width - width) / 2;
     // The heading is the same height in both charsets at any size that it is shown at.
     let head = area.height.saturating_sub(panel + 5).min(6);
-    let top = Rect {
-        x,
-        y: area.y + head,
-        width,
-        height: panel.min(area.height.saturating_sub(head)),
-    };
-    let half = width / 2;
+    let page = below(column(area), head);
+    let half = page.width / 2;
+    let top = slot(page, 0, panel);
     let teams = Rect { width: half, ..top };
     let round = Rect {
-        x: x + half,
-        width: width - half,
+        x: top.x + half,
+        width: top.width - half,
         ..top
     };
-    let below = Rect {
-        x,
-        y: top.bottom(),
-        width,
-        height: area.bottom().saturating_sub(top.bottom()),
-    };
-    [teams, round, below]
+    [teams, round, below(page, panel)]
 }
 
 fn inside(frame: Rect) -> Rect {
@@ -51,22 +37,14 @@ fn inside(frame: Rect) -> Rect {
 /// The row at a cell.
 pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<SetUpRow> {
     let [teams, round, below] = layout(set_up, area);
-    let at = |frame: Rect| {
-        frame
-            .contains(cell.into())
-            .then(|| usize::from(cell.1 - frame.y))
-    };
-    let rows = set_up.rows();
-    if let Some(row) = at(inside(teams)) {
-        let rows = rows
-            .into_iter()
-            .filter(|row| matches!(row, SetUpRow::Team(_) | SetUpRow::Add));
-        return rows.collect::<Vec<_>>().get(row).copied();
+    if let Some(row) = ListView::row_at(inside(teams), cell) {
+        let named = |row: &SetUpRow| matches!(row, SetUpRow::Team(_) | SetUpRow::Add);
+        return set_up.rows().into_iter().filter(named).nth(row);
     }
-    if let Some(row) = at(inside(round)) {
+    if let Some(row) = ListView::row_at(inside(round), cell) {
         return set_up.kinds().get(row / 2).copied().map(SetUpRow::Kind);
     }
-    match at(below)? {
+    match ListView::row_at(below, cell)? {
         0 => Some(SetUpRow::Start),
         1 => Some(SetUpRow::Earlier),
         _ => None,
@@ -114,22 +92,15 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
     }
     let mut lines = Lines::new(below, buf, *look);
     line("Start", set_up.at() == SetUpRow::Start, &mut lines);
-    line(
-        "take up an earlier round",
-        set_up.at() == SetUpRow::Earlier,
-        &mut lines,
-    );
+    let earlier = set_up.at() == SetUpRow::Earlier;
+    line("take up an earlier round", earlier, &mut lines);
     if let Some(trouble) = &set_up.trouble {
         lines.paragraph(trouble, Role::Warn);
     }
 }
 
 fn line(words: &str, chosen: bool, lines: &mut Lines) {
-    let (mark, role) = if chosen {
-        (">", Role::Selected)
-    } else {
-        (" ", Role::Text)
-    };
+    let (mark, role) = ListView::mark(chosen);
     lines.line(&format!("{mark} {words} "), role);
 }
 
@@ -164,25 +135,19 @@ fn words(
     chosen: bool,
     charset: Charset,
 ) -> (String, String) {
-    let course = |kind: CourseKind, about: &str| {
-        let count = Course::new(kind.clone()).count;
-        (
-            kind.name().to_owned(),
-            format!("{count} questions, {about}"),
-        )
-    };
+    let course = set_up.course(kind);
+    let count = course.as_ref().map_or(0, CourseKind::length);
+    let name = course.as_ref().map_or("", CourseKind::name);
     match kind {
-        RoundKind::Mixed => course(CourseKind::Mixed, "all kinds mixed"),
-        RoundKind::Quick => course(CourseKind::Quick, "all kinds mixed"),
-        RoundKind::Hits => course(CourseKind::Hits, "where to?"),
+        RoundKind::Mixed | RoundKind::Quick => {
+            (name.into(), format!("{count} questions, all kinds mixed"))
+        }
+        RoundKind::Hits => (name.into(), format!("{count} questions, where to?")),
         RoundKind::Topic => {
-            let family = CourseKind::topics().nth(set_up.topic);
-            let name = family.map_or("", Family::name);
             let name = match chosen {
                 true => format!("< {name} >"),
-                false => name.to_owned(),
+                false => name.into(),
             };
-            let count = family.map_or(0, |family| CourseKind::Topic(family).length());
             (format!("one topic, {count} questions"), name)
         }
         RoundKind::Own => {
@@ -192,7 +157,7 @@ fn words(
                 1 => ", one file left out".into(),
                 left => format!(", {left} files left out"),
             };
-            ("your own questions".into(), format!("of {count}{left}"))
+            (name.into(), format!("of {count}{left}"))
         }
         RoundKind::Code => {
             let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);

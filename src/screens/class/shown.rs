@@ -53,26 +53,14 @@ fn watch(question: &Question, said: Option<Response>, reduced: bool) -> Option<W
     collision.map(|collision| Watch::new(collision, rays, reduced))
 }
 
-/// The misconception that most of these votes fit, how many do, and one of them; a
-/// second vote that was not given is the first one. Of equals the first of all.
+/// The misconception that most votes fit, how many do, and one of them. Of equals the
+/// first of all.
 fn commonest(
     round: &ClassRound,
     question: usize,
     vote: Vote,
 ) -> Option<(Misconception, usize, Response)> {
-    let votes = (0..round.teams().len()).filter_map(|team| {
-        let ballot = round.ballot(question, team);
-        match vote {
-            Vote::First => ballot.first,
-            Vote::Second => ballot.counts(),
-        }
-    });
-    let (held, said): (Vec<_>, Vec<_>) = votes
-        .filter_map(|said| {
-            let diagnosis = round.diagnose(question, Some(said))?;
-            Some((diagnosis.misconception, said))
-        })
-        .unzip();
+    let (held, said): (Vec<_>, Vec<_>) = round.held(question, vote).unzip();
     let (misconception, count) = most_held(&held)?;
     let first = held.iter().position(|it| *it == misconception)?;
     Some((misconception, count, said[first]))

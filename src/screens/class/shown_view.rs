@@ -3,58 +3,38 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::heading::Heading;
 use super::play::ClassPlay;
 use super::shown::ClassReveal;
 use super::view::{Text, teams};
-use crate::class::{ClassRound, Vote};
-use crate::quiz::{Question, Response, letter};
+use crate::class::Vote;
+use crate::quiz::{Illustration, Question, Response, letter};
 use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
 
-/// Rows of a body from which on there is a heading above the picture, too.
-const HEADED_FROM: u16 = 34;
-
-const HEADING: Heading<'static> = Heading::new(&["The shot"], "");
-
 /// Where picture and panel are.
-fn layout(question: &Question, shown: &ClassReveal, area: Rect, look: &Look) -> SplitLayout {
-    let rest = if area.height >= HEADED_FROM {
-        HEADING.rest(area, look)
+fn layout(question: &Question, shown: &ClassReveal, area: Rect) -> SplitLayout {
+    if shown.telling.watch().is_some() || question.picture != Illustration::Nothing {
+        SplitLayout::square(area)
     } else {
-        area
-    };
-    let pictured =
-        shown.telling.watch().is_some() || question.picture != crate::quiz::Illustration::Nothing;
-    if pictured {
-        SplitLayout::square(rest)
-    } else {
-        SplitLayout::text_alone(rest)
+        SplitLayout::text_alone(area)
     }
 }
 
 /// Draws the hit.
 pub(super) fn draw(
-    play: &ClassPlay,
+    question: &Question,
     shown: &ClassReveal,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
 ) {
-    let Some(question) = play.question() else {
-        return;
-    };
-    if area.height >= HEADED_FROM {
-        HEADING.draw(area, buf, look);
-    }
-    let layout = layout(question, shown, area, look);
+    let layout = layout(question, shown, area);
     let title = match shown.telling.watch() {
         Some(watch) => watch.title(),
         None => question.family.name().into(),
     };
-    let aside = if shown.telling.is_told() {
-        "and why"
-    } else {
-        "watch"
+    let aside = match shown.telling.is_told() {
+        true => "and why",
+        false => "watch",
     };
     layout.draw(buf, look, &title, aside);
     match shown.telling.watch() {
@@ -66,19 +46,12 @@ pub(super) fn draw(
 /// The truth and why it is true.
 pub(super) fn text<'a>(
     play: &'a ClassPlay,
+    question: &'a Question,
     shown: &'a ClassReveal,
     area: Rect,
-    look: &Look,
 ) -> Text<'a> {
-    let place = play
-        .question()
-        .map(|question| layout(question, shown, area, look).panel)
-        .unwrap_or_default();
-    let write = move |lines: &mut Lines| {
-        if let Some(question) = play.question() {
-            write(play, question, shown, lines);
-        }
-    };
+    let place = layout(question, shown, area).panel;
+    let write = move |lines: &mut Lines| write(play, question, shown, lines);
     (place, Box::new(write))
 }
 
@@ -92,26 +65,21 @@ fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut
         return;
     }
     let truth = question.form.truth();
-    let words = match truth {
-        Response::Choice(i) => format!("{}: {}", letter(i), question.form.words(&truth)),
-        _ => question.form.words(&truth),
-    };
+    let mut words = question.form.words(&truth);
+    if let Response::Choice(i) = truth {
+        words = format!("{}: {words}", letter(i));
+    }
     lines.paragraph(&words, Role::Title);
     lines.gap();
-    let number = play.number();
-    let right = |vote| right(&play.round, number, vote);
-    lines.pair(
-        "right at first",
-        &right(Vote::First),
-        Role::Text,
-        Role::Title,
-    );
-    lines.pair(
-        "after talking",
-        &right(Vote::Second),
-        Role::Text,
-        Role::Title,
-    );
+    for (name, vote) in [
+        ("right at first", Vote::First),
+        ("after talking", Vote::Second),
+    ] {
+        let grades = play.round.grades(play.number(), vote);
+        let right = grades.iter().filter(|grade| grade.right).count();
+        let right = format!("{right} of {}", grades.len());
+        lines.pair(name, &right, Role::Text, Role::Title);
+    }
     if let Some((misconception, count)) = shown.held {
         lines.gap();
         let words = format!("{}: {}.", teams(count), misconception.name());
@@ -119,20 +87,4 @@ fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut
     }
     lines.gap();
     lines.paragraph(&shown.why, Role::Text);
-}
-
-/// How many of the teams that voted were right: "2 of 3".
-fn right(round: &ClassRound, question: usize, vote: Vote) -> String {
-    let grades: Vec<_> = (0..round.teams().len())
-        .filter_map(|team| {
-            let ballot = round.ballot(question, team);
-            let said = match vote {
-                Vote::First => ballot.first,
-                Vote::Second => ballot.counts(),
-            };
-            round.grade(question, said)
-        })
-        .collect();
-    let count = grades.iter().filter(|grade| grade.right).count();
-    format!("{count} of {}", grades.len())
 }

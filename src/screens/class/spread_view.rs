@@ -3,11 +3,10 @@
 
 use glam::dvec2;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
-use super::heading::Heading;
 use super::play::ClassPlay;
-use super::view::{Text, column, teams};
+use super::view::{Text, column, slot, teams};
 use crate::class::Vote;
 use crate::physics::Collision;
 use crate::physics::units::mm_from_m;
@@ -20,31 +19,24 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role, SplitLayout, brief, draw_question};
 
-const HEADING: Heading<'static> = Heading::new(
-    &["Talk"],
-    "These are the votes. Find someone who thinks otherwise, and say why.",
-);
-
 /// The first votes that were given on the question at hand.
 fn votes(play: &ClassPlay) -> Vec<Response> {
-    let teams = 0..play.round.teams().len();
-    let ballots = teams.map(|team| play.round.ballot(play.number(), team));
-    ballots
-        .filter_map(|ballot| ballot.vote(Vote::First))
-        .collect()
+    play.round.said(play.number(), Vote::First).collect()
 }
 
 /// Draws the spread.
-pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
-    let rest = HEADING.draw(area, buf, look);
-    let Some(question) = play.question() else {
-        return;
-    };
+pub(super) fn draw(
+    play: &ClassPlay,
+    question: &Question,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
     let votes = votes(play);
     match &question.form {
-        Form::Choice { options, .. } => draw_bars(options, &votes, column(rest), buf, look),
+        Form::Choice { options, .. } => draw_bars(options, &votes, column(area), buf, look),
         Form::Rays { .. } => {
-            let beside = SplitLayout::square(rest);
+            let beside = SplitLayout::square(area);
             beside.draw(buf, look, "all who voted", "the votes");
             // The question's own labels stay whole.
             if let Some(collision) = question.picture.collision() {
@@ -57,32 +49,31 @@ pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) 
                 Response::Number(x) => Some(*x),
                 _ => None,
             });
-            draw_line(
-                quantity.unit(),
-                &numbers.collect::<Vec<_>>(),
-                rest,
-                buf,
-                look,
-            );
+            let numbers: Vec<_> = numbers.collect();
+            draw_line(quantity.unit(), &numbers, area, buf, look);
         }
         Form::Shot(_) => {
             let offsets = votes.iter().filter_map(|said| match said {
                 Response::Shot(x) => Some(mm_from_m(*x)),
                 _ => None,
             });
+            let offsets: Vec<_> = offsets.collect();
             let unit = "mm offset, a minus for the left";
-            draw_line(unit, &offsets.collect::<Vec<_>>(), rest, buf, look);
+            draw_line(unit, &offsets, area, buf, look);
         }
     }
 }
 
 /// The list of rays beside their picture.
-pub(super) fn text<'a>(play: &'a ClassPlay, area: Rect, look: &Look) -> Option<Text<'a>> {
-    let question = play.question()?;
+pub(super) fn text<'a>(
+    play: &'a ClassPlay,
+    question: &'a Question,
+    area: Rect,
+) -> Option<Text<'a>> {
     let Form::Rays { target, .. } = &question.form else {
         return None;
     };
-    let panel = SplitLayout::square(HEADING.rest(area, look)).panel;
+    let panel = SplitLayout::square(area).panel;
     let write = move |lines: &mut Lines| write_rays(play, question, target, lines);
     Some((panel, Box::new(write)))
 }
@@ -116,21 +107,12 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
         let value = |angle: &Option<f64>| angle.unwrap_or(f64::INFINITY);
         value(a).total_cmp(&value(b))
     });
-    let mut groups: Vec<(String, usize)> = Vec::new();
-    for shown in angles.into_iter().map(brief) {
-        match groups.last_mut() {
-            Some((last, count)) if *last == shown => *count += 1,
-            _ => groups.push((shown, 1)),
-        }
-    }
-    let words: Vec<String> = groups
-        .into_iter()
-        .map(|(shown, count)| match count {
-            1 => shown,
-            count => format!("{shown} ({count})"),
-        })
-        .collect();
-    words.join(", ")
+    let shown: Vec<String> = angles.into_iter().map(brief).collect();
+    let words = shown.chunk_by(|a, b| a == b).map(|same| match same {
+        [one] => one.clone(),
+        _ => format!("{} ({})", same[0], same.len()),
+    });
+    words.collect::<Vec<_>>().join(", ")
 }
 
 /// All rays, from where the two will meet.
@@ -173,15 +155,9 @@ fn draw_bars(options: &[String], votes: &[Response], area: Rect, buf: &mut Buffe
     let rows = area.height / (options.len() as u16).max(1);
     let most = votes.len().max(1);
     for (i, option) in options.iter().enumerate() {
-        let place = Rect {
-            y: area.y + rows * i as u16,
-            height: rows,
-            ..area
-        };
-        let count = votes
-            .iter()
-            .filter(|said| matches!(said, Response::Choice(chosen) if *chosen == i))
-            .count();
+        let place = slot(area, i, rows);
+        let count = votes.iter().filter(|said| **said == Response::Choice(i));
+        let count = count.count();
         let sides = [letter(i).to_string(), count.to_string()];
         let large = sides.each_ref().map(|side| {
             let side = Big::fit(side, SIDE, LARGE, look.charset);
@@ -197,11 +173,7 @@ fn draw_bars(options: &[String], votes: &[Response], area: Rect, buf: &mut Buffe
         };
         name.draw(place, buf, look, Role::Title, Align::Left);
         number.draw(place, buf, look, Role::Title, Align::Right);
-        let between = Rect {
-            x: place.x + SIDE,
-            width: place.width.saturating_sub(2 * SIDE),
-            ..place
-        };
+        let between = place.inner(Margin::new(SIDE, 0));
         let mut lines = Lines::new(between, buf, *look);
         lines.paragraph(option, Role::Text);
         let bar = bar(count as f64 / most as f64, between.width, look.charset);
@@ -249,12 +221,8 @@ fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &L
     for (number, count) in &heaps {
         let label = format!("{}", (number * 1000.0).round() / 1000.0 + 0.0);
         let at = dvec2(*number, *count as f64);
-        plot.label(
-            &label,
-            at,
-            &[LabelSide::Above, LabelSide::AboveRight],
-            Role::Title,
-        );
+        let sides = [LabelSide::Above, LabelSide::AboveRight];
+        plot.label(&label, at, &sides, Role::Title);
     }
     plot.draw(buf);
 }

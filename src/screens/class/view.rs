@@ -3,10 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::heading::{Heading, centred};
+use super::heading::{Heading, below, centred};
 use super::play::{ClassPhase, ClassPlay, EndPage};
 use super::{ending_view, question_view, scores_view, shown_view, spread_view, vote_view};
 use crate::class::{ClassStep, Vote};
+use crate::quiz::Question;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role};
 
@@ -15,45 +16,100 @@ pub(super) type Text<'a> = (Rect, Box<dyn Fn(&mut Lines) + 'a>);
 
 /// Columns of what is read line by line.
 const WIDEST: u16 = 100;
+/// Rows of a body from which on there is a heading above the picture of a shot, too.
+const HEADED_FROM: u16 = 34;
+
+/// The heading of what is on the screen, if it has one.
+fn heading(play: &ClassPlay, area: Rect) -> Option<Heading> {
+    let number = format!("Question {}", play.number() + 1);
+    let (texts, line): (&[&str], _) = match (&play.phase, play.step()) {
+        (ClassPhase::End(EndPage::Board), _) => (
+            &["The end"],
+            "e: write the answers as tables for a spreadsheet",
+        ),
+        (ClassPhase::End(EndPage::Held), _) => (&["What you held", "You held"], ""),
+        (ClassPhase::End(EndPage::Items), _) => (&["Questions"], ""),
+        (ClassPhase::Vote(entry), _) if entry.input.is_some() => return None,
+        (ClassPhase::Vote(_), ClassStep::SecondVote) => (
+            &["Second vote", "Vote 2"],
+            "Who wants to change? All others keep their vote.",
+        ),
+        (ClassPhase::Vote(_), _) => (
+            &["First vote", "Vote 1"],
+            "Each team in turn. What was said before is hidden.",
+        ),
+        (ClassPhase::Shot(_), _) if area.height < HEADED_FROM => return None,
+        (ClassPhase::Shot(_), _) => (&["The shot"], ""),
+        (ClassPhase::Look, ClassStep::Talk) => (
+            &["Talk"],
+            "These are the votes. Find someone who thinks otherwise, and say why.",
+        ),
+        (ClassPhase::Look, ClassStep::Scores) => (&["Scores"], ""),
+        (ClassPhase::Look, _) if play.words_alone => return None,
+        (ClassPhase::Look, ClassStep::Predict) => (
+            &["Predict in silence", "In silence"],
+            "Everyone writes down an answer. Nobody speaks.",
+        ),
+        (ClassPhase::Look, _) => (&[&number], ""),
+    };
+    Some(Heading::new(texts, line))
+}
+
+/// What is left of an area below the heading.
+pub(super) fn rest(play: &ClassPlay, area: Rect, look: &Look) -> Rect {
+    heading(play, area).map_or(area, |heading| heading.rest(area, look))
+}
 
 /// Draws a round.
 pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
+    if let Some(heading) = heading(play, area) {
+        heading.draw(area, buf, look);
+    }
+    let Some(question) = play.question() else {
+        return;
+    };
+    let rest = rest(play, area, look);
     match (&play.phase, play.step()) {
-        (ClassPhase::End(page), _) => ending_view::draw(play, *page, area, buf, look),
-        (ClassPhase::Vote(entry), _) => match &entry.input {
-            Some(input) => vote_view::draw_entry(play, entry, input, area, buf, look),
-            None => vote_view::draw_teams(play, entry, area, buf, look),
-        },
-        (ClassPhase::Shot(shown), _) => shown_view::draw(play, shown, area, buf, look),
-        (ClassPhase::Look, ClassStep::Talk) => spread_view::draw(play, area, buf, look),
-        (ClassPhase::Look, ClassStep::Scores) => {
-            let rest = Heading::new(&["Scores"], "").draw(area, buf, look);
+        (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores) => {
             scores_view::draw(&play.round, play.asked(), rest, buf, look);
         }
-        (ClassPhase::Look, _) => question_view::draw(play, area, buf, look),
+        (ClassPhase::End(_), _) => {}
+        (ClassPhase::Vote(entry), _) => match &entry.input {
+            Some(input) => vote_view::draw_entry(entry.vote, question, input, rest, buf, look),
+            None => vote_view::draw_teams(play, entry, rest, buf, look),
+        },
+        (ClassPhase::Shot(shown), _) => shown_view::draw(question, shown, rest, buf, look),
+        (ClassPhase::Look, ClassStep::Talk) => spread_view::draw(play, question, rest, buf, look),
+        (ClassPhase::Look, _) => question_view::draw(play, question, rest, buf, look),
     }
-    if let Some((place, write)) = text(play, area, look) {
+    if let Some((place, write)) = text(play, question, rest, look) {
         play.scroll.draw(place, buf, *look, write);
     }
 }
 
-/// The text of a step that can be scrolled.
-fn text<'a>(play: &'a ClassPlay, area: Rect, look: &'a Look) -> Option<Text<'a>> {
+/// The text of a step that can be scrolled, in what is left below the heading.
+fn text<'a>(
+    play: &'a ClassPlay,
+    question: &'a Question,
+    rest: Rect,
+    look: &Look,
+) -> Option<Text<'a>> {
     match (&play.phase, play.step()) {
-        (ClassPhase::End(EndPage::Board), _) => None,
-        (ClassPhase::End(page), _) => Some(ending_view::text(play, *page, area, look)),
-        (ClassPhase::Vote(entry), _) => vote_view::text(play, entry, area),
-        (ClassPhase::Shot(shown), _) => Some(shown_view::text(play, shown, area, look)),
-        (ClassPhase::Look, ClassStep::Talk) => spread_view::text(play, area, look),
+        (ClassPhase::End(page), _) => ending_view::text(play, *page, rest),
+        (ClassPhase::Vote(entry), _) => vote_view::text(play, question, entry, rest),
+        (ClassPhase::Shot(shown), _) => Some(shown_view::text(play, question, shown, rest)),
+        (ClassPhase::Look, ClassStep::Talk) => spread_view::text(play, question, rest),
         (ClassPhase::Look, ClassStep::Scores) => None,
-        (ClassPhase::Look, _) => question_view::text(play, area, look),
+        (ClassPhase::Look, _) => question_view::text(play, question, rest, look),
     }
 }
 
 /// Scrolls what can be scrolled.
 pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
     let mut scroll = play.scroll;
-    if let Some((place, write)) = text(play, area, look) {
+    if let Some(question) = play.question()
+        && let Some((place, write)) = text(play, question, rest(play, area, look), look)
+    {
         scroll.by(rows, place, *look, write);
     }
     play.scroll = scroll;
@@ -63,23 +119,34 @@ pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
 pub(super) fn paused(area: Rect, buf: &mut Buffer, look: &Look) {
     let big = Big::fit("paused", area.width, area.height / 2, look.charset);
     let rows = big.as_ref().map_or(1, Big::rows);
-    let top = area.y + area.height.saturating_sub(rows) / 2;
+    let place = below(area, area.height.saturating_sub(rows) / 2);
     match big {
-        Some(big) => {
-            let place = Rect::new(area.x, top, area.width, rows);
-            big.draw(place, buf, look, Role::Dim, Align::Centre);
-        }
-        None => centred("paused", top, area, buf, look, Role::Dim),
+        Some(big) => big.draw(place, buf, look, Role::Dim, Align::Centre),
+        None => centred("paused", place, buf, look, Role::Dim),
     }
 }
 
 /// The middle of an area, no wider than a line that reads well.
 pub(super) fn column(area: Rect) -> Rect {
-    let width = area.width.min(WIDEST);
+    middle(area, WIDEST)
+}
+
+/// So many columns in the middle of an area, or all it has.
+pub(super) fn middle(area: Rect, width: u16) -> Rect {
+    let width = area.width.min(width);
     Rect {
         x: area.x + (area.width - width) / 2,
         width,
         ..area
+    }
+}
+
+/// One of the places of so many rows into which an area is cut, from 0 at its top.
+pub(super) fn slot(area: Rect, number: usize, rows: u16) -> Rect {
+    let place = below(area, rows.saturating_mul(number as u16));
+    Rect {
+        height: rows.min(place.height),
+        ..place
     }
 }
 

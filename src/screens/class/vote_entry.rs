@@ -54,11 +54,7 @@ impl VoteEntry {
         };
         self.teams.choose(team);
         let ballot = round.ballot(self.question, team);
-        let said = match self.vote {
-            Vote::First => ballot.first,
-            Vote::Second => ballot.counts(),
-        };
-        self.input = Some(match said {
+        self.input = Some(match ballot.said(self.vote) {
             Some(said) => AnswerInput::saying(&question.form, &said),
             None => AnswerInput::new(&question.form),
         });

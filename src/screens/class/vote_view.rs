@@ -3,13 +3,13 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::heading::Heading;
 use super::play::ClassPlay;
-use super::view::{Text, column, teams, vote_name};
+use super::view::{Text, column, middle, slot, teams, vote_name};
 use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Illustration, Question};
 use crate::widgets::big::{Align, Big};
+use crate::widgets::input::ListView;
 use crate::widgets::{AnswerInput, Lines, Look, Role, SplitLayout, draw_question, text};
 
 /// Columns before a name: a mark and a number.
@@ -19,19 +19,6 @@ const NARROW: u16 = 64;
 /// Columns behind a name: what the team has done.
 const STATE: u16 = 18;
 
-fn heading(vote: Vote) -> Heading<'static> {
-    match vote {
-        Vote::First => Heading::new(
-            &["First vote", "Vote 1"],
-            "Each team in turn. What was said before is hidden.",
-        ),
-        Vote::Second => Heading::new(
-            &["Second vote", "Vote 2"],
-            "Who wants to change? All others keep their vote.",
-        ),
-    }
-}
-
 /// The rows of the teams, and of going on at the end: their place, how high each is,
 /// and the names if they are in large type.
 struct TeamRows {
@@ -40,28 +27,20 @@ struct TeamRows {
     names: Option<Vec<Big>>,
 }
 
-fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> TeamRows {
-    let rest = heading(vote).rest(area, look);
-    let place = column(rest);
+fn rows(round: &ClassRound, area: Rect, look: &Look) -> TeamRows {
+    let place = column(area);
     let count = round.teams().len() as u16 + 1;
     let height = place.height / count;
     let width = place.width.saturating_sub(MARK + STATE);
     let names: Vec<&str> = round.teams().iter().map(String::as_str).collect();
     let names = Big::fit_lines(&names, width, look.charset).filter(|_| height >= 5);
-    let place = match &names {
-        Some(_) => place,
-        None => {
-            let width = place.width.min(NARROW);
-            let x = rest.x + (rest.width - width) / 2;
-            Rect { x, width, ..place }
-        }
+    let (place, height) = match names {
+        Some(_) => (place, height.min(6)),
+        None => (middle(area, NARROW), height.clamp(1, 2)),
     };
     TeamRows {
         place,
-        height: match &names {
-            Some(_) => height.min(6),
-            None => height.clamp(1, 2),
-        },
+        height,
         names,
     }
 }
@@ -69,16 +48,12 @@ fn rows(round: &ClassRound, vote: Vote, area: Rect, look: &Look) -> TeamRows {
 /// The row at a cell: a team, or after the last team going on.
 pub(super) fn row_at(
     round: &ClassRound,
-    vote: Vote,
     area: Rect,
     look: &Look,
     cell: (u16, u16),
 ) -> Option<usize> {
-    let rows = rows(round, vote, area, look);
-    if !rows.place.contains(cell.into()) {
-        return None;
-    }
-    let row = usize::from((cell.1 - rows.place.y) / rows.height);
+    let rows = rows(round, area, look);
+    let row = ListView::row_at(rows.place, cell)? / usize::from(rows.height);
     (row <= round.teams().len()).then_some(row)
 }
 
@@ -91,34 +66,24 @@ pub(super) fn draw_teams(
     look: &Look,
 ) {
     let round = &play.round;
-    heading(entry.vote).draw(area, buf, look);
-    let rows = rows(round, entry.vote, area, look);
+    let rows = rows(round, area, look);
+    let place = |row: usize| slot(rows.place, row, rows.height);
     let at = entry.at(round);
-    let place = |row: usize| {
-        let from = rows.place.y + (row as u16).saturating_mul(rows.height);
-        Rect {
-            y: from,
-            height: rows.height,
-            ..rows.place
-        }
-        .intersection(rows.place)
-    };
     for (team, name) in round.teams().iter().enumerate() {
         let place = place(team);
-        let role = if team == at {
-            Role::Selected
-        } else {
-            Role::Title
+        let (mark, role) = match team == at {
+            true => ('>', Role::Selected),
+            false => (' ', Role::Title),
         };
-        let mark = if team == at { '>' } else { ' ' };
-        let (ticked, state) = state(round, play.number(), team, entry.vote);
-        let tick = if ticked { "[x]" } else { "[ ]" };
-        let state = format!("{tick} {state}");
-        let state_role = if ticked { Role::Title } else { Role::Text };
+        let number = format!("{mark} {}", team + 1);
+        let (state, state_role) = match state(round, play.number(), team, entry.vote) {
+            Some(done) => (format!("[x] {done}"), Role::Title),
+            None => ("[ ] not yet".into(), Role::Text),
+        };
         let mut lines = Lines::new(place, buf, *look);
         match &rows.names {
             Some(names) => {
-                lines.pair(&format!("{mark} {}", team + 1), &state, role, state_role);
+                lines.pair(&number, &state, role, state_role);
                 let of_name = Rect {
                     x: place.x + MARK,
                     width: place.width.saturating_sub(MARK),
@@ -128,20 +93,14 @@ pub(super) fn draw_teams(
             }
             None => {
                 let room = usize::from(place.width.saturating_sub(MARK + STATE + 2));
-                let name = text::clipped(name, room);
-                let name = format!("{mark} {} {name} ", team + 1);
+                let name = format!("{number} {} ", text::clipped(name, room));
                 lines.pair(&name, &state, role, state_role);
             }
         }
     }
     let last = round.teams().len();
-    let (mark, role) = if entry.at(round) == last {
-        ('>', Role::Selected)
-    } else {
-        (' ', Role::Text)
-    };
-    let ballots = (0..last).map(|team| round.ballot(play.number(), team));
-    let missing = ballots.filter(|ballot| ballot.counts().is_none()).count();
+    let (mark, role) = ListView::mark(at == last);
+    let missing = last - round.said(play.number(), Vote::Second).count();
     let note = match missing {
         0 => String::new(),
         count => format!("{} without a vote", teams(count)),
@@ -153,15 +112,14 @@ pub(super) fn draw_teams(
     Lines::new(place(last), buf, *look).pair(&format!("{mark} {next} "), &note, role, Role::Text);
 }
 
-/// Whether a team has done what it was to do, and in words.
-fn state(round: &ClassRound, question: usize, team: usize, vote: Vote) -> (bool, &'static str) {
+/// What a team has done of what it was to do.
+fn state(round: &ClassRound, question: usize, team: usize, vote: Vote) -> Option<&'static str> {
     let ballot = round.ballot(question, team);
     match (vote, ballot.first, ballot.second) {
-        (Vote::First, Some(_), _) => (true, "has voted"),
-        (Vote::Second, Some(_), Some(_)) => (true, "has changed"),
-        (Vote::Second, None, Some(_)) => (true, "has voted"),
-        (Vote::Second, Some(_), None) => (true, "keeps its vote"),
-        (_, None, _) => (false, "not yet"),
+        (Vote::First, Some(_), _) | (Vote::Second, None, Some(_)) => Some("has voted"),
+        (Vote::Second, Some(_), Some(_)) => Some("has changed"),
+        (Vote::Second, Some(_), None) => Some("keeps its vote"),
+        (_, None, _) => None,
     }
 }
 
@@ -175,24 +133,25 @@ pub(super) fn entry_layout(question: &Question, area: Rect) -> SplitLayout {
 
 /// Draws what a team is about to say.
 pub(super) fn draw_entry(
-    play: &ClassPlay,
-    entry: &VoteEntry,
+    vote: Vote,
+    question: &Question,
     input: &AnswerInput,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
 ) {
-    let Some(question) = play.question() else {
-        return;
-    };
     let layout = entry_layout(question, area);
-    layout.draw(buf, look, vote_name(entry.vote), "what they say");
+    layout.draw(buf, look, vote_name(vote), "what they say");
     draw_question(layout.picture, buf, look, question, Some(input));
 }
 
 /// The words beside a team's vote.
-pub(super) fn text<'a>(play: &'a ClassPlay, entry: &'a VoteEntry, area: Rect) -> Option<Text<'a>> {
-    let question = play.question()?;
+pub(super) fn text<'a>(
+    play: &'a ClassPlay,
+    question: &'a Question,
+    entry: &'a VoteEntry,
+    area: Rect,
+) -> Option<Text<'a>> {
     let input = entry.input.as_ref()?;
     let layout = entry_layout(question, area);
     let write = move |lines: &mut Lines| {
