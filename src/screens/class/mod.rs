@@ -146,8 +146,7 @@ impl Class {
         match &mut self.scene {
             _ if self.paused => Next::Ignored,
             ClassScene::SetUp(set_up) => {
-                let row = set_up_view::row_at(set_up, cx.body, mouse.cell());
-                let outcome = set_up.mouse(mouse, row, cx);
+                let outcome = set_up.mouse(mouse, cx);
                 self.set_up(outcome, cx)
             }
             ClassScene::Earlier(earlier) => earlier.mouse(mouse, cx),

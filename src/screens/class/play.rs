@@ -236,6 +236,7 @@ impl ClassPlay {
             let keys = KeyTable::new("class").on(Key::Enter, Forward, name);
             keys.or([(' ', Forward)])
         };
+        let read = |name| forward(name).on('z', WordsAlone, "words alone");
         let step =
             match (&self.phase, self.step()) {
                 (ClassPhase::Vote(entry), _) => match &entry.input {
@@ -275,8 +276,8 @@ impl ClassPlay {
                 (ClassPhase::End(page), _) => forward("next page")
                     .when(*page != EndPage::Items)
                     .by([Key::Left, Key::Right], TurnPage, [-1, 1], ""),
-                (_, ClassStep::Describe) => forward("predict").on('z', WordsAlone, "words alone"),
-                (_, ClassStep::Predict) => forward("first vote").on('z', WordsAlone, "words alone"),
+                (_, ClassStep::Describe) => read("predict"),
+                (_, ClassStep::Predict) => read("first vote"),
                 (_, ClassStep::Talk) => forward("second vote"),
                 (_, ClassStep::Scores) if self.number() + 1 < self.round.questions().len() => {
                     forward("next question")
@@ -399,10 +400,5 @@ impl ClassPlay {
 /// The keys with those that scroll.
 fn scrolled(keys: KeyTable<ClassAction>) -> KeyTable<ClassAction> {
     keys.by([Key::Up, Key::Down], ClassAction::Scroll, [-1, 1], "")
-        .by(
-            [Key::PageUp, Key::PageDown],
-            ClassAction::Scroll,
-            [-8, 8],
-            "",
-        )
+        .by(Key::PAGES, ClassAction::Scroll, [-8, 8], "")
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::play::ClassPlay;
+use super::set_up_view;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
 use crate::messages::{Key, Mouse};
 use crate::quiz::concepts::Library;
@@ -214,13 +215,9 @@ impl SetUp {
         }
     }
 
-    /// Takes the mouse over this row.
-    pub(super) fn mouse(
-        &mut self,
-        mouse: &Mouse,
-        row: Option<SetUpRow>,
-        cx: &mut Context,
-    ) -> Outcome<SetUpEnd> {
+    /// Takes the mouse.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Outcome<SetUpEnd> {
+        let row = set_up_view::row_at(self, cx.body, mouse.cell());
         let at = row.and_then(|row| self.rows().iter().position(|it| *it == row));
         self.listed(cx, |list, rows| list.mouse(mouse, rows, at))
     }

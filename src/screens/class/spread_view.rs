@@ -44,22 +44,10 @@ pub(super) fn draw(
             }
             draw_question(beside.picture, buf, look, question, None);
         }
-        Form::Number { quantity, .. } => {
-            let numbers = votes.iter().filter_map(|said| match said {
-                Response::Number(x) => Some(*x),
-                _ => None,
-            });
-            let numbers: Vec<_> = numbers.collect();
-            draw_line(quantity.unit(), &numbers, area, buf, look);
-        }
+        Form::Number { quantity, .. } => draw_line(quantity.unit(), &votes, area, buf, look),
         Form::Shot(_) => {
-            let offsets = votes.iter().filter_map(|said| match said {
-                Response::Shot(x) => Some(mm_from_m(*x)),
-                _ => None,
-            });
-            let offsets: Vec<_> = offsets.collect();
             let unit = "mm offset, a minus for the left";
-            draw_line(unit, &offsets, area, buf, look);
+            draw_line(unit, &votes, area, buf, look);
         }
     }
 }
@@ -184,27 +172,27 @@ fn draw_bars(options: &[String], votes: &[Response], area: Rect, buf: &mut Buffe
 }
 
 /// Bars on a number line, the higher the more said the same.
-fn draw_line(unit: &str, numbers: &[f64], area: Rect, buf: &mut Buffer, look: &Look) {
+fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
+    let numbers = votes.iter().filter_map(|said| match said {
+        Response::Number(x) => Some(*x),
+        Response::Shot(x) => Some(mm_from_m(*x)),
+        _ => None,
+    });
+    let numbers: Vec<_> = numbers.collect();
     let area = column(area);
     let inside = draw_panel(buf, area, "the votes", look.charset, &look.theme);
-    let (least, largest) = numbers
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-            (a.min(*x), b.max(*x))
-        });
+    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if numbers.is_empty() {
         Lines::new(inside, buf, *look).paragraph("Nobody has voted.", Role::Text);
         return;
     }
     // Some room on both sides, even where all said the same.
     let margin = (0.15 * (largest - least)).max(0.1 * largest.abs()).max(0.5);
-    let x = Axis::linear(
-        format!("your votes ({unit})"),
-        least - margin,
-        largest + margin,
-    );
+    let votes = format!("your votes ({unit})");
+    let x = Axis::linear(votes, least - margin, largest + margin);
     let mut heaps: Vec<(f64, usize)> = Vec::new();
-    for number in numbers {
+    for number in &numbers {
         match heaps.iter_mut().find(|(x, _)| (x - number).abs() < 1e-9) {
             Some((_, count)) => *count += 1,
             None => heaps.push((*number, 1)),

@@ -35,10 +35,9 @@ impl Aim {
         Self {
             place: lines.nearest(middle).unwrap_or(middle),
             direction_deg: 90.0,
-            speed: if game.play().is_unbroken() {
-                BREAK_SPEED
-            } else {
-                FIRST_SPEED
+            speed: match game.play().is_unbroken() {
+                true => BREAK_SPEED,
+                false => FIRST_SPEED,
             },
         }
     }
@@ -132,23 +131,19 @@ impl Aim {
     /// Where the striker stands in words, as the player sees it: "12 mm left".
     pub(super) fn place_words(&self, game: &Game) -> String {
         let seen = game.seat().turn_back(self.place);
-        let side = |along: f64| match (along * 1000.0).round() {
-            0.0 => "the middle".to_owned(),
-            mm if mm < 0.0 => format!("{:.0} mm left", -mm),
-            mm => format!("{mm:.0} mm right"),
-        };
         if game.setup().rules == Rules::Practice {
-            return format!(
-                "{:.0}, {:.0} mm",
-                seen.x * 1000.0 + 0.0,
-                seen.y * 1000.0 + 0.0
-            );
+            let [x, y] = [seen.x, seen.y].map(|x| x * 1000.0 + 0.0);
+            return format!("{x:.0}, {y:.0} mm");
         }
         if (seen.x.abs() - BaseLines::base_circle_along()).abs() < 1e-9 {
             let side = if seen.x < 0.0 { "left" } else { "right" };
             return format!("the {side} circle");
         }
-        side(seen.x)
+        match (seen.x * 1000.0).round() {
+            0.0 => "the middle".to_owned(),
+            mm if mm < 0.0 => format!("{:.0} mm left", -mm),
+            mm => format!("{mm:.0} mm right"),
+        }
     }
 }
 

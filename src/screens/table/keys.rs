@@ -109,9 +109,6 @@ impl AimAid {
 
 use TableAction as Do;
 
-/// The keys of pages, up and down.
-const PAGES: [Key; 2] = [Key::PageUp, Key::PageDown];
-
 /// The keys of the page on which a new game is agreed.
 pub(super) fn new_game(page: &NewGame) -> KeyTable<TableAction> {
     KeyTable::new("table")
@@ -169,7 +166,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         .when(board && !arranges)
         .on('e', Do::Export, named("export"))
         .when(board)
-        .by(PAGES, Do::Scroll, [-8, 8], "")
+        .by(Key::PAGES, Do::Scroll, [-8, 8], "")
         .on(Key::Escape, Do::Back, "leave")
         .when(over)
 }
@@ -203,9 +200,9 @@ fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableActi
         .on('e', Do::Export, "export")
         .by(['w', 's'], Do::PlaceUp, [1, -1], "")
         .when(practice)
-        .by(PAGES, Do::Scroll, [-8, 8], "")
+        .by(Key::PAGES, Do::Scroll, [-8, 8], "")
         .when(reads)
-        .by(PAGES, Do::TurnFar, [-1, 1], "")
+        .by(Key::PAGES, Do::TurnFar, [-1, 1], "")
         .when(!reads)
         .on(Key::Escape, Do::Back, "")
         .when(!typing)

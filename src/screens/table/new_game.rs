@@ -4,14 +4,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::options::{Options, Player};
-use super::{picture, view, words};
+use super::{picture, words};
 use crate::game::opponent::Strength;
 use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
 use crate::messages::Mouse;
 use crate::screens::{Context, Next};
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, ListView, SettingsForm};
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, SplitLayout};
 
 /// The page: what is chosen, and the line that keys change.
 #[derive(Debug, Clone, Default)]
@@ -66,7 +66,7 @@ impl NewGame {
 
     /// A click on a row selects it and changes it; the wheel goes through the rows.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let row = ListView::row_at(view::layout(cx.body, false).panel, mouse.cell());
+        let row = ListView::row_at(SplitLayout::square(cx.body).panel, mouse.cell());
         let outcome = self.form.mouse(mouse, row, &mut self.options);
         Next::after(outcome.is_used())
     }
@@ -74,7 +74,7 @@ impl NewGame {
     /// Draws the page: the pack on the board, and beside it what is agreed.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        let layout = view::layout(area, false);
+        let layout = SplitLayout::square(area);
         layout.draw(buf, &look, "the pack", "a new game");
         let coins = pack(self.options.set, Seat::South);
         picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);

@@ -2,7 +2,7 @@
 
 use crate::game::opponent::Strength;
 pub use crate::game::{Aids, Player};
-use crate::game::{Company, GameSetup, Hands, PieceSet, Rules, SavedGame, Seat, Team};
+use crate::game::{Company, Game, GameSetup, Hands, PieceSet, Rules, SavedGame, Seat, Team};
 
 /// Everything that can be chosen for a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -120,6 +120,17 @@ impl Options {
             Player::Computer if self.count(Player::Computer) == 1 => "computer",
             _ => seat.into(),
         }
+    }
+
+    /// The score between the names of the teams: points, or in friendly games boards.
+    pub(super) fn score(&self, game: &Game) -> String {
+        let score = game.score();
+        let [a, b] = Team::BOTH.map(|team| match self.rules {
+            Rules::Tournament => score.points[team],
+            Rules::Friendly | Rules::Practice => score.games[team],
+        });
+        let [first, second] = Team::BOTH.map(|team| self.team_name(team));
+        format!("{first} {a} : {b} {second}")
     }
 
     /// What a team is called.

@@ -6,14 +6,14 @@ use ratatui::layout::Rect;
 use super::active_game::ActiveGame;
 use super::keys::TableAction;
 use super::options::Options;
-use super::{picture, view, words};
-use crate::game::{Game, GameStage, Rules, SavedGame, Team};
+use super::{picture, words};
+use crate::game::{Game, GameStage, Rules, SavedGame};
 use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::capital;
 use crate::screens::kept_files::{KeptFiles, KeptKind};
 use crate::screens::{Context, Next};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, SplitLayout};
 
 /// Games as files.
 const GAMES: KeptKind = KeptKind {
@@ -75,7 +75,7 @@ impl SavedGames {
 
     /// Takes the mouse.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let list = view::layout(cx.body, false).panel;
+        let list = SplitLayout::square(cx.body).panel;
         self.files.mouse(mouse, list, cx)
     }
 
@@ -119,7 +119,7 @@ impl SavedGames {
     /// Draws the page: the board of the chosen game, and beside it the list.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        let layout = view::layout(area, false);
+        let layout = SplitLayout::square(area);
         let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
         layout.draw(buf, &look, name, "saved games");
         let (coins, set) = match self.files.content() {
@@ -144,15 +144,9 @@ fn title(kept: &KeptGame) -> String {
     };
     let (saved, game) = &**game;
     let options = Options::of(saved);
-    let score = game.score();
-    let [first, second] = Team::BOTH.map(|team| options.team_name(team));
-    let [a, b] = Team::BOTH.map(|team| match options.rules {
-        Rules::Tournament => score.points[team],
-        Rules::Friendly | Rules::Practice => score.games[team],
-    });
     match options.rules {
         Rules::Practice => "practice".into(),
-        Rules::Tournament | Rules::Friendly => format!("{first} {a} : {b} {second}"),
+        Rules::Tournament | Rules::Friendly => options.score(game),
     }
 }
 

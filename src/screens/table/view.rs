@@ -5,34 +5,25 @@ use ratatui::layout::Rect;
 
 use super::active_game::{ActiveGame, TablePhase};
 use super::{panel, picture};
-use crate::game::Rules;
+use crate::game::{Rules, Team};
 use crate::screens::Context;
 use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Face, Markings, setup_picture};
 
-/// Where picture and panel are: for a whole board, which is square, or for one
-/// `enlarged` impact, which takes all there is.
-pub(super) fn layout(area: Rect, enlarged: bool) -> SplitLayout {
-    if enlarged {
-        SplitLayout::new(area)
-    } else {
-        SplitLayout::square(area)
-    }
-}
-
-/// Whether what is being done is shown enlarged.
-pub(super) fn is_enlarged(active: &ActiveGame) -> bool {
+/// Where picture and panel are: for a whole board, which is square, or for one enlarged
+/// impact, which takes all there is.
+pub(super) fn layout(active: &ActiveGame, area: Rect) -> SplitLayout {
     match &active.phase {
-        TablePhase::Call(_) => true,
-        TablePhase::Watch(replay) => replay.player.zoom().is_some(),
-        _ => false,
+        TablePhase::Call(_) => SplitLayout::new(area),
+        TablePhase::Watch(replay) if replay.player.zoom().is_some() => SplitLayout::new(area),
+        _ => SplitLayout::square(area),
     }
 }
 
 /// Draws the game.
 pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = layout(area, is_enlarged(active));
+    let layout = layout(active, area);
     let (title, side_title) = titles(active);
     layout.draw(buf, &look, &title, &side_title);
     let area = layout.picture;
@@ -91,22 +82,17 @@ fn titles(active: &ActiveGame) -> (String, String) {
 
 /// Which board it is, and the score.
 fn board_title(active: &ActiveGame) -> String {
-    use crate::game::Team::{First, Second};
     let game = active.game();
     let score = game.score();
-    let number = game.board_number();
     match game.setup().rules {
         Rules::Practice => "practice".into(),
-        Rules::Friendly => format!(
-            "boards won {} : {}",
-            score.games[First], score.games[Second]
-        ),
-        Rules::Tournament => format!(
-            "board {number}   {} {} : {} {}",
-            active.options.team_name(First),
-            score.points[First],
-            score.points[Second],
-            active.options.team_name(Second),
-        ),
+        Rules::Friendly => {
+            let [first, second] = Team::BOTH.map(|team| score.games[team]);
+            format!("boards won {first} : {second}")
+        }
+        Rules::Tournament => {
+            let score = active.options.score(game);
+            format!("board {}   {score}", game.board_number())
+        }
     }
 }

@@ -53,7 +53,7 @@ impl ActiveGame {
             TableAction::PlaceUp(steps) => self.shift(f64::from(steps) * PLACE_STEP, true),
             TableAction::Aid(aid) => *aid.of(&mut self.options.aids) ^= true,
             TableAction::Call => self.options.call ^= true,
-            TableAction::LayOut => self.phase = TablePhase::Arrange(Arrange::new()),
+            TableAction::LayOut => self.phase = TablePhase::Arrange(Arrange::default()),
             TableAction::Undo => self.take_back(),
             TableAction::Hint => self.ask_for_hint(cx),
             TableAction::Strike => self.strike(cx),

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::{ActiveGame, TablePhase};
-use crate::game::{Coin, GameError, Move, Piece};
+use crate::game::{Coin, GameError, Move};
 use crate::messages::{Mouse, MouseKind};
 use crate::screens::Context;
 use crate::screens::table::keys::TableAction;
@@ -16,20 +16,32 @@ const NO_COIN: &str = "There is no coin under the hand.";
 
 impl ActiveGame {
     pub(super) fn act_on_layout(&mut self, action: TableAction) {
+        let game = self.history.game();
+        let TablePhase::Arrange(arrange) = &mut self.phase else {
+            return;
+        };
         match action {
             TableAction::Hand(x, y) => {
-                self.move_hand(STEP * DVec2::new(f64::from(x), f64::from(y)));
+                let step = STEP * DVec2::new(f64::from(x), f64::from(y));
+                arrange.put_hand(arrange.hand + step, game);
             }
             TableAction::TakeOrLay => self.take_or_drop(),
-            TableAction::NextCoin => self.next_coin(),
-            TableAction::Add(piece) => self.add(piece),
-            TableAction::RemoveCoin => self.remove(),
+            TableAction::NextCoin => arrange.reach_next(game),
+            TableAction::Add(piece) => match arrange.added(game, piece) {
+                Ok(coins) => drop(self.make(Move::LayOut(coins))),
+                Err(GameError::TooMany { most, .. }) => {
+                    self.notice = Some(format!("A set has no more than {most} of these."));
+                }
+                Err(error) => self.notice = Some(error.to_string()),
+            },
+            TableAction::RemoveCoin => match arrange.taken(game) {
+                Some(coins) => self.lay_down(coins),
+                None => self.notice = Some(NO_COIN.into()),
+            },
             TableAction::Undo => {
+                arrange.held = None;
                 if self.history.undo() {
                     self.begin_turn();
-                }
-                if let TablePhase::Arrange(arrange) = &mut self.phase {
-                    arrange.held = None;
                 }
             }
             _ => {}
@@ -54,13 +66,6 @@ impl ActiveGame {
         true
     }
 
-    fn move_hand(&mut self, step: DVec2) {
-        let game = self.history.game();
-        if let TablePhase::Arrange(arrange) = &mut self.phase {
-            arrange.put_hand(arrange.hand + step, game);
-        }
-    }
-
     /// Takes the coin under the hand, or lays the held one down.
     fn take_or_drop(&mut self) {
         let game = self.history.game();
@@ -75,43 +80,6 @@ impl ActiveGame {
                     self.notice = Some(NO_COIN.into());
                 }
             }
-        }
-    }
-
-    /// Puts the hand over the next coin.
-    fn next_coin(&mut self) {
-        let game = self.history.game();
-        if let TablePhase::Arrange(arrange) = &mut self.phase
-            && arrange.held.is_none()
-            && !game.coins().is_empty()
-        {
-            let next = arrange.under(game).map_or(0, |i| i + 1) % game.coins().len();
-            if let Some(coin) = game.coins().get(next) {
-                arrange.hand = coin.at;
-            }
-        }
-    }
-
-    fn add(&mut self, piece: Piece) {
-        let TablePhase::Arrange(arrange) = &self.phase else {
-            return;
-        };
-        match arrange.added(self.game(), piece) {
-            Ok(coins) => drop(self.make(Move::LayOut(coins))),
-            Err(GameError::TooMany { most, .. }) => {
-                self.notice = Some(format!("A set has no more than {most} of these."));
-            }
-            Err(error) => self.notice = Some(error.to_string()),
-        }
-    }
-
-    fn remove(&mut self) {
-        let TablePhase::Arrange(arrange) = &self.phase else {
-            return;
-        };
-        match arrange.taken(self.game()) {
-            Some(coins) => self.lay_down(coins),
-            None => self.notice = Some(NO_COIN.into()),
         }
     }
 

@@ -5,10 +5,9 @@ use crate::game::{Move, Strike};
 use crate::messages::{Mouse, MouseKind};
 use crate::screens::Context;
 use crate::screens::table::calls::call;
-use crate::screens::table::view;
-use crate::widgets::Outcome;
 use crate::widgets::hit::point_at;
 use crate::widgets::input::RayAction;
+use crate::widgets::{Outcome, SplitLayout};
 
 impl ActiveGame {
     pub(super) fn act_on_call(&mut self, action: RayAction, cx: &Context) {
@@ -26,7 +25,7 @@ impl ActiveGame {
     }
 
     pub(super) fn calling_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let picture = view::layout(cx.body, true).picture;
+        let picture = SplitLayout::new(cx.body).picture;
         let cell = mouse.cell();
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;

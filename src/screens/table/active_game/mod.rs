@@ -30,7 +30,7 @@ use crate::numbers::capital;
 use crate::physics::{Board, Shot};
 use crate::screens::{Confirmation, Context, Next};
 use crate::widgets::replay::ShotAction;
-use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, board};
+use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, SplitLayout, board};
 pub(super) use keeping::Keeping;
 
 /// A game in progress, and what is being done at the table.
@@ -273,13 +273,13 @@ impl ActiveGame {
 
     /// Where on the board the mouse is, and whether that is on its picture.
     fn pointed(mouse: &Mouse, cx: &Context) -> (DVec2, bool) {
-        let area = board::square(view::layout(cx.body, false).picture);
+        let area = board::square(SplitLayout::square(cx.body).picture);
         let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
         (at, area.contains(mouse.cell().into()))
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::layout(cx.body, view::is_enlarged(self)).panel;
+        let area = view::layout(self, cx.body).panel;
         let mut scroll = self.scroll;
         scroll.by(rows, area, cx.settings.look(), |lines| {
             panel::write(self, lines);

@@ -52,26 +52,21 @@ impl ActiveGame {
 
     /// Takes the result of a search in, if it is still waited for.
     pub(super) fn take_result(&mut self, result: &SearchResult, cx: &Context) {
-        match (&self.phase, &self.hint, result.found) {
-            (TablePhase::Think { ticket }, _, Found::Stroke(decision))
-                if *ticket == result.ticket =>
-            {
-                match decision {
-                    Some(decision) => self.play_for_the_computer(&decision, cx),
-                    None => self.pass(),
-                }
-            }
-            (_, Some(Hinted::Asked { ticket }), Found::Hint(hint)) if *ticket == result.ticket => {
-                self.take_hint(hint);
-            }
-            (TablePhase::Think { ticket }, _, Found::Failed) if *ticket == result.ticket => {
+        let is_it = |ticket: u64| ticket == result.ticket;
+        let thinks = matches!(self.phase, TablePhase::Think { ticket } if is_it(ticket));
+        let hints = matches!(self.hint, Some(Hinted::Asked { ticket }) if is_it(ticket));
+        match result.found {
+            Found::Stroke(Some(decision)) if thinks => self.play_for_the_computer(&decision, cx),
+            Found::Stroke(None) if thinks => self.pass(),
+            Found::Hint(hint) if hints => self.take_hint(hint),
+            Found::Failed if thinks => {
                 self.phase = TablePhase::Aim;
                 self.hand_to_person();
                 let notice =
                     "The computer has come upon a fault of its own. Please play on in its place.";
                 self.notice = Some(notice.into());
             }
-            (_, Some(Hinted::Asked { ticket }), Found::Failed) if *ticket == result.ticket => {
+            Found::Failed if hints => {
                 self.hint = None;
                 self.notice =
                     Some("No hint: the computer has come upon a fault of its own.".into());

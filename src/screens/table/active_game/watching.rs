@@ -56,7 +56,7 @@ impl ActiveGame {
         let TablePhase::Watch(replay) = &self.phase else {
             return false;
         };
-        let layout = view::layout(cx.body, view::is_enlarged(self));
+        let layout = view::layout(self, cx.body);
         let on_picture = layout.picture.contains(mouse.cell().into());
         let line = panel::impact_at(replay, layout.panel, mouse.cell());
         match replay.player.pointed(mouse, on_picture, line) {
