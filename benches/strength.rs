@@ -112,7 +112,7 @@ impl Tally {
             };
             stroke(&mut game, player, &mut hand);
             self.strokes += 1;
-            let Some(won) = game.play().won() else {
+            let Some(won) = game.play().won else {
                 continue;
             };
             if won.winner == Team::First {
@@ -179,7 +179,7 @@ fn thinking(strength: Strength) {
     let mut times = Vec::new();
     for seed in 0..4 {
         let mut game = new_game(seed);
-        while game.play().won().is_none() {
+        while game.play().won.is_none() {
             let thought: u64 = hand.random();
             // The best of three: what the work itself takes.
             let time = (0..3).map(|_| {

@@ -174,13 +174,10 @@ pub(crate) fn check_anywhere(
     at: DVec2,
 ) -> Result<(), Misplaced> {
     let room = board.side / 2.0 - set.striker_radius();
-    let corner = at.abs();
-    if !corner.cmple(DVec2::splat(room + SLACK)).all() {
+    if !at.abs().cmple(DVec2::splat(room + SLACK)).all() {
         return Err(Misplaced::OutsideTheFrame);
     }
-    let pocket = board.pocket_diameter / 2.0;
-    let centre = DVec2::splat(board.side / 2.0 - pocket);
-    if corner.distance(centre) <= pocket {
+    if board.has_pocket_at(at) {
         return Err(Misplaced::OverAPocket);
     }
     clear_of_coins(set, coins, at)

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::free_place;
 use super::laws::{
-    BoardWon, Case, Law, QueenBefore, QueenFate, Ruling, RulingEffect, TurnFate, Verdict,
+    BoardWon, Case, Law, QueenBefore, QueenFate, Ruling, RulingEffect, Side, TurnFate, Verdict,
 };
 use super::pieces::{COINS_EACH, Coin, Colour, Piece, PieceSet, count};
 use super::score::Score;
@@ -17,22 +17,22 @@ use super::stroke::Stroke;
 #[serde(deny_unknown_fields)]
 pub struct BoardInPlay {
     /// The coins on the board; the striker is never among them.
-    pub(super) coins: Vec<Coin>,
-    /// Whose turn it is.
-    pub(super) seat: Seat,
+    pub coins: Vec<Coin>,
+    /// Whose turn it is; once the board has ended, who struck last.
+    pub seat: Seat,
     /// Whether that player has struck in this turn already.
     pub(super) struck: bool,
     /// Strokes spent on the unbroken pack in this turn; `None` once the break is
     /// made.
     pub(super) break_tries: Option<u8>,
-    /// Coins owed for want of a pocketed one.
-    pub(super) owed: ByTeam<u8>,
+    /// Coins each team owes, for want of a pocketed one to give (45b).
+    pub owed: ByTeam<u8>,
     /// Whose coins have been pocketed at all, be they put back since.
     pub(super) pocketed_before: ByTeam<bool>,
     /// Who has pocketed and covered the queen.
-    pub(super) queen_covered_by: Option<Team>,
+    pub queen_covered_by: Option<Team>,
     /// How the board ended, once it has.
-    pub(super) won: Option<BoardWon>,
+    pub won: Option<BoardWon>,
 }
 
 /// What stays the same while a board is played.
@@ -78,16 +78,6 @@ impl BoardInPlay {
         }
     }
 
-    /// The coins on the board.
-    pub fn coins(&self) -> &[Coin] {
-        &self.coins
-    }
-
-    /// Whose turn it is; once the board has ended, who struck last.
-    pub fn seat(&self) -> Seat {
-        self.seat
-    }
-
     /// Whether the pack is still unbroken (17).
     pub fn is_unbroken(&self) -> bool {
         self.break_tries.is_some()
@@ -103,11 +93,6 @@ impl BoardInPlay {
         COINS_EACH.saturating_sub(self.on_board(colour))
     }
 
-    /// Coins `team` still owes, for want of a pocketed one to give (45b).
-    pub fn owed(&self, team: Team) -> u8 {
-        self.owed[team]
-    }
-
     /// Whether the queen lies on the board.
     pub fn queen_on_board(&self) -> bool {
         count(&self.coins, Piece::Queen) > 0
@@ -118,27 +103,19 @@ impl BoardInPlay {
         self.won.is_none() && !self.queen_on_board() && self.queen_covered_by.is_none()
     }
 
-    /// Who has pocketed and covered the queen.
-    pub fn queen_covered_by(&self) -> Option<Team> {
-        self.queen_covered_by
-    }
-
-    /// How the board ended, once it has.
-    pub fn won(&self) -> Option<BoardWon> {
-        self.won
-    }
-
     /// The numbers the rules look at.
     pub(super) fn case(&self, terms: &Terms, stroke: &Stroke) -> Case {
         let team = terms.hands.team(self.seat);
         let colour = terms.colour(team);
-        let other = colour.other();
+        let side = |colour: Colour, team| Side {
+            before: self.on_board(colour),
+            fell: stroke.fallen(colour.piece()),
+            score: terms.score.points[team],
+        };
         Case {
             colour,
-            own_before: self.on_board(colour),
-            own_fell: stroke.fallen(colour.piece()),
-            other_before: self.on_board(other),
-            other_fell: stroke.fallen(other.piece()),
+            own: side(colour, team),
+            other: side(colour.other(), team.other()),
             queen: match self.queen_covered_by {
                 Some(by) => QueenBefore::Covered(terms.colour(by)),
                 None if self.queen_on_board() => QueenBefore::OnBoard,
@@ -150,8 +127,6 @@ impl BoardInPlay {
             break_tries: self.break_tries,
             owes: self.owed[team] > 0,
             may_take_queen: self.pocketed_before[team],
-            own_score: terms.score.points[team],
-            other_score: terms.score.points[team.other()],
         }
     }
 

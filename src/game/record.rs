@@ -176,24 +176,19 @@ impl Move {
                 let shot = strike.shot(game)?;
                 let stroke = Stroke::from_shot(game.coins(), &shot)?;
                 let rulings = game.apply(&stroke)?;
-                Ok((Some(shot), rulings))
+                return Ok((Some(shot), rulings));
             }
             Self::NoPlace => {
                 let board = Board::default();
                 if game.base_lines(&board).nearest(DVec2::ZERO).is_some() {
                     return Err(MoveError::RoomLeft);
                 }
-                Ok((None, game.no_place()?))
+                return Ok((None, game.no_place()?));
             }
-            Self::NextBoard => {
-                game.next_board()?;
-                Ok((None, Vec::new()))
-            }
-            Self::LayOut(coins) => {
-                game.lay_out(coins.clone())?;
-                Ok((None, Vec::new()))
-            }
+            Self::NextBoard => game.next_board()?,
+            Self::LayOut(coins) => game.lay_out(coins.clone())?,
         }
+        Ok((None, Vec::new()))
     }
 }
 
@@ -228,7 +223,7 @@ mod tests {
             let lines = game.base_lines(&board);
             let wanted = lines.at(hand.random_range(-0.2..0.2));
             let next = match lines.nearest(wanted) {
-                _ if game.play().won().is_some() => Move::NextBoard,
+                _ if game.play().won.is_some() => Move::NextBoard,
                 None => Move::NoPlace,
                 Some(place) => {
                     let way = DVec2::from_angle(hand.random_range(0.0..3.1));

@@ -101,12 +101,12 @@ impl Game {
 
     /// The coins on the board.
     pub fn coins(&self) -> &[Coin] {
-        self.play.coins()
+        &self.play.coins
     }
 
     /// Whose turn it is.
     pub fn seat(&self) -> Seat {
-        self.play.seat()
+        self.play.seat
     }
 
     /// The team of a seat.
@@ -277,41 +277,27 @@ impl Game {
     fn announce_end(&self) -> Vec<Ruling> {
         let rules = self.setup.rules;
         let score = self.score();
-        let law = |law| (rules == Rules::Tournament).then_some(law);
-        let ruling = |law, text: String, effect| Ruling {
-            law,
-            text,
-            effects: vec![effect],
-        };
         let mut rulings = Vec::new();
+        let mut announce = |law, text, effect| {
+            rulings.push(Ruling {
+                law: (rules == Rules::Tournament).then_some(law),
+                text,
+                effects: vec![effect],
+            });
+        };
         if score.is_tied(rules) {
-            rulings.push(ruling(
-                law(Law::EXTRA_BOARD),
-                "The score is level after the last board, so one more decides.".to_owned(),
-                RulingEffect::ExtraBoard,
-            ));
+            let text = "The score is level after the last board, so one more decides.".to_owned();
+            announce(Law::EXTRA_BOARD, text, RulingEffect::ExtraBoard);
         }
         if let Some(team) = score.game_winner(rules) {
-            rulings.push(ruling(
-                law(Law::GAME),
-                format!(
-                    "{} wins the game by {} to {}.",
-                    self.colour(team),
-                    score.points[team],
-                    score.points[team.other()]
-                ),
-                RulingEffect::GameWon(team),
-            ));
+            let (won, lost) = (score.points[team], score.points[team.other()]);
+            let text = format!("{} wins the game by {won} to {lost}.", self.colour(team));
+            announce(Law::GAME, text, RulingEffect::GameWon(team));
         }
         if let Some(team) = score.match_winner(rules) {
-            rulings.push(ruling(
-                law(Law::MATCH),
-                format!(
-                    "That makes two games for {}, who wins the match.",
-                    self.colour(team)
-                ),
-                RulingEffect::MatchWon(team),
-            ));
+            let colour = self.colour(team);
+            let text = format!("That makes two games for {colour}, who wins the match.");
+            announce(Law::MATCH, text, RulingEffect::MatchWon(team));
         }
         rulings
     }

@@ -263,8 +263,7 @@ impl PlacedDisc {
                 small(out)
             ));
         }
-        let radius = board.pocket_radius();
-        if board.pockets().any(|hole| hole.distance(self.at) <= radius) {
+        if board.has_pocket_at(self.at) {
             return Err("expected a place outside the pockets, found one in a pocket".into());
         }
         let overlap =

@@ -64,6 +64,12 @@ impl Board {
         corners.map(move |(x, y)| reach * DVec2::new(x, y))
     }
 
+    /// Whether a disc whose centre is at `at` falls into a pocket.
+    pub fn has_pocket_at(&self, at: DVec2) -> bool {
+        self.pockets()
+            .any(|hole| hole.distance(at) <= self.pocket_radius())
+    }
+
     /// Deceleration of a sliding disc in m/s²: a = μ g.
     pub fn deceleration(&self) -> f64 {
         self.friction * G

@@ -15,7 +15,9 @@ use super::rutherford::Rutherford;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hyperbola {
     impact_parameter: f64,
-    angle: f64,
+    /// Scattering angle Θ, 0 to π radians.
+    pub angle: f64,
+    /// Distance r_min of the nearest point, in metres.
     closest_approach: f64,
 }
 
@@ -35,16 +37,6 @@ impl Rutherford {
 }
 
 impl Hyperbola {
-    /// Scattering angle Θ, 0 to π radians.
-    pub fn angle(&self) -> f64 {
-        self.angle
-    }
-
-    /// Distance r_min of the nearest point, in metres.
-    pub fn closest_approach(&self) -> f64 {
-        self.closest_approach
-    }
-
     /// The point nearest to the charge. Head-on that is where it turns back.
     pub fn nearest(&self) -> DVec2 {
         self.mirrored(DVec2::from_angle(self.apse()) * self.closest_approach)
@@ -139,10 +131,7 @@ mod tests {
         for (b, path) in paths() {
             let points = path.points(REACH, 1000);
             let nearest = points.iter().map(|p| p.length()).fold(REACH, f64::min);
-            assert!(
-                (nearest / path.closest_approach() - 1.0).abs() < 1e-12,
-                "{b}"
-            );
+            assert!((nearest / path.closest_approach - 1.0).abs() < 1e-12, "{b}");
             assert!((points[500] - path.nearest()).length() < 1e-12 * nearest);
             let d = Rutherford::radium_c_on_gold().head_on_approach;
             assert!(nearest > d * (1.0 - 1e-12));

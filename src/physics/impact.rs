@@ -36,11 +36,6 @@ pub(crate) struct Impact {
 }
 
 impl Contact {
-    /// Reduced mass μ = m₁m₂ / (m₁ + m₂) in kilograms.
-    pub(crate) fn reduced_mass(&self) -> f64 {
-        reduced_mass(self.m1, self.m2)
-    }
-
     /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive
     /// while the two close in.
     pub(crate) fn approach_speed(&self) -> f64 {
@@ -61,12 +56,13 @@ impl Contact {
         let change = (1.0 + self.restitution) * approach;
         let change1 = change * (self.m2 / total);
         let change2 = change * (self.m1 / total);
+        let mu = reduced_mass(self.m1, self.m2);
         let lost = 1.0 - self.restitution * self.restitution;
         Some(Impact {
             v1: changed(self.u1, -change1, self.normal),
             v2: changed(self.u2, change2, self.normal),
-            impulse: self.reduced_mass() * change,
-            energy_lost: 0.5 * self.reduced_mass() * lost * approach * approach,
+            impulse: mu * change,
+            energy_lost: 0.5 * mu * lost * approach * approach,
         })
     }
 }

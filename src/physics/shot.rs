@@ -225,7 +225,7 @@ impl Shot {
             return sample(motion, false);
         }
         let time = time.min(self.duration);
-        if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time()) {
+        if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time) {
             return sample(capture.at(disc, time), false);
         }
         let legs = &self.legs[disc];
@@ -240,7 +240,10 @@ impl Shot {
     /// chords of a few degrees.
     pub fn path(&self, disc: usize) -> impl Iterator<Item = Leg> + '_ {
         let legs = &self.legs[disc];
-        let free_until = self.capture.as_ref().map_or(self.duration, StuckPair::time);
+        let free_until = self
+            .capture
+            .as_ref()
+            .map_or(self.duration, |pair| pair.time);
         let slides = legs.iter().enumerate().filter_map(move |(i, leg)| {
             let end = legs.get(i + 1).map_or(free_until, |next| next.time);
             let moves = leg.motion.velocity != DVec2::ZERO && end > leg.time;
@@ -267,8 +270,8 @@ impl Shot {
 
     /// Kinetic energy of all discs on the board at a time, in joules.
     pub fn energy_at(&self, time: f64) -> f64 {
-        match self.capture.as_ref().filter(|c| time >= c.time()) {
-            Some(capture) => capture.energy(),
+        match self.capture.as_ref().filter(|c| time >= c.time) {
+            Some(capture) => capture.energy,
             None => self.sum_energy(|disc| self.at(disc, time).velocity),
         }
     }

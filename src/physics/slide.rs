@@ -75,29 +75,16 @@ impl Slide {
     pub fn new(start: Motion, deceleration: f64) -> Self {
         let DVec2 { x, y } = start.velocity;
         let speed = (x * x + y * y).sqrt();
-        if speed == 0.0 {
-            return Self {
-                start,
-                acceleration: DVec2::ZERO,
-                stopping_time: 0.0,
-            };
-        }
-        let change = -deceleration / speed;
+        let change = if speed > 0.0 {
+            -deceleration / speed
+        } else {
+            0.0
+        };
         Self {
             start,
             acceleration: DVec2::new(change * x, change * y),
-            stopping_time: speed / deceleration,
+            stopping_time: stopping_time(speed, deceleration),
         }
-    }
-
-    /// How the slide begins.
-    pub fn start(&self) -> Motion {
-        self.start
-    }
-
-    /// The constant acceleration in m/s² while the disc moves; zero at rest.
-    pub fn acceleration(&self) -> DVec2 {
-        self.acceleration
     }
 
     /// Seconds from the start until the disc stops: 0 if it lies still, infinite

@@ -13,7 +13,7 @@ pub(crate) fn random_move(game: &mut Game, chance: &mut Pcg64) -> Move {
         let lines = game.base_lines(&board);
         let wanted = lines.at(chance.random_range(-0.2..0.2));
         let made = match lines.nearest(wanted) {
-            _ if game.play().won().is_some() => Move::NextBoard,
+            _ if game.play().won.is_some() => Move::NextBoard,
             _ if game.setup().rules == Rules::Practice && chance.random_bool(0.1) => {
                 Move::LayOut(game.coins().to_vec())
             }

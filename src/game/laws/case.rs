@@ -27,14 +27,10 @@ pub(crate) enum QueenBefore {
 pub(crate) struct Case {
     /// The colour of the player who struck.
     pub colour: Colour,
-    /// Own coins on the board before the stroke.
-    pub own_before: u8,
-    /// Own coins that fell.
-    pub own_fell: u8,
-    /// The opponent's coins on the board before the stroke.
-    pub other_before: u8,
-    /// The opponent's coins that fell.
-    pub other_fell: u8,
+    /// The player's coins and score.
+    pub own: Side,
+    /// The opponent's.
+    pub other: Side,
     /// The queen before the stroke.
     pub queen: QueenBefore,
     /// Whether the queen fell.
@@ -51,44 +47,37 @@ pub(crate) struct Case {
     /// Whether a coin of the player's colour had been pocketed in this board
     /// before this stroke, which gives the right to the queen (65).
     pub may_take_queen: bool,
-    /// The player's score in the game before this board.
-    pub own_score: u8,
-    /// The opponent's score in the game before this board.
-    pub other_score: u8,
 }
 
-impl Case {
-    /// Own coins left on the board.
-    pub(super) const fn own_left(&self) -> u8 {
-        self.own_before.saturating_sub(self.own_fell)
-    }
-
-    /// The opponent's coins left on the board.
-    pub(super) const fn other_left(&self) -> u8 {
-        self.other_before.saturating_sub(self.other_fell)
-    }
-
-    /// Whether all nine own coins lay on the board before the stroke.
-    pub(super) const fn all_own_on_board(&self) -> bool {
-        self.own_before == COINS_EACH
-    }
-
-    /// What the queen is worth to the player, should the board be won (25b, 27).
-    pub(super) const fn queen_for_own(&self) -> u8 {
-        queen_worth(self.own_score)
-    }
-
-    /// What the queen is worth to the opponent (25b, 27).
-    pub(super) const fn queen_for_other(&self) -> u8 {
-        queen_worth(self.other_score)
-    }
+/// A side in numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Side {
+    /// Its coins on the board before the stroke.
+    pub before: u8,
+    /// Those that fell.
+    pub fell: u8,
+    /// Its score in the game before this board.
+    pub score: u8,
 }
 
-const fn queen_worth(score: u8) -> u8 {
-    if score < QUEEN_WORTHLESS_FROM {
-        QUEEN_POINTS
-    } else {
-        0
+impl Side {
+    /// Its coins left on the board.
+    pub(super) const fn left(&self) -> u8 {
+        self.before.saturating_sub(self.fell)
+    }
+
+    /// Whether all nine of its coins lay on the board before the stroke.
+    pub(super) const fn had_all(&self) -> bool {
+        self.before == COINS_EACH
+    }
+
+    /// What the queen is worth to it, should it win the board (25b, 27).
+    pub(super) const fn queen_worth(&self) -> u8 {
+        if self.score < QUEEN_WORTHLESS_FROM {
+            QUEEN_POINTS
+        } else {
+            0
+        }
     }
 }
 

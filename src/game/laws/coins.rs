@@ -15,9 +15,9 @@ pub(super) fn judge(case: &Case) -> Verdict {
 fn proper(case: &Case) -> Verdict {
     let law = Law::new(21);
     let player = case.colour;
-    let own = coins(case.own_fell, player);
-    let others = coins(case.other_fell, player.other());
-    match (case.own_fell, case.other_fell) {
+    let own = coins(case.own.fell, player);
+    let others = coins(case.other.fell, player.other());
+    match (case.own.fell, case.other.fell) {
         (0, 0) => Verdict::passes(law, format!("Nothing fell, so {player}'s turn passes.")),
         (0, _) => Verdict::passes(
             law,
@@ -38,9 +38,9 @@ fn proper(case: &Case) -> Verdict {
 
 fn striker_fell(case: &Case) -> Verdict {
     let player = case.colour;
-    let own = coins(case.own_fell, player);
-    let others = coins(case.other_fell, player.other());
-    match (case.own_fell, case.other_fell) {
+    let own = coins(case.own.fell, player);
+    let others = coins(case.other.fell, player.other());
+    match (case.own.fell, case.other.fell) {
         (0, 0) => Verdict::passes(
             Law::clause(45, 'a'),
             format!("The striker fell alone, so {player} owes one coin and the turn passes."),
@@ -58,6 +58,6 @@ fn striker_fell(case: &Case) -> Verdict {
             format!("The striker fell with {own} and {others}: only {player}'s come back, one more is due, and the turn continues."),
         ),
     }
-    .own_back(case.own_fell)
+    .own_back(case.own.fell)
     .one_due()
 }

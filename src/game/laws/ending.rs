@@ -21,7 +21,7 @@ pub(crate) const MOST_POINTS: u8 = 12;
 /// - The queen falls with the opponent's last coin: nobody has covered her, so
 ///   she counts as in 79a.
 pub(super) fn judge(case: &Case) -> Option<Verdict> {
-    match (case.own_left(), case.other_left()) {
+    match (case.own.left(), case.other.left()) {
         (0, 0) => Some(both_finished(case)),
         (own_left, 0) => Some(opponent_finished(case, own_left)),
         (0, other_left) => player_finished(case, other_left),
@@ -34,48 +34,37 @@ fn both_finished(case: &Case) -> Verdict {
     use QueenBefore::{Covered, OnBoard, ToCover};
     let player = case.colour;
     let striker = u8::from(case.striker_fell);
-    let win = worth_at_least_one(case.queen_for_own());
-    let loss = worth_at_least_one(case.queen_for_other());
+    let win = worth_at_least_one(case.own.queen_worth());
+    let loss = worth_at_least_one(case.other.queen_worth());
     match (case.queen, case.striker_fell) {
         (Covered(by), false) => {
             let by_queen = if by == player { win } else { 1 };
-            won(
-                case,
-                Law::clause(25, 'a'),
-                by_queen,
-                format!("{player} pocketed both last coins together"),
-            )
+            let why = format!("{player} pocketed both last coins together");
+            won(case, 25, by_queen, why)
         }
-        (Covered(by), true) if by == player => {
-            let why = format!(
-                "Both last coins fell, and the striker with them, and {player} had the queen"
-            );
-            lost(case, Law::clause(83, 'a'), 1 + striker, why)
-        }
-        (Covered(_), true) => {
-            let why = format!(
-                "Both last coins fell, and the striker with them, and {} had the queen",
-                player.other()
-            );
-            lost(case, Law::clause(85, 'a'), loss + striker, why)
+        (Covered(by), true) => {
+            let (number, loss) = if by == player { (83, 1) } else { (85, loss) };
+            let why =
+                format!("Both last coins fell, and the striker with them, and {by} had the queen");
+            lost(case, number, loss + striker, why)
         }
         (ToCover, false) => {
             let why = format!("{player} covered the queen with both last coins");
-            won(case, Law::clause(75, 'a'), win, why).queen(QueenFate::Covered)
+            won(case, 75, win, why).queen(QueenFate::Covered)
         }
         (OnBoard, false) if case.queen_fell => {
             let why = format!("{player} pocketed the queen and both last coins in one stroke");
-            won(case, Law::clause(77, 'a'), win, why).queen(QueenFate::Covered)
+            won(case, 77, win, why).queen(QueenFate::Covered)
         }
         (OnBoard, _) if !case.queen_fell => {
             let why =
                 format!("{player} pocketed both last coins with the queen still on the board");
-            lost(case, Law::clause(78, 'a'), loss + striker, why)
+            lost(case, 78, loss + striker, why)
         }
         (ToCover | OnBoard, _) => {
             let why =
                 "The queen and both last coins fell, but the striker fell with them".to_owned();
-            lost(case, Law::clause(82, 'a'), loss + striker, why)
+            lost(case, 82, loss + striker, why)
         }
     }
 }
@@ -85,25 +74,21 @@ fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     let player = case.colour;
     let other = player.other();
     let striker = u8::from(case.striker_fell);
-    let with_queen = own_left + case.queen_for_other() + striker;
+    let with_queen = own_left + case.other.queen_worth() + striker;
     let fell = format!("{player} pocketed {other}'s last coin");
     match case.queen {
         QueenBefore::Covered(by) => {
-            let queen = if by == other {
-                case.queen_for_other()
-            } else {
-                0
-            };
-            lost(case, Law::clause(25, 'a'), own_left + queen, fell)
+            let queen = u8::from(by == other) * case.other.queen_worth();
+            lost(case, 25, own_left + queen, fell)
         }
         QueenBefore::ToCover => {
             let why = format!("{fell} while the queen was to be covered");
-            lost(case, Law::clause(76, 'a'), with_queen, why)
+            lost(case, 76, with_queen, why)
         }
         QueenBefore::OnBoard => {
             let number = if case.striker_fell { 84 } else { 79 };
             let why = format!("{fell} before the queen was covered");
-            lost(case, Law::clause(number, 'a'), with_queen, why)
+            lost(case, number, with_queen, why)
         }
     }
 }
@@ -114,22 +99,18 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     let player = case.colour;
     let (covered_by, fate) = match case.queen {
         QueenBefore::OnBoard if !case.queen_fell => {
-            let loss = worth_at_least_one(case.queen_for_other()) + u8::from(case.striker_fell);
+            let loss = worth_at_least_one(case.other.queen_worth()) + u8::from(case.striker_fell);
             let number = if case.striker_fell { 81 } else { 80 };
             let why = format!("{player}'s last coin fell with the queen still on the board");
-            return Some(lost(case, Law::clause(number, 'a'), loss, why));
+            return Some(lost(case, number, loss, why));
         }
         _ if case.striker_fell => return None,
         QueenBefore::Covered(by) => (by, QueenFate::Stays),
         QueenBefore::OnBoard | QueenBefore::ToCover => (player, QueenFate::Covered),
     };
-    let queen = if covered_by == player {
-        case.queen_for_own()
-    } else {
-        0
-    };
+    let queen = u8::from(covered_by == player) * case.own.queen_worth();
     let why = format!("{player} has pocketed all nine coins");
-    Some(won(case, Law::clause(25, 'a'), other_left + queen, why).queen(fate))
+    Some(won(case, 25, other_left + queen, why).queen(fate))
 }
 
 /// What a board brings that is decided by the queen alone: her points, or 1
@@ -138,15 +119,17 @@ const fn worth_at_least_one(queen: u8) -> u8 {
     if queen == 0 { 1 } else { queen }
 }
 
-fn won(case: &Case, law: Law, by: u8, why: String) -> Verdict {
+/// The player wins by clause a of the law of this number.
+fn won(case: &Case, law: u8, by: u8, why: String) -> Verdict {
     ends(case, law, by, why, true)
 }
 
-fn lost(case: &Case, law: Law, by: u8, why: String) -> Verdict {
+/// The player loses by clause a of the law of this number.
+fn lost(case: &Case, law: u8, by: u8, why: String) -> Verdict {
     ends(case, law, by, why, false)
 }
 
-fn ends(case: &Case, law: Law, by: u8, why: String, won: bool) -> Verdict {
+fn ends(case: &Case, law: u8, by: u8, why: String, won: bool) -> Verdict {
     let winner = if won {
         case.colour
     } else {
@@ -154,5 +137,5 @@ fn ends(case: &Case, law: Law, by: u8, why: String, won: bool) -> Verdict {
     };
     let by = by.min(MOST_POINTS);
     let text = why + &format!(", so {winner} wins the board by {}.", points(by));
-    Verdict::ends(law, text, won, by)
+    Verdict::ends(Law::clause(law, 'a'), text, won, by)
 }

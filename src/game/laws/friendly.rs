@@ -29,14 +29,14 @@ pub(super) fn judge(case: &Case) -> Verdict {
 /// The end of the board, if a colour is cleared. A striker that falls along
 /// brings one own coin back, so with it the player cannot be the one who cleared.
 fn ending(case: &Case) -> Option<Verdict> {
-    let won = case.own_left() == 0 && !case.striker_fell;
-    if !won && case.other_left() > 0 {
+    let won = case.own.left() == 0 && !case.striker_fell;
+    if !won && case.other.left() > 0 {
         return None;
     }
     let (winner, left) = if won {
-        (case.colour, case.other_left())
+        (case.colour, case.other.left())
     } else {
-        (case.colour.other(), case.own_left())
+        (case.colour.other(), case.own.left())
     };
     let covers = won && (case.queen == QueenBefore::ToCover || case.queen_fell);
     let queen = if covers || case.queen == QueenBefore::Covered(winner) {
@@ -61,15 +61,15 @@ fn striker_fell(case: &Case) -> Verdict {
     );
     let queen_open = case.queen_fell || case.queen == QueenBefore::ToCover;
     Verdict::passes(None, text)
-        .own_back(u8::from(case.own_left() < COINS_EACH))
+        .own_back(u8::from(case.own.left() < COINS_EACH))
         .queen_if(queen_open, QueenFate::GoesBack)
 }
 
 fn proper(case: &Case) -> Verdict {
     let player = case.colour;
-    let own = coins(case.own_fell, player);
+    let own = coins(case.own.fell, player);
     let queen_open = case.queen_fell || case.queen == QueenBefore::ToCover;
-    match (case.own_fell, queen_open) {
+    match (case.own.fell, queen_open) {
         (0, true) if case.queen_fell => Verdict::continues(
             None,
             format!(

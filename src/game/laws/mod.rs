@@ -40,7 +40,7 @@ mod ruling;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use case::{Case, QueenBefore, QueenFate, TurnFate, Verdict};
+pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
 pub(crate) use fouls::{foul, no_place};
 pub use ruling::{BoardWon, Law, Ruling, RulingEffect};
 

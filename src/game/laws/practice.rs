@@ -6,10 +6,10 @@ use super::case::{Case, QueenBefore, QueenFate, Verdict};
 /// The verdict on a stroke in practice.
 pub(super) fn judge(case: &Case) -> Verdict {
     let queen_left = case.queen == QueenBefore::OnBoard && !case.queen_fell;
-    if case.own_left() == 0 && case.other_left() == 0 && !queen_left {
+    if case.own.left() == 0 && case.other.left() == 0 && !queen_left {
         return Verdict::ends(None, "The board is empty: well played.".to_owned(), true, 0);
     }
-    let fell = case.own_fell + case.other_fell + u8::from(case.queen_fell);
+    let fell = case.own.fell + case.other.fell + u8::from(case.queen_fell);
     let text = match (fell, case.striker_fell) {
         (0, true) => "The striker fell; in a game that would cost a coin.".to_owned(),
         (0, false) => "Nothing fell; try again.".to_owned(),

@@ -16,7 +16,7 @@ pub(super) fn judge(case: &Case) -> Option<Verdict> {
 /// The stroke that has to cover the queen.
 fn covering(case: &Case) -> Verdict {
     let player = case.colour;
-    match (case.own_fell, case.striker_fell) {
+    match (case.own.fell, case.striker_fell) {
         (0, false) => Verdict::passes(
             Law::new(69),
             format!("No coin of {player} fell to cover the queen, so she goes back to the centre and the turn passes."),
@@ -51,8 +51,8 @@ fn pocketed(case: &Case) -> Verdict {
     if case.owes {
         return pocketed_in_debt(case);
     }
-    match (case.own_fell, case.striker_fell) {
-        (0, true) if case.all_own_on_board() => Verdict::passes(
+    match (case.own.fell, case.striker_fell) {
+        (0, true) if case.own.had_all() => Verdict::passes(
             Law::clause(68, 'd'),
             format!("The striker fell with the queen while all nine coins of {player} were on the board, so she goes back, one coin is due and the turn passes."),
         )
@@ -80,7 +80,7 @@ fn pocketed(case: &Case) -> Verdict {
         )
         .queen(QueenFate::GoesBack),
         (0, false) => {
-            let number = if case.all_own_on_board() {
+            let number = if case.own.had_all() {
                 Law::clause(68, 'c')
             } else {
                 Law::new(65)
@@ -90,12 +90,12 @@ fn pocketed(case: &Case) -> Verdict {
                 format!("{player} pocketed the queen and must cover her with an own coin in the next stroke."),
             )
         }
-        (1, false) if case.all_own_on_board() => Verdict::continues(
+        (1, false) if case.own.had_all() => Verdict::continues(
             Law::clause(70, 'b'),
             format!("With all nine coins of {player} on the board, one coin falling with the queen does not cover her: the next stroke must."),
         ),
         (own, false) => {
-            let law = Law::clause(70, if case.all_own_on_board() { 'b' } else { 'a' });
+            let law = Law::clause(70, if case.own.had_all() { 'b' } else { 'a' });
             Verdict::continues(
                 law,
                 format!("{player} pocketed {} with the queen, so she is covered and the turn continues.", coins(own, player)),
@@ -117,7 +117,7 @@ fn pocketed_in_debt(case: &Case) -> Verdict {
     )
     .queen(QueenFate::GoesBack);
     if case.striker_fell {
-        verdict.own_back(case.own_fell).one_due()
+        verdict.own_back(case.own.fell).one_due()
     } else {
         verdict
     }

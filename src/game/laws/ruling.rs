@@ -8,7 +8,7 @@ use crate::game::pieces::{Coin, Colour};
 use crate::game::seat::{Seat, Team};
 
 /// The number of a law, as in "70b".
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Law {
     /// Number of the law.
     pub number: u8,
@@ -51,7 +51,7 @@ impl fmt::Display for Law {
 }
 
 /// One decision of the referee: under which law, why, and what follows.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Ruling {
     /// The law; `None` for a rule of the friendly or practice game.
     pub law: Option<Law>,
@@ -62,8 +62,7 @@ pub struct Ruling {
 }
 
 /// Something that a ruling changes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RulingEffect {
     /// A coin or the queen was put back here.
     PutBack(Coin),

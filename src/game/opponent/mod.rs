@@ -128,7 +128,7 @@ pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<StrokeHint> {
 }
 
 fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
-    if game.play().won().is_some() {
+    if game.play().won.is_some() {
         return None;
     }
     let mut search = Search {
@@ -146,7 +146,7 @@ fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Candidat
     let choice = search.best()?;
     // Once more as it is meant, for the record.
     let story = match search.rehearsal.play(choice.motion) {
-        Some(_) => Story::of(game, search.rehearsal.shot()),
+        Some(_) => Story::of(game, &search.rehearsal.shot),
         None => Story::default(),
     };
     let reason = Reason {

@@ -11,7 +11,8 @@ pub(super) struct Rehearsal<'a> {
     discs: Vec<Disc>,
     motions: Vec<Motion>,
     engine: Engine,
-    shot: Shot,
+    /// The record of the last stroke.
+    pub(super) shot: Shot,
 }
 
 /// What came of a stroke that was tried.
@@ -42,16 +43,9 @@ impl<'a> Rehearsal<'a> {
         if let Some(first) = self.motions.first_mut() {
             *first = striker;
         }
-        let limits = Limits::default();
-        self.engine
-            .play_into(
-                &mut self.shot,
-                self.board,
-                &self.discs,
-                &self.motions,
-                limits,
-            )
-            .ok()?;
+        let (discs, motions, limits) = (&self.discs, &self.motions, Limits::default());
+        let played = (self.engine).play_into(&mut self.shot, self.board, discs, motions, limits);
+        played.ok()?;
         let stroke = Stroke::from_shot(self.game.coins(), &self.shot).ok()?;
         let mut after = self.game.clone();
         after.apply(&stroke).ok()?;
@@ -63,10 +57,5 @@ impl<'a> Rehearsal<'a> {
             pocketed,
             fouled,
         })
-    }
-
-    /// The record of the last stroke.
-    pub(super) fn shot(&self) -> &Shot {
-        &self.shot
     }
 }

@@ -30,7 +30,7 @@ const BREAK: Range<f64> = 2.8..FASTEST;
 const KNOCK: Range<f64> = 0.6..3.0;
 
 /// A stroke, what it promises, and how often it brought a piece down.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Candidate {
     pub(super) motion: Motion,
     worth: f64,
@@ -63,10 +63,7 @@ impl Search<'_> {
         }
         Some(self.finalist(&choices).unwrap_or(Candidate {
             motion: resort,
-            worth: f64::NEG_INFINITY,
-            chance: Chance::default(),
-            fouls: false,
-            allowance: 0.0,
+            ..Candidate::default()
         }))
     }
 

@@ -117,7 +117,7 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
         "Look at the white coin and the far right pocket."
     );
     apply(&mut game, hint.stroke);
-    let won = game.play().won().unwrap();
+    let won = game.play().won.unwrap();
     assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
 }
 
@@ -227,11 +227,11 @@ fn an_expert_beats_a_player_that_shoots_at_random() {
                 Some(striker) => apply(&mut game, striker),
                 None => drop(game.no_place().unwrap()),
             }
-            if game.play().won().is_some() {
+            if game.play().won.is_some() {
                 break;
             }
         }
-        let won = game.play().won().unwrap();
+        let won = game.play().won.unwrap();
         assert_eq!(won.winner, Team::First, "seed {seed}");
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
         Piece::Striker => false,
         _ if rules == Rules::Practice => true,
         Piece::Queen => {
-            rules == Rules::Friendly || (play.pocketed_before[team] && play.owed(team) == 0)
+            rules == Rules::Friendly || (play.pocketed_before[team] && play.owed[team] == 0)
         }
         Piece::White | Piece::Black => {
             let own = game.colour(team);

@@ -32,7 +32,7 @@ pub(super) struct Judge<'a> {
 impl Judge<'_> {
     /// What `game` is worth to the team.
     pub(super) fn worth(&self, game: &Game) -> f64 {
-        if let Some(won) = game.play().won() {
+        if let Some(won) = game.play().won {
             return self.sign(won.winner) * (BOARD + f64::from(won.points));
         }
         if game.setup().rules == Rules::Practice {
@@ -41,8 +41,8 @@ impl Judge<'_> {
         }
         let play = game.play();
         let counted = |team| {
-            let left = play.on_board(game.colour(team)) + play.owed(team);
-            let queen = play.queen_covered_by() == Some(team);
+            let left = play.on_board(game.colour(team)) + play.owed[team];
+            let queen = play.queen_covered_by == Some(team);
             self.sign(team) * (if queen { QUEEN } else { 0.0 } - f64::from(left))
         };
         counted(self.team) + counted(self.team.other()) + self.prospects(game)

@@ -29,13 +29,13 @@ impl Fingerprint {
         hash.take(&[
             game.seat() as u8,
             play.is_unbroken().into(),
-            team(play.queen_covered_by()),
-            team(play.won().map(|won| won.winner)),
+            team(play.queen_covered_by),
+            team(play.won.map(|won| won.winner)),
         ]);
         let score = game.score();
         hash.take(&[score.boards]);
         for team in Team::BOTH {
-            hash.take(&[play.owed(team), score.points[team], score.games[team]]);
+            hash.take(&[play.owed[team], score.points[team], score.games[team]]);
         }
         hash
     }

@@ -13,8 +13,6 @@ pub use company::{Aids, Company, Player, is_player_name};
 pub use fingerprint::Fingerprint;
 
 use super::record::Record;
-use super::table::Game;
-use crate::files::FileErrors;
 
 /// The format of the files that are written now.
 const FORMAT: u32 = 1;
@@ -36,28 +34,6 @@ impl SavedGame {
     /// Largest file that is read, and so the largest that may be written, in bytes:
     /// some eight thousand strokes.
     pub const LARGEST_FILE: usize = 1 << 20;
-
-    /// Reads a file and plays all of it; gives it with the game it leads to. `name`
-    /// stands for the file in messages.
-    ///
-    /// # Errors
-    /// All that is wrong with it: that it is no such file, or a newer one; that one of
-    /// its moves cannot be made; that it does not lead where it says.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
-        read::read(name, bytes)
-    }
-
-    /// The text of the file.
-    ///
-    /// # Errors
-    /// If it would be too large to be read again.
-    pub fn text(&self) -> Result<String, TooLarge> {
-        let text = text::text(self);
-        if text.len() > Self::LARGEST_FILE {
-            return Err(TooLarge);
-        }
-        Ok(text)
-    }
 }
 
 /// A game of so many strokes that no file may hold it.

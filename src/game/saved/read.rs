@@ -11,9 +11,17 @@ const FIELDS: [&str; 9] = [
     "format", "player", "players", "computer", "call", "aids", "setup", "moves", "end",
 ];
 
-pub(super) fn read(name: &str, bytes: &[u8]) -> Result<(SavedGame, Game), FileErrors> {
-    let source = Source::of_bytes(name, bytes, SavedGame::LARGEST_FILE)?;
-    source.document("a saved game", FORMAT, &FIELDS, from_fields)
+impl SavedGame {
+    /// Reads a file and plays all of it; gives it with the game it leads to. `name`
+    /// stands for the file in messages.
+    ///
+    /// # Errors
+    /// All that is wrong with it: that it is no such file, or a newer one; that one of
+    /// its moves cannot be made; that it does not lead where it says.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
+        let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
+        source.document("a saved game", FORMAT, &FIELDS, from_fields)
+    }
 }
 
 fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {

@@ -6,37 +6,45 @@ use serde::Serialize;
 use toml::ser::ValueSerializer;
 
 use super::company::Players;
-use super::{FORMAT, SavedGame};
+use super::{FORMAT, SavedGame, TooLarge};
 
 const HEAD: &str = "\
 # A game of carrom. `carrom replay FILE` plays it again and checks every move.
 ";
 
-/// The text of the file.
-pub(super) fn text(saved: &SavedGame) -> String {
-    let company = &saved.company;
-    let [south, east, north, west] = company.players;
-    let players = Players {
-        south,
-        east,
-        north,
-        west,
-    };
-    let mut text = HEAD.to_owned();
-    line(&mut text, "format", &FORMAT);
-    line(&mut text, "player", &saved.player);
-    line(&mut text, "players", &players);
-    line(&mut text, "computer", &company.strength);
-    line(&mut text, "call", &company.call);
-    line(&mut text, "aids", &company.aids);
-    line(&mut text, "setup", saved.record.setup());
-    text.push_str("moves = [\n");
-    for made in saved.record.moves() {
-        let _ = writeln!(text, "  {},", value(made));
+impl SavedGame {
+    /// The text of the file.
+    ///
+    /// # Errors
+    /// If it would be too large to be read again.
+    pub fn text(&self) -> Result<String, TooLarge> {
+        let company = &self.company;
+        let [south, east, north, west] = company.players;
+        let players = Players {
+            south,
+            east,
+            north,
+            west,
+        };
+        let mut text = HEAD.to_owned();
+        line(&mut text, "format", &FORMAT);
+        line(&mut text, "player", &self.player);
+        line(&mut text, "players", &players);
+        line(&mut text, "computer", &company.strength);
+        line(&mut text, "call", &company.call);
+        line(&mut text, "aids", &company.aids);
+        line(&mut text, "setup", self.record.setup());
+        text.push_str("moves = [\n");
+        for made in self.record.moves() {
+            let _ = writeln!(text, "  {},", value(made));
+        }
+        text.push_str("]\n");
+        line(&mut text, "end", &self.end.to_string());
+        if text.len() > Self::LARGEST_FILE {
+            return Err(TooLarge);
+        }
+        Ok(text)
     }
-    text.push_str("]\n");
-    line(&mut text, "end", &saved.end.to_string());
-    text
 }
 
 fn line(text: &mut String, key: &str, of: &impl Serialize) {

@@ -1,6 +1,9 @@
 //! Which discs could meet a given one at all: a quick look at every pair that never
 //! turns away one that meets, and turns away nearly all others.
 
+use glam::DVec2;
+
+use super::super::Motion;
 use super::bodies::Bodies;
 use super::schedule::SAME_TIME;
 
@@ -10,28 +13,19 @@ pub(super) struct Seeker {
     now: f64,
     /// Its own forecast: later meetings do not matter.
     until: f64,
-    x: f64,
-    y: f64,
-    vx: f64,
-    vy: f64,
-    ax: f64,
-    ay: f64,
+    here: Motion,
+    acceleration: DVec2,
     radius: f64,
 }
 
 impl Bodies {
     /// Disc `i` as a seeker of meetings between `now` and `until`.
     pub(super) fn seeker(&self, i: usize, now: f64, until: f64) -> Seeker {
-        let here = self.at(i, now);
         Seeker {
             now,
             until,
-            x: here.position.x,
-            y: here.position.y,
-            vx: here.velocity.x,
-            vy: here.velocity.y,
-            ax: self.ax[i],
-            ay: self.ay[i],
+            here: self.at(i, now),
+            acceleration: self.acceleration(i),
             radius: self.radius[i],
         }
     }
@@ -83,13 +77,14 @@ impl Seeker {
     ///   at 0 to its value at h.
     #[inline(always)]
     fn clearance(&self, [x, y, vx, vy, ax, ay, since, radius, time]: [f64; 9]) -> f64 {
+        let Motion { position, velocity } = self.here;
         let t = self.now - since;
         let half = 0.5 * t;
-        let dx = x + (vx + ax * half) * t - self.x;
-        let dy = y + (vy + ay * half) * t - self.y;
-        let wx = vx + ax * t - self.vx;
-        let wy = vy + ay * t - self.vy;
-        let (ax, ay) = (ax - self.ax, ay - self.ay);
+        let dx = x + (vx + ax * half) * t - position.x;
+        let dy = y + (vy + ay * half) * t - position.y;
+        let wx = vx + ax * t - velocity.x;
+        let wy = vy + ay * t - velocity.y;
+        let (ax, ay) = (ax - self.acceleration.x, ay - self.acceleration.y);
         let contact_distance = radius + self.radius;
         let h = least(time, self.until) - self.now + SAME_TIME;
         let half_h2 = 0.5 * h * h;

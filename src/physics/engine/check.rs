@@ -38,31 +38,26 @@ pub(in super::super) fn check(
 fn check_board(board: &Board, limits: Limits) -> Result<(), EngineError> {
     let unit = 0.0..=1.0;
     let size = 0.0..f64::INFINITY;
-    if board.side.is_nan() || board.side <= 0.0 {
-        Err(EngineError::Board("side must be greater than 0"))
+    let expected = if board.side.is_nan() || board.side <= 0.0 {
+        "side must be greater than 0"
     } else if !size.contains(&board.pocket_diameter) {
-        Err(EngineError::Board(
-            "pocket diameter must be finite and at least 0",
-        ))
+        "pocket diameter must be finite and at least 0"
     } else if board.pocket_diameter > board.side {
-        Err(EngineError::Board(
-            "pockets must not be wider than its side",
-        ))
+        "pockets must not be wider than its side"
     } else if !size.contains(&board.friction) {
-        Err(EngineError::Board("friction must be finite and at least 0"))
+        "friction must be finite and at least 0"
     } else if !unit.contains(&board.restitution) {
-        Err(EngineError::Board("restitution must be from 0 to 1"))
+        "restitution must be from 0 to 1"
     } else if !unit.contains(&board.cushion_restitution) {
-        Err(EngineError::Board(
-            "cushion restitution must be from 0 to 1",
-        ))
+        "cushion restitution must be from 0 to 1"
     } else if limits.horizon.is_nan() || limits.horizon < 0.0 {
-        Err(EngineError::Horizon)
+        return Err(EngineError::Horizon);
     } else if board.friction == 0.0 && board.side.is_finite() && limits.horizon.is_infinite() {
-        Err(EngineError::Endless)
+        return Err(EngineError::Endless);
     } else {
-        Ok(())
-    }
+        return Ok(());
+    };
+    Err(EngineError::Board(expected))
 }
 
 fn check_disc(i: usize, disc: &Disc, motion: &Motion) -> Result<(), EngineError> {

@@ -41,7 +41,7 @@ pub(super) fn contact(bodies: &Bodies, i: usize, k: usize, now: f64, end: f64) -
         pair.touching(gap, speed, end)
     } else if !bodies.moving[k] || !bodies.moving[i] {
         // Seen from the one at rest, the other goes straight.
-        straight(pair.d, pair.w, pair.a, pair.contact_distance, gap)
+        pair.straight(gap)
     } else {
         pair.apart(gap, end)
     };
@@ -71,7 +71,7 @@ impl Pair {
     /// A pair with room between them: |d|² − reach² = `gap` > 0.
     fn apart(&self, gap: f64, end: f64) -> Option<f64> {
         if self.a == DVec2::ZERO {
-            straight(self.d, self.w, self.a, self.contact_distance, gap)
+            self.straight(gap)
         } else {
             self.curved(gap, end)
         }
@@ -113,22 +113,15 @@ impl Pair {
     /// A pair that touches and parts: the root at zero is divided out and what is
     /// left of the quartic, a cubic, says when they meet again.
     fn after_touch(&self, end: f64) -> Option<f64> {
-        if self.a == DVec2::ZERO {
-            return None;
-        }
         let [c1, c2, c3, c4] = self.quartic();
-        if c1 > 0.0 {
-            first_root([c1, c2, c3, c4, 0.0], end)
-        } else {
-            None
-        }
+        let parts = self.a != DVec2::ZERO && c1 > 0.0;
+        parts.then(|| first_root([c1, c2, c3, c4, 0.0], end))?
     }
-}
 
-/// Time until |d + w t + ½ a t²| comes down to `distance`, if a is against w or zero:
-/// the path is straight, so the way to go comes from a triangle and the time from
-/// s = v t − ½ a t². `gap` is |d|² − distance² > 0.
-fn straight(d: DVec2, w: DVec2, a: DVec2, distance: f64, gap: f64) -> Option<f64> {
-    let time = time_to_distance(d, w, distance, gap)?;
-    slowed(time, -a.dot(w) / w.length_squared())
+    /// A pair with room between them, if a is against w or zero: the path is straight, so
+    /// the way to go comes from a triangle and the time from s = v t − ½ a t².
+    fn straight(&self, gap: f64) -> Option<f64> {
+        let time = time_to_distance(self.d, self.w, self.contact_distance, gap)?;
+        slowed(time, -self.a.dot(self.w) / self.w.length_squared())
+    }
 }

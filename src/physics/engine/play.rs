@@ -128,7 +128,7 @@ impl ShotInPlay<'_> {
         } else {
             let clearances = &mut self.scratch.clearances;
             self.bodies
-                .clearances(&seeker, self.schedule.times(), clearances);
+                .clearances(&seeker, &self.schedule.times, clearances);
             for k in 0..self.bodies.len() {
                 if self.scratch.clearances[k] <= 0.0 {
                     self.forecast_meeting(i, k, now);

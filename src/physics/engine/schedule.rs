@@ -26,7 +26,7 @@ pub(super) enum Forecast {
 #[derive(Debug, Default, Clone)]
 pub(super) struct Schedule {
     /// One a disc, filled up with infinities to whole blocks.
-    times: Vec<f64>,
+    pub(super) times: Vec<f64>,
     forecasts: Vec<Forecast>,
     /// The earliest time of each block, unless it has changed since.
     earliest: Vec<Option<f64>>,
@@ -48,10 +48,6 @@ impl Schedule {
         self.times[disc] = time;
         self.forecasts[disc] = forecast;
         self.earliest[disc / BLOCK] = None;
-    }
-
-    pub(super) fn times(&self) -> &[f64] {
-        &self.times
     }
 
     pub(super) fn time(&self, disc: usize) -> f64 {

@@ -28,28 +28,6 @@ impl Default for ConstantFields {
 }
 
 impl ConstantFields {
-    fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
-        let (slot, least, most) = match field {
-            "angle_deg" => (&mut self.angle_deg, 0.001, 180.0),
-            "to_deg" => (&mut self.to_deg, 0.001, 180.0),
-            "z" => (&mut self.z, 1.0, 118.0),
-            "energy_mev" => (&mut self.energy_mev, 0.01, 1000.0),
-            "thickness_um" => (&mut self.thickness_um, 0.001, 100.0),
-            _ => {
-                return Err(format!(
-                    "expected angle_deg, to_deg, z, energy_mev or thickness_um, found {field}"
-                ));
-            }
-        };
-        let wrong = || format!("{field}: expected {least} to {most}, found {written}");
-        let value: f64 = written.parse().map_err(|_| wrong())?;
-        if !(least..=most).contains(&value) {
-            return Err(wrong());
-        }
-        *slot = value;
-        Ok(())
-    }
-
     fn angle(&self) -> f64 {
         rad_from_deg(self.angle_deg)
     }
@@ -118,7 +96,26 @@ impl Constant {
     /// # Errors
     /// What was expected.
     pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
-        self.fields.set(field, written)
+        let fields = &mut self.fields;
+        let (slot, least, most) = match field {
+            "angle_deg" => (&mut fields.angle_deg, 0.001, 180.0),
+            "to_deg" => (&mut fields.to_deg, 0.001, 180.0),
+            "z" => (&mut fields.z, 1.0, 118.0),
+            "energy_mev" => (&mut fields.energy_mev, 0.01, 1000.0),
+            "thickness_um" => (&mut fields.thickness_um, 0.001, 100.0),
+            _ => {
+                return Err(format!(
+                    "expected angle_deg, to_deg, z, energy_mev or thickness_um, found {field}"
+                ));
+            }
+        };
+        let wrong = || format!("{field}: expected {least} to {most}, found {written}");
+        let value: f64 = written.parse().map_err(|_| wrong())?;
+        if !(least..=most).contains(&value) {
+            return Err(wrong());
+        }
+        *slot = value;
+        Ok(())
     }
 
     /// Its value in the unit of its name.

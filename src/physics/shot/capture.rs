@@ -15,14 +15,14 @@ use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot};
 /// Two discs stuck together, turning about their centre of mass without friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StuckPair {
-    time: f64,
+    pub(super) time: f64,
     centre: DVec2,
     velocity: DVec2,
     /// From the centre of mass to either disc's centre at the contact.
     arms: [DVec2; 2],
     /// Angular velocity in rad/s, positive anticlockwise.
     omega: f64,
-    energy: f64,
+    pub(super) energy: f64,
 }
 
 impl StuckPair {
@@ -44,14 +44,6 @@ impl StuckPair {
             omega: -turning.spin,
             energy: 0.5 * total * velocity.length_squared() + turning.rotation_energy,
         }
-    }
-
-    pub(super) fn time(&self) -> f64 {
-        self.time
-    }
-
-    pub(super) fn energy(&self) -> f64 {
-        self.energy
     }
 
     /// Motion of the centre of one of the discs at a time after the contact.

@@ -41,13 +41,9 @@ pub(crate) fn steps(collision: &Collision, by_offset: bool) -> Vec<WorkedStep> {
         steps.push(where_they_meet(collision));
     }
     if outcome.meeting == Meeting::Hit {
-        match collision.bond {
-            Bond::Slip => steps.extend(slip::steps(collision, &outcome)),
-            Bond::Stick => steps.extend(stick::steps(collision, &outcome)),
-        }
-        steps.push(match collision.bond {
-            Bond::Slip => directions(collision, &outcome),
-            Bond::Stick => stick::direction(collision, &outcome),
+        steps.extend(match collision.bond {
+            Bond::Slip => slip::steps(collision, &outcome),
+            Bond::Stick => stick::steps(collision, &outcome),
         });
         steps.push(check(collision, &outcome));
     }

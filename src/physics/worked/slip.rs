@@ -1,7 +1,7 @@
 //! The working for smooth discs: split, resolve along n, keep across, put together.
 
 use super::number::{beside, factor, number, vector};
-use super::{WorkedStep, grams, speed_scale};
+use super::{WorkedStep, directions, grams, speed_scale};
 use crate::physics::units::g_from_kg;
 use crate::physics::{Collision, CollisionOutcome};
 use glam::DVec2;
@@ -15,6 +15,7 @@ pub(super) fn steps(c: &Collision, after: &CollisionOutcome) -> Vec<WorkedStep> 
         along(c, after, n),
         across(c, t),
         together(c, after, n, t),
+        directions(c, after),
     ]
 }
 

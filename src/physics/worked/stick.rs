@@ -9,7 +9,11 @@ use crate::physics::units::g_from_kg;
 use crate::physics::{Collision, CollisionOutcome};
 
 pub(super) fn steps(c: &Collision, after: &CollisionOutcome) -> Vec<WorkedStep> {
-    vec![centre_of_mass(c, after), turning(c, after)]
+    vec![
+        centre_of_mass(c, after),
+        turning(c, after),
+        direction(c, after),
+    ]
 }
 
 fn centre_of_mass(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
@@ -66,7 +70,7 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
 }
 
 /// Where the pair goes, for the two stay together.
-pub(super) fn direction(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
+fn direction(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     WorkedStep {
         title: "Read off the direction",
         why: "It is that of the centre of mass, measured from the striker's old direction u₁. \

@@ -47,15 +47,15 @@ fn target(c: &Collision, after: &CollisionOutcome) -> String {
     let speed = number(after.v2.length());
     match after.theta2 {
         _ if after.v2.length() <= 0.0 => "The target is brought to rest.".to_owned(),
-        Some(angle) if c.u2.length() <= 0.0 => format!(
-            "The target was at rest and is pushed along the line of impact: it leaves at \
-             {speed} m/s, {}.",
-            course(angle, "right", "left", "the striker's")
-        ),
-        Some(angle) => format!(
-            "The target leaves at {speed} m/s, {}.",
-            course(angle, "right", "left", "the striker's")
-        ),
+        Some(angle) => {
+            let course = course(angle, "right", "left", "the striker's");
+            let pushed = if c.u2.length() <= 0.0 {
+                "was at rest and is pushed along the line of impact: it "
+            } else {
+                ""
+            };
+            format!("The target {pushed}leaves at {speed} m/s, {course}.")
+        }
         None => format!("The target leaves at {speed} m/s."),
     }
 }
@@ -103,11 +103,12 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
     if c.u2.length() > 0.0 {
         let seen = Frame::Target.view(c).outcome().separation;
         return match seen {
-            Some(seen) if !head_on => format!(
-                "{parted}. Seen by someone who moves as the target did, it is {}: {}.",
-                degrees(seen),
-                reason(c, seen)
-            ),
+            Some(seen) if !head_on => {
+                let (angle, reason) = (degrees(seen), reason(c, seen));
+                format!(
+                    "{parted}. Seen by someone who moves as the target did, it is {angle}: {reason}."
+                )
+            }
             _ => format!("{parted}."),
         };
     }

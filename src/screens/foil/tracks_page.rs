@@ -82,7 +82,7 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
                     .map(|p| *p / FM)
                     .collect(),
                 nearest: Some(path.nearest() / FM),
-                angle: path.angle(),
+                angle: path.angle,
             }
         }
     }

@@ -30,7 +30,7 @@ fn law_25b_the_winners_queen_is_worth_three() {
 fn law_25b_the_queen_may_be_covered_by_the_last_coin_in_the_same_stroke_or_the_next() {
     let mut together = table(1, 4, Queen::OnBoard);
     expect_end(&together.pocket(&[OWN, QUEEN]), "25a", White, 7);
-    assert_eq!(together.0.play().queen_covered_by(), Some(White));
+    assert_eq!(together.0.play().queen_covered_by, Some(White));
     let mut next = table(1, 4, Queen::ToCover);
     expect_end(&next.pocket(&[OWN]), "25a", White, 7);
 }
@@ -69,7 +69,7 @@ fn law_28_dues_are_written_off_at_the_end() {
     let rulings = table.pocket(&[OTHER, STRIKER]);
     expect_end(&rulings, "25a", Black, 9);
     assert!(put_back(&rulings).is_empty());
-    assert_eq!(table.0.play().owed(White), 0);
+    assert_eq!(table.0.play().owed[White], 0);
 }
 
 #[test]

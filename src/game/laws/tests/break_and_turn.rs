@@ -68,7 +68,7 @@ fn law_18c_the_striker_pocketed_at_an_untouched_pack_costs_the_turn_and_no_due()
     let mut table = unbroken();
     let rulings = table.strike(false, &[Piece::Striker]);
     expect(&table, &rulings, "18c", &[], false);
-    assert_eq!(table.0.play().owed(Team::First), 0);
+    assert_eq!(table.0.play().owed[Team::First], 0);
     assert!(table.0.play().is_unbroken());
 }
 
@@ -77,7 +77,7 @@ fn law_18c_does_not_cover_a_striker_that_touched_the_pack() {
     let mut table = unbroken();
     let rulings = table.strike(true, &[Piece::Striker]);
     assert_eq!(cited(&rulings), ["45a", "45b"]);
-    assert_eq!(table.0.play().owed(Team::First), 1);
+    assert_eq!(table.0.play().owed[Team::First], 1);
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn in_doubles_partners_share_coins_dues_and_the_queen() {
     }));
     table.strike(true, &[Piece::Striker]);
     spread(&mut table.0.play.coins);
-    assert_eq!(table.0.play().owed(Team::First), 1);
+    assert_eq!(table.0.play().owed[Team::First], 1);
     table.strike(true, &[]);
     assert_eq!(table.0.seat(), Seat::North);
     let rulings = table.strike(true, &[Piece::White, Piece::White]);
@@ -173,7 +173,7 @@ fn in_doubles_partners_share_coins_dues_and_the_queen() {
     assert_eq!(table.on_board(Colour::White), 8);
     table.strike(true, &[Piece::Queen]);
     table.strike(true, &[Piece::White]);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::First));
 }
 
 #[test]

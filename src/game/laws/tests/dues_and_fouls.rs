@@ -61,7 +61,7 @@ fn law_45b_a_due_waits_until_a_coin_is_there_to_pay_it() {
         rulings[1].effects,
         [RulingEffect::StillOwed(Colour::White, 1)]
     );
-    assert_eq!(table.0.play().owed(Team::First), 1);
+    assert_eq!(table.0.play().owed[Team::First], 1);
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn law_46_at_nine_coins_the_due_of_the_stroke_stays_owed() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[White, Striker]);
     expect(&table, &rulings, "46", &[White], true);
-    assert_eq!(table.0.play().owed(Team::First), 1);
+    assert_eq!(table.0.play().owed[Team::First], 1);
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn law_51a_a_due_is_paid_by_the_first_coin_pocketed_and_the_turn_goes_on() {
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "21", &[White], true);
     assert_eq!(cited(&rulings), ["21", "51a"]);
-    assert_eq!(table.0.play().owed(Team::First), 1);
+    assert_eq!(table.0.play().owed[Team::First], 1);
     assert_eq!(table.on_board(Colour::White), 9);
 }
 
@@ -124,7 +124,7 @@ fn law_51a_a_coin_pocketed_by_the_opponent_pays_too() {
     let rulings = table.pocket(&[Black]);
     assert_eq!(cited(&rulings), ["21", "51a"]);
     assert_eq!(put_back(&rulings), [Black]);
-    assert_eq!(table.0.play().owed(Team::Second), 0);
+    assert_eq!(table.0.play().owed[Team::Second], 0);
     let coin = table.0.coins().last().unwrap();
     assert!(coin.at.y < 0.0, "far from Black, who owed it");
 }

@@ -33,7 +33,7 @@ fn friendly_the_striker_costs_one_coin_and_the_turn_and_nothing_stays_owed() {
     let mut full = friendly(9, 9, Queen::OnBoard);
     let rulings = full.pocket(&[Striker]);
     expect(&full, &rulings, "house", &[], false);
-    assert_eq!(full.0.play().owed(Team::First), 0);
+    assert_eq!(full.0.play().owed[Team::First], 0);
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn friendly_the_queen_may_be_taken_first_and_must_be_covered() {
     assert!(table.0.play().queen_to_cover());
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "house", &[], true);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::First));
 
     let mut missed = friendly(9, 9, Queen::ToCover);
     let rulings = missed.pocket(&[]);

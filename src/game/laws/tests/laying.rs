@@ -161,7 +161,7 @@ pub(super) fn expect(
     assert_eq!(cited(rulings)[0], law, "{}", rulings[0].text);
     assert_eq!(put_back(rulings), back);
     assert_eq!(table.turn_continues(), turn_continues);
-    assert_eq!(table.0.play().won(), None);
+    assert_eq!(table.0.play().won, None);
 }
 
 /// Asserts the law that decided the board, who won it and by how much.

@@ -22,7 +22,7 @@ fn law_65_an_own_coin_in_the_next_stroke_covers_her() {
     let mut table = table(8, 9, Queen::ToCover);
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "65", &[], true);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::First));
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn law_68b_with_the_striker_another_due_is_added() {
     let mut table = table(9, 9, Queen::OnBoard).white_owes(1);
     let rulings = table.pocket(&[QUEEN, Striker]);
     expect(&table, &rulings, "68b", &[QUEEN], false);
-    assert_eq!(table.0.play().owed(Team::First), 2);
+    assert_eq!(table.0.play().owed[Team::First], 2);
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn law_68b_own_coins_that_fell_with_queen_and_striker_come_back_and_pay_nothing(
     let mut table = table(9, 9, Queen::OnBoard).white_owes(1);
     let rulings = table.pocket(&[QUEEN, White, Striker]);
     expect(&table, &rulings, "68b", &[QUEEN, White], false);
-    assert_eq!(table.0.play().owed(Team::First), 2);
+    assert_eq!(table.0.play().owed[Team::First], 2);
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn law_68d_queen_and_striker_with_all_nine_on_the_board_cost_the_turn() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN, Striker]);
     expect(&table, &rulings, "68d", &[QUEEN], false);
-    assert_eq!(table.0.play().owed(Team::First), 1);
+    assert_eq!(table.0.play().owed[Team::First], 1);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn law_70a_an_own_coin_in_the_same_stroke_covers_her() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN]);
     expect(&table, &rulings, "70a", &[], true);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::First));
     assert_eq!(
         rulings[0].effects[0],
         RulingEffect::QueenCovered(Colour::White)
@@ -124,7 +124,7 @@ fn law_70b_queen_with_two_coins_of_nine_is_covered() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN, White]);
     expect(&table, &rulings, "70b", &[], true);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::First));
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn law_74a_covered_by_that_stroke_she_stays() {
     let mut table = table(1, 5, Queen::ToCover);
     table.pocket(&[White, Striker]);
     table.pocket(&[White]);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::First));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::First));
 }
 
 #[test]
@@ -189,5 +189,5 @@ fn once_covered_the_queen_is_out_of_the_play() {
     let mut table = table(5, 5, Queen::Black);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "45a", &[White], false);
-    assert_eq!(table.0.play().queen_covered_by(), Some(Team::Second));
+    assert_eq!(table.0.play().queen_covered_by, Some(Team::Second));
 }

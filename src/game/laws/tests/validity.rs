@@ -14,19 +14,19 @@ pub(super) fn flaw(game: &Game) -> Option<&'static str> {
     if check_coins(game.coins(), setup.set).is_err() {
         return Some("coins cannot lie like this");
     }
-    if !(setup.hands.plays(play.seat()) && setup.hands.plays(setup.first_breaker)) {
+    if !(setup.hands.plays(play.seat) && setup.hands.plays(setup.first_breaker)) {
         return Some("nobody sits where the turn is");
     }
-    if play.queen_on_board() && play.queen_covered_by().is_some() {
+    if play.queen_on_board() && play.queen_covered_by.is_some() {
         return Some("the queen cannot be covered while she lies on the board");
     }
     for team in Team::BOTH {
         let colour = game.colour(team);
-        if play.owed(team) > 0 && play.in_pockets(colour) > 0 {
+        if play.owed[team] > 0 && play.in_pockets(colour) > 0 {
             return Some("a coin is owed although there is one to pay with");
         }
         let cleared = play.on_board(colour) == 0;
-        if cleared && play.won().is_none() && setup.rules != Rules::Practice {
+        if cleared && play.won.is_none() && setup.rules != Rules::Practice {
             return Some("a colour has no coins left, yet the board has not ended");
         }
     }

@@ -73,7 +73,7 @@ fn play_out(setup: GameSetup, luck: f64, seed: u64) -> (Game, Vec<Ruling>) {
             setup.rules != Rules::Tournament
         );
         announced.extend(rulings);
-        if let Some(won) = game.play().won() {
+        if let Some(won) = game.play().won {
             assert!(won.points <= MOST_POINTS);
             match game.stage() {
                 GameStage::BoardOver(_) if setup.rules == Rules::Tournament => {
@@ -162,10 +162,10 @@ fn boards_played_on_the_engine_stay_valid_and_end() {
             };
             assert!(!rulings.is_empty());
             assert_eq!(flaw(&game), None);
-            if game.play().won().is_some() {
+            if game.play().won.is_some() {
                 break;
             }
         }
-        assert!(game.play().won().is_some(), "seed {seed}");
+        assert!(game.play().won.is_some(), "seed {seed}");
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     }
     let score = game.score();
     if game.setup().rules == Rules::Tournament {
-        if let Some(won) = game.play().won() {
+        if let Some(won) = game.play().won {
             lines.fact("this board", &format!("+{}", won.points));
         }
         for team in Team::BOTH {

@@ -21,7 +21,7 @@ pub(super) fn pieces(active: &ActiveGame, lines: &mut Lines) {
         };
         lines.pair(&left, whose, Role::Text, role);
     }
-    let queen = match game.play().queen_covered_by() {
+    let queen = match game.play().queen_covered_by {
         Some(team) => format!("with {}", active.options.team_name(team)),
         None if game.play().queen_on_board() => "on the board".into(),
         None => "to be covered".into(),
@@ -34,7 +34,7 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     pieces(active, lines);
     let game = active.game();
     for team in Team::BOTH {
-        let owed = game.play().owed(team);
+        let owed = game.play().owed[team];
         if owed > 0 {
             let owes = words::does(active.options.team_name(team), "owes");
             lines.line(&format!("{owes} {owed}"), Role::Warn);
