@@ -44,6 +44,8 @@ pub(crate) mod tracks;
 pub use answer::{AnswerAction, AnswerInput, draw_question, question_picture};
 pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use panels::SplitLayout;
-pub use text::{Charset, Lines, Look, Scroll, Spare, bar, cells, formula, keys, overflow};
+pub use text::{
+    Charset, Lines, Look, Scroll, Spare, bar, cells, formula, keys, overflow, scroll_keys,
+};
 pub(crate) use text::{big, flow, signs};
 pub use theme::{Depth, Palette, Role, Theme};

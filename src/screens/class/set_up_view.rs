@@ -100,7 +100,7 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
 }
 
 fn line(words: &str, chosen: bool, lines: &mut Lines) {
-    let (mark, role) = ListView::mark(chosen);
+    let (mark, role) = Role::Text.of_choice(chosen);
     lines.line(&format!("{mark} {words} "), role);
 }
 

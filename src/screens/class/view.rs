@@ -110,7 +110,7 @@ pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
     if let Some(question) = play.question()
         && let Some((place, write)) = text(play, question, rest(play, area, look), look)
     {
-        scroll.by(rows, place, *look, write);
+        scroll = scroll.by(rows, place, *look, write);
     }
     play.scroll = scroll;
 }

@@ -99,7 +99,7 @@ pub(super) fn draw_teams(
         }
     }
     let last = round.teams().len();
-    let (mark, role) = ListView::mark(at == last);
+    let (mark, role) = Role::Text.of_choice(at == last);
     let missing = last - round.said(play.number(), Vote::Second).count();
     let note = match missing {
         0 => String::new(),

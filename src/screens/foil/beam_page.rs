@@ -110,11 +110,7 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, lines: &mut Lin
     lines.line(&thrown_at, Role::Dim);
     lines.line("", Role::Text);
     for (i, choice) in guess::CHOICES.iter().enumerate() {
-        let (mark, role) = if said.said() == Some(Response::Choice(i)) {
-            (">", Role::Selected)
-        } else {
-            (" ", Role::Text)
-        };
+        let (mark, role) = Role::Text.of_choice(said.said() == Some(Response::Choice(i)));
         lines.line(&format!("{mark} {} {} ", letter(i), choice.name), role);
     }
     lines.gap();

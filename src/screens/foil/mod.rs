@@ -21,7 +21,7 @@ use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
 use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
-use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll, svg};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll, scroll_keys, svg};
 
 pub(crate) use field::FoilField;
 pub(crate) use plot::{FoilFigure, FoilFigureAction};
@@ -56,9 +56,6 @@ impl FoilPage {
         }
     }
 }
-
-/// Rows that a page of the panel is turned by.
-const PAGE: i16 = 8;
 
 /// What keys do at the foil.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
@@ -239,11 +236,9 @@ impl FoilScreen {
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let area = view::FoilLayout::new(cx.body).beside.panel;
-        let mut scroll = self.scroll;
-        scroll.by(rows, area, cx.settings.look(), |lines| {
+        self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
             view::write_panel(self, lines, cx);
         });
-        self.scroll = scroll;
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
@@ -358,7 +353,7 @@ impl Screen for FoilScreen {
         use FoilAction::{Back, Export, LeaveGuess, OtherPlot, Predict, Reset, Scale, Scroll};
         use FoilAction::{Stop, Throw, TurnPage, WholeBeam};
         let key = Key::Char;
-        let scroll = [(Key::PageUp, Scroll(-PAGE)), (Key::PageDown, Scroll(PAGE))];
+        let scroll = scroll_keys(Scroll);
         let table = KeyTable::new("foil");
         if self.is_running() {
             return table

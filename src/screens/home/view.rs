@@ -59,11 +59,7 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
     let rows = rows_of_a_choice(menu);
     for (i, choice) in ENTRIES.iter().enumerate() {
         let chosen = i == home.list.chosen(ENTRIES.len());
-        let (mark, role) = if chosen {
-            (">", Role::Selected)
-        } else {
-            (" ", Role::Text)
-        };
+        let (mark, role) = Role::Text.of_choice(chosen);
         lines.line(&format!("{mark} {}  {} ", choice.key, choice.name), role);
         if rows > 1 {
             lines.line(&format!("     {}", choice.about), Role::Dim);

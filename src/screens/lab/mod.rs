@@ -19,7 +19,7 @@ use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at, side};
 use crate::widgets::input::{
     EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
 };
-use crate::widgets::{Outcome, RayInput, Scroll, SplitLayout};
+use crate::widgets::{Outcome, RayInput, Scroll, SplitLayout, scroll_keys};
 
 use field::LabSettings;
 use mystery::Mystery;
@@ -27,9 +27,6 @@ use mystery::Mystery;
 pub(super) use explain::explain;
 pub(crate) use field::LabField;
 pub(crate) use setup::{PIECE_SETS, Setup};
-
-/// Rows that a page of the explanation is turned by.
-const PAGE: i16 = 8;
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
@@ -129,11 +126,9 @@ impl Lab {
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         if let LabPhase::Watch(watch) = &self.phase {
             let area = SplitLayout::new(cx.body).panel;
-            let mut scroll = self.scroll;
-            scroll.by(rows, area, cx.settings.look(), |lines| {
+            self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
                 panel::write_shot(self, watch, lines);
             });
-            self.scroll = scroll;
         }
     }
 
@@ -245,10 +240,7 @@ impl Screen for Lab {
                     .with(watching, LabAction::Watch)
                     .on(Key::Escape, SetUp, "set up")
                     .or([(Key::Enter, SetUp), (key('n'), SetUp)])
-                    .each(
-                        [(Key::PageUp, Scroll(-PAGE)), (Key::PageDown, Scroll(PAGE))],
-                        "",
-                    )
+                    .each(scroll_keys(Scroll), "")
                     .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
             }
         }

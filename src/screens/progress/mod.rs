@@ -19,7 +19,7 @@ use super::{Context, Next, Place, Screen};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Role, Scroll, SplitLayout};
+use crate::widgets::{Lines, Role, Scroll, SplitLayout, scroll_keys};
 use page::ProgressPage;
 
 /// What keys do on the progress screen.
@@ -38,8 +38,6 @@ pub enum ProgressAction {
     Back,
 }
 
-/// Rows that a page is turned by.
-const LEAF: i16 = 8;
 /// Columns from which on the panel need not be narrow.
 const NARROW: u16 = 80;
 /// Columns of the panel on a narrow screen, where the tables need the room.
@@ -87,8 +85,8 @@ impl Progress {
         let mut scroll = self.scroll;
         let table = |lines: &mut Lines| self.table(&cx.book, lines);
         let panel = |lines: &mut Lines| self.panel(&cx.book, lines);
-        scroll.picture.by(rows, layout.picture, look, table);
-        scroll.panel.by(rows, layout.panel, look, panel);
+        scroll.picture = scroll.picture.by(rows, layout.picture, look, table);
+        scroll.panel = scroll.panel.by(rows, layout.panel, look, panel);
         self.scroll = scroll;
     }
 
@@ -211,7 +209,7 @@ impl Screen for Progress {
             )
             .when(some)
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
-            .or([(Key::PageUp, Scroll(-LEAF)), (Key::PageDown, Scroll(LEAF))])
+            .or(scroll_keys(Scroll))
             .when(some)
             .on(Key::Enter, Quiz, "quiz")
             .on(Key::Escape, Back, "back")

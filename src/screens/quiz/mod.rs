@@ -26,13 +26,10 @@ use crate::quiz::{
 };
 use crate::widgets::hit::{Overlays, Telling, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
-use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll, scroll_keys};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
-
-/// Rows that a page of text goes by.
-const PAGE: i16 = 8;
 
 /// What keys do in a round of the quiz.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -214,7 +211,7 @@ impl Quiz {
             (Outcome::Done(at), _) => self.open(at, cx),
             (_, ListAction::Choose(by)) if at == before => self.scroll_by(by as i16, cx),
             (_, ListAction::Page(by) | ListAction::End(by)) if at == before => {
-                self.scroll_by(PAGE * by as i16, cx);
+                self.scroll_by(Scroll::PAGE * by as i16, cx);
             }
             _ => self.show_line(at, cx),
         }
@@ -225,9 +222,9 @@ impl Quiz {
         let look = cx.settings.look();
         let text = view::text_area(self, cx.body);
         let row = view::first_line(self, text, look).saturating_add(at as u16);
-        let mut scroll = self.scroll;
-        scroll.show(row, text, look, |lines| view::write(self, lines, look));
-        self.scroll = scroll;
+        self.scroll = self
+            .scroll
+            .show(row, text, look, |lines| view::write(self, lines, look));
     }
 
     /// Plays another round of the same kind. What is due is another matter after every
@@ -341,9 +338,9 @@ impl Quiz {
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
         let area = view::text_area(self, cx.body);
-        let mut scroll = self.scroll;
-        scroll.by(rows, area, look, |lines| view::write(self, lines, look));
-        self.scroll = scroll;
+        self.scroll = self
+            .scroll
+            .by(rows, area, look, |lines| view::write(self, lines, look));
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
@@ -488,7 +485,7 @@ impl Screen for Quiz {
         };
         let keys = KeyTable::new("quiz");
         let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
-        let pages = [(Key::PageUp, Scroll(-PAGE)), (Key::PageDown, Scroll(PAGE))];
+        let pages = scroll_keys(Scroll);
         match &self.phase {
             QuizPhase::Asked(asked) => {
                 let input = asked.input.keys();

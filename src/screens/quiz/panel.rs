@@ -76,11 +76,7 @@ pub(super) fn confidence(
     let head = |text| (text, Role::Dim);
     lines.columns(head("points if"), ["wrong", "right"].map(head));
     for (number, confidence) in (1..).zip(Confidence::ALL) {
-        let (mark, role) = if confidence == chosen {
-            (">", Role::Selected)
-        } else {
-            (" ", Role::Text)
-        };
+        let (mark, role) = Role::Text.of_choice(confidence == chosen);
         let name = format!("{mark} {number} {}", confidence.name());
         let points = [0.0, 1.0].map(|credit| format!("{:.0}", confidence.points(credit)));
         lines.columns(

@@ -179,11 +179,7 @@ impl AnswerInput {
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
                 let apart = Self::choice_gap(options, lines, lines.left());
                 for (i, option) in options.iter().enumerate() {
-                    let (mark, role) = if Some(i) == *chosen {
-                        (">", Role::Selected)
-                    } else {
-                        (" ", Role::Text)
-                    };
+                    let (mark, role) = Role::Text.of_choice(Some(i) == *chosen);
                     if i > 0 && apart > 0 {
                         lines.gap();
                     }

@@ -5,7 +5,6 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{KeyTable, Outcome};
 use crate::messages::{Key, Mouse, MouseKind};
-use crate::widgets::Role;
 
 /// Lines that a page key goes by.
 const PAGE: isize = 10;
@@ -95,14 +94,6 @@ impl ListView {
     pub fn row_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
         let inside = area.contains(cell.into());
         inside.then(|| usize::from(cell.1 - area.y))
-    }
-
-    /// The mark before a line, and the role of its words.
-    pub const fn mark(chosen: bool) -> (&'static str, Role) {
-        match chosen {
-            true => (">", Role::Selected),
-            false => (" ", Role::Text),
-        }
     }
 
     /// The first of so many rows that is shown in a place of this height: `row`, where

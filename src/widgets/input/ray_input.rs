@@ -192,11 +192,7 @@ impl RayInput {
     pub fn write(&self, lines: &mut Lines, target: &str) {
         let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
         for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
-            let (mark, role) = if ray == self.turning {
-                (">", Role::Selected)
-            } else {
-                (" ", Role::Text)
-            };
+            let (mark, role) = Role::Text.of_choice(ray == self.turning);
             lines.pair(&format!("{mark} {name}"), &self.shown(ray), role, role);
         }
     }

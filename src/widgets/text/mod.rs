@@ -16,5 +16,5 @@ mod wrap;
 pub use charset::Charset;
 pub use lines::{Lines, Spare};
 pub use look::Look;
-pub use scroll::{Scroll, overflow};
+pub use scroll::{Scroll, overflow, scroll_keys};
 pub use wrap::{ago, belong_together, clipped, equation, held, width, wrap};

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::messages::Key;
 use crate::widgets::{Lines, Look, Role, text};
 
 /// How far a text has been scrolled.
@@ -15,18 +16,25 @@ pub struct Scroll {
 }
 
 impl Scroll {
-    /// Scrolls down by `rows` (up if negative), no further than to the last row of
-    /// what `write` writes into `area`.
-    pub fn by(&mut self, rows: i16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) {
+    /// Rows that the keys for a page go.
+    pub const PAGE: i16 = 8;
+
+    /// The same scrolled down by `rows` (up if negative), no further than to the last row
+    /// of what `write` writes into `area`.
+    #[must_use]
+    pub fn by(self, rows: i16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> Self {
         let most = overflow(area, look, write);
-        self.rows = self.rows.min(most).saturating_add_signed(rows).min(most);
+        let rows = self.rows.min(most).saturating_add_signed(rows).min(most);
+        Self { rows }
     }
 
-    /// Scrolls no further than it takes to show the row of this number, from 0.
-    pub fn show(&mut self, row: u16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) {
+    /// The same scrolled no further than it takes to show the row of this number, from 0.
+    #[must_use]
+    pub fn show(self, row: u16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> Self {
         let most = overflow(area, look, write);
         let least = (row + 1).saturating_sub(area.height);
-        self.rows = self.rows.max(least).min(row).min(most);
+        let rows = self.rows.max(least).min(row).min(most);
+        Self { rows }
     }
 
     /// Rows that are scrolled away above what is shown.
@@ -56,6 +64,15 @@ impl Scroll {
             buf.set_stringn(column, area.bottom(), hint, room, style);
         }
     }
+}
+
+/// The keys that turn the pages of a text, with what a screen calls scrolling by so many
+/// rows.
+pub fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
+    [
+        (Key::PageUp, action(-Scroll::PAGE)),
+        (Key::PageDown, action(Scroll::PAGE)),
+    ]
 }
 
 /// Rows of what `write` writes that `area` has no room for.
@@ -98,13 +115,13 @@ mod tests {
         let top = drawn(scroll);
         assert!(top.contains("row 1") && top.contains("row 4") && !top.contains("row 5"));
         assert!(top.contains("PageDown: more"));
-        scroll.by(100, AREA, LOOK, write);
+        scroll = scroll.by(100, AREA, LOOK, write);
         let bottom = drawn(scroll);
         assert!(bottom.contains("row 3") && bottom.contains("row 6") && !bottom.contains("row 2"));
         assert!(bottom.contains("PageUp: back"));
-        scroll.by(-1, AREA, LOOK, write);
+        scroll = scroll.by(-1, AREA, LOOK, write);
         assert!(drawn(scroll).contains("row 2"));
-        scroll.by(-100, AREA, LOOK, write);
+        scroll = scroll.by(-100, AREA, LOOK, write);
         assert_eq!(drawn(scroll), top);
     }
 
@@ -121,7 +138,7 @@ mod tests {
             (1, 1),
             (0, 0),
         ] {
-            scroll.show(row, AREA, LOOK, write);
+            scroll = scroll.show(row, AREA, LOOK, write);
             assert_eq!(scroll.rows(AREA, LOOK, write), first, "{row}");
         }
     }
@@ -129,8 +146,7 @@ mod tests {
     #[test]
     fn a_text_that_fits_is_not_scrolled() {
         let one = |lines: &mut Lines| lines.line("row 1", Role::Text);
-        let mut scroll = Scroll::default();
-        scroll.by(3, AREA, LOOK, one);
-        assert_eq!(scroll, Scroll::default());
+        let scroll = Scroll::default();
+        assert_eq!(scroll.by(3, AREA, LOOK, one), Scroll::default());
     }
 }

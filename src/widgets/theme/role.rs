@@ -77,6 +77,15 @@ impl Role {
     /// Every role.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
+    /// The mark before one of several rows and its role, which is this one unless the row
+    /// is `chosen`.
+    pub const fn of_choice(self, chosen: bool) -> (&'static str, Self) {
+        match chosen {
+            true => (">", Self::Selected),
+            false => (" ", self),
+        }
+    }
+
     /// Its colours: on dark and on light, then the same among the sixteen named ones.
     const fn colours(self) -> (u32, u32, Color, Color) {
         match self {

@@ -37,11 +37,7 @@ pub(super) fn draw(
     if let Some(chosen) = chosen {
         let setup = shown.setup();
         for (i, field) in FIELDS.into_iter().enumerate() {
-            let (mark, role) = if i == chosen {
-                (">", Role::Selected)
-            } else {
-                (" ", Role::Dim)
-            };
+            let (mark, role) = Role::Dim.of_choice(i == chosen);
             let field = field.field(&setup);
             let name = format!("{mark} {}", field.name);
             let value = if i == chosen {

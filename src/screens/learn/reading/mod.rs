@@ -297,22 +297,20 @@ impl Reading {
     /// Scrolls the text; says whether there was more of it.
     fn scroll_by(&mut self, rows: i16, cx: &Context) -> bool {
         let area = view::layout(self, cx.body).panel;
-        let mut scroll = self.scroll;
-        scroll.by(rows, area, cx.settings.look(), |lines| {
+        let before = self.scroll;
+        self.scroll = before.by(rows, area, cx.settings.look(), |lines| {
             panel::write(self, lines);
         });
-        let moved = scroll != self.scroll;
-        self.scroll = scroll;
-        moved
+        self.scroll != before
     }
 
     /// Scrolls the answer in the making into sight.
     fn show_answer(&mut self, cx: &Context) {
         let (area, look) = (view::layout(self, cx.body).panel, cx.settings.look());
         if let Some(row) = panel::row_of_answer(self, area, look) {
-            let mut scroll = self.scroll;
-            scroll.show(row, area, look, |lines| panel::write(self, lines));
-            self.scroll = scroll;
+            self.scroll = self
+                .scroll
+                .show(row, area, look, |lines| panel::write(self, lines));
         }
     }
 
@@ -470,7 +468,7 @@ impl Screen for Reading {
             ReadingAction::Next => return self.on(cx),
             ReadingAction::Back => return self.back(cx),
             ReadingAction::Page(by) => {
-                if !self.scroll_by(8 * by, cx) {
+                if !self.scroll_by(Scroll::PAGE * by, cx) {
                     return if by < 0 { self.back(cx) } else { self.on(cx) };
                 }
             }

@@ -21,15 +21,12 @@ use crate::screens::{Context, Next, Place, Screen};
 use crate::widgets::hit::{point_at, side};
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
 use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
-use crate::widgets::{Lines, Outcome, RayInput, Scroll};
+use crate::widgets::{Lines, Outcome, RayInput, Scroll, scroll_keys};
 
 use dials::Dials;
 use made_shot::MadeShot;
 
 pub(super) use dials::name as dial_name;
-
-/// Rows that a page of the panel is turned by.
-const PAGE: i16 = 8;
 
 /// The keys that turn them.
 const PAGE_KEYS: [Key; 2] = [Key::PageUp, Key::PageDown];
@@ -239,11 +236,10 @@ impl LevelPlay {
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let mut scroll = self.scroll;
         let area = view::layout(self, cx.body).panel;
         let look = cx.settings.look();
-        scroll.by(rows, area, look, |lines| panel::write(self, lines, cx));
-        self.scroll = scroll;
+        let write = |lines: &mut Lines| panel::write(self, lines, cx);
+        self.scroll = self.scroll.by(rows, area, look, write);
     }
 
     fn say(&mut self, action: RayAction, cx: &mut Context) {
@@ -344,10 +340,7 @@ impl Screen for LevelPlay {
 
     fn keys(&self, cx: &Context) -> KeyTable<LevelAction> {
         use LevelAction::{AimAgain, Back, Go, Hint, NextLevel, Predict, Reset};
-        let scroll = [
-            (Key::PageUp, LevelAction::Scroll(-PAGE)),
-            (Key::PageDown, LevelAction::Scroll(PAGE)),
-        ];
+        let scroll = scroll_keys(LevelAction::Scroll);
         let table = KeyTable::new("level");
         let table = match &self.phase {
             LevelPhase::Aim => {

@@ -79,11 +79,7 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
 
 /// A line that can be chosen, with what is said of it on the right.
 fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
-    let (mark, role) = if chosen {
-        (">", Role::Selected)
-    } else {
-        (" ", role)
-    };
+    let (mark, role) = role.of_choice(chosen);
     let value_role = if chosen { role } else { Role::Dim };
     let name = format!("{mark} {name}");
     let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);

@@ -280,11 +280,9 @@ impl ActiveGame {
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let area = view::layout(self, cx.body).panel;
-        let mut scroll = self.scroll;
-        scroll.by(rows, area, cx.settings.look(), |lines| {
+        self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
             panel::write(self, lines);
         });
-        self.scroll = scroll;
     }
 
     /// Lets time pass on the screen.
