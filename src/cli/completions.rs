@@ -1,7 +1,5 @@
 //! `carrom completions`: what a shell needs to complete carrom's arguments.
 
-use std::process::ExitCode;
-
 use clap::Command;
 use clap_complete::Shell;
 
@@ -16,9 +14,8 @@ pub(super) struct Args {
     shell: Shell,
 }
 
-pub(super) fn run(args: &Args, mut command: Command) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, mut command: Command) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, "carrom", &mut script);
-    super::print(&script)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(super::print(&script)?)
 }

@@ -2,21 +2,14 @@
 
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use super::{Failure, GlobalOptions, given};
 use crate::quiz::concepts::{Library, check};
 
 /// Check written questions: every field, every figure, and that no right choice gives
 /// itself away
-#[derive(Debug, clap::Args)]
-pub(super) struct Args {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Debug, clap::Subcommand)]
-enum Command {
+pub(super) enum Command {
     /// Check written questions: that every field and every misconception is known, that every
     /// figure is what the engine computes, and that no right choice gives itself away by its
     /// length, its place or a word
@@ -29,8 +22,8 @@ enum Command {
     },
 }
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let Command::Check { paths } = &args.command;
+pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Failure> {
+    let Command::Check { paths } = command;
     let library = given::library(
         paths,
         Library::embedded,

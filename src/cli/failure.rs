@@ -1,5 +1,7 @@
 //! How a command fails.
 
+use std::fmt::{Debug, Display};
+
 use anyhow::Error;
 
 /// Why a command did not do its work, and what that means for the exit status.
@@ -12,6 +14,11 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// The arguments or the input cannot be used, for this reason.
+    pub(super) fn input(reason: impl Display + Debug + Send + Sync + 'static) -> Self {
+        Self::Input(Error::msg(reason))
+    }
+
     /// The exit status.
     pub fn status(&self) -> u8 {
         match self {

@@ -1,9 +1,6 @@
 //! `carrom figure`: a figure of the lessons as a picture, without a terminal.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
-
-use anyhow::anyhow;
 
 use super::options::Auto;
 use super::{Failure, GlobalOptions, print, written};
@@ -41,7 +38,7 @@ const AUTO: Auto = Auto {
     depth: Depth::True,
 };
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let settings = options.settings(AUTO);
     let palette = if args.light {
         Palette::Light
@@ -53,11 +50,11 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
         theme: Theme::new(palette, settings.depth),
     };
     let words = shlex::try_join(args.words.iter().map(String::as_str));
-    let words = words.map_err(|error| Failure::Input(anyhow!(error)))?;
-    let picture = draw_figure(&words, &look).map_err(|error| Failure::Input(anyhow!(error)))?;
+    let words = words.map_err(Failure::input)?;
+    let picture = draw_figure(&words, &look).map_err(Failure::input)?;
     match &args.svg {
         Some(path) => written::write_beside(path, &[(path.clone(), picture)], args.force)?,
         None => print(picture.as_bytes())?,
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }

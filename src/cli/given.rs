@@ -1,24 +1,29 @@
 //! Files and folders given on the command line.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-
-use anyhow::anyhow;
 
 use super::{Failure, GlobalOptions, print_text};
-use crate::files::{self, FileError};
+use crate::files::{self, FileError, FileErrors};
 
-/// The name of a file for messages, and its bytes, up to one more than the `most` that
-/// may be read; `-` is standard input.
-///
-/// # Errors
-/// If it cannot be read.
-pub(super) fn bytes(path: &Path, most: usize) -> Result<(String, Vec<u8>), FileError> {
-    if path.as_os_str() == "-" {
-        let name = "standard input";
-        return Ok((name.into(), files::read_stdin(name, most)?));
-    }
-    Ok((path.display().to_string(), files::read(path, most)?))
+/// What `read` makes of a file's name for messages and its bytes, up to one more than the
+/// `most` that may be read; `-` is standard input.
+pub(super) fn read<T>(
+    path: &Path,
+    most: usize,
+    read: fn(&str, &[u8]) -> Result<T, FileErrors>,
+) -> Result<T, Failure> {
+    let is_stdin = path.as_os_str() == "-";
+    let name = if is_stdin {
+        "standard input".into()
+    } else {
+        path.display().to_string()
+    };
+    let bytes = if is_stdin {
+        files::read_stdin(&name, most)
+    } else {
+        files::read(path, most)
+    };
+    read(&name, &bytes.map_err(Failure::input)?).map_err(Failure::input)
 }
 
 /// What is in these files and folders, or without any what is in the program.
@@ -46,14 +51,14 @@ pub(super) fn conclude(
     errors: &[FileError],
     (found, what): (usize, &str),
     options: &GlobalOptions,
-) -> Result<ExitCode, Failure> {
+) -> Result<(), Failure> {
     print_text(report, options)?;
     if !errors.is_empty() {
         let messages: Vec<_> = errors.iter().map(ToString::to_string).collect();
-        return Err(Failure::Input(anyhow!("{}", messages.join("\n"))));
+        return Err(Failure::input(messages.join("\n")));
     }
     match found {
-        0 => Err(Failure::Input(anyhow!("no {what} found"))),
-        _ => Ok(ExitCode::SUCCESS),
+        0 => Err(Failure::input(format!("no {what} found"))),
+        _ => Ok(()),
     }
 }

@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 use std::path::Path;
-use std::process::ExitCode;
 
 use super::{Failure, GlobalOptions};
 use crate::files::{self, Fields, FileErrors, Source};
@@ -17,7 +16,7 @@ const FORMAT: u32 = 1;
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
 
-pub(super) fn run(options: &GlobalOptions) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &GlobalOptions) -> Result<(), Failure> {
     let place = options.data_dir().map(|folder| folder.join(FILE));
     let place = place.map_or(FILE.into(), |place| place.display().to_string());
     let mut text = format!(
@@ -35,8 +34,7 @@ pub(super) fn run(options: &GlobalOptions) -> Result<ExitCode, Failure> {
             .collect();
         let _ = writeln!(text, "\"{id}\" = [{}]  # {help}", keys.join(", "));
     }
-    super::print(text.as_bytes())?;
-    Ok(ExitCode::SUCCESS)
+    Ok(super::print(text.as_bytes())?)
 }
 
 fn quoted(text: &str) -> String {

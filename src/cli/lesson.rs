@@ -2,20 +2,13 @@
 
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use super::{Failure, GlobalOptions, given};
 use crate::lessons::ChapterLibrary;
 
 /// Check chapters: every directive, every number, every page
-#[derive(Debug, clap::Args)]
-pub(super) struct Args {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Debug, clap::Subcommand)]
-enum Command {
+pub(super) enum Command {
     /// Check chapters: that every directive is known, that every number in the text is what
     /// the engine computes, and that every page fits an 80x24 screen in both charsets
     ///
@@ -27,8 +20,8 @@ enum Command {
     },
 }
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let Command::Check { paths } = &args.command;
+pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Failure> {
+    let Command::Check { paths } = command;
     let library = given::library(
         paths,
         ChapterLibrary::embedded,

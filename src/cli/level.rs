@@ -2,7 +2,6 @@
 
 use std::fmt::{self, Write};
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use anyhow::anyhow;
 
@@ -13,14 +12,8 @@ use crate::levels::{Finding, Level, LevelLibrary, Trial, winning_share};
 const TRIES: u32 = 4000;
 
 /// Check level files and prove that their levels can be won
-#[derive(Debug, clap::Args)]
-pub(super) struct Args {
-    #[command(subcommand)]
-    command: Command,
-}
-
 #[derive(Debug, clap::Subcommand)]
-enum Command {
+pub(super) enum Command {
     /// Play the stored solution of each level to prove that it can be won
     ///
     /// One line a level says what came about. Exit status: 0 all can be won, 1 one
@@ -36,8 +29,8 @@ enum Command {
     },
 }
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let Command::Check { paths, verbose } = &args.command;
+pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Failure> {
+    let Command::Check { paths, verbose } = command;
     let library = given::library(
         paths,
         LevelLibrary::embedded,
@@ -53,9 +46,9 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
         }
     }
     let packs = (library.packs.len(), "levels");
-    let checked = given::conclude(&report, &library.problems, packs, options)?;
+    given::conclude(&report, &library.problems, packs, options)?;
     match lost {
-        0 => Ok(checked),
+        0 => Ok(()),
         1 => Err(Failure::Work(anyhow!("1 level is not won by its solution"))),
         n => Err(Failure::Work(anyhow!(
             "{n} levels are not won by their solutions"

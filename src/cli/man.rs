@@ -1,14 +1,11 @@
 //! `carrom man`: the manual page.
 
-use std::process::ExitCode;
-
 use clap::Command;
 
 use super::Failure;
 
-pub(super) fn run(command: Command) -> Result<ExitCode, Failure> {
+pub(super) fn run(command: Command) -> Result<(), Failure> {
     let mut page = Vec::new();
     clap_mangen::Man::new(command).render(&mut page)?;
-    super::print(&page)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(super::print(&page)?)
 }

@@ -27,8 +27,8 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use anyhow::anyhow;
 use clap::{CommandFactory, Parser, Subcommand};
+use serde::Serialize;
 
 pub use failure::Failure;
 pub use options::GlobalOptions;
@@ -90,9 +90,12 @@ enum Command {
     Solve(solve::Args),
     Simulate(simulate::Args),
     Replay(replay::Args),
-    Level(level::Args),
-    Lesson(lesson::Args),
-    Concept(concept::Args),
+    #[command(subcommand)]
+    Level(level::Command),
+    #[command(subcommand)]
+    Lesson(lesson::Command),
+    #[command(subcommand)]
+    Concept(concept::Command),
     Figure(figure::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
@@ -307,14 +310,15 @@ impl Cli {
     /// # Errors
     /// What was expected.
     fn check(&self) -> Result<(), String> {
-        let code = match &self.command {
+        let has_code = match &self.command {
             Some(Command::Open(
                 OpenCommand::Quiz { code, .. } | OpenCommand::Class { code, .. },
-            )) => code,
-            _ => &None,
+            )) => code.is_some(),
+            Some(Command::Worksheet(args)) => args.code.is_some(),
+            _ => false,
         };
-        match (code, self.options.seed) {
-            (Some(_), Some(_)) => {
+        match self.options.seed {
+            Some(_) if has_code => {
                 Err("expected --seed or --code, not both: a code has its seed in it".into())
             }
             _ => Ok(()),
@@ -340,10 +344,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             });
         }
     };
-    cli.check()
-        .map_err(|error| Failure::Input(anyhow!(error)))?;
-    match &cli.command {
-        None => play::run(&cli.options, None),
+    cli.check().map_err(Failure::input)?;
+    let done = match &cli.command {
+        None => return play::run(&cli.options, None),
         Some(Command::Open(OpenCommand::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
@@ -354,20 +357,22 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
             chapter,
             plain: true,
         })) => plain::learn(chapter.as_deref(), &cli.options),
-        Some(Command::Open(screen)) => play::run(&cli.options, Some(screen)),
-        Some(Command::Solve(args)) => solve::run(args, &cli.options),
+        Some(Command::Open(screen)) => return play::run(&cli.options, Some(screen)),
+        Some(Command::Solve(args)) if args.plain => plain::solve(args),
+        Some(Command::Solve(args)) => return solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
-        Some(Command::Level(args)) => level::run(args, &cli.options),
-        Some(Command::Lesson(args)) => lesson::run(args, &cli.options),
-        Some(Command::Concept(args)) => concept::run(args, &cli.options),
+        Some(Command::Level(command)) => level::run(command, &cli.options),
+        Some(Command::Lesson(command)) => lesson::run(command, &cli.options),
+        Some(Command::Concept(command)) => concept::run(command, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::Keys) => keys::run(&cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),
-    }
+    };
+    done.map(|()| ExitCode::SUCCESS)
 }
 
 /// Says what is wrong with the arguments, or the help that was asked for. It is coloured
@@ -427,6 +432,28 @@ fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
         text.push('\n');
     }
     print(text.as_bytes())
+}
+
+/// Writes one JSON object on a line of its own.
+fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, object)?;
+    out.write_all(b"\n")
+}
+
+/// Prints a report, or with --json one JSON object on a line of its own.
+fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -> io::Result<()> {
+    let mut report = Vec::new();
+    match json {
+        Some(object) => write_json(&mut report, object)?,
+        None => report = words().into_bytes(),
+    }
+    print(&report)
+}
+
+/// Prints the names of files that were written, one a line.
+fn print_names<'a>(paths: impl Iterator<Item = &'a Path>) -> io::Result<()> {
+    let names: String = paths.map(|path| format!("{}\n", path.display())).collect();
+    print(names.as_bytes())
 }
 
 /// Writes to standard output. A reader who has seen enough (`carrom man | head`) is

@@ -1,36 +1,40 @@
 //! Options that every command takes.
 
-use std::env;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::sync::Arc;
+use std::{env, iter};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use etcetera::BaseStrategy;
+use strum::VariantNames;
 
 use crate::files::tidy_name;
 use crate::game::is_player_name;
-use crate::lessons::Book;
-use crate::levels::Shelf;
+use crate::lessons::{Book, ChapterLibrary};
+use crate::levels::{LevelLibrary, Shelf};
 use crate::quiz::concepts::Library;
 use crate::screens::Settings;
 use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
-use crate::{lessons, levels};
 
 /// Options that every command takes.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Global options")]
 pub struct GlobalOptions {
     /// Glyphs to draw with; auto: unicode in a UTF-8 locale
-    #[arg(long, global = true, value_enum, default_value_t, value_name = "SET")]
-    charset: CharsetChoice,
+    #[arg(long, global = true, value_name = "SET", default_value = "auto",
+          value_parser = choice::<Charset>())]
+    charset: Choice<Charset>,
     /// Colours to draw with; auto: what the terminal shows, and none with NO_COLOR
-    #[arg(long, global = true, value_enum, default_value_t, value_name = "DEPTH")]
-    color: ColorChoice,
+    #[arg(long, global = true, value_name = "DEPTH", default_value = "auto",
+          value_parser = choice::<Depth>())]
+    color: Choice<Depth>,
     /// Dark for a desk, light for a projector in a bright room
-    #[arg(long, global = true, value_enum, value_name = "PALETTE")]
-    palette: Option<PaletteChoice>,
+    #[arg(long, global = true, value_name = "PALETTE", value_parser = palette())]
+    palette: Option<Palette>,
     /// Fix everything that is left to chance, such as the questions of a quiz
     #[arg(long, global = true, value_name = "N", value_parser = seed,
           allow_negative_numbers = true)]
@@ -56,30 +60,22 @@ pub struct GlobalOptions {
     data_dir: Option<PathBuf>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-enum CharsetChoice {
-    #[default]
-    Auto,
-    Ascii,
-    Unicode,
+/// One of the names of something; nothing is said by `auto`.
+type Choice<T> = Option<T>;
+
+/// Reads a [`Choice`].
+fn choice<T: FromStr + VariantNames + Clone + Send + Sync + 'static>()
+-> impl TypedValueParser<Value = Choice<T>> {
+    let names = iter::once("auto").chain(T::VARIANTS.iter().copied());
+    PossibleValuesParser::new(names).map(|name| name.parse().ok())
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-enum ColorChoice {
-    #[default]
-    Auto,
-    None,
-    #[value(name = "16")]
-    Sixteen,
-    #[value(name = "256")]
-    Cube,
-    Truecolor,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum PaletteChoice {
-    Dark,
-    Light,
+/// Reads the name of a palette with colours.
+fn palette() -> impl TypedValueParser<Value = Palette> {
+    PossibleValuesParser::new(["dark", "light"]).map(|name| match name.as_str() {
+        "light" => Palette::Light,
+        _ => Palette::Dark,
+    })
 }
 
 /// What `auto` means for charset and colours.
@@ -101,44 +97,23 @@ impl GlobalOptions {
     /// These options, with the other's where these leave something open.
     pub(super) fn or(self, other: &Self) -> Self {
         let other = other.clone();
+        let any = |own: Vec<PathBuf>, outer| if own.is_empty() { outer } else { own };
         Self {
-            charset: match self.charset {
-                CharsetChoice::Auto => other.charset,
-                chosen => chosen,
-            },
-            color: match self.color {
-                ColorChoice::Auto => other.color,
-                chosen => chosen,
-            },
+            charset: self.charset.or(other.charset),
+            color: self.color.or(other.color),
             palette: self.palette.or(other.palette),
             seed: self.seed.or(other.seed),
             player: self.player.or(other.player),
-            lessons: if self.lessons.is_empty() {
-                other.lessons
-            } else {
-                self.lessons
-            },
-            levels: if self.levels.is_empty() {
-                other.levels
-            } else {
-                self.levels
-            },
-            concepts: if self.concepts.is_empty() {
-                other.concepts
-            } else {
-                self.concepts
-            },
+            lessons: any(self.lessons, other.lessons),
+            levels: any(self.levels, other.levels),
+            concepts: any(self.concepts, other.concepts),
             data_dir: self.data_dir.or(other.data_dir),
         }
     }
 
     /// The glyphs to write with, with `auto` standing for the given ones.
     pub(super) fn charset(&self, auto: Charset) -> Charset {
-        match self.charset {
-            CharsetChoice::Auto => auto,
-            CharsetChoice::Ascii => Charset::Ascii,
-            CharsetChoice::Unicode => Charset::Unicode,
-        }
+        self.charset.unwrap_or(auto)
     }
 
     /// The glyphs to print with.
@@ -157,18 +132,8 @@ impl GlobalOptions {
         let defaults = Settings::default();
         Settings {
             charset: self.charset(auto.charset),
-            depth: match self.color {
-                ColorChoice::Auto => auto.depth,
-                ColorChoice::None => Depth::None,
-                ColorChoice::Sixteen => Depth::Ansi16,
-                ColorChoice::Cube => Depth::Indexed256,
-                ColorChoice::Truecolor => Depth::True,
-            },
-            palette: match self.palette {
-                Some(PaletteChoice::Light) => Palette::Light,
-                Some(PaletteChoice::Dark) => Palette::Dark,
-                None => defaults.palette,
-            },
+            depth: self.color.unwrap_or(auto.depth),
+            palette: self.palette.unwrap_or(defaults.palette),
             player: self.player_name(),
             ..defaults
         }
@@ -177,37 +142,34 @@ impl GlobalOptions {
     /// The levels of the program and those of the folders given. Files that are no
     /// good are left out and listed on the screen of the levels.
     pub(super) fn shelf(&self) -> Shelf {
-        if self.levels.is_empty() {
-            return Shelf::default();
+        match self.levels.as_slice() {
+            [] => Shelf::default(),
+            dirs => Shelf::new(with_dirs(
+                LevelLibrary::embedded(),
+                dirs,
+                LevelLibrary::add_dir,
+            )),
         }
-        let mut library = levels::LevelLibrary::embedded();
-        for dir in &self.levels {
-            library.add_dir(dir);
-        }
-        Shelf::new(library)
     }
 
     /// The chapters of the program and those of the folders given. Files that are no
     /// good are left out and listed in the contents.
     pub(super) fn book(&self) -> Book {
-        if self.lessons.is_empty() {
-            return Book::default();
+        match self.lessons.as_slice() {
+            [] => Book::default(),
+            dirs => Book::new(with_dirs(
+                ChapterLibrary::embedded(),
+                dirs,
+                ChapterLibrary::add_dir,
+            )),
         }
-        let mut library = lessons::ChapterLibrary::embedded();
-        for dir in &self.lessons {
-            library.add_dir(dir);
-        }
-        Book::new(library)
     }
 
     /// The written questions of the folders given. Files that are no good are left out
     /// and listed where a round of them is chosen.
     pub(super) fn own(&self) -> Arc<Library> {
-        let mut library = Library::default();
-        for dir in &self.concepts {
-            library.add_dir(dir);
-        }
-        Arc::new(library)
+        let own = with_dirs(Library::default(), &self.concepts, Library::add_dir);
+        Arc::new(own)
     }
 
     /// The folder for what carrom keeps, if one is given.
@@ -229,6 +191,12 @@ impl GlobalOptions {
         let folder = self.data_dir();
         folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder))
     }
+}
+
+/// A library with what is in these folders.
+fn with_dirs<L>(mut library: L, dirs: &[PathBuf], add_dir: fn(&mut L, &Path)) -> L {
+    dirs.iter().for_each(|dir| add_dir(&mut library, dir));
+    library
 }
 
 /// A folder that is there.

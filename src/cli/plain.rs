@@ -1,21 +1,19 @@
 //! `--plain`: a command as a talk in lines, with no screen control.
 
 use std::io;
-use std::process::ExitCode;
 
 use anyhow::anyhow;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::play::any_seed;
-use super::{Failure, GlobalOptions};
-use crate::physics::worked::WorkedStep;
+use super::{Failure, GlobalOptions, solve};
 use crate::quiz::Code;
 use crate::shells::plain::{self, Leave, Recorder, Talk};
 
 /// A round of the quiz.
-pub(super) fn quiz(code: Option<&Code>, options: &GlobalOptions) -> Result<ExitCode, Failure> {
+pub(super) fn quiz(code: Option<&Code>, options: &GlobalOptions) -> Result<(), Failure> {
     let own = options.own();
-    let code = super::round(code, options, &own).map_err(|error| Failure::Input(anyhow!(error)))?;
+    let code = super::round(code, options, &own).map_err(Failure::input)?;
     let seed = options.seed.unwrap_or_else(any_seed);
     with_keeper(options, |talk, keeper| {
         plain::quiz(talk, keeper, code, seed, &own)
@@ -23,21 +21,22 @@ pub(super) fn quiz(code: Option<&Code>, options: &GlobalOptions) -> Result<ExitC
 }
 
 /// The chapters, from one of them on.
-pub(super) fn learn(chapter: Option<&str>, options: &GlobalOptions) -> Result<ExitCode, Failure> {
+pub(super) fn learn(chapter: Option<&str>, options: &GlobalOptions) -> Result<(), Failure> {
     let book = options.book();
     let library = book.library();
     let chapter = chapter
         .map(|name| super::find_chapter(library, name))
         .transpose()
-        .map_err(|error| Failure::Input(anyhow!(error)))?;
+        .map_err(Failure::input)?;
     with_keeper(options, |talk, keeper| {
         plain::learn(talk, keeper, library, chapter)
     })
 }
 
-/// A worked solution; without steps the hit is asked for.
-pub(super) fn solve(steps: Option<&[WorkedStep]>) -> Result<ExitCode, Failure> {
-    talk(|talk| plain::solve(talk, steps))
+/// A worked solution; where it is not said where the two meet, the hit is asked for.
+pub(super) fn solve(args: &solve::Args) -> Result<(), Failure> {
+    let steps = args.is_complete().then(|| args.steps()).transpose()?;
+    talk(|talk| plain::solve(talk, steps.as_deref()))
 }
 
 /// Names the commands that know `--plain` where it was given to another.
@@ -61,17 +60,17 @@ pub(super) fn advise(message: &mut clap::Error) {
 fn with_keeper(
     options: &GlobalOptions,
     run: impl FnOnce(&mut Talk, &mut Recorder) -> Result<(), Leave>,
-) -> Result<ExitCode, Failure> {
+) -> Result<(), Failure> {
     let mut store = options.store();
     let player = options.player_name();
     talk(|talk| run(talk, &mut Recorder::new(&player, &mut store)))
 }
 
 /// A talk over standard input and output. To leave it early is no failure.
-fn talk(run: impl FnOnce(&mut Talk) -> Result<(), Leave>) -> Result<ExitCode, Failure> {
+fn talk(run: impl FnOnce(&mut Talk) -> Result<(), Leave>) -> Result<(), Failure> {
     let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
     match run(&mut Talk::new(&mut input, &mut output)) {
-        Ok(()) | Err(Leave::Quit | Leave::Ended) => Ok(ExitCode::SUCCESS),
+        Ok(()) | Err(Leave::Quit | Leave::Ended) => Ok(()),
         Err(Leave::Failed(error)) => Err(anyhow!(error).into()),
     }
 }

@@ -4,8 +4,6 @@ use std::env;
 use std::hash::{BuildHasher, RandomState};
 use std::process::ExitCode;
 
-use anyhow::anyhow;
-
 use super::options::Auto;
 use super::{Failure, GlobalOptions, OpenCommand, app};
 use crate::shells::terminal::{self, Ending};
@@ -18,7 +16,7 @@ pub(super) fn run(
     let env = |name: &str| env::var(name).ok();
     terminal::check(env).map_err(|error| {
         let instead = screen.map_or(OpenCommand::WITHOUT_TERMINAL, OpenCommand::without_terminal);
-        Failure::Input(anyhow!("{error}; without one: {instead}"))
+        Failure::input(format!("{error}; without one: {instead}"))
     })?;
     terminal::report_crashes(options.data_dir());
     let auto = Auto {
@@ -26,8 +24,8 @@ pub(super) fn run(
         depth: terminal::depth(env),
     };
     let seed = options.seed.unwrap_or_else(any_seed);
-    let app = app(screen, options, options.data_dir().as_deref(), auto, seed)
-        .map_err(|error| Failure::Input(anyhow!(error)))?;
+    let app =
+        app(screen, options, options.data_dir().as_deref(), auto, seed).map_err(Failure::input)?;
     let store = options.store().with_own(app.own());
     Ok(match terminal::run(app, store)? {
         Ending::Quit => ExitCode::SUCCESS,

@@ -2,7 +2,6 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use anyhow::anyhow;
 
@@ -70,7 +69,7 @@ impl Args {
     }
 }
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let mut store = options.store();
     let player = options.player_name();
     let history = match ask(
@@ -98,16 +97,15 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
             levels: shelf.library(),
             lessons: book.library(),
         });
-        written::write_beside(file.path(), &documents(&report, file), args.force)?;
-        return Ok(ExitCode::SUCCESS);
+        let documents = documents(&report, file);
+        return Ok(written::write_beside(file.path(), &documents, args.force)?);
     }
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
     } else {
         json(&history.attempts, &history.calendar).map_err(|reason| anyhow!(reason))? + "\n"
     };
-    print(text.as_bytes())?;
-    Ok(ExitCode::SUCCESS)
+    Ok(print(text.as_bytes())?)
 }
 
 /// What the store has to say, after what the player should know of it.

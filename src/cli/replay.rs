@@ -1,18 +1,15 @@
 //! `carrom replay`: plays a saved or exported game again and prints what happens.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::path::PathBuf;
 
 use anyhow::anyhow;
 use serde::Serialize;
 
-use super::{Failure, given, print};
-use crate::files::FileErrors;
+use super::{Failure, given, print_report};
 use crate::game::pieces::piece_of;
 use crate::game::{
-    Coin, Fingerprint, Game, GameSetup, GameStage, Move, Piece, RecordError, Ruling, SavedGame,
-    Seat, Strike, Team,
+    Coin, Fingerprint, Game, GameSetup, Move, Piece, RecordError, Ruling, SavedGame, Seat, Strike,
+    Team,
 };
 use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
@@ -32,23 +29,12 @@ pub(super) struct Args {
     json: bool,
 }
 
-pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
-    let (saved, game) = read(&args.file).map_err(|fault| Failure::Input(fault.into()))?;
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let (saved, game) = given::read(&args.file, SavedGame::LARGEST_FILE, SavedGame::read)?;
     let moves = happenings(&saved).map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
-    let report = if args.json {
-        let mut report = serde_json::to_string(&ReplayReport::of(&saved, &game, moves))?;
-        report.push('\n');
-        report
-    } else {
-        text(&saved, &game, &moves)
-    };
-    print(report.as_bytes())?;
-    Ok(ExitCode::SUCCESS)
-}
-
-fn read(file: &Path) -> Result<(SavedGame, Game), FileErrors> {
-    let (name, bytes) = given::bytes(file, SavedGame::LARGEST_FILE)?;
-    SavedGame::read(&name, &bytes)
+    let report = ReplayReport::of(&saved, &game, moves);
+    let words = || report.text(saved.record.strokes());
+    Ok(print_report(args.json.then_some(&report), words)?)
 }
 
 /// A move and what came of it.
@@ -113,7 +99,7 @@ fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
         happenings.push(ReplayedMove {
             r#move: happenings.len() + 1,
             seat: before.seat(),
-            kind: kind(made),
+            kind: made.into(),
             strike: match made {
                 Move::Strike(strike) => Some(*strike),
                 _ => None,
@@ -131,15 +117,6 @@ fn pocketed(shot: &Shot, before: &Game) -> Vec<Piece> {
     shot.fallen().filter_map(piece).collect()
 }
 
-const fn kind(made: &Move) -> &'static str {
-    match made {
-        Move::Strike(_) => "strike",
-        Move::NoPlace => "no_place",
-        Move::NextBoard => "next_board",
-        Move::LayOut(_) => "lay_out",
-    }
-}
-
 impl ReplayReport {
     fn of(saved: &SavedGame, game: &Game, moves: Vec<ReplayedMove>) -> Self {
         let score = game.score();
@@ -152,12 +129,7 @@ impl ReplayReport {
             setup: *saved.record.setup(),
             moves,
             r#final: ReplayEnd {
-                stage: match game.stage() {
-                    GameStage::Playing => "playing",
-                    GameStage::BoardOver(_) => "board_over",
-                    GameStage::GameOver(_) => "game_over",
-                    GameStage::MatchOver(_) => "match_over",
-                },
+                stage: game.stage().into(),
                 board: game.board_number(),
                 turn: game.seat(),
                 points: Team::BOTH.map(|team| score.points[team]),
@@ -167,44 +139,38 @@ impl ReplayReport {
             },
         }
     }
-}
 
-fn text(saved: &SavedGame, game: &Game, moves: &[ReplayedMove]) -> String {
-    let mut text = String::new();
-    for happening in moves {
-        let seat = format!("{:?}", happening.seat);
-        let what = match (&happening.strike, happening.kind) {
-            (Some(strike), _) => format!("{seat} strikes at {:.2} m/s", strike.velocity.length()),
-            (None, "no_place") => format!("{seat} finds no place for the striker"),
-            (None, "next_board") => "the next board".into(),
-            (None, _) => format!("{seat} lays the coins out"),
-        };
-        let _ = writeln!(text, "{:4}  {what}", happening.r#move);
-        for ruling in &happening.rulings {
-            let law = ruling.law.as_ref();
-            let law = law.map_or(String::new(), |law| format!(" (law {law})"));
-            let _ = writeln!(text, "      {}{law}", ruling.text);
+    /// It in words, of a game of so many strokes.
+    fn text(&self, strokes: usize) -> String {
+        let mut text = String::new();
+        for made in &self.moves {
+            let seat = made.seat;
+            let what = match (&made.strike, made.kind) {
+                (Some(strike), _) => {
+                    let speed = strike.velocity.length();
+                    format!("{seat:?} strikes at {speed:.2} m/s")
+                }
+                (None, "no_place") => format!("{seat:?} finds no place for the striker"),
+                (None, "next_board") => "the next board".into(),
+                (None, _) => format!("{seat:?} lays the coins out"),
+            };
+            text += &format!("{:4}  {what}\n", made.r#move);
+            for ruling in &made.rulings {
+                let law = ruling.law.as_ref();
+                let law = law.map_or(String::new(), |law| format!(" (law {law})"));
+                text += &format!("      {}{law}\n", ruling.text);
+            }
         }
-    }
-    let score = game.score();
-    let both = |points: [u8; 2]| format!("{} : {}", points[0], points[1]);
-    let _ = writeln!(
-        text,
-        "\nafter {} strokes: board {}, points {}, games {}, turn {:?}",
-        saved.record.strokes(),
-        game.board_number(),
-        both(Team::BOTH.map(|team| score.points[team])),
-        both(Team::BOTH.map(|team| score.games[team])),
-        game.seat(),
-    );
-    for coin in game.coins() {
-        let [x, y] = coin.at.to_array().map(mm_from_m);
-        let _ = writeln!(
-            text,
-            "      {:8} {x:9.2} {y:9.2} mm",
-            coin.piece.to_string()
+        let end = &self.r#final;
+        let [points, games] = [end.points, end.games].map(|[a, b]| format!("{a} : {b}"));
+        text += &format!(
+            "\nafter {strokes} strokes: board {}, points {points}, games {games}, turn {:?}\n",
+            end.board, end.turn,
         );
+        for Lying { piece, at_mm } in &end.coins {
+            let [x, y] = at_mm;
+            text += &format!("      {:8} {x:9.2} {y:9.2} mm\n", piece.to_string());
+        }
+        text + &format!("fingerprint {}, as the file says\n", end.fingerprint)
     }
-    let _ = writeln!(text, "fingerprint {}, as the file says", saved.end);
-    text
 }

@@ -1,17 +1,16 @@
 //! `carrom simulate`: plays the shot of a scene and prints what happens.
 
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::path::PathBuf;
 
 use anyhow::anyhow;
+use glam::DVec2;
 use serde::Serialize;
 
-use super::{Failure, given, print};
-use crate::files::{self, FileErrors};
+use super::{Failure, given, print_report};
+use crate::files::LARGEST;
 use crate::levels::Scene;
 use crate::physics::units::mm_from_m;
-use crate::physics::{DiscState, Event, EventKind, Sample, Shot};
+use crate::physics::{Event, EventKind, Sample, Shot};
 
 /// Play the shot of a scene and print what happens
 #[derive(Debug, clap::Args)]
@@ -23,25 +22,13 @@ pub(super) struct Args {
     json: bool,
 }
 
-pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
-    let scene = read(&args.file).map_err(|fault| Failure::Input(fault.into()))?;
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let scene = given::read(&args.file, LARGEST, Scene::read)?;
     let shot = scene
         .play()
         .map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
-    let mut report = Vec::new();
-    if args.json {
-        serde_json::to_writer(&mut report, &ShotReport::of(&shot))?;
-        writeln!(report)?;
-    } else {
-        write_table(&scene, &shot, &mut report)?;
-    }
-    print(&report)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-fn read(file: &Path) -> Result<Scene, FileErrors> {
-    let (name, bytes) = given::bytes(file, files::LARGEST)?;
-    Scene::read(&name, &bytes)
+    let json = args.json.then(|| ShotReport::of(&shot));
+    Ok(print_report(json.as_ref(), || table(&scene, &shot))?)
 }
 
 /// What `--json` prints.
@@ -72,12 +59,12 @@ impl ShotReport {
     fn of(shot: &Shot) -> Self {
         let happening = |event: &Event| ShotEvent {
             t_s: event.time,
-            kind: kind_name(&event.kind),
+            kind: event.kind.into(),
             discs: discs_of(&event.kind),
         };
         let end = |(disc, sample): (usize, Sample)| DiscEnd {
             disc,
-            state: state_name(sample.state),
+            state: sample.state.into(),
             at_mm: sample.position.to_array().map(mm_from_m),
         };
         Self {
@@ -90,66 +77,30 @@ impl ShotReport {
     }
 }
 
-const fn kind_name(kind: &EventKind) -> &'static str {
-    match kind {
-        EventKind::Impact { .. } => "impact",
-        EventKind::Cushion { .. } => "cushion",
-        EventKind::Pocket { .. } => "pocket",
-        EventKind::Rest { .. } => "rest",
-    }
-}
-
 fn discs_of(kind: &EventKind) -> Vec<usize> {
     let (first, second) = kind.discs();
     std::iter::once(first).chain(second).collect()
 }
 
-/// `moving` can only be the end of a shot on a board without friction.
-const fn state_name(state: DiscState) -> &'static str {
-    match state {
-        DiscState::Moving => "moving",
-        DiscState::Resting => "rest",
-        DiscState::Pocketed => "pocketed",
-    }
-}
-
-fn write_table(scene: &Scene, shot: &Shot, out: &mut Vec<u8>) -> io::Result<()> {
-    writeln!(
-        out,
-        "{:>9}  {:8} {:>9} {:>9}  discs",
-        "t (s)", "event", "x (mm)", "y (mm)"
-    )?;
+fn table(scene: &Scene, shot: &Shot) -> String {
+    let row = |time: &str, what: &str, at: DVec2, discs: &str| {
+        let [x, y] = at.to_array().map(mm_from_m);
+        format!("{time:>9}  {what:8} {x:9.2} {y:9.2}  {discs}\n")
+    };
+    let mut table = String::from("    t (s)  event       x (mm)    y (mm)  discs\n");
     for event in shot.events() {
         let discs = discs_of(&event.kind);
         let names: Vec<_> = discs.iter().map(|&disc| scene.name(disc)).collect();
         // An impact is where the first of the two discs is.
         let at = shot.at(event.kind.discs().0, event.time).position;
-        writeln!(
-            out,
-            "{:9.4}  {:8} {:9.2} {:9.2}  {}",
-            event.time,
-            kind_name(&event.kind),
-            mm_from_m(at.x),
-            mm_from_m(at.y),
-            names.join(" on "),
-        )?;
+        let time = format!("{:.4}", event.time);
+        table += &row(&time, event.kind.into(), at, &names.join(" on "));
     }
-    writeln!(out, "\nat the end, after {:.4} s", shot.duration())?;
+    table += &format!("\nat the end, after {:.4} s\n", shot.duration());
     for (disc, end) in shot.final_states().enumerate() {
-        writeln!(
-            out,
-            "{:9}  {:8} {:9.2} {:9.2}  {}",
-            "",
-            state_name(end.state),
-            mm_from_m(end.position.x),
-            mm_from_m(end.position.y),
-            scene.name(disc),
-        )?;
+        table += &row("", end.state.into(), end.position, &scene.name(disc));
     }
-    writeln!(
-        out,
-        "\nenergy {:.4} mJ before, {:.4} mJ after",
-        1000.0 * shot.energy_before(),
-        1000.0 * shot.energy_after(),
-    )
+    let energies_mj = [shot.energy_before(), shot.energy_after()].map(|energy| 1000.0 * energy);
+    let [before, after] = energies_mj;
+    table + &format!("\nenergy {before:.4} mJ before, {after:.4} mJ after\n")
 }

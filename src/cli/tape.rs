@@ -1,7 +1,6 @@
 //! `carrom tape`: plays a script without a terminal.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use anyhow::anyhow;
 
@@ -47,7 +46,7 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Expect "90.0"            fails unless the screen shows this
   Refuse "NaN"             fails if the screen shows this"#;
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let file = args.file.display();
     let tape = read(&args.file).map_err(Failure::Input)?;
     let open = |arguments: &str| {
@@ -67,9 +66,6 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
             _ => Failure::Work(message),
         }
     })?;
-    if screenshots.is_empty() {
-        return Ok(ExitCode::SUCCESS);
-    }
     let mut documents = Vec::new();
     for screenshot in &screenshots {
         let mut keep = |kind: &str, content: String| {
@@ -82,12 +78,8 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
         }
     }
     files::put(&documents, Existing::Go)?;
-    let names = documents.iter();
-    let written: String = names
-        .map(|(path, _)| format!("{}\n", path.display()))
-        .collect();
-    super::print(written.as_bytes())?;
-    Ok(ExitCode::SUCCESS)
+    let paths = documents.iter().map(|(path, _)| path.as_path());
+    Ok(super::print_names(paths)?)
 }
 
 /// The tape in a file.

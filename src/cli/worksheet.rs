@@ -2,11 +2,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 
-use super::{Failure, GlobalOptions, print, written};
+use super::{Failure, GlobalOptions, print_names, written};
 use crate::files::Document;
 use crate::paper::worksheet::{Worksheet, WorksheetPicture};
 use crate::quiz::{Code, Course, CourseKind, Round};
@@ -32,7 +31,7 @@ pub(super) struct Args {
     count: Option<usize>,
     /// A round by its code, in place of --seed and --count: mixed12-7, speeds-7, exam-7
     #[arg(long, value_name = "CODE", value_parser = super::code, conflicts_with = "count")]
-    code: Option<Code>,
+    pub(super) code: Option<Code>,
     /// The folder to write into; made where it is not there
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -50,43 +49,31 @@ pub(super) struct Args {
 /// The folder of the pictures for Markdown.
 const PICTURES: &str = "pictures";
 
-pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    let code = code(args, options).map_err(Failure::Input)?;
-    let code = code.with_own(&options.own());
-    let round = Round::of(code.map_err(|error| Failure::Input(anyhow!(error)))?);
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
+    let code = code(args, options).and_then(|code| code.with_own(&options.own()));
+    let round = Round::of(code.map_err(Failure::input)?);
     let worksheet = Worksheet::new(&round, args.title.as_deref());
     let files = files(&worksheet, args);
     written::write(&files, args.force)?;
     if args.force {
         remove_others(&args.out, &files)?;
     }
-    let documents = files.iter().filter(|(path, _)| !is_picture(path));
-    let names: String = documents
-        .map(|(path, _)| format!("{}\n", path.display()))
-        .collect();
-    print(names.as_bytes())?;
-    Ok(ExitCode::SUCCESS)
+    let paths = files.iter().map(|(path, _)| path.as_path());
+    Ok(print_names(paths.filter(|path| !is_picture(path)))?)
 }
 
 /// The code of the round that is asked for.
-fn code(args: &Args, options: &GlobalOptions) -> anyhow::Result<Code> {
-    match (&args.code, options.seed) {
-        (Some(_), Some(_)) => Err(anyhow!(
-            "expected --seed or --code, not both: a code has its seed in it"
-        )),
-        (Some(code), None) => Ok(code.clone()),
-        (None, Some(seed)) => {
-            let kind = CourseKind::Mixed;
-            let course = match args.count {
-                Some(count) => Course::of(kind, count),
-                None => Course::new(kind),
-            };
-            Ok(Code { course, seed })
-        }
-        (None, None) => Err(anyhow!(
-            "expected --seed N or --code CODE, to fix the questions"
-        )),
+fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
+    if let Some(code) = &args.code {
+        return Ok(code.clone());
     }
+    let seed = options.seed;
+    let seed = seed.ok_or("expected --seed N or --code CODE, to fix the questions")?;
+    let course = match args.count {
+        Some(count) => Course::of(CourseKind::Mixed, count),
+        None => Course::new(CourseKind::Mixed),
+    };
+    Ok(Code { course, seed })
 }
 
 /// What is to be written.

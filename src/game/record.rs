@@ -3,6 +3,7 @@
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 use super::laws::Ruling;
@@ -21,8 +22,9 @@ pub struct Record {
 }
 
 /// One thing that a player does.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Move {
     /// Strikes.
     Strike(Strike),

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 use super::laws::{self, BoardWon, Law, Rules, Ruling, RulingEffect, Verdict};
 use super::pack::{jittered_pack, pack};
@@ -46,7 +47,8 @@ mod seed_bits {
 }
 
 /// Where a game stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum GameStage {
     /// A board is being played.
     Playing,

@@ -1,6 +1,7 @@
 //! The exact record of a shot: what happened, and where everything was at any time.
 
 use glam::DVec2;
+use strum::IntoStaticStr;
 
 use super::{Board, Disc, Motion, Slide};
 
@@ -18,7 +19,8 @@ pub struct Event {
 }
 
 /// The kinds of event. Velocities are in m/s.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum EventKind {
     /// Two discs met. Contacts at the very same instant are listed one after
     /// another; each takes up the velocities the one before it left.
@@ -79,11 +81,13 @@ impl EventKind {
 }
 
 /// What a disc is doing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum DiscState {
     /// It moves.
     Moving,
     /// It lies still on the board.
+    #[strum(serialize = "rest")]
     Resting,
     /// It has fallen into a pocket; its position is where it fell.
     Pocketed,

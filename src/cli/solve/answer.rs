@@ -1,7 +1,5 @@
 //! An answer as it is written: one JSON object a line.
 
-use std::io::{self, Write};
-
 use glam::DVec2;
 use serde::Serialize;
 
@@ -60,11 +58,6 @@ impl SolveAnswer {
                 centre_v2,
             }),
         }
-    }
-
-    pub(super) fn write_line(&self, out: &mut impl Write) -> io::Result<()> {
-        serde_json::to_writer(&mut *out, self)?;
-        out.write_all(b"\n")
     }
 }
 

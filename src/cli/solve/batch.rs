@@ -1,7 +1,7 @@
 //! Many problems, one a line, answered in order.
 
 use std::fmt::Display;
-use std::io::{self, BufRead, Write};
+use std::io::{BufRead, Write};
 use std::process::ExitCode;
 
 use serde::Serialize;
@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::answer::SolveAnswer;
 use super::lines::{BatchError, InputLine, LONGEST, LineReader};
 use super::problem::Problem;
+use crate::cli::write_json;
 use crate::files::BYTE_ORDER_MARK;
 
 /// The longest error message, in characters: noise is not echoed at length.
@@ -16,16 +17,9 @@ const LONGEST_MESSAGE: usize = 200;
 
 /// What stands in place of an answer to a line that is no problem.
 #[derive(Debug, Serialize)]
-struct Refusal<'a> {
+struct Refusal {
     line: u64,
-    error: &'a str,
-}
-
-impl Refusal<'_> {
-    fn write_line(&self, out: &mut impl Write) -> io::Result<()> {
-        serde_json::to_writer(&mut *out, self)?;
-        out.write_all(b"\n")
-    }
+    error: String,
 }
 
 /// Answers every line of `input` that is not blank. A bad line is refused and the
@@ -48,17 +42,15 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode,
             }
             InputLine::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
-        match answer {
-            Ok(answer) => answer.write_line(out).map_err(BatchError::Write)?,
+        let written = match answer {
+            Ok(answer) => write_json(out, &answer),
             Err(error) => {
                 status = ExitCode::FAILURE;
-                let refusal = Refusal {
-                    line: number,
-                    error: &error,
-                };
-                refusal.write_line(out).map_err(BatchError::Write)?;
+                let line = number;
+                write_json(out, &Refusal { line, error })
             }
-        }
+        };
+        written.map_err(BatchError::Write)?;
     }
     Ok(status)
 }

@@ -12,8 +12,8 @@ mod text;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
-use super::{Failure, GlobalOptions, plain};
-use crate::physics::worked;
+use super::{Failure, GlobalOptions, write_json};
+use crate::physics::worked::{self, WorkedStep};
 use crate::widgets::Charset;
 use answer::SolveAnswer;
 pub(super) use args::Args;
@@ -25,14 +25,11 @@ const BUFFER: usize = 1 << 16;
 /// Solves what the arguments say. A reader that hangs up, as `head` does, ends the
 /// work quietly; a bad line of a batch is answered as such and counts as failed work.
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
-    if args.plain {
-        return plainly(args);
-    }
     let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
     let written = if args.batch {
         batch::run(io::stdin().lock(), &mut out)
     } else {
-        let text = one(args, options)?;
+        let text = args.answer(options)?;
         let written = out.write_all(&text).map_err(BatchError::Write);
         written.map(|()| ExitCode::SUCCESS)
     };
@@ -47,27 +44,22 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
     }
 }
 
-/// The one problem of the arguments, or one that is asked for, said in lines.
-fn plainly(args: &Args) -> Result<ExitCode, Failure> {
-    if !args.is_complete() {
-        return plain::solve(None);
+impl Args {
+    /// The one problem of the arguments, worked out.
+    pub(super) fn steps(&self) -> Result<Vec<WorkedStep>, Failure> {
+        let (collision, by_offset) = self.collision()?;
+        Ok(worked::steps(&collision, by_offset))
     }
-    let (collision, by_offset) = args
-        .collision()
-        .map_err(|fault| Failure::Input(fault.into()))?;
-    plain::solve(Some(&worked::steps(&collision, by_offset)))
-}
 
-/// The one problem of the arguments, answered.
-fn one(args: &Args, options: &GlobalOptions) -> Result<Vec<u8>, Failure> {
-    let (collision, by_offset) = args
-        .collision()
-        .map_err(|fault| Failure::Input(fault.into()))?;
-    if args.json {
-        let mut line = Vec::new();
-        SolveAnswer::of(&collision).write_line(&mut line)?;
-        return Ok(line);
+    /// The one problem of the arguments, answered.
+    fn answer(&self, options: &GlobalOptions) -> Result<Vec<u8>, Failure> {
+        if self.json {
+            let (collision, _) = self.collision()?;
+            let mut line = Vec::new();
+            write_json(&mut line, &SolveAnswer::of(&collision))?;
+            return Ok(line);
+        }
+        let unicode = options.printed() == Charset::Unicode;
+        Ok(text::render(&self.steps()?, unicode).into_bytes())
     }
-    let unicode = options.printed() == Charset::Unicode;
-    Ok(text::render(&worked::steps(&collision, by_offset), unicode).into_bytes())
 }

@@ -1,6 +1,9 @@
 //! A problem as it is asked, in the units of files, and the check that makes a
 //! collision of it.
 
+use std::num::ParseFloatError;
+
+use clap::ArgAction;
 use glam::DVec2;
 
 use crate::numbers::typed;
@@ -35,17 +38,53 @@ pub(super) struct ProblemError {
 }
 
 /// A collision as it is asked; what is `None` was not said.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, clap::Args)]
 pub(super) struct Problem {
+    /// Mass of the striker in grams
+    #[arg(long, value_name = "G", default_value = "15")]
+    #[arg(allow_negative_numbers = true)]
     pub(super) m1_g: Option<f64>,
+
+    /// Mass of the target in grams
+    #[arg(long, value_name = "G", default_value = "15")]
+    #[arg(allow_negative_numbers = true)]
     pub(super) m2_g: Option<f64>,
+
+    /// Speed of the striker in m/s, along +x
+    #[arg(long = "speed", value_name = "M/S", default_value = "4")]
+    #[arg(value_parser = along_x, allow_negative_numbers = true)]
     pub(super) u1: Option<[f64; 2]>,
-    pub(super) u2: Option<[f64; 2]>,
+
+    /// Impact angle in degrees, -90 to 90
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub(super) alpha_deg: Option<f64>,
+
+    /// Offset of the target's centre to the right of the striker's path in mm,
+    /// instead of the impact angle
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(conflicts_with = "alpha_deg", requires_all = ["r1_mm", "r2_mm"])]
     pub(super) offset_mm: Option<f64>,
+
+    /// Radius of the striker in mm
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(super) r1_mm: Option<f64>,
+
+    /// Radius of the target in mm
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(super) r2_mm: Option<f64>,
+
+    /// Velocity of the target in m/s, as X,Y
+    #[arg(long, value_name = "X,Y", default_value = "0,0")]
+    #[arg(value_parser = pair, allow_hyphen_values = true)]
+    pub(super) u2: Option<[f64; 2]>,
+
+    /// Coefficient of restitution, 0 to 1
+    #[arg(long, value_name = "E", default_value = "1")]
+    #[arg(allow_negative_numbers = true)]
     pub(super) restitution: Option<f64>,
+
+    /// The discs stick where they touch and go on as one
+    #[arg(long, action = ArgAction::SetTrue)]
     pub(super) stick: Option<bool>,
 }
 
@@ -92,6 +131,18 @@ impl Problem {
         };
         Ok((collision, spec.is_by_offset()))
     }
+}
+
+/// A velocity along +x.
+fn along_x(speed: &str) -> Result<[f64; 2], ParseFloatError> {
+    Ok([speed.parse()?, 0.0])
+}
+
+fn pair(text: &str) -> Result<[f64; 2], String> {
+    let number = |part: &str| part.trim().parse::<f64>().ok();
+    text.split_once(',')
+        .and_then(|(x, y)| Some([number(x)?, number(y)?]))
+        .ok_or_else(|| "expected two numbers in m/s with a comma between, as in -1,0.5".to_owned())
 }
 
 fn required<T>(field: &str, value: Option<T>) -> Result<T, ProblemError> {

@@ -11,7 +11,6 @@ use thiserror::Error;
 use super::line::{Part, parts};
 use super::{Instruction, ScreenSetting, Tape};
 use crate::messages::{Key, MouseKind};
-use crate::widgets::{Charset, Depth};
 
 /// The most presses or notches in one instruction.
 const MOST: u32 = 10_000;
@@ -157,18 +156,11 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
                 size.ok_or_else(|| wrong("columns x rows, each up to 1000, such as 80x24"))?;
             ScreenSetting::Size(columns, rows)
         }
-        "Charset" => ScreenSetting::Charset(match value.as_str() {
-            "ascii" => Charset::Ascii,
-            "unicode" => Charset::Unicode,
-            _ => return Err(wrong("ascii or unicode")),
-        }),
-        "Color" => ScreenSetting::Color(match value.as_str() {
-            "none" => Depth::None,
-            "16" => Depth::Ansi16,
-            "256" => Depth::Indexed256,
-            "truecolor" => Depth::True,
-            _ => return Err(wrong("none, 16, 256 or truecolor")),
-        }),
+        "Charset" => ScreenSetting::Charset(value.parse().map_err(|_| wrong("ascii or unicode"))?),
+        "Color" => {
+            let depth = value.parse();
+            ScreenSetting::Color(depth.map_err(|_| wrong("none, 16, 256 or truecolor"))?)
+        }
         "Day" => ScreenSetting::Day(noon(value).ok_or_else(|| wrong("a day, such as 2026-01-05"))?),
         _ => return Err(arguments.not(EXPECTED)),
     })

@@ -2,10 +2,13 @@
 
 use std::borrow::Cow;
 
+use strum::{EnumString, VariantNames};
+
 use super::signs::{greek, superscript};
 
 /// The glyphs a screen may use.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
+#[strum(serialize_all = "lowercase")]
 pub enum Charset {
     /// Printable ASCII and nothing else, in every cell.
     Ascii,

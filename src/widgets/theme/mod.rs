@@ -13,6 +13,7 @@ mod colour;
 mod role;
 
 use ratatui::style::{Color, Modifier, Style};
+use strum::{EnumString, VariantNames};
 
 pub(super) use colour::Rgb;
 pub use role::Role;
@@ -55,16 +56,20 @@ impl Palette {
 }
 
 /// How many colours the terminal has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
 pub enum Depth {
     /// None: whatever the palette, the screen is monochrome.
+    #[strum(serialize = "none")]
     None,
     /// The sixteen named colours.
+    #[strum(serialize = "16")]
     Ansi16,
     /// The 256 indexed colours: a 6 × 6 × 6 cube and a ramp of greys.
+    #[strum(serialize = "256")]
     Indexed256,
     /// Any colour, 24 bits.
     #[default]
+    #[strum(serialize = "truecolor")]
     True,
 }
 
