@@ -7,9 +7,9 @@ use ratatui::widgets::{Clear, Widget};
 
 use super::layer::AppLayer;
 use super::{App, SMALLEST};
-use crate::screens::{AnyScreen, Settings};
+use crate::screens::AnyScreen;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Charset, Role, Theme, keys, text};
+use crate::widgets::{Charset, Lines, Look, Role, keys, overflow, text};
 
 /// The part of a screen of this size that belongs to the screen on top.
 pub(super) fn body(size: Rect) -> Rect {
@@ -23,26 +23,35 @@ pub(super) fn body(size: Rect) -> Rect {
 
 /// Draws everything.
 pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
-    let settings = app.settings();
-    let theme = settings.theme();
-    buf.set_style(area, theme.base());
+    let look = app.settings().look();
+    buf.set_style(area, look.theme.base());
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
-        return ask_for_room(area, buf, &theme);
+        return ask_for_room(area, buf, look);
     }
     let Some(screen) = app.stack.last() else {
         return;
     };
-    title_line(app, screen.as_ref(), area, buf, &theme);
-    screen.draw(body(area), buf, &app.context);
-    screen_keys(app, screen.as_ref(), area, buf);
+    title_line(app, screen.as_ref(), area, buf, look);
+    let body = body(area);
+    screen.draw(body, buf, &app.context);
+    // `?` is the last of the screen's keys.
+    let table = screen.table(&app.context);
+    let rows = table.rows().iter().filter(|row| !row.name.is_empty());
+    let rows = rows.map(|row| (row.shown(), row.name));
+    let help = table.rows().iter().find(|row| row.id == "everywhere.help");
+    let help = help.map(|row| (row.shown(), "help"));
+    key_line(rows.chain(help), area, buf, look);
     for layer in &app.layers {
         match layer {
             AppLayer::Help { scrolled } => {
-                help_page(app, screen.as_ref(), *scrolled, body(area), buf);
+                let title = format!("help: {}", screen.title());
+                // All of the body: what looks out beside the page would only be cut words.
+                let page = framed(&title, (centred(body), body), buf, look);
+                write_help(app, screen.as_ref(), &mut page.scrolled(*scrolled));
             }
-            AppLayer::Notice(words) => show_note("please note", words, settings, area, buf),
+            AppLayer::Notice(words) => show_note("please note", words, body, buf, look),
             AppLayer::Confirm(question) => {
-                show_note("please say", &question.text, settings, area, buf);
+                show_note("please say", &question.text, body, buf, look);
             }
         }
     }
@@ -52,17 +61,17 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
             AppLayer::Notice(_) => Some("go on"),
             AppLayer::Confirm(_) => None,
         };
-        let table = layer.keys(&settings.keys);
+        let table = layer.keys(&app.settings().keys);
         let rows = table.rows().iter().map(|row| (row.shown(), row.name));
         let any = close.map(|close| ("any key".to_owned(), close));
-        key_line(any.into_iter().chain(rows), area, buf, settings);
+        key_line(any.into_iter().chain(rows), area, buf, look);
     }
-    if settings.charset == Charset::Ascii {
+    if look.charset == Charset::Ascii {
         keep_ascii(area, buf);
     }
 }
 
-fn ask_for_room(area: Rect, buf: &mut Buffer, theme: &Theme) {
+fn ask_for_room(area: Rect, buf: &mut Buffer, look: Look) {
     let (columns, rows) = SMALLEST;
     let text = format!(
         "carrom needs {columns}x{rows}; this is {}x{}",
@@ -71,44 +80,24 @@ fn ask_for_room(area: Rect, buf: &mut Buffer, theme: &Theme) {
     let row = area.height / 2;
     let column = area.width.saturating_sub(text.len() as u16) / 2;
     if row < area.height {
-        buf.set_stringn(
-            column,
-            row,
-            &text,
-            area.width.into(),
-            theme.style(Role::Text),
-        );
+        let style = look.theme.style(Role::Text);
+        buf.set_stringn(column, row, &text, area.width.into(), style);
     }
 }
 
-fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, theme: &Theme) {
-    let charset = app.settings().charset;
+fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, look: Look) {
     let name = format!(" carrom : {}", screen.title());
+    let name = look.charset.text(&name);
     let status = [app.keeping(), screen.status(&app.context)].join("  ");
-    let status = charset.text(status.trim());
-    let (end, _) = buf.set_stringn(
-        0,
-        0,
-        charset.text(&name),
-        area.width.into(),
-        theme.style(Role::Title),
-    );
+    let status = look.charset.text(status.trim());
+    let title = look.theme.style(Role::Title);
+    let (end, _) = buf.set_stringn(0, 0, name, area.width.into(), title);
     let width = text::width(&status) as u16;
     let start = area.width.saturating_sub(width + 1).max(end + 2);
     let room = usize::from(area.width.saturating_sub(start));
     // Half a code would look like another one.
     let status = text::clipped(&status, room);
-    buf.set_stringn(start, 0, status, room, theme.style(Role::Dim));
-}
-
-/// The keys of the screen, `?` the last of them.
-fn screen_keys(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer) {
-    let table = screen.table(&app.context);
-    let rows = table.rows().iter().filter(|row| !row.name.is_empty());
-    let rows = rows.map(|row| (row.shown(), row.name));
-    let help = table.rows().iter().find(|row| row.id == "everywhere.help");
-    let help = help.map(|row| (row.shown(), "help"));
-    key_line(rows.chain(help), area, buf, app.settings());
+    buf.set_stringn(start, 0, status, room, look.theme.style(Role::Dim));
 }
 
 /// Shows as many keys as fit whole; the last always keeps its place.
@@ -116,29 +105,24 @@ fn key_line(
     keys: impl Iterator<Item = (String, &'static str)>,
     area: Rect,
     buf: &mut Buffer,
-    settings: &Settings,
+    look: Look,
 ) {
     let keys: Vec<_> = keys.filter(|(keys, _)| !keys.is_empty()).collect();
     let pairs: Vec<_> = keys
         .iter()
         .map(|(keys, name)| (keys.as_str(), *name))
         .collect();
-    let theme = settings.theme();
-    let line = keys::key_line(&pairs, area.width, settings.charset, &theme);
+    let line = keys::key_line(&pairs, area.width, look.charset, &look.theme);
     let row = Rect::new(area.x, area.bottom() - 1, area.width, 1);
-    Clear.render(row, buf);
-    buf.set_style(row, theme.base());
+    clear(row, buf, look);
     buf.set_line(row.x, row.y, &line, row.width);
 }
 
-fn help_lines(app: &App, screen: &dyn AnyScreen, width: usize) -> Vec<(String, Role)> {
-    let charset = app.settings().charset;
-    let mut lines = Vec::new();
+/// Writes the help page of a screen.
+fn write_help(app: &App, screen: &dyn AnyScreen, lines: &mut Lines) {
     for paragraph in screen.about(&app.context) {
-        for line in text::wrap(&charset.text(paragraph), width) {
-            lines.push((line, Role::Text));
-        }
-        lines.push((String::new(), Role::Text));
+        lines.paragraph(paragraph, Role::Text);
+        lines.gap();
     }
     let table = screen.table(&app.context);
     let rows = table.rows().iter().map(|row| (row.shown(), row.help));
@@ -146,83 +130,60 @@ fn help_lines(app: &App, screen: &dyn AnyScreen, width: usize) -> Vec<(String, R
     let widest = all.iter().map(|(keys, _)| text::width(keys)).max();
     let column = widest.unwrap_or(0) + 2;
     for (keys, does) in &all {
-        let does = charset.text(does);
-        let wrapped = text::wrap(&does, width.saturating_sub(column).max(8));
-        for (i, does) in wrapped.iter().enumerate() {
-            let keys = if i == 0 { keys.as_str() } else { "" };
-            lines.push((format!("{keys:column$}{does}"), Role::Dim));
-        }
+        lines.hanging(&format!("{keys:column$}"), does, Role::Dim);
     }
-    lines
-}
-
-/// Where the help page stands.
-fn help_area(body: Rect) -> Rect {
-    let wide = body.width.min(76);
-    let margin = (body.width - wide) / 2;
-    Rect::new(body.x + margin, body.y, wide, body.height)
 }
 
 /// How far the help page can be scrolled.
-pub(super) fn help_overflow(app: &App) -> usize {
+pub(super) fn help_overflow(app: &App) -> u16 {
     let Some(screen) = app.stack.last() else {
         return 0;
     };
-    let inner = help_area(app.context.body).inner(Margin::new(2, 1));
-    let lines = help_lines(app, screen.as_ref(), inner.width.into());
-    lines.len().saturating_sub(inner.height.into())
+    let inside = centred(app.context.body).inner(Margin::new(1, 1));
+    let write = |lines: &mut Lines| write_help(app, screen.as_ref(), lines);
+    overflow(inside, app.settings().look(), write)
 }
 
-fn help_page(app: &App, screen: &dyn AnyScreen, scrolled: usize, body: Rect, buf: &mut Buffer) {
-    let settings = app.settings();
-    let theme = settings.theme();
-    let area = help_area(body);
-    // All of the body: what looks out beside the page would only be cut words.
-    Clear.render(body, buf);
-    buf.set_style(body, theme.base());
-    let title = format!("help: {}", screen.title());
-    draw_panel(buf, area, &title, settings.charset, &theme);
-    let inner = area.inner(Margin::new(2, 1));
-    let lines = help_lines(app, screen, inner.width.into());
-    for (row, (line, role)) in inner.rows().zip(lines.iter().skip(scrolled)) {
-        buf.set_stringn(
-            row.x,
-            row.y,
-            settings.charset.text(line),
-            row.width.into(),
-            theme.style(*role),
-        );
-    }
+/// The columns of the body in which something lies over it.
+fn centred(body: Rect) -> Rect {
+    let width = body.width.min(76);
+    let x = body.x + (body.width - width) / 2;
+    Rect { x, width, ..body }
+}
+
+fn clear(area: Rect, buf: &mut Buffer, look: Look) {
+    Clear.render(area, buf);
+    buf.set_style(area, look.theme.base());
+}
+
+/// Clears an area and draws an empty frame there, to be written into.
+fn framed<'a>(
+    title: &str,
+    (frame, cleared): (Rect, Rect),
+    buf: &'a mut Buffer,
+    look: Look,
+) -> Lines<'a> {
+    clear(cleared, buf, look);
+    let inside = draw_panel(buf, frame, title, look.charset, &look.theme);
+    Lines::new(inside, buf, look)
 }
 
 /// Shows what the player is told or asked, at the foot of the body.
-fn show_note(title: &str, words: &str, settings: &Settings, area: Rect, buf: &mut Buffer) {
-    let theme = settings.theme();
-    let body = body(area);
-    let width = body.width.min(76);
-    let words = settings.charset.text(words);
+fn show_note(title: &str, words: &str, body: Rect, buf: &mut Buffer, look: Look) {
+    let columns = centred(body);
+    let words = look.charset.text(words);
     // Whatever it says, it leaves something of the screen to be seen.
-    let mut lines = text::wrap(&words, width.saturating_sub(4).into());
+    let mut lines = text::wrap(&words, columns.width.saturating_sub(4).into());
     lines.truncate(usize::from(body.height / 2).saturating_sub(2));
     let height = lines.len() as u16 + 2;
+    let y = body.bottom().saturating_sub(height);
     let frame = Rect {
-        x: body.x + (body.width - width) / 2,
-        y: body.bottom().saturating_sub(height),
-        width,
+        y,
         height,
+        ..columns
     };
-    Clear.render(frame, buf);
-    buf.set_style(frame, theme.base());
-    draw_panel(buf, frame, title, settings.charset, &theme);
-    for (row, line) in frame.inner(Margin::new(2, 1)).rows().zip(&lines) {
-        buf.set_stringn(
-            row.x,
-            row.y,
-            line,
-            row.width.into(),
-            theme.style(Role::Text),
-        );
-    }
+    let mut note = framed(title, (frame, frame), buf, look);
+    lines.iter().for_each(|line| note.line(line, Role::Text));
 }
 
 /// The last word on the promise that an ASCII screen holds nothing else: names and

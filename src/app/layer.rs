@@ -13,7 +13,7 @@ pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
         /// Lines it is scrolled by.
-        scrolled: usize,
+        scrolled: u16,
     },
     /// Something the player is told, until a key is pressed.
     Notice(String),
@@ -26,7 +26,7 @@ pub(super) enum AppLayer {
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum LayerAction {
     /// scroll
-    Scroll(isize),
+    Scroll(i16),
     /// agree
     Agree,
     /// do not agree
@@ -54,7 +54,7 @@ impl AppLayer {
 
     /// Takes a key; done when the layer goes, with whether the player agreed. `most` is how
     /// far a help page can be scrolled.
-    pub(super) fn press(&mut self, key: Key, most: usize, rebound: &Rebound) -> Outcome<bool> {
+    pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<bool> {
         let action = self.keys(rebound).find(key);
         match (self, action) {
             (Self::Help { scrolled }, Some(LayerAction::Scroll(by))) => {

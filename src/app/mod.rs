@@ -18,16 +18,18 @@ use crate::lessons::Book;
 use crate::levels::Shelf;
 use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
-use crate::screens::class::Class;
-use crate::screens::foil::FoilScreen;
-use crate::screens::home::Home;
-use crate::screens::lab::Lab;
-use crate::screens::learn::{Contents, Reading};
-use crate::screens::levels::{LevelPlay, Levels};
-use crate::screens::progress::Progress;
-use crate::screens::quiz::{Choosing, Quiz};
-use crate::screens::table::Table;
-use crate::screens::{AnyScreen, Context, Hosted, Next, Place, Settings, SharedAction};
+use crate::screens::{
+    AnyScreen, Context, Hosted, Next, Place, Screen, Settings, SharedAction,
+    class::Class,
+    foil::FoilScreen,
+    home::Home,
+    lab::Lab,
+    learn::{Contents, Reading},
+    levels::{LevelPlay, Levels},
+    progress::Progress,
+    quiz::{Choosing, Quiz},
+    table::Table,
+};
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
@@ -65,36 +67,32 @@ pub struct App {
 impl App {
     /// An app that starts at `place`, with Home below it.
     pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
+        Self::with_data(Data::default(), place, settings, seed)
+    }
+
+    /// An app with other things to read, play and answer than those of the program alone.
+    pub fn with_data(data: Data, place: Place, settings: Settings, seed: u64) -> Self {
+        let mut context = Context::new(settings, seed);
+        context.shelf = data.shelf;
+        context.book = data.book;
+        context.own = data.own;
         let mut app = Self {
-            stack: vec![Box::new(Hosted::new(Home::default()))],
-            context: Context::new(settings, seed),
+            stack: vec![hosted(Home::default())],
+            context,
             size: Rect::default(),
             layers: Vec::new(),
             saving: BTreeSet::new(),
             lost: 0,
             losing: false,
         };
-        app.start(place);
-        app
-    }
-
-    /// An app with other levels than those of the program alone, which starts at
-    /// `place`, with Home below it.
-    pub fn with_levels(shelf: Shelf, place: Place, settings: Settings, seed: u64) -> Self {
-        let data = Data {
-            shelf,
-            ..Data::default()
-        };
-        Self::with_data(data, place, settings, seed)
-    }
-
-    /// An app with other things to read, play and answer than those of the program alone.
-    pub fn with_data(data: Data, place: Place, settings: Settings, seed: u64) -> Self {
-        let mut app = Self::new(Place::Home, settings, seed);
-        app.context.shelf = data.shelf;
-        app.context.book = data.book;
-        app.context.own = data.own;
-        app.start(place);
+        match place {
+            Place::Level { .. } => app.open(Place::Levels),
+            Place::Chapter { .. } => app.open(Place::Learn),
+            _ => {}
+        }
+        if place != Place::Home {
+            app.open(place);
+        }
         app
     }
 
@@ -111,17 +109,6 @@ impl App {
     /// The levels there are to play.
     pub fn shelf(&self) -> &Shelf {
         &self.context.shelf
-    }
-
-    fn start(&mut self, place: Place) {
-        match place {
-            Place::Level { .. } => self.open(Place::Levels),
-            Place::Chapter { .. } => self.open(Place::Learn),
-            _ => {}
-        }
-        if place != Place::Home {
-            self.open(place);
-        }
     }
 
     /// An app on a screen of the caller's own, with Home below it.
@@ -180,17 +167,14 @@ impl App {
         if let Some(notice) = &answer.notice {
             self.tell(notice.clone());
         }
-        match &answer.done {
-            StoreReply::Stars(Ok(stars)) => {
-                for starred in stars {
-                    self.context.shelf.recall(starred);
-                }
+        if let StoreReply::Stars(Ok(stars)) = &answer.done {
+            for starred in stars {
+                self.context.shelf.recall(starred);
             }
-            StoreReply::Marks(marks) => {
-                let book = &mut self.context.book;
-                book.recall(marks.as_ref().cloned().unwrap_or_default());
-            }
-            _ => {}
+        }
+        if let StoreReply::Marks(marks) = &answer.done {
+            let book = &mut self.context.book;
+            book.recall(marks.as_ref().cloned().unwrap_or_default());
         }
         match &answer.done {
             StoreReply::Noted(Ok(())) => self.losing = false,
@@ -224,13 +208,7 @@ impl App {
         if self.wake().is_none() {
             return vec![];
         }
-        let Some(screen) = self.stack.last_mut() else {
-            return vec![];
-        };
-        let next = screen.advance(passed, &mut self.context);
-        let mut effects = self.follow(next);
-        effects.extend(self.context.take_asked());
-        effects
+        self.with_screen(|screen, cx| screen.advance(passed, cx))
     }
 
     /// When the app next needs time; `None` while nothing moves.
@@ -339,7 +317,7 @@ impl App {
             Next::Back => {
                 self.stack.pop();
                 if self.stack.is_empty() {
-                    self.stack.push(Box::new(Hosted::new(Home::default())));
+                    self.open(Place::Home);
                     return vec![Effect::Quit];
                 }
             }
@@ -351,32 +329,32 @@ impl App {
     }
 
     fn open(&mut self, place: Place) {
-        let screen: Box<dyn AnyScreen> = match place {
-            Place::Home => Box::new(Hosted::new(Home::default())),
-            Place::Lab => Box::new(Hosted::new(Lab::default())),
-            Place::LabOf { setup } => Box::new(Hosted::new(Lab::of(setup))),
-            Place::Learn => Box::new(Hosted::new(Contents::new(&mut self.context))),
-            Place::Chapter { number } => match Reading::new(number, &mut self.context) {
-                Some(reading) => Box::new(Hosted::new(reading)),
+        let cx = &mut self.context;
+        self.stack.push(match place {
+            Place::Home => hosted(Home::default()),
+            Place::Lab => hosted(Lab::default()),
+            Place::LabOf { setup } => hosted(Lab::of(setup)),
+            Place::Learn => hosted(Contents::new(cx)),
+            Place::Chapter { number } => match Reading::new(number, cx) {
+                Some(reading) => hosted(reading),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => Box::new(Hosted::new(Quiz::new(code))),
-            Place::Quiz { code: None } => Box::new(Hosted::new(Choosing::ask(&mut self.context))),
-            Place::Levels => Box::new(Hosted::new(Levels::new(&mut self.context))),
-            Place::Level { number } => match LevelPlay::new(number, &mut self.context) {
-                Some(play) => Box::new(Hosted::new(play)),
+            Place::Quiz { code: Some(code) } => hosted(Quiz::new(code)),
+            Place::Quiz { code: None } => hosted(Choosing::ask(cx)),
+            Place::Levels => hosted(Levels::new(cx)),
+            Place::Level { number } => match LevelPlay::new(number, cx) {
+                Some(play) => hosted(play),
                 None => return,
             },
-            Place::Class { code, teams } => Box::new(Hosted::new(Class::new(
-                code.as_ref(),
-                &teams,
-                &self.context,
-            ))),
-            Place::Foil => Box::new(Hosted::new(FoilScreen::default())),
-            Place::FoilAt { page } => Box::new(Hosted::new(FoilScreen::at(page))),
-            Place::Table => Box::new(Hosted::new(Table::default())),
-            Place::Progress => Box::new(Hosted::new(Progress::ask(&mut self.context))),
-        };
-        self.stack.push(screen);
+            Place::Class { code, teams } => hosted(Class::new(code.as_ref(), &teams, cx)),
+            Place::Foil => hosted(FoilScreen::default()),
+            Place::FoilAt { page } => hosted(FoilScreen::at(page)),
+            Place::Table => hosted(Table::default()),
+            Place::Progress => hosted(Progress::ask(cx)),
+        });
     }
+}
+
+fn hosted<S: Screen + 'static>(screen: S) -> Box<dyn AnyScreen> {
+    Box::new(Hosted::new(screen))
 }

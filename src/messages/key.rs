@@ -2,15 +2,20 @@
 
 use std::fmt;
 
+use strum::{EnumString, IntoStaticStr};
+
 /// A key press (or repeat), free of any terminal library's types.
 ///
 /// Shift is already in the character of [`Key::Char`]; a press with Alt or with
 /// the system key is not passed on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr)]
+#[strum(ascii_case_insensitive)]
 pub enum Key {
     /// A printable character; the space bar is `Char(' ')`.
+    #[strum(disabled)]
     Char(char),
     /// A lower-case letter with Control held.
+    #[strum(disabled)]
     Ctrl(char),
     /// Arrow up.
     Up,
@@ -23,10 +28,12 @@ pub enum Key {
     /// Enter or Return.
     Enter,
     /// Escape.
+    #[strum(to_string = "Esc", serialize = "Escape")]
     Escape,
     /// Tab.
     Tab,
     /// Shift and Tab.
+    #[strum(serialize = "Shift+Tab")]
     BackTab,
     /// Backspace.
     Backspace,
@@ -41,6 +48,7 @@ pub enum Key {
     /// End.
     End,
     /// A function key, from 1.
+    #[strum(disabled)]
     F(u8),
 }
 
@@ -58,9 +66,8 @@ impl Key {
 
     /// The key of a text: a character stands for itself, a name for what a tape calls so.
     pub fn parse(text: &str) -> Option<Self> {
-        let mut letters = text.chars();
-        match (letters.next(), letters.next()) {
-            (Some(c), None) if !c.is_control() => Some(Self::Char(c)),
+        match text.parse::<char>() {
+            Ok(c) if !c.is_control() => Some(Self::Char(c)),
             _ => Self::named(text),
         }
     }
@@ -69,61 +76,31 @@ impl Key {
     /// whatever the case of its letters; `None` if there is no such key.
     pub fn named(name: &str) -> Option<Self> {
         let lower = name.to_ascii_lowercase();
-        Some(match lower.as_str() {
-            "up" => Self::Up,
-            "down" => Self::Down,
-            "left" => Self::Left,
-            "right" => Self::Right,
-            "enter" => Self::Enter,
-            "escape" | "esc" => Self::Escape,
-            "tab" => Self::Tab,
-            "shift+tab" => Self::BackTab,
-            "backspace" => Self::Backspace,
-            "delete" => Self::Delete,
-            "space" => Self::Char(' '),
-            "pageup" => Self::PageUp,
-            "pagedown" => Self::PageDown,
-            "home" => Self::Home,
-            "end" => Self::End,
-            other => {
-                if let Some(letter) = other.strip_prefix("ctrl+") {
-                    let mut letters = letter.chars();
-                    return match (letters.next(), letters.next()) {
-                        (Some(c), None) if c.is_ascii_lowercase() => Some(Self::Ctrl(c)),
-                        _ => None,
-                    };
-                }
-                let number = other.strip_prefix('f')?.parse().ok()?;
-                return (1..=12).contains(&number).then_some(Self::F(number));
-            }
-        })
+        if lower == "space" {
+            return Some(Self::Char(' '));
+        }
+        if let Some(letter) = lower.strip_prefix("ctrl+") {
+            let letter = letter.parse().ok().filter(char::is_ascii_lowercase);
+            return letter.map(Self::Ctrl);
+        }
+        let function = || {
+            let number = lower.strip_prefix('f')?.parse().ok()?;
+            (1..=12).contains(&number).then_some(Self::F(number))
+        };
+        lower.parse().ok().or_else(function)
     }
 }
 
 impl fmt::Display for Key {
     /// The name as the bottom line of a screen shows it, in ASCII.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self {
-            Self::Char(' ') => "Space",
-            Self::Char(c) => return write!(f, "{c}"),
-            Self::Ctrl(c) => return write!(f, "Ctrl+{}", c.to_ascii_uppercase()),
-            Self::F(n) => return write!(f, "F{n}"),
-            Self::Up => "Up",
-            Self::Down => "Down",
-            Self::Left => "Left",
-            Self::Right => "Right",
-            Self::Enter => "Enter",
-            Self::Escape => "Esc",
-            Self::Tab => "Tab",
-            Self::BackTab => "Shift+Tab",
-            Self::Backspace => "Backspace",
-            Self::Delete => "Delete",
-            Self::PageUp => "PageUp",
-            Self::PageDown => "PageDown",
-            Self::Home => "Home",
-            Self::End => "End",
-        };
-        f.write_str(name)
+        match self {
+            Self::Char(' ') => f.write_str("Space"),
+            Self::Char(c) => write!(f, "{c}"),
+            Self::Ctrl(c) => write!(f, "Ctrl+{}", c.to_ascii_uppercase()),
+            Self::F(n) => write!(f, "F{n}"),
+            named => f.write_str(named.into()),
+        }
     }
 }
 

@@ -20,7 +20,7 @@ fn embedded() -> Shelf {
 }
 
 fn open(place: Place, settings: Settings, size: (u16, u16)) -> Headless {
-    let app = App::with_levels(embedded(), place, settings, 1);
+    let app = App::new(place, settings, 1);
     Headless::new(app, size.0, size.1)
 }
 

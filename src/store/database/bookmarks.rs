@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use rusqlite::{Connection, Row, params};
+use rusqlite::{Row, Transaction, params};
 
+use super::Database;
 use crate::lessons::{Bookmark, CheckpointAnswer, Forget, GivenAnswer};
 
 const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player = ?1";
@@ -15,91 +16,98 @@ const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player
 const PAGES: &str = "SELECT chapter, page, asked, answer, is_right FROM page_seen \
     WHERE player = ?1";
 
-/// Fails unless both tables are there with all their columns.
-pub(super) fn check(connection: &Connection) -> rusqlite::Result<()> {
-    connection.prepare(PLACES)?;
-    connection.prepare(PAGES)?;
-    Ok(())
-}
+/// What is asked of the tables.
+pub(super) const QUERIES: [&str; 2] = [PLACES, PAGES];
 
-/// Adds what was done in a chapter to what is kept of it.
-pub(super) fn merge(
-    connection: &Connection,
-    player: &str,
-    chapter: &str,
-    later: &Bookmark,
-) -> rusqlite::Result<()> {
-    connection.execute(
-        "INSERT INTO bookmark (player, chapter, page, alpha_deg) VALUES (?1, ?2, ?3, ?4) \
-         ON CONFLICT DO UPDATE SET page = coalesce(excluded.page, page), \
-         alpha_deg = coalesce(excluded.alpha_deg, alpha_deg)",
-        params![player, chapter, later.place, later.alpha_deg],
-    )?;
-    let mut seen = connection.prepare(
-        "INSERT INTO page_seen (player, chapter, page, asked, answer, is_right) \
-         VALUES (?1, ?2, ?3, ?4, ?5, ?6) \
-         ON CONFLICT DO UPDATE SET asked = excluded.asked, answer = excluded.answer, \
-         is_right = excluded.is_right WHERE excluded.answer IS NOT NULL",
-    )?;
-    for (page, given) in &later.pages {
-        let given = given.as_ref();
-        seen.execute(params![
-            player,
-            chapter,
-            page,
-            given.map(|given| &given.asked),
-            given.map(|given| given.answer.json().to_string()),
-            given.map(|given| given.right),
-        ])?;
+impl Database {
+    /// Adds what a player has done in a chapter to its bookmark.
+    pub(in crate::store) fn mark(
+        &mut self,
+        player: &str,
+        chapter: &str,
+        later: &Bookmark,
+    ) -> Result<(), String> {
+        self.change(|transaction| {
+            transaction.execute(
+                "INSERT INTO bookmark (player, chapter, page, alpha_deg) VALUES (?1, ?2, ?3, ?4) \
+                 ON CONFLICT DO UPDATE SET page = coalesce(excluded.page, page), \
+                 alpha_deg = coalesce(excluded.alpha_deg, alpha_deg)",
+                params![player, chapter, later.place, later.alpha_deg],
+            )?;
+            let mut seen = transaction.prepare(
+                "INSERT INTO page_seen (player, chapter, page, asked, answer, is_right) \
+                 VALUES (?1, ?2, ?3, ?4, ?5, ?6) \
+                 ON CONFLICT DO UPDATE SET asked = excluded.asked, answer = excluded.answer, \
+                 is_right = excluded.is_right WHERE excluded.answer IS NOT NULL",
+            )?;
+            for (page, given) in &later.pages {
+                let given = given.as_ref();
+                seen.execute(params![
+                    player,
+                    chapter,
+                    page,
+                    given.map(|given| &given.asked),
+                    given.map(|given| given.answer.json().to_string()),
+                    given.map(|given| given.right),
+                ])?;
+            }
+            Ok(())
+        })
     }
-    Ok(())
-}
 
-/// Forgets what is to be forgotten of a player's bookmarks.
-pub(super) fn forget(connection: &Connection, player: &str, what: &Forget) -> rusqlite::Result<()> {
-    match what {
-        Forget::Answer { chapter, page } => {
-            connection.execute(
+    /// Forgets what is to be forgotten of a player's bookmarks.
+    pub(in crate::store) fn forget(&mut self, player: &str, what: &Forget) -> Result<(), String> {
+        if self.is_nowhere() {
+            return Ok(());
+        }
+        self.change(|transaction| match what {
+            Forget::Answer { chapter, page } => transaction.execute(
                 "UPDATE page_seen SET asked = NULL, answer = NULL, is_right = NULL \
                  WHERE player = ?1 AND chapter = ?2 AND page = ?3",
                 [player, chapter, page],
-            )?;
-        }
-        Forget::Chapter(chapter) => {
-            for table in ["bookmark", "page_seen"] {
-                let sql = format!("DELETE FROM {table} WHERE player = ?1 AND chapter = ?2");
-                connection.execute(&sql, [player, chapter])?;
-            }
-        }
-        Forget::All => {
-            for table in ["bookmark", "page_seen"] {
-                connection.execute(&format!("DELETE FROM {table} WHERE player = ?1"), [player])?;
-            }
-        }
+            ),
+            Forget::Chapter(chapter) => forget_all(transaction, player, Some(chapter)),
+            Forget::All => forget_all(transaction, player, None),
+        })
     }
-    Ok(())
+
+    /// All bookmarks of a player, by the ids of the chapters.
+    pub(in crate::store) fn marks(
+        &mut self,
+        player: &str,
+    ) -> Result<BTreeMap<String, Bookmark>, String> {
+        self.look_up(|transaction| {
+            let mut marks = BTreeMap::<String, Bookmark>::new();
+            let mut places = transaction.prepare(PLACES)?;
+            let mut rows = places.query([player])?;
+            while let Some(row) = rows.next()? {
+                let mark = marks.entry(row.get("chapter")?).or_default();
+                mark.place = row.get("page")?;
+                mark.alpha_deg = row.get("alpha_deg")?;
+            }
+            let mut pages = transaction.prepare(PAGES)?;
+            let mut rows = pages.query([player])?;
+            while let Some(row) = rows.next()? {
+                let mark = marks.entry(row.get("chapter")?).or_default();
+                mark.pages.insert(row.get("page")?, given(row)?);
+            }
+            Ok(marks)
+        })
+    }
 }
 
-/// All bookmarks of a player, by the ids of the chapters.
-pub(super) fn all(
-    connection: &Connection,
+/// Forgets all of a chapter, or of all of them.
+fn forget_all(
+    transaction: &Transaction,
     player: &str,
-) -> rusqlite::Result<BTreeMap<String, Bookmark>> {
-    let mut marks = BTreeMap::<String, Bookmark>::new();
-    let mut places = connection.prepare(PLACES)?;
-    let mut rows = places.query([player])?;
-    while let Some(row) = rows.next()? {
-        let mark = marks.entry(row.get("chapter")?).or_default();
-        mark.place = row.get("page")?;
-        mark.alpha_deg = row.get("alpha_deg")?;
-    }
-    let mut pages = connection.prepare(PAGES)?;
-    let mut rows = pages.query([player])?;
-    while let Some(row) = rows.next()? {
-        let mark = marks.entry(row.get("chapter")?).or_default();
-        mark.pages.insert(row.get("page")?, given(row)?);
-    }
-    Ok(marks)
+    chapter: Option<&str>,
+) -> rusqlite::Result<usize> {
+    let forget = |table| {
+        let sql =
+            format!("DELETE FROM {table} WHERE player = ?1 AND chapter = coalesce(?2, chapter)");
+        transaction.execute(&sql, (player, chapter))
+    };
+    Ok(forget("bookmark")? + forget("page_seen")?)
 }
 
 /// The answer in a row; none where it is not to be understood.

@@ -19,7 +19,6 @@ mod schema;
 mod tables;
 mod unchanged;
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -29,9 +28,6 @@ use std::time::{Duration, Instant};
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 
 use super::folder_lock::FolderLock;
-use crate::lessons::{Bookmark, Forget};
-use crate::levels::Starred;
-use crate::progress::Attempt;
 use error::DatabaseError;
 
 /// How long SQLite waits by itself for others.
@@ -86,49 +82,6 @@ impl Database {
         self.notice.take()
     }
 
-    /// Keeps an answer.
-    pub(super) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
-        self.change(|transaction| tables::insert_attempt(transaction, attempt))
-    }
-
-    /// All answers of a player, or of everyone, in the order in which they were kept.
-    pub(super) fn attempts(&mut self, player: Option<&str>) -> Result<Vec<Attempt>, String> {
-        self.look_up(|transaction| tables::attempts(transaction, player))
-    }
-
-    /// Keeps the stars of a player's level, unless there are as many already.
-    pub(super) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
-        self.change(|transaction| tables::upsert_star(transaction, player, starred))
-    }
-
-    /// The stars of all levels that a player has won.
-    pub(super) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
-        self.look_up(|transaction| tables::stars(transaction, player))
-    }
-
-    /// Adds what a player has done in a chapter to its bookmark.
-    pub(super) fn mark(
-        &mut self,
-        player: &str,
-        chapter: &str,
-        later: &Bookmark,
-    ) -> Result<(), String> {
-        self.change(|transaction| bookmarks::merge(transaction, player, chapter, later))
-    }
-
-    /// Forgets what is to be forgotten of a player's bookmarks.
-    pub(super) fn forget(&mut self, player: &str, what: &Forget) -> Result<(), String> {
-        if self.is_nowhere() {
-            return Ok(());
-        }
-        self.change(|transaction| bookmarks::forget(transaction, player, what))
-    }
-
-    /// All bookmarks of a player, by the ids of the chapters.
-    pub(super) fn marks(&mut self, player: &str) -> Result<BTreeMap<String, Bookmark>, String> {
-        self.look_up(|transaction| bookmarks::all(transaction, player))
-    }
-
     /// Whether there is no database yet, and so nothing to be found in it.
     fn is_nowhere(&self) -> bool {
         match &self.location {
@@ -149,11 +102,11 @@ impl Database {
     }
 
     /// Changes something; the database is made if there is none.
-    fn change(
+    fn change<T>(
         &mut self,
-        change: impl Fn(&Transaction) -> rusqlite::Result<()>,
+        change: impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<(), String> {
-        self.run(TransactionBehavior::Immediate, change)
+        self.run(TransactionBehavior::Immediate, change).map(drop)
     }
 
     /// Does something as one transaction. If it fails, nothing of it is done.

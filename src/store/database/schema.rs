@@ -52,7 +52,7 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
         transaction.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get(0))?;
     let is_ours = match found {
         0 => tables == 0,
-        _ => found > 0 && tables::check(&transaction).is_ok(),
+        _ => found > 0 && has_tables(&transaction, tables::QUERIES).is_ok(),
     };
     if !is_ours {
         return Err(DatabaseError::Damaged(
@@ -100,13 +100,20 @@ pub(super) fn version_in_header(path: &Path) -> Option<i64> {
         .then(|| i32::from_be_bytes(*version).into())
 }
 
+/// Fails unless the tables of these queries are there with all their columns.
+fn has_tables(connection: &Connection, queries: [&str; 2]) -> rusqlite::Result<()> {
+    let mut prepared = queries.iter().map(|query| connection.prepare(query));
+    prepared.try_for_each(|it| it.map(drop))
+}
+
 /// Looks a database of the present version through, page by page.
 pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
     if found != "ok" {
         return Err(DatabaseError::Damaged(found));
     }
-    tables::check(connection)
-        .and_then(|()| bookmarks::check(connection))
+    [tables::QUERIES, bookmarks::QUERIES]
+        .into_iter()
+        .try_for_each(|queries| has_tables(connection, queries))
         .map_err(|_| DatabaseError::Damaged("its tables are not those of carrom".into()))
 }

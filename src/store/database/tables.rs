@@ -2,6 +2,7 @@
 
 use rusqlite::{Connection, Row, named_params, params};
 
+use super::Database;
 use crate::levels::Starred;
 use crate::progress::Attempt;
 use crate::quiz::Confidence;
@@ -12,14 +13,54 @@ const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, ques
 
 const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
 
-/// Fails unless both tables are there with all their columns.
-pub(super) fn check(connection: &Connection) -> rusqlite::Result<()> {
-    connection.prepare(ATTEMPTS)?;
-    connection.prepare(STARS)?;
-    Ok(())
+/// What is asked of the tables.
+pub(super) const QUERIES: [&str; 2] = [ATTEMPTS, STARS];
+
+impl Database {
+    /// Keeps an answer.
+    pub(in crate::store) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
+        self.change(|transaction| insert_attempt(transaction, attempt))
+    }
+
+    /// All answers of a player, or of everyone, in the order in which they were kept.
+    pub(in crate::store) fn attempts(
+        &mut self,
+        player: Option<&str>,
+    ) -> Result<Vec<Attempt>, String> {
+        self.look_up(|transaction| attempts(transaction, player))
+    }
+
+    /// Keeps the stars of a player's level, unless there are as many already.
+    pub(in crate::store) fn star(&mut self, player: &str, starred: &Starred) -> Result<(), String> {
+        self.change(|transaction| {
+            transaction.execute(
+                "INSERT INTO star (player, pack, level, stars) VALUES (?1, ?2, ?3, ?4) \
+                 ON CONFLICT DO UPDATE SET stars = max(stars, excluded.stars)",
+                params![player, starred.pack, starred.level, starred.stars],
+            )
+        })
+    }
+
+    /// The stars of all levels that a player has won.
+    pub(in crate::store) fn stars(&mut self, player: &str) -> Result<Vec<Starred>, String> {
+        self.look_up(|transaction| {
+            let mut statement = transaction.prepare(STARS)?;
+            let found = statement.query_map([player], |row| {
+                Ok(Starred {
+                    pack: row.get("pack")?,
+                    level: row.get("level")?,
+                    stars: row.get("stars")?,
+                })
+            })?;
+            found.collect()
+        })
+    }
 }
 
-pub(super) fn insert_attempt(connection: &Connection, attempt: &Attempt) -> rusqlite::Result<()> {
+pub(super) fn insert_attempt(
+    connection: &Connection,
+    attempt: &Attempt,
+) -> rusqlite::Result<usize> {
     connection.execute(
         "INSERT INTO attempt (time_s, player, family, topic, seed, number, question, answer, \
          truth, error_deg, credit, is_right, confidence, misconception) \
@@ -40,8 +81,7 @@ pub(super) fn insert_attempt(connection: &Connection, attempt: &Attempt) -> rusq
             attempt.confidence.map(Confidence::id),
             attempt.misconception,
         ],
-    )?;
-    Ok(())
+    )
 }
 
 pub(super) fn attempts(
@@ -76,29 +116,4 @@ fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
 /// A credit; in older rows that of a wrong answer is only nearly nothing.
 fn nothing_or_more(credit: f64) -> f64 {
     if credit < 1e-12 { 0.0 } else { credit }
-}
-
-pub(super) fn upsert_star(
-    connection: &Connection,
-    player: &str,
-    starred: &Starred,
-) -> rusqlite::Result<()> {
-    connection.execute(
-        "INSERT INTO star (player, pack, level, stars) VALUES (?1, ?2, ?3, ?4) \
-         ON CONFLICT DO UPDATE SET stars = max(stars, excluded.stars)",
-        params![player, starred.pack, starred.level, starred.stars],
-    )?;
-    Ok(())
-}
-
-pub(super) fn stars(connection: &Connection, player: &str) -> rusqlite::Result<Vec<Starred>> {
-    let mut statement = connection.prepare(STARS)?;
-    let found = statement.query_map([player], |row| {
-        Ok(Starred {
-            pack: row.get("pack")?,
-            level: row.get("level")?,
-            stars: row.get("stars")?,
-        })
-    })?;
-    found.collect()
 }

@@ -1,8 +1,11 @@
+use std::collections::BTreeMap;
 use std::env;
 use std::process;
 
 use super::*;
-use crate::lessons::{CheckpointAnswer, GivenAnswer};
+use crate::lessons::{Bookmark, CheckpointAnswer, Forget, GivenAnswer};
+use crate::levels::Starred;
+use crate::progress::Attempt;
 use crate::quiz::{Confidence, Topic};
 
 /// An empty folder, removed when it is dropped.
