@@ -33,6 +33,7 @@ pub struct Headless {
     store: Store,
     quit: bool,
     exports: Vec<(String, String)>,
+    searches: bool,
 }
 
 impl Headless {
@@ -51,9 +52,17 @@ impl Headless {
             store,
             quit: false,
             exports: Vec::new(),
+            searches: true,
         };
         headless.input(&Input::Resize(columns, rows));
         headless
+    }
+
+    /// The same, but whoever searches for a stroke never comes to an end.
+    #[must_use]
+    pub fn without_searches(mut self) -> Self {
+        self.searches = false;
+        self
     }
 
     /// The app as it stands.
@@ -183,6 +192,7 @@ impl Headless {
             match effect {
                 Effect::Quit => self.quit = true,
                 // On the spot, so that it is the same every time.
+                Effect::Search(_) if !self.searches => {}
                 Effect::Search(task) => self.input(&Input::Searched(Box::new(search(task)))),
                 Effect::Keep(request) => {
                     let answer = self.store.answer(request);

@@ -42,37 +42,106 @@ impl TourStop {
     }
 }
 
-/// Moments of every screen, not yet every phase of it.
+/// A class round of two questions and two teams.
+const CLASS: &str = "class from-angle2-7 Ants Bees";
+/// Two strokes of practice.
+const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
+const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
+/// Two questions of a round answered.
+const LOOKING_BACK: &str = "60<Enter>30<Enter>2<Enter><Enter>60<Enter>30<Enter>2<Enter><Enter>";
+const TO_THE_SHOT: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter>";
+const TO_THE_SCORES: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter>";
+const TO_THE_SECOND: &str =
+    "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter><Enter>";
+const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter><Enter>\
+                          <Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter><Enter>";
+
+/// A moment of every phase of every screen.
 pub const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),
-    moment("a page of a chapter", "chapter 2", ""),
-    moment("a question of a chapter", "chapter 2", "<PageDown>"),
+    moment("contents, a chapter begun", "learn", "<Enter>n<Escape>"),
+    moment("a chapter, a number asked", "chapter 1", ""),
+    moment("a chapter, a choice asked", "chapter 2", ""),
+    moment("a chapter, rays asked", "chapter 2", "nnn"),
+    moment("a chapter, an answer told", "chapter 2", "a<Enter>"),
+    moment("a chapter, a hit watched", "chapter 2", "n"),
+    moment("a chapter, a hit turned", "chapter 1", "nnnnnn"),
+    moment("a chapter, its figure", "chapter 2", "<Tab>"),
+    moment("a chapter, a worked shot", "chapter 5", "n"),
+    moment("a chapter, a shot to solve", "chapter 5", "nnnnnn"),
+    moment("a chapter, two frames", "chapter 11", "nnnn"),
+    moment("a chapter, the foil", "chapter 10", "nn5<Enter>"),
+    moment("a chapter, a beam", "chapter 10", "nnnna<Enter>"),
+    moment("a chapter, 1913", "chapter 10", "nnnnna<Enter>"),
     moment("lab, setting up", "lab", ""),
     moment("lab, a number typed", "lab", "12"),
     moment("lab, saying where", "lab", "<Enter>"),
+    moment("lab, an angle typed", "lab", "<Enter>6"),
+    moment("lab, watched", "lab", "<Enter>60<Enter>30<Enter><End>"),
     moment("lab, watching", "lab", "<Enter>60<Enter>30<Enter>"),
     moment(
         "lab, a mystery coin",
         "lab",
-        "m<Enter>60<Enter>30<Enter><Space>",
+        "m<Enter>60<Enter>30<Enter><Space><Space>",
+    ),
+    moment(
+        "lab, a mass typed",
+        "lab",
+        "m<Enter>60<Enter>30<Enter><Space><Space>5",
     ),
     moment("foil, tracks", "foil", ""),
     moment("foil, counts", "foil", "<Tab>"),
+    moment("foil, saying what returns", "foil", "<Tab><Enter>"),
+    moment("foil, a beam thrown", "foil", "<Tab><Enter>e<Enter>"),
+    moment(
+        "foil, a beam stopped",
+        "foil",
+        "<Tab><Enter>e<Enter><Escape>",
+    ),
     moment("foil, 1913", "foil", "<Tab><Tab>"),
     moment("choosing a round", "quiz", ""),
+    moment("choosing a round, its code", "quiz", "c").taking_any(),
     moment("quiz, rays", "quiz 7", ""),
     moment("quiz, a choice", "quiz separation-7", ""),
     moment("quiz, a number", "quiz speeds-7", ""),
-    moment("quiz, a shot", "quiz make-it-so-7", ""),
+    moment("quiz, a number typed", "quiz speeds-7", "5"),
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
     moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<Enter>"),
+    moment("quiz, looking back", "quiz from-angle2-7", LOOKING_BACK),
+    moment(
+        "quiz, one looked at again",
+        "quiz from-angle1-7",
+        "60<Enter>30<Enter>2<Enter><Enter><Enter>",
+    ),
     moment("class, setting up", "class", "").taking_any(),
+    moment("class, a team's name", "class", "Ants").taking_any(),
+    moment("class, earlier rounds", "class", "<End><Enter>"),
+    moment("class, described", CLASS, "<Enter>"),
+    moment("class, predicting", CLASS, "<Enter><Enter>"),
+    moment("class, voting", CLASS, "<Enter><Enter><Enter>"),
+    moment(
+        "class, a team's vote",
+        CLASS,
+        "<Enter><Enter><Enter><Enter>",
+    ),
+    moment(
+        "class, a vote given",
+        CLASS,
+        "<Enter><Enter><Enter><Enter>30<Enter>60<Enter><Home>",
+    ),
+    moment("class, a blank screen", CLASS, "<Enter>p"),
+    moment("class, talking", CLASS, "<Enter><Enter><Enter><End><Enter>"),
+    moment("class, the shot", CLASS, TO_THE_SHOT),
+    moment("class, the scores", CLASS, TO_THE_SCORES),
+    moment("class, the second question", CLASS, TO_THE_SECOND),
+    moment("class, the end", CLASS, TO_THE_END),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
     moment("a level, saying where", "level 4", "<Enter>"),
     moment("a level, watching", "level 4", "p<Enter>"),
+    moment("a level, missed", "level 4", "p<Enter><End>"),
     moment("a level, an impact", "level 4", "p<Enter><End>i"),
     moment("table, a new game", "table", ""),
     moment("table, aiming", "table", "<Enter>"),
@@ -82,6 +151,8 @@ pub const TOUR: &[TourStop] = &[
     moment("table, a stroke at its end", "table", "<Enter><Space><End>"),
     moment("table, impacts", "table", "<Enter><Space><End>i"),
     moment("table, an impact", "table", "<Enter><Space><End>i<Enter>"),
+    moment("table, strokes", "table", TWO_STROKES),
+    moment("table, the stroke before", "table", STROKE_BEFORE),
     moment("table, practice", "table", "<Right><Right><Enter>"),
     moment("table, laying coins out", "table", "<Right><Right><Enter>p"),
     moment(
@@ -107,10 +178,13 @@ impl TourStop {
             "quiz" => Place::Quiz {
                 code: Code::parse(rest),
             },
-            "class" => Place::Class {
-                code: None,
-                teams: Vec::new(),
-            },
+            "class" => {
+                let mut words = rest.split_whitespace();
+                Place::Class {
+                    code: words.next().and_then(Code::parse),
+                    teams: words.map(str::to_owned).collect(),
+                }
+            }
             "levels" => Place::Levels,
             "level" => Place::Level { number: number() },
             "table" => Place::Table,
@@ -135,8 +209,11 @@ pub type AllKeys = BTreeMap<String, (Vec<Key>, &'static str)>;
 /// rebound, and what it is.
 pub fn all_keys() -> AllKeys {
     let mut all = BTreeMap::new();
-    for moment in TOUR {
-        for row in moment.keys(Settings::default()).rows() {
+    let tour = TOUR.iter().map(|moment| moment.keys(Settings::default()));
+    // A whole board would have to be played for it.
+    let end = crate::screens::table::end_of_board().map(|_| ());
+    for table in tour.chain([end]) {
+        for row in table.rows() {
             let keys: Vec<Key> = row.keys().collect();
             let known = all
                 .entry(row.id.clone())

@@ -1,16 +1,72 @@
 //! Every phase of every screen, walked by its own table of keys.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
 
-use carrom::messages::{Key, MouseKind};
-use carrom::screens::Settings;
+use carrom::app::App;
+use carrom::game::SavedGame;
+use carrom::messages::{Key, MouseKind, StoreCall, StoreRequest};
+use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
-use carrom::shells::tour::{TOUR, TourStop};
+use carrom::shells::tour::{TOUR, all_keys};
+use carrom::store::Store;
 use carrom::widgets::input::Rebound;
+use rand::seq::IndexedRandom;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
 use ratatui::buffer::Buffer;
 
-fn game(moment: &TourStop) -> Headless {
-    moment.game(Settings::default())
+/// A moment of the tour, or one that only this test can reach.
+struct Moment {
+    name: &'static str,
+    takes_any: bool,
+    game: Box<dyn Fn() -> Headless>,
+}
+
+impl Moment {
+    fn game(&self) -> Headless {
+        (self.game)()
+    }
+}
+
+/// Every phase of every screen.
+fn moments() -> impl Iterator<Item = Moment> {
+    let tour = TOUR.iter().map(|stop| Moment {
+        name: stop.name,
+        takes_any: stop.takes_any,
+        game: Box::new(|| stop.game(Settings::default())),
+    });
+    let more: [(_, fn() -> Headless); 2] = [
+        ("table, the end of a board", end_of_a_board),
+        ("table, the computer thinks", the_computer_thinks),
+    ];
+    tour.chain(more.map(|(name, game)| Moment {
+        name,
+        takes_any: false,
+        game: Box::new(game),
+    }))
+}
+
+/// A kept game of two computers whose last stroke is played.
+fn end_of_a_board() -> Headless {
+    let bytes = include_bytes!("../saves/board-over-1.toml");
+    let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
+    let mut store = Store::in_memory().timeless();
+    let wish = StoreRequest::Save(Box::new(saved));
+    store.answer(&StoreCall { ticket: 99, wish });
+    let app = App::new(Place::Table, Settings::default(), 7);
+    let mut game = Headless::keeping(app, 80, 24, store);
+    game.press("s<Enter>");
+    game
+}
+
+/// The computer's turn, while what it will do is not found yet.
+fn the_computer_thinks() -> Headless {
+    let app = App::new(Place::Table, Settings::default(), 7);
+    let mut game = Headless::from(app).without_searches();
+    game.press("<Enter><Space><End><Space>");
+    game.pass(Duration::from_secs(1));
+    game
 }
 
 /// What can be seen of a game: its cells with their colours, its keys and settings, and
@@ -25,45 +81,48 @@ fn seen(game: &mut Headless) -> Seen {
     (game.buffer().clone(), keys, settings, quit, exports)
 }
 
-/// Whether a key changes anything at a moment, or after one of the moment's other keys:
-/// the mark of a list cannot go up from its first line.
-fn does_something(moment: &TourStop, key: Key) -> bool {
-    let changes = |before: Option<Key>, rows: u16| {
-        let mut game = game(moment);
-        game.resize(80, rows);
-        if let Some(before) = before {
-            game.key(before);
-            if !game.app().keys().keys().any(|other| other == key) {
-                return false;
-            }
+/// Whether a key changes anything on so many rows at a moment, or after another key.
+fn changes(moment: &Moment, rows: u16, before: Option<Key>, key: Key) -> bool {
+    let mut game = moment.game();
+    game.resize(80, rows);
+    if let Some(before) = before {
+        game.key(before);
+        if !game.app().keys().keys().any(|other| other == key) {
+            return false;
         }
-        let first = seen(&mut game);
-        game.key(key);
-        seen(&mut game) != first
-    };
-    let table = game(moment).app().keys();
-    // A text that fits cannot be scrolled.
-    let sizes = [24, 20];
-    let first = sizes.iter().any(|rows| changes(None, *rows));
-    let after = |before| sizes.iter().any(|rows| changes(Some(before), *rows));
-    first || table.keys().any(after)
+    }
+    let first = seen(&mut game);
+    game.key(key);
+    seen(&mut game) != first
+}
+
+/// Whether a key changes anything at a moment or after one of the moment's other keys:
+/// the mark of a list cannot go up from its first line.
+fn does_something(moment: &Moment, key: Key) -> bool {
+    let table = moment.game().app().keys();
+    let after = |before| changes(moment, 24, Some(before), key);
+    changes(moment, 24, None, key) || table.keys().any(after)
 }
 
 #[test]
 fn each_key_of_each_table_does_something() {
     let mut idle = Vec::new();
-    for moment in TOUR {
-        let table = game(moment).app().keys();
-        // What scrolls has nothing to do while the text fits.
-        let scrolls = table.rows().iter().filter(|row| row.id.ends_with("scroll"));
-        let scrolls: Vec<Key> = scrolls.flat_map(|row| row.all_keys()).collect();
-        for key in table.keys().filter(|key| !scrolls.contains(key)) {
-            if !does_something(moment, key) {
+    // A text that fits cannot be scrolled; some of each screen is longer.
+    let mut scrolls = BTreeMap::new();
+    for moment in moments() {
+        for row in moment.game().app().keys().rows() {
+            if row.id.ends_with("scroll") {
+                let any = scrolls.entry(row.id.clone()).or_insert(false);
+                *any = *any || row.all_keys().any(|key| changes(&moment, 20, None, key));
+                continue;
+            }
+            for key in row.all_keys().filter(|key| !does_something(&moment, *key)) {
                 idle.push(format!("{}: {key}", moment.name));
             }
         }
     }
     assert!(idle.is_empty(), "{idle:#?}");
+    assert!(scrolls.values().all(|any| *any), "{scrolls:?}");
 }
 
 #[test]
@@ -85,14 +144,26 @@ fn no_key_outside_of_the_table_does_anything() {
     ];
     let all: Vec<Key> = (' '..='~').map(Key::Char).chain(named).collect();
     let mut strangers = Vec::new();
-    for moment in TOUR.iter().filter(|moment| !moment.takes_any) {
-        let mut game = game(moment);
+    for moment in moments().filter(|moment| !moment.takes_any) {
+        let mut game = moment.game();
         let before = seen(&mut game);
         let table = game.app().keys();
-        for key in all.iter().filter(|key| table.find(**key).is_none()) {
-            game.key(*key);
+        let strange: Vec<Key> = all
+            .iter()
+            .copied()
+            .filter(|key| table.find(*key).is_none())
+            .collect();
+        // Some at a time, since drawing takes longer than a press; none beside those that
+        // might undo what it did.
+        for first in 0..9 {
+            let some = strange.iter().skip(first).step_by(9);
+            some.clone().for_each(|key| game.key(*key));
             if seen(&mut game) != before {
-                strangers.push(format!("{}: {key}", moment.name));
+                strangers.push(format!(
+                    "{}: one of {:?}",
+                    moment.name,
+                    some.collect::<Vec<_>>()
+                ));
                 break;
             }
         }
@@ -102,8 +173,8 @@ fn no_key_outside_of_the_table_does_anything() {
 
 #[test]
 fn each_row_is_named_and_explained_and_no_two_share_an_id() {
-    for moment in TOUR {
-        let table = game(moment).app().keys();
+    for moment in moments() {
+        let table = moment.game().app().keys();
         let mut ids = BTreeSet::new();
         for row in table.rows() {
             assert!(
@@ -119,8 +190,8 @@ fn each_row_is_named_and_explained_and_no_two_share_an_id() {
 
 #[test]
 fn escape_always_goes_back_or_asks() {
-    for moment in TOUR {
-        let mut game = game(moment);
+    for moment in moments() {
+        let mut game = moment.game();
         for presses in 0.. {
             assert!(presses < 8, "{}: Escape leads nowhere", moment.name);
             let before = seen(&mut game);
@@ -142,14 +213,18 @@ fn escape_always_goes_back_or_asks() {
 
 #[test]
 fn every_list_has_the_same_manners() {
-    for moment in TOUR {
-        let table = game(moment).app().keys();
-        if !table.rows().iter().any(|row| row.id == "list.choose") {
+    let mut lists = 0;
+    for moment in moments() {
+        let table = moment.game().app().keys();
+        // Where a name is typed, Home and End lead to its ends.
+        let has = |id: &str| table.rows().iter().any(|row| row.id == id);
+        if !has("list.choose") || !has("list.end") {
             continue;
         }
+        lists += 1;
         let name = moment.name;
         let after = |keys: &str| {
-            let mut game = game(moment);
+            let mut game = moment.game();
             game.press(keys);
             seen(&mut game)
         };
@@ -168,7 +243,7 @@ fn every_list_has_the_same_manners() {
             after("<Home><Space>"),
             "{name}: both open"
         );
-        let mut wheel = game(moment);
+        let mut wheel = moment.game();
         wheel.press("<Home>");
         wheel.mouse(MouseKind::ScrollDown, (70, 8));
         let turned = seen(&mut wheel);
@@ -178,12 +253,27 @@ fn every_list_has_the_same_manners() {
             "{name}: the wheel moves the mark"
         );
     }
+    assert!(lists >= 8, "{lists} lists");
+}
+
+#[test]
+fn each_moment_has_keys_of_its_own() {
+    let mut tables: Vec<(&str, Vec<(String, &str)>)> = Vec::new();
+    for moment in moments() {
+        let table = moment.game().app().keys();
+        let rows = table.rows().iter().map(|row| (row.id.clone(), row.name));
+        let rows: Vec<_> = rows.collect();
+        if let Some((other, _)) = tables.iter().find(|(_, other)| *other == rows) {
+            panic!("{} is {other}", moment.name);
+        }
+        tables.push((moment.name, rows));
+    }
 }
 
 #[test]
 fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
-    for moment in TOUR {
-        for row in game(moment).app().keys().rows() {
+    for moment in moments() {
+        for row in moment.game().app().keys().rows() {
             let id = row.id.as_str();
             let old = row.keys().next().unwrap();
             if moment.takes_any && matches!(old, Key::Char(_)) {
@@ -192,9 +282,9 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
             // A key that nothing else has, for the row's first one.
             let keys = std::iter::once(Key::F(9)).chain(row.keys().skip(1));
             let keys = Rebound::from([(id.to_owned(), keys.collect())]);
-            let mut rebound = game(moment);
+            let mut rebound = moment.game();
             rebound.app_mut().settings_mut().keys = keys;
-            let mut usual = game(moment);
+            let mut usual = moment.game();
             usual.key(old);
             let help = rebound.app().keys();
             let shown = help.rows().iter().find(|row| row.id == id).unwrap();
@@ -210,4 +300,37 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
             );
         }
     }
+}
+
+#[test]
+fn every_row_met_on_a_walk_can_be_rebound() {
+    let known = all_keys();
+    let mut unknown = BTreeMap::new();
+    let mut random = Pcg64::seed_from_u64(1);
+    for moment in moments() {
+        let mut game = moment.game();
+        let mut way = String::new();
+        for _ in 0..60 {
+            let table = game.app().keys();
+            for row in table
+                .rows()
+                .iter()
+                .filter(|row| !known.contains_key(&row.id))
+            {
+                unknown
+                    .entry(row.id.clone())
+                    .or_insert(format!("{}: {way}", moment.name));
+            }
+            let keys: Vec<Key> = table.keys().filter(|key| *key != Key::Ctrl('c')).collect();
+            let Some(key) = keys.choose(&mut random) else {
+                break;
+            };
+            way += &format!("<{key}>");
+            game.key(*key);
+            if random.random_ratio(1, 8) {
+                game.pass(Duration::from_secs(2));
+            }
+        }
+    }
+    assert!(unknown.is_empty(), "{unknown:#?}");
 }

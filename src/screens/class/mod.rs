@@ -66,8 +66,6 @@ pub(crate) enum ClassAction {
     Watch(WatchAction),
     /// a blank screen until the same key again
     Pause,
-    /// nothing: someone may lean on the table
-    StayPaused,
     /// dark on light for a projector, or light on dark
     Light,
     /// the question's words alone, as large as they fit
@@ -175,13 +173,10 @@ impl Screen for Class {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ClassAction> {
-        use ClassAction::{Earlier, Leave, Pause, SetUp, StayPaused};
+        use ClassAction::{Earlier, Leave, Pause, SetUp};
         let keys = KeyTable::new("class");
         match &self.scene {
-            _ if self.paused => {
-                let keys = keys.on('p', Pause, "go on");
-                keys.on(Key::Escape, StayPaused, "")
-            }
+            _ if self.paused => keys.on('p', Pause, "go on").or([(Key::Escape, Pause)]),
             ClassScene::SetUp(set_up) => {
                 let keys = keys.with(set_up.keys(), SetUp);
                 keys.on(Key::Escape, Leave, "back")
@@ -213,7 +208,6 @@ impl Screen for Class {
     fn act(&mut self, action: ClassAction, cx: &mut Context) -> Next {
         match (action, &mut self.scene) {
             (ClassAction::Pause, _) => self.paused = !self.paused,
-            (ClassAction::StayPaused, _) => {}
             (ClassAction::Light, _) => {
                 cx.settings.palette = match cx.settings.palette {
                     Palette::Light => Palette::Dark,

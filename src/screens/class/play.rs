@@ -22,7 +22,7 @@ pub(super) struct ClassPlay {
     pub(super) words_alone: bool,
     /// The step at which each question stands.
     steps: Vec<ClassStep>,
-    /// The last question that has been reached.
+    /// The last question that has been reached; their number if the end was.
     furthest: usize,
     /// The ticket with which it is kept.
     ticket: u64,
@@ -156,8 +156,7 @@ impl ClassPlay {
         } else if let Some(step) = self.steps.get(question + 1) {
             self.go(question + 1, *step, cx);
         } else {
-            self.phase = ClassPhase::End(EndPage::Board);
-            self.scroll = Scroll::default();
+            self.end();
         }
     }
 
@@ -175,19 +174,27 @@ impl ClassPlay {
         }
     }
 
-    /// To the question so many further, where it was left; never to one that has not
-    /// been reached yet.
+    /// The question so many further, after the last of which comes the end; none where it
+    /// has not been reached yet.
+    fn leads_to(&self, by: isize) -> Option<usize> {
+        let from = self.number() + usize::from(self.is_over());
+        let to = from.checked_add_signed(by)?;
+        (to <= self.furthest).then_some(to)
+    }
+
+    /// Goes there, to where it was left.
     fn leap(&mut self, by: isize, cx: &mut Context) {
-        let from = match self.phase {
-            ClassPhase::End(_) => self.number() + 1,
-            _ => self.number(),
-        };
-        let to = from.checked_add_signed(by);
-        if let Some(to) = to.filter(|to| *to <= self.furthest)
-            && let Some(step) = self.steps.get(to).copied()
-        {
-            self.go(to, step, cx);
+        match self.leads_to(by).map(|to| (to, self.steps.get(to))) {
+            Some((question, Some(step))) => self.go(question, *step, cx),
+            Some((_, None)) => self.end(),
+            None => {}
         }
+    }
+
+    fn end(&mut self) {
+        self.furthest = self.steps.len();
+        self.phase = ClassPhase::End(EndPage::Board);
+        self.scroll = Scroll::default();
     }
 
     fn turn_page(&mut self, page: EndPage, by: isize) {
@@ -258,7 +265,7 @@ impl ClassPlay {
                             .each(numbers, "a team")
                             .on('x', TakeBack, "take back")
                             .or([(Key::Delete, TakeBack)])
-                            .when(entry.at(&self.round) < count)
+                            .when(entry.has_voted(&self.round))
                     }
                 },
                 (ClassPhase::Shot(shown), _) => {
@@ -295,6 +302,7 @@ impl ClassPlay {
                 .on('p', Pause, "pause")
                 .on('l', Light, "dark or light")
                 .by(['[', ']'], Leap, [-1, 1], "questions")
+                .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
                 .on(Key::Escape, Leave, "leave"),
         )
     }
@@ -399,6 +407,6 @@ impl ClassPlay {
 
 /// The keys with those that scroll.
 fn scrolled(keys: KeyTable<ClassAction>) -> KeyTable<ClassAction> {
-    keys.by([Key::Up, Key::Down], ClassAction::Scroll, [-1, 1], "")
-        .by(Key::PAGES, ClassAction::Scroll, [-8, 8], "")
+    let keys_of_text = [Key::Up, Key::Down, Key::PageUp, Key::PageDown];
+    keys.by(keys_of_text, ClassAction::Scroll, [-1, 1, -8, 8], "")
 }

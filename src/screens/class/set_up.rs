@@ -166,10 +166,15 @@ impl SetUp {
             SetUpRow::Start => "start",
             SetUpRow::Earlier => "open the list",
         };
+        // Where text is typed they lead to its ends.
+        let ends = match at {
+            SetUpRow::Team(_) | SetUpRow::Kind(RoundKind::Code) => [Key::Home, Key::End].as_slice(),
+            _ => &[],
+        };
         KeyTable::new("class")
             .by([Key::Left, Key::Right], Topic, [-1, 1], "another topic")
             .when(at == SetUpRow::Kind(RoundKind::Topic))
-            .with(ListView::keys(enter), List)
+            .with(ListView::keys(enter).without_keys(ends), List)
             .on(Key::Delete, Remove, "remove it")
             .when(matches!(at, SetUpRow::Team(_)))
     }

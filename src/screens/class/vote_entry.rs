@@ -39,6 +39,12 @@ impl VoteEntry {
         self.teams.chosen(round.teams().len() + 1)
     }
 
+    /// Whether the team at the mark has a vote that it can take back.
+    pub(super) fn has_voted(&self, round: &ClassRound) -> bool {
+        let ballot = round.ballot(self.question, self.at(round));
+        ballot.vote(self.vote).is_some()
+    }
+
     /// Puts the mark at the team that is next to vote, or at going on.
     fn choose_next(&mut self, round: &ClassRound) {
         let count = round.teams().len();

@@ -149,10 +149,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
                 .when(board)
         }
         TablePhase::Arrange(_) => arranging(table),
-        TablePhase::Over => table
-            .on(Key::Enter, Do::NextBoard, "next")
-            .or([(' ', Do::NextBoard)])
-            .on('i', Do::LookBack, "strokes"),
+        TablePhase::Over => table.with(end_of_board(), |action| action),
     };
     let over = matches!(game.phase, TablePhase::Over);
     let named = |name| if over { name } else { "" };
@@ -169,6 +166,14 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         .by(Key::PAGES, Do::Scroll, [-8, 8], "")
         .on(Key::Escape, Do::Back, "leave")
         .when(over)
+}
+
+/// The keys with which the next board is begun.
+pub(crate) fn end_of_board() -> KeyTable<TableAction> {
+    KeyTable::new("table")
+        .on(Key::Enter, Do::NextBoard, "next")
+        .or([(' ', Do::NextBoard)])
+        .on('i', Do::LookBack, "strokes")
 }
 
 fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableAction> {

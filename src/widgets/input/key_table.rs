@@ -205,16 +205,24 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// The same without keys that an earlier row has already, and without rows that have
-    /// none left.
+    /// The same without keys that an earlier row has already, without rows that have none
+    /// left, and with one row for each id: what a later one has are other keys for it.
     #[must_use]
     pub fn distinct(mut self) -> Self {
         let mut taken = Vec::new();
-        self.rows.retain_mut(|row| {
+        let mut rows: Vec<KeyRow<A>> = Vec::new();
+        for mut row in self.rows {
             row.lose(&taken);
-            taken.extend(row.keys.iter().chain(&row.aliases).map(|(key, _)| *key));
-            !row.keys.is_empty()
-        });
+            taken.extend(row.all_keys());
+            match rows.iter_mut().find(|earlier| earlier.id == row.id) {
+                Some(earlier) => earlier
+                    .aliases
+                    .extend(row.keys.into_iter().chain(row.aliases)),
+                None if row.keys.is_empty() => {}
+                None => rows.push(row),
+            }
+        }
+        self.rows = rows;
         self
     }
 

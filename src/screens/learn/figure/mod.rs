@@ -49,6 +49,8 @@ pub(crate) enum FigureAction {
     Choose(isize),
     /// set it
     Set(i8),
+    /// set it by ten
+    SetByTen(i8),
     /// watch the hit
     Watch(WatchAction),
     /// work the foil
@@ -262,7 +264,7 @@ impl LiveFigure {
 
     /// The keys that work it.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
-        use FigureAction::{Alpha, AlphaEnd, Choose, Foil, Set, Step};
+        use FigureAction::{Alpha, AlphaEnd, Choose, Foil, Set, SetByTen, Step};
         let keys = KeyTable::new("figure");
         let alpha = KeyTable::new("figure")
             .each([(Key::Left, Alpha(-1)), (Key::Right, Alpha(1))], "α")
@@ -297,7 +299,10 @@ impl LiveFigure {
                     "step",
                 )
                 .each(
-                    [(Key::Char('<'), Set(-LEAP)), (Key::Char('>'), Set(LEAP))],
+                    [
+                        (Key::Char('<'), SetByTen(-LEAP)),
+                        (Key::Char('>'), SetByTen(LEAP)),
+                    ],
                     "set by ten",
                 ),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
@@ -321,7 +326,10 @@ impl LiveFigure {
                 let count = worked::FIELDS.len();
                 *field = (*field + count).saturating_add_signed(by) % count;
             }
-            (FigureAction::Set(by), FigureState::Solve { field, .. }) => {
+            (
+                FigureAction::Set(by) | FigureAction::SetByTen(by),
+                FigureState::Solve { field, .. },
+            ) => {
                 let field = worked::FIELDS[*field % worked::FIELDS.len()];
                 let mut setup = self.setup();
                 field.step(&mut setup, by.into());
