@@ -36,7 +36,8 @@ fn moments() -> impl Iterator<Item = Moment> {
         takes_any: stop.takes_any,
         game: Box::new(|| stop.game(Settings::default())),
     });
-    let more: [(_, fn() -> Headless); 2] = [
+    let more: [(_, fn() -> Headless); 3] = [
+        ("table, a hint told", a_hint_told),
         ("table, the end of a board", end_of_a_board),
         ("table, the computer thinks", the_computer_thinks),
     ];
@@ -45,6 +46,13 @@ fn moments() -> impl Iterator<Item = Moment> {
         takes_any: false,
         game: Box::new(game),
     }))
+}
+
+/// What a search for a stroke found, told whole.
+fn a_hint_told() -> Headless {
+    let mut game = Headless::from(App::new(Place::Table, Settings::default(), 7));
+    game.press("<Enter>hh");
+    game
 }
 
 /// A kept game of two computers whose last stroke is played.
@@ -81,10 +89,10 @@ fn seen(game: &mut Headless) -> Seen {
     (game.buffer().clone(), keys, settings, quit, exports)
 }
 
-/// Whether a key changes anything on so many rows at a moment, or after another key.
-fn changes(moment: &Moment, rows: u16, before: Option<Key>, key: Key) -> bool {
+/// Whether a key changes anything on a screen of this size at a moment, or after another key.
+fn changes(moment: &Moment, (columns, rows): (u16, u16), before: Option<Key>, key: Key) -> bool {
     let mut game = moment.game();
-    game.resize(80, rows);
+    game.resize(columns, rows);
     if let Some(before) = before {
         game.key(before);
         if !game.app().keys().keys().any(|other| other == key) {
@@ -100,8 +108,8 @@ fn changes(moment: &Moment, rows: u16, before: Option<Key>, key: Key) -> bool {
 /// the mark of a list cannot go up from its first line.
 fn does_something(moment: &Moment, key: Key) -> bool {
     let table = moment.game().app().keys();
-    let after = |before| changes(moment, 24, Some(before), key);
-    changes(moment, 24, None, key) || table.keys().any(after)
+    let after = |before| changes(moment, (80, 24), Some(before), key);
+    changes(moment, (80, 24), None, key) || table.keys().any(after)
 }
 
 #[test]
@@ -113,7 +121,10 @@ fn each_key_of_each_table_does_something() {
         for row in moment.game().app().keys().rows() {
             if row.id.ends_with("scroll") {
                 let any = scrolls.entry(row.id.clone()).or_insert(false);
-                *any = *any || row.all_keys().any(|key| changes(&moment, 20, None, key));
+                *any = *any
+                    || row
+                        .all_keys()
+                        .any(|key| changes(&moment, (60, 20), None, key));
                 continue;
             }
             for key in row.all_keys().filter(|key| !does_something(&moment, *key)) {
