@@ -103,6 +103,9 @@ pub(crate) fn true_minus(text: &str) -> String {
     text.replace('-', "−")
 }
 
+/// The digits as they are raised in an exponent.
+pub(crate) const RAISED_DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
 /// The same text with a capital letter first.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();

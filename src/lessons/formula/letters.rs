@@ -1,5 +1,7 @@
 //! Names of letters and signs, and which of them Unicode can raise or lower.
 
+use crate::numbers::RAISED_DIGITS;
+
 /// The letter or sign that a word in a formula stands for; words without one stand
 /// for themselves.
 pub(super) fn letter(word: &str) -> Option<&'static str> {
@@ -53,17 +55,7 @@ pub(super) fn lowered(letter: char) -> Option<char> {
 /// A letter as a superscript.
 pub(super) fn raised(letter: char) -> Option<char> {
     Some(match letter {
-        '0' => '⁰',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        '9' => '⁹',
         '-' | '−' => '⁻',
-        _ => return None,
+        _ => RAISED_DIGITS[letter.to_digit(10)? as usize],
     })
 }

@@ -113,15 +113,11 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     ];
     for said in votes {
         let Response::Rays(rays) = said else { continue };
-        for (body, (ray, name, role)) in bodies.into_iter().enumerate() {
-            let centre = stage.centres[body];
+        for (ray, name, role) in bodies {
             let Some(angle) = rays.get(ray) else {
                 continue;
             };
-            let direction = stage.direction(ray, angle);
-            let length = stage.room(centre, direction).min(2.9 * stage.unit());
-            let tip = centre + length * direction;
-            let start = centre + stage.radius(body) * direction;
+            let (direction, [start, tip]) = stage.ray(ray, angle);
             let pen = match ray {
                 Ray::Striker => Pen::new(role),
                 Ray::Target => Pen::new(role).dashed(),

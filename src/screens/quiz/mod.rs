@@ -420,7 +420,7 @@ impl AnsweredQuestion {
         let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
         let (watch, remedy) = match (&question.form, answer.said) {
             (Form::Shot(aim), Response::Shot(offset)) => {
-                let shot = |offset| watch(aim.with(offset)).with_wanted(aim.into());
+                let shot = |offset| watch(aim.with(offset)).with_wanted(*aim);
                 let right = Grade::new(&question, &answer).right;
                 let remedy = (!right).then(|| shot(aim.offset));
                 (Some(shot(offset)), remedy)

@@ -105,15 +105,16 @@ impl AnswerInput {
             Self::Rays(rays) => rays.keys().map(Ray),
             Self::Number(number) | Self::Shot(number) => number.keys().map(Number),
             Self::Choice { count, .. } => {
-                let each = |first: char| (first..).zip(0..*count);
+                let each = |first: char| {
+                    (first..)
+                        .zip(0..*count)
+                        .map(|(c, i)| (Key::Char(c), Choose(i)))
+                };
                 KeyTable::new("answer")
-                    .each([(Key::Up, Move(-1)), (Key::Down, Move(1))], "choose")
+                    .by([Key::Up, Key::Down], Move, [-1, 1], "choose")
                     .or([(Key::BackTab, Move(-1)), (Key::Tab, Move(1))])
-                    .each(
-                        each('a').map(|(c, i)| (Key::Char(c), Choose(i))),
-                        "likewise",
-                    )
-                    .or(each('1').map(|(c, i)| (Key::Char(c), Choose(i))))
+                    .each(each('a'), "likewise")
+                    .or(each('1'))
                     .on(Key::Enter, Enter, "next")
             }
         }

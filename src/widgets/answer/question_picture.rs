@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::AnswerInput;
 use crate::quiz::{Form, Illustration, Question, Response};
 use crate::widgets::Look;
-use crate::widgets::hit::{Face, HitResponse, Markings, after_picture, setup_picture};
+use crate::widgets::hit::{Face, Markings, after_picture, aim_picture, setup_picture};
 use crate::widgets::picture::Picture;
 use crate::widgets::tracks::tracks_picture;
 
@@ -18,7 +18,6 @@ pub fn question_picture(
     question: &Question,
     input: Option<&AnswerInput>,
 ) -> Option<Picture> {
-    let faces = Face::STRIKER_AND_COIN;
     Some(match (&question.picture, &question.form) {
         (Illustration::Before { shown, .. }, Form::Shot(aim)) => {
             let offset = match input.and_then(AnswerInput::said) {
@@ -29,12 +28,11 @@ pub fn question_picture(
                 offset: true,
                 ..*shown
             };
-            let saying = HitResponse::Shot(aim.into());
-            setup_picture(area, faces, &aim.with(offset), given, saying)
+            aim_picture(area, aim, offset, given)
         }
         (Illustration::Before { collision, shown }, _) => {
             let rays = input.and_then(AnswerInput::rays);
-            setup_picture(area, faces, collision, *shown, rays)
+            setup_picture(area, Face::STRIKER_AND_COIN, collision, *shown, rays)
         }
         (Illustration::After { collision }, _) => after_picture(area, collision),
         (Illustration::Tracks { rutherford, angles }, _) => {

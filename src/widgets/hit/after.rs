@@ -4,7 +4,7 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::sketch::Sketch;
+use super::sketch::{ArrowScale, Sketch};
 use super::stage::HitLayout;
 use super::watch::Face;
 use crate::physics::Collision;
@@ -14,23 +14,18 @@ use crate::widgets::picture::{Pen, Picture};
 /// Length of every arrow, in radii of the larger disc: none tells of a speed.
 const ARROW: f64 = 2.1;
 
-/// A speed below this share of the fastest counts as none.
-const STILL: f64 = 1e-9;
-
 /// The ways that a striker and a coin came and went, with both angles.
 pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
     let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let stage = sketch.stage;
     let outcome = collision.outcome();
     let (before, after) = ([collision.u1, collision.u2], [outcome.v1, outcome.v2]);
-    let fastest = before.iter().chain(&after).map(|v| v.length());
-    let still = STILL * fastest.fold(0.0, f64::max);
-    let moving = |v: DVec2| v.try_normalize().filter(|_| v.length() > still);
+    let scale = ArrowScale::fit(&stage, before, after);
     let room = |from, direction| stage.room(from, direction).min(ARROW * stage.unit());
     for (body, face) in Face::STRIKER_AND_COIN.into_iter().enumerate() {
         let (centre, radius) = (stage.centres[body], stage.radius(body));
         sketch.picture.disc(centre, radius, face.role, face.letter);
-        if let Some(direction) = moving(before[body]) {
+        if let Some(direction) = scale.direction(before[body]) {
             let rim = centre - radius * direction;
             let tail = rim - room(rim, -direction) * direction;
             sketch.picture.arrow(tail, rim, Role::Incoming);
@@ -38,7 +33,7 @@ pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
             sketch.label("before", rim.lerp(tail, 0.6), across, Role::Incoming);
         }
         let role = [Role::StrikerOut, Role::CoinOut][body];
-        let Some(direction) = moving(after[body]) else {
+        let Some(direction) = scale.direction(after[body]) else {
             let below = centre + radius * DVec2::NEG_Y;
             sketch.label("stands still", below, DVec2::NEG_Y, role);
             continue;

@@ -19,7 +19,7 @@ pub(crate) use after::after_picture;
 pub(crate) use layers::{Overlay, Overlays};
 pub(crate) use pencil::{protractor_picture, scale_picture};
 pub(crate) use playback::FRAME;
-pub(crate) use setup::{HitResponse, Markings, drag_offset, point_at, setup_picture};
+pub(crate) use setup::{Markings, aim_picture, drag_offset, point_at, setup_picture};
 pub(crate) use stage::HitLayout;
 pub(crate) use telling::Telling;
 pub(crate) use watch::{Face, Watch, WatchAction};

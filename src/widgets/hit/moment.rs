@@ -2,15 +2,14 @@
 
 use glam::DVec2;
 
-use super::layers::{Overlay, Overlays};
-use super::playback::Playback;
-use super::sketch::{ArrowScale, Sketch, WantedWay};
+use super::layers::Overlay;
+use super::sketch::{ArrowScale, Sketch};
 use super::stage::HitLayout;
-use super::watch::Face;
+use super::watch::{Face, Watch};
 use crate::numbers::significant;
 use crate::physics::units::g_from_kg;
-use crate::physics::{Bond, CollisionOutcome, Frame, Shot};
-use crate::quiz::{Ray, Rays};
+use crate::physics::{Bond, Frame};
+use crate::quiz::Ray;
 use crate::widgets::Role;
 use crate::widgets::picture::{self, Pen, Picture};
 
@@ -19,36 +18,30 @@ const STANDS: f64 = 1e-6;
 
 /// What a moment of a hit is drawn from.
 pub(super) struct Moment<'a> {
+    pub(super) watch: &'a Watch,
     pub(super) stage: HitLayout,
-    pub(super) outcome: &'a CollisionOutcome,
-    pub(super) shot: Option<&'a Shot>,
-    pub(super) clock: &'a Playback,
-    pub(super) contact: f64,
-    pub(super) frame: Frame,
-    pub(super) layers: Overlays,
-    pub(super) said: Option<&'a Rays>,
-    pub(super) wanted: Option<WantedWay>,
-    pub(super) measured: bool,
-    pub(super) faces: [Face; 2],
 }
 
 impl Moment<'_> {
     /// Velocity of the frame it is seen from.
     fn drift(&self) -> DVec2 {
-        self.frame.velocity(&self.stage.collision)
+        self.watch.frame.velocity(&self.stage.collision)
     }
 
     /// Where a disc is at a time of the shot, as seen from the frame.
     fn place(&self, body: usize, time: f64) -> DVec2 {
-        let position = match self.shot {
+        let position = match &self.watch.shot {
             Some(shot) => shot.at(body, time).position,
             // Two that move alike never make a shot; each goes its way.
             None => {
-                let (p1, p2) = self.stage.collision.positions_before(self.contact - time);
+                let (p1, p2) = self
+                    .stage
+                    .collision
+                    .positions_before(self.watch.clock.contact - time);
                 [p1, p2][body]
             }
         };
-        position - self.drift() * (time - self.contact)
+        position - self.drift() * (time - self.watch.clock.contact)
     }
 
     /// A disc where it is now. Once it has left the contact and stands, it is an outline,
@@ -56,11 +49,11 @@ impl Moment<'_> {
     fn disc(&self, picture: &mut Picture, body: usize, face: Face, now: DVec2) {
         let radius = self.stage.radius(body);
         let gone = now - self.stage.centres[body];
-        let has_left = self.clock.has_met() && gone.length() > STANDS * radius;
+        let has_left = self.watch.clock.has_met() && gone.length() > STANDS * radius;
         match gone.try_normalize() {
             // Its arrow runs through its middle, so the letter stands beside it, on the side
             // further from the line of its old motion.
-            Some(way) if has_left && !self.clock.is_running() => {
+            Some(way) if has_left && !self.watch.clock.is_running() => {
                 let off = self.stage.heading().perp();
                 let away = way.perp().dot(off) * way.dot(off);
                 let beside = way.perp() * 1.0_f64.copysign(away);
@@ -73,16 +66,16 @@ impl Moment<'_> {
 
     /// Whether they go on as one.
     fn sticks(&self) -> bool {
-        self.stage.collision.bond == Bond::Stick && self.outcome.hit()
+        self.stage.collision.bond == Bond::Stick && self.watch.outcome.hit()
     }
 
     /// Velocities after the contact as arrows show them, at a time of the shot. A pair
     /// that sticks shows that of its centre of mass; seen from there, how its discs go
     /// round.
     fn after(&self, time: f64) -> [DVec2; 2] {
-        let shared = [self.outcome.v1, self.outcome.v2];
-        if self.sticks() && self.frame == Frame::CentreOfMass {
-            let turned = -self.outcome.spin * (time - self.contact).max(0.0);
+        let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
+        if self.sticks() && self.watch.frame == Frame::CentreOfMass {
+            let turned = -self.watch.outcome.spin * (time - self.watch.clock.contact).max(0.0);
             let turned = DVec2::from_angle(turned);
             let centres = self.stage.collision.centres_after();
             return [0, 1].map(|body| turned.rotate(centres[body] - shared[body]));
@@ -93,7 +86,7 @@ impl Moment<'_> {
     /// A pen for the geometry of the contact: over the discs while they are there,
     /// behind them once they have left.
     fn pen(&self, role: Role) -> Pen {
-        if self.clock.at_contact() {
+        if self.watch.clock.at_contact() {
             Pen::new(role)
         } else {
             Pen::new(role).on(picture::DrawLayer::Trail)
@@ -101,7 +94,7 @@ impl Moment<'_> {
     }
 
     fn shows(&self, layer: Overlay) -> bool {
-        self.layers.shows(layer)
+        self.watch.layers.shows(layer)
     }
 
     /// Whether the picture is of the split of u alone, with all its room for that.
@@ -112,36 +105,36 @@ impl Moment<'_> {
     /// Draws it.
     pub(super) fn picture(&self) -> Picture {
         let mut sketch = Sketch::new(self.stage);
-        let time = self.clock.time();
-        let met = self.clock.has_met();
+        let time = self.watch.clock.time();
+        let met = self.watch.clock.has_met();
         let now = [self.place(0, time), self.place(1, time)];
         if self.shows(Overlay::Trails) {
             self.trails(&mut sketch.picture, time);
         }
-        for (body, face) in self.faces.into_iter().enumerate() {
+        for (body, face) in self.watch.faces.into_iter().enumerate() {
             self.disc(&mut sketch.picture, body, face, now[body]);
         }
         let collision = &self.stage.collision;
         let before = [collision.u1 - self.drift(), collision.u2 - self.drift()];
         let after = self.after(time);
-        let beats = self.clock.beats();
+        let beats = self.watch.clock.beats();
         let told = met && beats >= 3;
-        let in_lab = self.frame == Frame::Laboratory;
+        let in_lab = self.watch.frame == Frame::Laboratory;
         // From the centre of mass the triangle is none: the two cancel.
-        let flat = self.frame == Frame::CentreOfMass || !self.outcome.hit();
+        let flat = self.watch.frame == Frame::CentreOfMass || !self.watch.outcome.hit();
         if told && self.shows(Overlay::Triangle) && !flat {
             self.triangle(&mut sketch, before, after);
         }
-        let normal = self.outcome.normal.filter(|_| self.is_split_alone());
+        let normal = self.watch.outcome.normal.filter(|_| self.is_split_alone());
         let scale = match normal {
             Some(n) => ArrowScale::fit_split(&self.stage, before[0], n),
             None => ArrowScale::fit(&self.stage, before, after),
         };
-        if let (Some(n), Some(t)) = (self.outcome.normal, self.outcome.tangent) {
+        if let (Some(n), Some(t)) = (self.watch.outcome.normal, self.watch.outcome.tangent) {
             if beats >= 1 && self.shows(Overlay::Lines) {
                 self.lines(&mut sketch, n, t);
             }
-            let telling = beats == 2 && self.clock.at_contact();
+            let telling = beats == 2 && self.watch.clock.at_contact();
             if beats >= 2 && (telling || self.shows(Overlay::Split)) {
                 sketch.split(&scale, before[0], n, t);
                 if !self.shows(Overlay::Velocities) {
@@ -153,7 +146,7 @@ impl Moment<'_> {
             let at = if met { self.stage.centres } else { now };
             self.incoming(&mut sketch, &scale, before, at);
         }
-        if let Some(wanted) = &self.wanted
+        if let Some(wanted) = &self.watch.wanted
             && self.shows(Overlay::Prediction)
             && in_lab
         {
@@ -164,11 +157,11 @@ impl Moment<'_> {
                 self.prediction(&mut sketch);
             }
             if self.shows(Overlay::Velocities) {
-                let turns = self.sticks() && self.frame == Frame::CentreOfMass;
+                let turns = self.sticks() && self.watch.frame == Frame::CentreOfMass;
                 let at = if turns { now } else { self.stage.centres };
                 self.outgoing(&mut sketch, &scale, after, at);
             }
-            if self.shows(Overlay::Angles) && self.outcome.hit() && in_lab {
+            if self.shows(Overlay::Angles) && self.watch.outcome.hit() && in_lab {
                 for (body, v) in after.into_iter().enumerate() {
                     sketch.arc(body, v, self.pen(Role::Arc));
                 }
@@ -177,10 +170,10 @@ impl Moment<'_> {
                 }
             }
         }
-        if met && self.outcome.hit() {
+        if met && self.watch.outcome.hit() {
             sketch.picture.reserve(DVec2::ZERO);
         }
-        if self.measured {
+        if self.watch.measured {
             self.measures(&mut sketch);
         }
         sketch.picture
@@ -207,10 +200,10 @@ impl Moment<'_> {
     /// Where the discs came from and, after the contact, have gone.
     fn trails(&self, picture: &mut Picture, time: f64) {
         for body in 0..2 {
-            let until = time.min(self.contact);
+            let until = time.min(self.watch.clock.contact);
             let old = Pen::new(Role::Trail).dotted().aged(0.6);
             picture.line(self.place(body, 0.0), self.place(body, until), old);
-            if time <= self.contact {
+            if time <= self.watch.clock.contact {
                 continue;
             }
             let fresh = Pen::new(Role::Trail);
@@ -218,7 +211,10 @@ impl Moment<'_> {
             let pieces = if self.sticks() { 48 } else { 1 };
             let point = |i: usize| {
                 let share = i as f64 / f64::from(pieces);
-                self.place(body, self.contact + share * (time - self.contact))
+                self.place(
+                    body,
+                    self.watch.clock.contact + share * (time - self.watch.clock.contact),
+                )
             };
             picture.curve((0..=pieces as usize).map(point), fresh);
             let ghost = Pen::new(Role::Trail).dotted();
@@ -258,11 +254,12 @@ impl Moment<'_> {
         before: [DVec2; 2],
         at: [DVec2; 2],
     ) {
-        let names = if self.stage.collision.u2 == DVec2::ZERO && self.frame == Frame::Laboratory {
-            ["u", "u₂"]
-        } else {
-            ["u₁", "u₂"]
-        };
+        let names =
+            if self.stage.collision.u2 == DVec2::ZERO && self.watch.frame == Frame::Laboratory {
+                ["u", "u₂"]
+            } else {
+                ["u₁", "u₂"]
+            };
         for body in 0..2 {
             let disc = (at[body], self.stage.radius(body));
             sketch.incoming(scale, names[body], disc, before[body]);
@@ -270,7 +267,7 @@ impl Moment<'_> {
     }
 
     fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
-        if self.sticks() && self.frame != Frame::CentreOfMass {
+        if self.sticks() && self.watch.frame != Frame::CentreOfMass {
             // The one velocity of a pair that sticks, from its centre of mass.
             if !scale.is_still(after[0]) {
                 let collision = &self.stage.collision;
@@ -282,7 +279,7 @@ impl Moment<'_> {
             return;
         }
         // As chapter 11 names them.
-        let names = match self.frame {
+        let names = match self.watch.frame {
             Frame::CentreOfMass => ["w₁", "w₂"],
             _ => ["v₁", "v₂"],
         };
@@ -295,19 +292,13 @@ impl Moment<'_> {
     }
 
     fn prediction(&self, sketch: &mut Sketch) {
-        let said = self.said.into_iter();
-        let rays = said.flat_map(|said| Ray::BOTH.map(|ray| (ray, said.get(ray))));
-        for (body, (ray, angle)) in rays.enumerate() {
-            let Some(angle) = angle else {
-                continue;
-            };
-            let direction = self.stage.direction(ray, angle);
-            let centre = self.stage.centres[body];
-            let from = centre + self.stage.radius(body) * direction;
-            let to = centre + sketch.ray_length(centre, direction) * direction;
-            let pen = Pen::new(Role::Predicted).dashed();
-            sketch.picture.line(from, to, pen);
-            sketch.label("you", to, direction, Role::Predicted);
+        for ray in Ray::BOTH {
+            if let Some(angle) = self.watch.said.and_then(|said| said.get(ray)) {
+                let (direction, [from, to]) = self.stage.ray(ray, angle);
+                let pen = Pen::new(Role::Predicted).dashed();
+                sketch.picture.line(from, to, pen);
+                sketch.label("you", to, direction, Role::Predicted);
+            }
         }
     }
 
@@ -316,7 +307,7 @@ impl Moment<'_> {
         let p1 = collision.striker.mass * after[0];
         let p2 = collision.target.mass * after[1];
         let mut busy = vec![-before[0], -before[1], after[0], after[1]];
-        if let Some(n) = self.outcome.normal {
+        if let Some(n) = self.watch.outcome.normal {
             busy.extend([n, -n]);
         }
         sketch.triangle(p1, p2, &busy);

@@ -37,7 +37,7 @@ const TOLD: PlaybackStage = PlaybackStage::Contact(BEAT * BEATS as f64);
 /// only other values of one number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Playback {
-    contact: f64,
+    pub(super) contact: f64,
     end: f64,
     stage: PlaybackStage,
 }

@@ -3,57 +3,47 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::sketch::{Sketch, WantedWay, ray_length};
+use super::sketch::Sketch;
 use super::stage::HitLayout;
 use super::watch::Face;
 use crate::physics::Collision;
-use crate::quiz::Ray;
+use crate::quiz::{AimTask, Ray};
 use crate::widgets::picture::{Pen, Picture};
 use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// What is being said of a hit.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum HitResponse<'a> {
-    /// Nothing, or nothing that is seen.
-    Nothing,
-    /// Where both will go.
-    Rays(&'a RayInput),
-    /// The offset that sends one of them where it is wanted.
-    Shot(WantedWay),
-}
-
-impl<'a> From<Option<&'a RayInput>> for HitResponse<'a> {
-    fn from(rays: Option<&'a RayInput>) -> Self {
-        rays.map_or(Self::Nothing, Self::Rays)
-    }
-}
-
-/// Two discs about to meet, with what is given of the hit and what is being said of it.
-pub(crate) fn setup_picture<'a>(
+/// Two discs about to meet, with what is given of the hit and the rays that are being
+/// turned.
+pub(crate) fn setup_picture(
     area: Rect,
     faces: [Face; 2],
     collision: &Collision,
     given: Markings,
-    saying: impl Into<HitResponse<'a>>,
+    rays: Option<&RayInput>,
 ) -> Picture {
+    let mut sketch = setup(area, faces, collision, given);
+    if let Some(rays) = rays {
+        turned(&mut sketch, faces, rays);
+    }
+    sketch.picture
+}
+
+/// A striker and a coin about to meet at an offset in metres, with the way that one of
+/// them is to go.
+pub(crate) fn aim_picture(area: Rect, aim: &AimTask, offset: f64, given: Markings) -> Picture {
+    let mut sketch = setup(area, Face::STRIKER_AND_COIN, &aim.with(offset), given);
+    sketch.wanted_way(aim);
+    sketch.picture
+}
+
+fn setup(area: Rect, faces: [Face; 2], collision: &Collision, given: Markings) -> Sketch {
     let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let radius = sketch.stage.radius(1);
     let places = before(&sketch.stage);
-    about_to_meet(
-        &mut sketch,
-        faces,
-        places,
-        given,
-        [1.35 * radius, 1.5 * radius],
-    );
-    match saying.into() {
-        HitResponse::Nothing => {}
-        HitResponse::Rays(rays) => turned(&mut sketch, faces, rays),
-        HitResponse::Shot(wanted) => sketch.wanted_way(&wanted),
-    }
-    sketch.picture
+    let lengths = [1.35 * radius, 1.5 * radius];
+    about_to_meet(&mut sketch, faces, places, given, lengths);
+    sketch
 }
 
 /// Two discs on their way, and what is given. The offset is measured `ahead` of the
@@ -123,11 +113,14 @@ fn offset(sketch: &mut Sketch, along: DVec2, ahead: f64, figures: bool) {
     }
     let foot = c2 + ahead * along;
     sketch.picture.line(foot, foot - across, Role::Arc);
-    let text = match figures {
-        true => format!("b = {:.1} mm", stage.collision.offset.abs() * 1000.0),
-        false => "b".into(),
-    };
+    let offset_mm = stage.collision.offset.abs() * 1000.0;
+    let text = named("b", figures.then(|| format!("{offset_mm:.1} mm")));
     sketch.label(text, foot - 0.5 * across, along, Role::Arc);
+}
+
+/// The name of a quantity, and its value where it is given.
+fn named(name: &str, value: Option<String>) -> String {
+    value.map_or(name.to_owned(), |value| format!("{name} = {value}"))
 }
 
 /// The line of impact where the two will meet, and the angle to it.
@@ -149,10 +142,8 @@ fn impact_angle(sketch: &mut Sketch, beyond: f64, figures: bool) {
             .picture
             .arc(c1, radius, start, start - alpha, Role::Arc);
     }
-    let text = match figures {
-        true => format!("α = {:.1}°", alpha.to_degrees().abs()),
-        false => "α".into(),
-    };
+    let alpha_deg = alpha.to_degrees().abs();
+    let text = named("α", figures.then(|| format!("{alpha_deg:.1}°")));
     sketch.label(text, end, n, Role::LineOfImpact);
 }
 
@@ -170,10 +161,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
         let from = places[body] + stage.radius(body) * direction;
         let pen = Pen::new(Role::Incoming).bold();
         sketch.picture.arrow(from, from + length * direction, pen);
-        let text = match figures {
-            true => format!("{name} = {:.2} m/s", v.length()),
-            false => name.into(),
-        };
+        let text = named(name, figures.then(|| format!("{:.2} m/s", v.length())));
         let away = direction.perp() * stage.side();
         let anchor = places[body] + stage.radius(body) * away;
         sketch.label(text, anchor, away, Role::Incoming);
@@ -182,27 +170,21 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
 
 /// The rays as said so far, from where the discs will meet.
 fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
-    let stage = sketch.stage;
     let said = rays.so_far();
-    for (body, ray) in Ray::BOTH.into_iter().enumerate() {
-        if !rays.asks(ray) {
-            continue;
-        }
-        let name = faces[body].letter;
-        let centre = stage.centres[body];
+    for ray in Ray::BOTH.into_iter().filter(|ray| rays.asks(*ray)) {
+        let name = faces[ray as usize].letter;
         let Some(angle) = said.get(ray) else {
             let still = rays.is_said(ray);
             let text = format!("{name} {}", if still { "stays still" } else { "?" });
+            let centre = sketch.stage.centres[ray as usize];
             sketch.label(text, centre, DVec2::Y, Role::Predicted);
             continue;
         };
-        let direction = stage.direction(ray, angle);
-        let tip = centre + ray_length(&stage, centre, direction) * direction;
+        let (direction, [rim, tip]) = sketch.stage.ray(ray, angle);
         let pen = match ray == rays.turning() {
             true => Pen::new(Role::Predicted).bold(),
             false => Pen::new(Role::Predicted).dashed(),
         };
-        let rim = centre + stage.radius(body) * direction;
         sketch.picture.arrow(rim, tip, pen);
         let text = format!("{name} {}", rays.shown(ray));
         sketch.label(text, tip, direction, Role::Predicted);
@@ -221,26 +203,18 @@ pub(crate) fn point_at(
     let stage = HitLayout::new(area, collision);
     let at = stage.view.world_at(cell.0, cell.1);
     let said = rays.so_far();
-    let distance = |body: usize, ray: Ray| {
-        let centre = stage.centres[body];
-        let tip = match said.get(ray) {
-            Some(angle) => {
-                let direction = stage.direction(ray, angle);
-                centre + ray_length(&stage, centre, direction) * direction
-            }
-            None => centre,
-        };
-        tip.distance(at)
+    let distance = |ray: Ray| {
+        let tip = said.get(ray).map(|angle| stage.ray(ray, angle).1[1]);
+        tip.unwrap_or(stage.centres[ray as usize]).distance(at)
     };
     let ray = if !choose {
         rays.turning()
-    } else if distance(0, Ray::Striker) <= distance(1, Ray::Target) {
+    } else if distance(Ray::Striker) <= distance(Ray::Target) {
         Ray::Striker
     } else {
         Ray::Target
     };
-    let body = usize::from(ray == Ray::Target);
-    if let Some(direction) = (at - stage.centres[body]).try_normalize() {
+    if let Some(direction) = (at - stage.centres[ray as usize]).try_normalize() {
         rays.point(ray, stage.angle_deg_of(ray, direction));
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::stage::HitLayout;
-use crate::quiz::{AimTask, Ray};
+use crate::quiz::AimTask;
 use crate::widgets::Role;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 
@@ -13,8 +13,6 @@ const LONGEST: f64 = 2.8;
 const SHORT: f64 = 0.85;
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
-/// Longest ray, in the same radii.
-const RAY: f64 = 2.9;
 /// Radius of an arc, in radii of its disc.
 const ARC: f64 = 1.55;
 /// An angle this near 90° is square, in radians.
@@ -23,24 +21,6 @@ const SQUARE: f64 = 1e-9;
 const STILL: f64 = 1e-9;
 /// Width and height of the triangle of momenta as a share of the picture.
 const INSET: DVec2 = DVec2::new(0.26, 0.30);
-
-/// Where one of the two discs is to be sent.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct WantedWay {
-    /// Which of the two.
-    pub ray: Ray,
-    /// Its way: θ₁ or θ₂ in radians, with the signs of [`Rays`](crate::quiz::Rays).
-    pub angle: f64,
-}
-
-impl From<&AimTask> for WantedWay {
-    fn from(aim: &AimTask) -> Self {
-        Self {
-            ray: aim.ray,
-            angle: aim.wanted,
-        }
-    }
-}
 
 /// The scale of velocities as arrows.
 #[derive(Debug, Clone, Copy)]
@@ -164,21 +144,11 @@ impl Sketch {
         }
     }
 
-    /// How far a ray reaches from a disc's centre at contact.
-    pub(super) fn ray_length(&self, centre: DVec2, direction: DVec2) -> f64 {
-        ray_length(&self.stage, centre, direction)
-    }
-
-    /// A dashed way from the disc at the contact, and the mark where it leads.
-    pub(super) fn wanted_way(&mut self, wanted: &WantedWay) {
-        let stage = &self.stage;
-        let body = usize::from(wanted.ray == Ray::Target);
-        let centre = stage.centres[body];
-        let direction = stage.direction(wanted.ray, wanted.angle);
-        let end = centre + self.ray_length(centre, direction) * direction;
-        let rim = centre + stage.radius(body) * direction;
+    /// A dashed way from the disc at the contact, and the mark where it is to be sent.
+    pub(super) fn wanted_way(&mut self, aim: &AimTask) {
+        let (direction, [rim, end]) = self.stage.ray(aim.ray, aim.wanted);
         // Too small to be a disc: a token.
-        let radius = 0.01 * stage.view.per_row();
+        let radius = 0.01 * self.stage.view.per_row();
         self.picture.line(rim, end, Pen::new(Role::Good).dashed());
         self.picture.disc(end, radius, Role::Marble, ' ');
         self.label("mark", end, direction, Role::Good);
@@ -323,11 +293,6 @@ impl Sketch {
             .label("p = p₁ + p₂", caption, &sides, Role::Dim)
             .apart();
     }
-}
-
-/// How far a ray reaches from a disc's centre at contact.
-pub(super) fn ray_length(stage: &HitLayout, centre: DVec2, direction: DVec2) -> f64 {
-    stage.room(centre, direction).min(RAY * stage.unit())
 }
 
 /// The corner, as signs of x and y, that keeps furthest from all busy directions.

@@ -20,6 +20,9 @@ const IN_SIGHT: f64 = 0.92;
 /// Rows below which a picture is low.
 const LOW: u16 = 12;
 
+/// Longest ray, in radii of the larger disc.
+const RAY: f64 = 2.9;
+
 /// The geometry of a hit as drawn: the contact point is in the middle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HitLayout {
@@ -36,7 +39,6 @@ pub(crate) struct HitLayout {
 impl HitLayout {
     /// The stage of `collision` in `area`.
     pub(crate) fn new(area: Rect, collision: &Collision) -> Self {
-        let (c1, c2) = collision.placed_at_contact();
         let largest = collision.striker.radius.max(collision.target.radius);
         let half = if area.height < LOW {
             LOW_HALF_HEIGHT * largest
@@ -47,7 +49,7 @@ impl HitLayout {
         Self {
             view: View::new(area, DVec2::ZERO, 2.0 * half / columns),
             collision: *collision,
-            centres: [c1, c2],
+            centres: collision.placed_at_contact().into(),
             middle: DVec2::ZERO,
         }
     }
@@ -55,14 +57,13 @@ impl HitLayout {
     /// The stage of `collision` on paper: as large as it must be to show what lies
     /// between two corners, with this many columns for the radius of the larger disc.
     pub(super) fn between(collision: &Collision, [low, high]: [DVec2; 2], columns: f64) -> Self {
-        let (c1, c2) = collision.placed_at_contact();
         let largest = collision.striker.radius.max(collision.target.radius);
         let size = (high - low) / largest * columns;
         let area = Rect::new(0, 0, size.x.ceil() as u16, (size.y / 2.0).ceil() as u16);
         Self {
             view: View::fit(area, low, high),
             collision: *collision,
-            centres: [c1, c2],
+            centres: collision.placed_at_contact().into(),
             middle: (low + high) / 2.0,
         }
     }
@@ -88,8 +89,18 @@ impl HitLayout {
     }
 
     /// The direction of a ray at an angle in radians, with the signs of physics.
-    pub(crate) fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
+    fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())
+    }
+
+    /// The ray of a disc at an angle in radians, from where the two will meet: its
+    /// direction, where it leaves the rim, and its tip.
+    pub(crate) fn ray(&self, ray: Ray, angle: f64) -> (DVec2, [DVec2; 2]) {
+        let centre = self.centres[ray as usize];
+        let direction = self.direction(ray, angle);
+        let length = self.room(centre, direction).min(RAY * self.unit());
+        let ends = [self.radius(ray as usize), length];
+        (direction, ends.map(|away| centre + away * direction))
     }
 
     /// The angle in degrees that a player gives a ray in this direction: positive

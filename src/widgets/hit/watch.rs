@@ -9,11 +9,10 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::layers::{Overlay, Overlays};
 use super::moment::Moment;
 use super::playback::{FRAME, Playback};
-use super::sketch::WantedWay;
 use super::stage::{HitLayout, time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Shot};
-use crate::quiz::Rays;
+use crate::quiz::{AimTask, Rays};
 use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;
@@ -27,16 +26,15 @@ const SCRUB: f64 = 1.0 / 16.0;
 #[derive(Debug, Clone)]
 pub(crate) struct Watch {
     collision: Collision,
-    outcome: CollisionOutcome,
-    shot: Option<Shot>,
-    clock: Playback,
-    contact: f64,
-    layers: Overlays,
-    frame: Frame,
-    said: Option<Rays>,
-    wanted: Option<WantedWay>,
-    measured: bool,
-    faces: [Face; 2],
+    pub(super) outcome: CollisionOutcome,
+    pub(super) shot: Option<Shot>,
+    pub(super) clock: Playback,
+    pub(super) layers: Overlays,
+    pub(super) frame: Frame,
+    pub(super) said: Option<Rays>,
+    pub(super) wanted: Option<AimTask>,
+    pub(super) measured: bool,
+    pub(super) faces: [Face; 2],
 }
 
 /// What keys do to a hit that is watched.
@@ -72,16 +70,13 @@ pub(crate) struct Face {
 
 impl Face {
     /// A striker and a coin.
-    pub(crate) const STRIKER_AND_COIN: [Self; 2] = [
-        Self {
-            role: Role::Striker,
-            letter: 'S',
-        },
-        Self {
-            role: Role::Coin,
-            letter: 'C',
-        },
-    ];
+    pub(crate) const STRIKER_AND_COIN: [Self; 2] =
+        [Self::new(Role::Striker, 'S'), Self::new(Role::Coin, 'C')];
+
+    /// A colour, and the letter on it.
+    pub(crate) const fn new(role: Role, letter: char) -> Self {
+        Self { role, letter }
+    }
 }
 
 impl Watch {
@@ -94,7 +89,6 @@ impl Watch {
             outcome: collision.outcome(),
             shot: collision.shot(contact, end),
             clock: Playback::new(contact, end, reduced),
-            contact,
             layers: Overlays::default(),
             frame: Frame::Laboratory,
             said,
@@ -112,20 +106,16 @@ impl Watch {
 
     /// The same with the way that one of the two was to be sent.
     #[must_use]
-    pub(crate) fn with_wanted(self, wanted: WantedWay) -> Self {
-        Self {
-            wanted: Some(wanted),
-            ..self
-        }
+    pub(crate) fn with_wanted(self, aim: AimTask) -> Self {
+        let wanted = Some(aim);
+        Self { wanted, ..self }
     }
 
     /// The same with the masses and the impact angle written beside it.
     #[must_use]
     pub(crate) fn with_measures(self) -> Self {
-        Self {
-            measured: true,
-            ..self
-        }
+        let measured = true;
+        Self { measured, ..self }
     }
 
     /// The same with these layers.
@@ -208,20 +198,14 @@ impl Watch {
         // The last layer is what was said.
         let last = if self.said.is_some() { '7' } else { '6' };
         KeyTable::new("hit")
-            .on(Key::Char(' '), GoOn, "go on")
+            .on(' ', GoOn, "go on")
             .when(!self.clock.is_over())
-            .each(
-                [(Key::Char(','), Step(-1)), (Key::Char('.'), Step(1))],
-                "step",
-            )
+            .by([',', '.'], Step, [-1, 1], "step")
             .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
-            .on(Key::Char('a'), Again, "again")
-            .on(Key::Char('f'), Frame, "frame")
+            .on('a', Again, "again")
+            .on('f', Frame, "frame")
             .each(('1'..=last).map(layer), "layers")
-            .each(
-                [(Key::Char('<'), Scrub(-1)), (Key::Char('>'), Scrub(1))],
-                "",
-            )
+            .by(['<', '>'], Scrub, [-1, 1], "")
             .each([(Key::Home, Start), (Key::End, End)], "")
     }
 
@@ -261,20 +245,8 @@ impl Watch {
     /// The picture of the moment that its clock shows.
     #[must_use]
     pub(crate) fn picture(&self, area: Rect) -> Picture {
-        let moment = Moment {
-            stage: HitLayout::new(area, &self.collision),
-            outcome: &self.outcome,
-            shot: self.shot.as_ref(),
-            clock: &self.clock,
-            contact: self.contact,
-            frame: self.frame,
-            layers: self.layers,
-            said: self.said.as_ref(),
-            wanted: self.wanted,
-            measured: self.measured,
-            faces: self.faces,
-        };
-        moment.picture()
+        let stage = HitLayout::new(area, &self.collision);
+        Moment { watch: self, stage }.picture()
     }
 }
 

@@ -3,6 +3,7 @@
 use glam::{DVec2, dvec2};
 use ratatui::{
     buffer::Buffer,
+    layout::Position,
     style::{Modifier, Style},
 };
 
@@ -16,6 +17,14 @@ use super::{
 use crate::widgets::picture::{Dash, DrawLayer, Mark, Pen, Picture, View};
 use crate::widgets::{Charset, Role, Theme};
 
+/// A cell of the canvas: column and row.
+pub(super) type CellPlace = (i32, i32);
+
+/// The cell that holds a point on paper.
+pub(super) fn cell_of(paper: DVec2) -> CellPlace {
+    (paper.x.floor() as i32, (paper.y / 2.0).floor() as i32)
+}
+
 /// The cells that a picture is drawn on: strokes, discs and labels in world
 /// coordinates, then all at once [`Canvas::draw`]n into a buffer.
 #[derive(Debug, Clone)]
@@ -25,7 +34,7 @@ pub(in crate::widgets) struct Canvas {
     pub(super) cells: Vec<Cell>,
     pub(super) labels: Vec<PlacedLabel>,
     /// What labels are written for, in cells from the corner of the area.
-    pub(super) expected: Vec<(i32, i32)>,
+    pub(super) expected: Vec<CellPlace>,
     stroke: StrokeSamples,
 }
 
@@ -59,7 +68,7 @@ impl Canvas {
     fn mark(&mut self, mark: &Mark) {
         match mark {
             Mark::Line { from, to, pen } => self.line(*from, *to, *pen),
-            Mark::Curve { points, pen } => self.polyline(points.iter().copied(), *pen),
+            Mark::Curve { points, pen } => self.through(points.iter().copied(), *pen, true),
             Mark::Arc {
                 centre,
                 radius,
@@ -99,16 +108,8 @@ impl Canvas {
         self.commit(pen);
     }
 
-    /// A line through many points. It breaks at points that are not finite.
-    pub(super) fn polyline(
-        &mut self,
-        points: impl IntoIterator<Item = DVec2>,
-        pen: impl Into<Pen>,
-    ) {
-        self.through(points, pen.into(), true);
-    }
-
-    /// A line through many points; an open one has its last point too.
+    /// A line through many points; an open one has its last point too. It breaks at points
+    /// that are not finite.
     fn through(&mut self, points: impl IntoIterator<Item = DVec2>, pen: Pen, open: bool) {
         let mut last: Option<DVec2> = None;
         for point in points {
@@ -176,19 +177,11 @@ impl Canvas {
     /// Draws the canvas into `buffer`. Cells on which nothing was drawn keep what
     /// they have.
     pub(super) fn draw(&self, buffer: &mut Buffer, theme: &Theme) {
-        let area = self.view.area();
-        let inside = area.intersection(buffer.area);
-        for y in inside.top()..inside.bottom() {
-            for x in inside.left()..inside.right() {
-                let (column, row) = (usize::from(x - area.x), usize::from(y - area.y));
-                let cell = self.cells.get(row * usize::from(area.width) + column);
-                if let Some(cell) = cell
-                    && !cell.is_empty()
-                {
-                    let target = &mut buffer[(x, y)];
-                    let (symbol, style) = self.look(cell, theme);
-                    target.set_char(symbol).set_style(style);
-                }
+        let inside = self.view.area().intersection(buffer.area);
+        for at in inside.positions() {
+            if let Some(cell) = self.on_screen(at).filter(|cell| !cell.is_empty()) {
+                let (symbol, style) = self.look(cell, theme);
+                buffer[at].set_char(symbol).set_style(style);
             }
         }
         for label in &self.labels {
@@ -200,16 +193,13 @@ impl Canvas {
     fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         if let Some(glyph) = cell.glyph {
             let upon = glyph.upon && self.charset == Charset::Unicode;
-            let style = if upon {
-                theme.on(glyph.role)
-            } else {
-                theme.style(glyph.role)
+            let mut style = match upon {
+                true => theme.on(glyph.role),
+                false => theme.style(glyph.role),
             };
-            let style = if glyph.reversed {
-                style.add_modifier(Modifier::REVERSED)
-            } else {
-                style
-            };
+            if glyph.reversed {
+                style = style.add_modifier(Modifier::REVERSED);
+            }
             return (glyph.symbol, style);
         }
         let pen = cell.pen;
@@ -237,12 +227,8 @@ impl Canvas {
     fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let mono = theme.is_mono();
         if cell.cover == u64::MAX {
-            let symbol = if theme.is_hollow(cell.disc) {
-                ' '
-            } else {
-                '█'
-            };
-            return (symbol, theme.fill(cell.disc));
+            let hollow = theme.is_hollow(cell.disc);
+            return (if hollow { ' ' } else { '█' }, theme.fill(cell.disc));
         }
         let block = block::nearest(cell.cover, !mono);
         if mono {
@@ -250,10 +236,9 @@ impl Canvas {
         }
         let disc = theme.colour(cell.disc);
         let rest = theme.colour(cell.beside.unwrap_or(Role::Background));
-        let (ink, paper) = if block.inverse {
-            (rest, disc)
-        } else {
-            (disc, rest)
+        let (ink, paper) = match block.inverse {
+            true => (rest, disc),
+            false => (disc, rest),
         };
         (block.symbol, Style::new().fg(ink).bg(paper))
     }
@@ -266,29 +251,40 @@ impl Canvas {
     }
 
     /// Whether anything is drawn in a cell of the screen.
-    pub(super) fn is_drawn(&self, (column, row): (u16, u16)) -> bool {
+    pub(super) fn is_drawn(&self, at: Position) -> bool {
+        let cell = self.on_screen(at);
+        cell.is_some_and(|cell| cell.layer().is_some())
+    }
+
+    /// What has been drawn in a cell of the screen.
+    fn on_screen(&self, at: Position) -> Option<&Cell> {
         let area = self.view.area();
-        let (x, y) = (column.wrapping_sub(area.x), row.wrapping_sub(area.y));
-        let index = usize::from(y) * usize::from(area.width) + usize::from(x);
-        let inside = area.contains((column, row).into());
-        inside
-            && self
-                .cells
-                .get(index)
-                .is_some_and(|cell| cell.layer().is_some())
+        let (x, y) = (at.x.checked_sub(area.x)?, at.y.checked_sub(area.y)?);
+        self.cell((x.into(), y.into()))
+    }
+
+    /// Where a cell is kept, if it is on this canvas.
+    pub(super) fn index(&self, (column, row): CellPlace) -> Option<usize> {
+        let (columns, rows) = self.size();
+        let inside = (0..columns).contains(&column) && (0..rows).contains(&row);
+        inside.then(|| (row * columns + column) as usize)
+    }
+
+    /// A cell of the canvas.
+    pub(super) fn cell(&self, place: CellPlace) -> Option<&Cell> {
+        self.cells.get(self.index(place)?)
+    }
+
+    /// A cell of the canvas, to be drawn in.
+    pub(super) fn cell_mut(&mut self, place: CellPlace) -> Option<&mut Cell> {
+        let index = self.index(place)?;
+        self.cells.get_mut(index)
     }
 
     /// The cell at a point on paper.
     pub(super) fn cell_at(&mut self, paper: DVec2) -> Option<&mut Cell> {
-        let area = self.view.area();
-        let (column, row) = (paper.x.floor(), (paper.y / 2.0).floor());
-        let inside = (0.0..f64::from(area.width)).contains(&column)
-            && (0.0..f64::from(area.height)).contains(&row);
-        if !inside {
-            return None;
-        }
-        self.cells
-            .get_mut(row as usize * usize::from(area.width) + column as usize)
+        let place = paper.is_finite().then(|| cell_of(paper));
+        self.cell_mut(place?)
     }
 
     /// The ends of a line on paper, shifted to where the samples are if it is level

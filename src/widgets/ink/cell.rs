@@ -63,6 +63,11 @@ impl Cell {
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
+    /// Whether a label may stand here, over strokes up to a layer.
+    pub(super) fn is_free(&self, over: Option<DrawLayer>) -> bool {
+        !self.reserved && self.cover == 0 && self.layer() <= over
+    }
+
     /// A stroke goes through `samples`.
     pub(super) fn stroke(&mut self, mut samples: u16, pen: Pen, charset: Charset) {
         if pen.layer < DrawLayer::Disc && self.cover != 0 {

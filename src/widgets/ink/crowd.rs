@@ -2,7 +2,7 @@
 
 use glam::{DVec2, dvec2};
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, CellPlace, cell_of};
 use super::disc::{token, token_rows};
 use crate::widgets::picture::Body;
 use crate::widgets::{Charset, Role};
@@ -21,9 +21,6 @@ const fn fewest_rows(charset: Charset) -> f64 {
         Charset::Unicode => 1.4,
     }
 }
-
-/// A cell of the canvas: column and row.
-type CellPlace = (i32, i32);
 
 impl Canvas {
     /// Discs of one scale: round ones if even the smallest has room for it, else
@@ -51,7 +48,7 @@ impl Canvas {
         let mut crowd: Vec<(DVec2, &Body)> = bodies
             .iter()
             .map(|body| (self.paper(body.at), body))
-            .filter(|(at, _)| self.holds(cell_of(*at)))
+            .filter(|(at, _)| self.index(cell_of(*at)).is_some())
             .collect();
         let rank = |role| match role {
             Role::Queen => 0,
@@ -76,11 +73,8 @@ impl Canvas {
             };
             taken.extend((place.0 - beside..=place.0 + beside).map(|column| (column, place.1)));
             self.stamp(middle(place), text, body.role, false);
-            if body.pointed_out
-                && let Some(glyph) = self
-                    .cell_at(middle(place))
-                    .and_then(|cell| cell.glyph.as_mut())
-            {
+            let glyph = self.cell_mut(place).and_then(|cell| cell.glyph.as_mut());
+            if let Some(glyph) = glyph.filter(|_| body.pointed_out) {
                 glyph.reversed = true;
             }
         }
@@ -92,23 +86,12 @@ impl Canvas {
         let around = (-FARTHEST..=FARTHEST)
             .flat_map(|down| (-FARTHEST..=FARTHEST).map(move |along| (column + along, row + down)));
         around
-            .filter(|place| self.holds(*place) && is_free(*place))
+            .filter(|place| self.index(*place).is_some() && is_free(*place))
             .min_by(|a, b| {
                 let apart = |place: &CellPlace| middle(*place).distance_squared(at);
                 apart(a).total_cmp(&apart(b))
             })
     }
-
-    /// Whether a cell is on this canvas.
-    fn holds(&self, (column, row): CellPlace) -> bool {
-        let (columns, rows) = self.size();
-        (0..columns).contains(&column) && (0..rows).contains(&row)
-    }
-}
-
-/// The cell that holds a point on paper.
-fn cell_of(at: DVec2) -> CellPlace {
-    (at.x.floor() as i32, (at.y / 2.0).floor() as i32)
 }
 
 /// The middle of a cell on paper.

@@ -109,10 +109,8 @@ impl Canvas {
                     cover | u64::from(bits) << (8 * eighth)
                 });
                 let charset = self.charset;
-                let index = (row * columns + column) as usize;
-                if cover != 0
-                    && let Some(cell) = self.cells.get_mut(index)
-                {
+                let cell = self.cell_mut((column, row)).filter(|_| cover != 0);
+                if let Some(cell) = cell {
                     cell.fill(cover, role, charset);
                 }
             }
@@ -127,16 +125,16 @@ impl Canvas {
             centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor(),
             centre.y,
         );
+        let layer = match upon {
+            true => DrawLayer::Disc,
+            false => DrawLayer::Mark,
+        };
         for symbol in text.chars() {
             if let Some(cell) = self.cell_at(at) {
                 cell.glyph = Some(Glyph {
                     symbol,
                     role,
-                    layer: if upon {
-                        DrawLayer::Disc
-                    } else {
-                        DrawLayer::Mark
-                    },
+                    layer,
                     upon,
                     reversed: false,
                 });

@@ -3,12 +3,12 @@
 pub(super) mod ascii;
 pub(super) mod block;
 
+use crate::widgets::text::blocks::BRAILLE;
+
 /// The braille character with the given dots, numbered row by row from the top
 /// left in a grid of 2 × 4 (bit 0 first).
 pub(super) fn braille(dots: u16) -> char {
-    // Unicode counts dots 1-3 down the left, 4-6 down the right, then 7 and 8.
-    const BITS: [u32; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
-    let code = BITS
+    let code = BRAILLE
         .iter()
         .enumerate()
         .filter(|(dot, _)| dots >> dot & 1 == 1)

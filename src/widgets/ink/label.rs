@@ -139,7 +139,7 @@ impl Canvas {
             all.map(|(side, away, aside)| {
                 let (x, y) = side.start(at, width, away);
                 // Above or below it may move along to stay within the area.
-                let x = x + aside * side.outwards();
+                let x = x + aside * side.outwards().0;
                 match side {
                     LabelSide::Right | LabelSide::Left => (side, x, y),
                     _ => (side, x.clamp(margin, last.max(margin)), y),
@@ -174,10 +174,8 @@ impl Canvas {
     /// Whether nothing is drawn or written beside a cell and in it, or it lies outside.
     fn is_blank(&self, (x, y): (i32, i32)) -> bool {
         let (columns, _) = self.size();
-        let index = usize::try_from(y * columns + x).ok();
-        let cell = index.and_then(|index| self.cells.get(index));
         !(0..columns).contains(&x)
-            || cell.is_none_or(|cell| !cell.reserved && cell.cover == 0 && cell.layer().is_none())
+            || self.cell((x, y)).is_none_or(|cell| cell.is_free(None))
                 && self.is_clear_of_labels((x, y), 1)
     }
 
@@ -208,15 +206,7 @@ impl Canvas {
 
     /// Whether a label fits here, on paper or `over` strokes up to a layer.
     fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<DrawLayer>) -> bool {
-        let (columns, rows) = self.size();
-        if y < 0 || y >= rows || x < 0 || x + width > columns {
-            return false;
-        }
-        self.is_clear_of_labels((x, y), width)
-            && (x..x + width).all(|column| {
-                let index = usize::try_from(y * columns + column).ok();
-                let cell = index.and_then(|index| self.cells.get(index));
-                cell.is_some_and(|cell| !cell.reserved && cell.cover == 0 && cell.layer() <= over)
-            })
+        let is_free = |x| self.cell((x, y)).is_some_and(|cell| cell.is_free(over));
+        self.is_clear_of_labels((x, y), width) && (x..x + width).all(is_free)
     }
 }

@@ -6,7 +6,8 @@ use ratatui::style::Style;
 
 use super::canvas::Canvas;
 use crate::widgets::picture::{Axes, Mark, Picture};
-use crate::widgets::{Charset, Look, Role, text};
+use crate::widgets::text::{self, blocks::LOWER};
+use crate::widgets::{Charset, Look, Role};
 
 impl Canvas {
     /// Keeps labels off the cells of the axes.
@@ -111,23 +112,24 @@ impl Cells<'_> {
     /// Fills a cell from below: to the eighth in Unicode, to the whole in ASCII and where
     /// a curve runs over it, which leaves only the paper behind it to fill.
     fn fill(&self, buf: &mut Buffer, at: (u16, u16), share: f64, role: Role) {
-        const EIGHTHS: [&str; 8] = ["", "▁", "▂", "▃", "▄", "▅", "▆", "▇"];
         let theme = &self.look.theme;
-        let share = match self.canvas.is_drawn(at) {
+        let share = match self.canvas.is_drawn(at.into()) {
             true => share.round(),
             false => share,
         };
         let eighths = (share * 8.0).round() as usize;
-        match (self.look.charset, EIGHTHS.get(eighths)) {
-            (Charset::Ascii, _) if share < 0.5 => {}
-            (Charset::Ascii, _) => self.write(buf, at, ":", theme.style(role)),
-            (Charset::Unicode, Some(part)) => self.write(buf, at, part, theme.style(role)),
-            (Charset::Unicode, None) if theme.is_mono() => {
-                self.write(buf, at, "░", theme.style(role));
-            }
+        let Some(part) = eighths.checked_sub(1) else {
+            return;
+        };
+        let (symbol, style) = match (self.look.charset, LOWER.get(part)) {
+            (Charset::Ascii, _) if share < 0.5 => return,
+            (Charset::Ascii, _) => (':', theme.style(role)),
+            (Charset::Unicode, Some(part)) => (*part, theme.style(role)),
+            (Charset::Unicode, None) if theme.is_mono() => ('░', theme.style(role)),
             // As paper of another colour, so that a curve can run over it.
-            (Charset::Unicode, None) => self.write(buf, at, " ", theme.fill(role)),
-        }
+            (Charset::Unicode, None) => (' ', theme.fill(role)),
+        };
+        self.write(buf, at, symbol.encode_utf8(&mut [0; 4]), style);
     }
 
     fn axes(&self, axes: &Axes, buf: &mut Buffer) {

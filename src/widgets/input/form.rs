@@ -125,6 +125,12 @@ impl SettingsForm {
         self.at.min(fields.saturating_sub(1))
     }
 
+    fn chosen(&self, form: &impl FormFields) -> Option<Field> {
+        let fields = form.fields();
+        let at = self.selected(fields.len());
+        fields.into_iter().nth(at)
+    }
+
     /// Selects a field, after taking over what was typed for the one before.
     pub fn select(&mut self, at: usize, form: &mut impl FormFields) {
         self.commit(form);
@@ -145,33 +151,27 @@ impl SettingsForm {
     /// The keys that work it.
     pub fn keys(&self, form: &impl FormFields) -> KeyTable<FormAction> {
         use FormAction::{Big, Choose, End, Fine, Step};
-        let fields = form.fields();
-        let number = matches!(
-            fields.get(self.selected(fields.len())),
-            Some(Field {
-                value: FieldValue::Number { .. },
-                locked: None,
-                ..
-            })
-        );
-        let entry = self.entry.keys().map(FormAction::Number);
+        let many = form.fields().len() > 1;
+        let free = self.chosen(form).filter(|field| field.locked.is_none());
+        let number = free.is_some_and(|it| matches!(it.value, FieldValue::Number { .. }));
+        let entry = match number {
+            true => self.entry.keys(),
+            false => KeyTable::new("form"),
+        };
         KeyTable::new("form")
-            .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
+            .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
             .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
-            .when(fields.len() > 1)
-            .each([(Key::Left, Step(-1)), (Key::Right, Step(1))], "change")
-            .or([(Key::Char(' '), Step(1))].into_iter().filter(|_| !number))
-            .each([(Key::Char(','), Fine(-1)), (Key::Char('.'), Fine(1))], "")
+            .when(many)
+            .by([Key::Left, Key::Right], Step, [-1, 1], "change")
+            .or((!number).then_some((' ', Step(1))))
+            .by([',', '.'], Fine, [-1, 1], "")
             .when(number && !self.is_typing())
-            .with(
-                if number { entry } else { KeyTable::new("form") },
-                |action| action,
-            )
-            .each([(Key::Char('<'), Big(-1)), (Key::Char('>'), Big(1))], "")
+            .with(entry, FormAction::Number)
+            .by(['<', '>'], Big, [-1, 1], "")
             .or([(Key::PageDown, Big(-1)), (Key::PageUp, Big(1))])
             .when(number)
-            .each([(Key::Home, End(-1)), (Key::End, End(1))], "")
-            .when(fields.len() > 1)
+            .by([Key::Home, Key::End], End, [-1, 1], "")
+            .when(many)
     }
 
     /// Does what a key stands for.
@@ -247,17 +247,12 @@ impl SettingsForm {
     }
 
     fn set(&mut self, number: f64, form: &mut impl FormFields) {
-        let fields = form.fields();
-        let at = self.selected(fields.len());
-        if let Some(field) = fields.get(at)
+        if let Some(field) = self.chosen(form)
             && field.locked.is_none()
-            && let FieldValue::Number {
-                range: (least, most),
-                ..
-            } = field.value
+            && let FieldValue::Number { range, .. } = field.value
         {
-            self.held = !(least..=most).contains(&number);
-            form.set(at, number);
+            self.held = !(range.0..=range.1).contains(&number);
+            form.set(self.selected(form.fields().len()), number);
         }
     }
 
@@ -266,19 +261,13 @@ impl SettingsForm {
         let fields = form.fields();
         let selected = self.selected(fields.len());
         for (i, field) in fields.into_iter().enumerate() {
-            let (mark, name_role, role) = match i == selected {
-                true => (">", Role::Selected, Role::Selected),
-                false => (" ", Role::Dim, Role::Text),
+            let (mark, name_role) = Role::Dim.of_choice(i == selected);
+            let role = match name_role {
+                Role::Dim if field.locked.is_none() => Role::Text,
+                role => role,
             };
-            let role = if field.locked.is_some() {
-                name_role
-            } else {
-                role
-            };
-            let shown = match i == selected && self.entry.is_open() {
-                true => format!("{}_", self.entry.text()),
-                false => field.shown,
-            };
+            let typed = self.entry.shown().filter(|_| i == selected);
+            let shown = typed.unwrap_or(field.shown);
             lines.pair(&format!("{mark} {}", field.name), &shown, name_role, role);
         }
     }
@@ -286,20 +275,13 @@ impl SettingsForm {
     /// Writes what the selected field is: why it is locked, its range where a number was
     /// held to it, or its one line.
     pub fn write_about(&self, form: &impl FormFields, lines: &mut Lines) {
-        let fields = form.fields();
-        let Some(field) = fields.get(self.selected(fields.len())) else {
+        let Some(field) = self.chosen(form) else {
             return;
         };
         match (field.locked, field.value) {
             (Some(why), _) => lines.paragraph(why, Role::Warn),
-            (
-                None,
-                FieldValue::Number {
-                    range: (least, most),
-                    unit,
-                    ..
-                },
-            ) if self.held => {
+            (None, FieldValue::Number { range, unit, .. }) if self.held => {
+                let (least, most) = range;
                 lines.paragraph(&format!("from {least} to {most}{unit}"), Role::Warn);
             }
             _ => lines.paragraph(&field.about, Role::Text),

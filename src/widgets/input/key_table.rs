@@ -72,10 +72,8 @@ impl<A: Copy> KeyRow<A> {
     }
 
     fn find(&self, key: Key) -> Option<A> {
-        let all = self.keys.iter().chain(&self.aliases);
-        all.into_iter()
-            .find(|(own, _)| *own == key)
-            .map(|(_, action)| *action)
+        let mut all = self.keys.iter().chain(&self.aliases);
+        all.find_map(|(own, action)| (*own == key).then_some(*action))
     }
 }
 

@@ -49,12 +49,12 @@ impl ListView {
     pub fn keys(open: &'static str) -> KeyTable<ListAction> {
         use ListAction::{Choose, End, Open, Page};
         KeyTable::new("list")
-            .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
+            .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
             .or([(Key::BackTab, Choose(-1)), (Key::Tab, Choose(1))])
             .on(Key::Enter, Open, open)
             .or([(Key::Char(' '), Open)])
-            .each([(Key::PageUp, Page(-1)), (Key::PageDown, Page(1))], "")
-            .each([(Key::Home, End(-1)), (Key::End, End(1))], "")
+            .by([Key::PageUp, Key::PageDown], Page, [-1, 1], "")
+            .by([Key::Home, Key::End], End, [-1, 1], "")
     }
 
     /// Does what a key stands for in a list of so many lines; done with the line that is

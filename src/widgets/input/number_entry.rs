@@ -39,6 +39,11 @@ impl NumberEntry {
         &self.text
     }
 
+    /// What has been typed, with a mark for what may follow; `None` while nothing has.
+    pub fn shown(&self) -> Option<String> {
+        self.is_open().then(|| format!("{}_", self.text))
+    }
+
     /// The number as far as typed; `None` while it is not one yet.
     pub fn value(&self) -> Option<f64> {
         self.text.parse().ok().filter(|v: &f64| v.is_finite())

@@ -23,16 +23,20 @@ pub struct NumberInput {
 #[strum(serialize_all = "kebab-case")]
 pub enum NumberAction {
     /// dial the number: Left and Right in small steps, Up and Down in big ones
-    Dial {
-        /// Further up, or down.
-        up: bool,
-        /// In big steps.
-        coarse: bool,
-    },
+    Dial(DialStep),
     /// give the number
     Enter,
     /// a number typed
     Number(EntryAction),
+}
+
+/// A step of the dial, up or down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DialStep {
+    /// So many small steps.
+    Small(i8),
+    /// So many large ones.
+    Large(i8),
 }
 
 impl NumberInput {
@@ -65,52 +69,23 @@ impl NumberInput {
     /// The keys that give it.
     pub fn keys(&self) -> KeyTable<NumberAction> {
         use NumberAction::{Dial, Enter};
-        let number = self.entry.keys().map(NumberAction::Number);
+        let [up, down] = [1, -1].map(DialStep::Large);
+        let [left, right] = [-1, 1].map(DialStep::Small);
         KeyTable::new("dial")
-            .with(number, |action| action)
-            .each(
-                [
-                    (
-                        Key::Up,
-                        Dial {
-                            up: true,
-                            coarse: true,
-                        },
-                    ),
-                    (
-                        Key::Down,
-                        Dial {
-                            up: false,
-                            coarse: true,
-                        },
-                    ),
-                    (
-                        Key::Left,
-                        Dial {
-                            up: false,
-                            coarse: false,
-                        },
-                    ),
-                    (
-                        Key::Right,
-                        Dial {
-                            up: true,
-                            coarse: false,
-                        },
-                    ),
-                ],
-                "dial",
-            )
+            .with(self.entry.keys(), NumberAction::Number)
+            .by(Key::ARROWS, Dial, [up, down, left, right], "dial")
             .on(Key::Enter, Enter, "next")
     }
 
     /// Does what a key stands for; done by Enter once there is a number.
     pub fn act(&mut self, action: NumberAction) -> Outcome {
         match action {
-            NumberAction::Dial { up, coarse } => {
+            NumberAction::Dial(step) => {
                 let (small, large) = steps(self.quantity);
-                let by = if coarse { large } else { small };
-                self.step(if up { by } else { -by });
+                self.step(match step {
+                    DialStep::Small(by) => small * f64::from(by),
+                    DialStep::Large(by) => large * f64::from(by),
+                });
             }
             NumberAction::Enter if self.value.is_some() => return Outcome::Done(()),
             NumberAction::Enter => {}
@@ -132,11 +107,8 @@ impl NumberInput {
     /// As it reads: as typed so far, or as it stands.
     pub fn shown(&self) -> String {
         let unit = self.quantity.unit();
-        match self.value {
-            _ if self.entry.is_open() => with_unit(&format!("{}_", self.entry.text()), unit),
-            None => with_unit("_", unit),
-            Some(value) => with_unit(&short(value, 3), unit),
-        }
+        let number = self.value.map_or("_".into(), |value| short(value, 3));
+        with_unit(&self.entry.shown().unwrap_or(number), unit)
     }
 
     /// Writes it, a row.

@@ -4,6 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
+use crate::numbers::true_minus;
 use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::{Lines, Role};
@@ -63,7 +64,7 @@ impl RayInput {
             let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
             // As it was typed, whatever rounding left.
             let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
-            self.angles_deg[index(ray)] = Some(angle);
+            self.angles_deg[ray as usize] = Some(angle);
         }
         self
     }
@@ -112,7 +113,7 @@ impl RayInput {
 
     /// Whether anything has been said of a ray.
     pub fn is_said(&self, ray: Ray) -> bool {
-        self.angles_deg[index(ray)].is_some()
+        self.angles_deg[ray as usize].is_some()
     }
 
     /// The ray that keys turn.
@@ -123,19 +124,10 @@ impl RayInput {
     /// The keys that say it.
     pub fn keys(&self) -> KeyTable<RayAction> {
         use RayAction::{Next, OtherRay, StaysStill, Turn};
-        let number = self.entry.keys().map(RayAction::Number);
         KeyTable::new("ray")
-            .each(
-                [
-                    (Key::Up, Turn(5)),
-                    (Key::Down, Turn(-5)),
-                    (Key::Left, Turn(-1)),
-                    (Key::Right, Turn(1)),
-                ],
-                "turn",
-            )
-            .with(number, |action| action)
-            .on(Key::Char('x'), StaysStill, "stays still")
+            .by(Key::ARROWS, Turn, [5, -5, -1, 1], "turn")
+            .with(self.entry.keys(), RayAction::Number)
+            .on('x', StaysStill, "stays still")
             .on(Key::Enter, Next, "next")
             .on(Key::Tab, OtherRay, "other ray")
             .or([(Key::BackTab, OtherRay)])
@@ -148,8 +140,8 @@ impl RayInput {
             RayAction::Turn(degrees) => self.turn(degrees.into()),
             RayAction::StaysStill => {
                 self.entry.take();
-                let still = self.angles_deg[index(self.turning)] == Some(None);
-                self.angles_deg[index(self.turning)] = (!still).then_some(None);
+                let still = self.angles_deg[self.turning as usize] == Some(None);
+                self.angles_deg[self.turning as usize] = (!still).then_some(None);
             }
             RayAction::OtherRay => self.choose(other(self.turning)),
             RayAction::Next => return self.next(),
@@ -177,15 +169,13 @@ impl RayInput {
     /// The angle of a ray as the screen counts it; `None` for a disc that stays still,
     /// and while nothing has been said.
     pub fn angle_deg(&self, ray: Ray) -> Option<f64> {
-        self.angles_deg[index(ray)].flatten()
+        self.angles_deg[ray as usize].flatten()
     }
 
     /// How the answer for a ray reads: as typed so far, or as it stands.
     pub fn shown(&self, ray: Ray) -> String {
-        if ray == self.turning && self.entry.is_open() {
-            return format!("{}_", self.entry.text());
-        }
-        self.angles_deg[index(ray)].map_or("_".into(), shown)
+        let typed = self.entry.shown().filter(|_| ray == self.turning);
+        typed.unwrap_or_else(|| self.angles_deg[ray as usize].map_or("_".into(), shown))
     }
 
     /// Writes both rays, a row each; `target` is what the struck disc is called.
@@ -245,7 +235,7 @@ impl RayInput {
     fn set(&mut self, angle_deg: f64) {
         // Adding 0 turns −0 into 0.
         let held = angle_deg.clamp(-FURTHEST, FURTHEST) + 0.0;
-        self.angles_deg[index(self.turning)] = Some(Some(held));
+        self.angles_deg[self.turning as usize] = Some(Some(held));
     }
 
     fn turn(&mut self, degrees: f64) {
@@ -266,23 +256,11 @@ pub fn shown(angle_deg: Option<f64>) -> String {
 /// The same in as little room as a table has: no unit, and one word for a disc that
 /// stays still.
 pub fn brief(angle_deg: Option<f64>) -> String {
-    angle_deg.map_or("still".into(), |angle| {
-        format!("{angle:.1}").replace('-', "−")
-    })
-}
-
-fn index(ray: Ray) -> usize {
-    match ray {
-        Ray::Striker => 0,
-        Ray::Target => 1,
-    }
+    angle_deg.map_or("still".into(), |angle| true_minus(&format!("{angle:.1}")))
 }
 
 fn other(ray: Ray) -> Ray {
-    match ray {
-        Ray::Striker => Ray::Target,
-        Ray::Target => Ray::Striker,
-    }
+    Ray::BOTH[1 - ray as usize]
 }
 
 /// +1 where the coin lies to the right of the striker's way, −1 where to the left;

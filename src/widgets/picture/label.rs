@@ -89,12 +89,19 @@ impl LabelSide {
         DVec2::from_angle(eighths.unwrap_or(0) as f64 * std::f64::consts::FRAC_PI_4)
     }
 
-    /// The sense in which a label to one side moves away from its anchor, in columns.
-    pub(in crate::widgets) fn outwards(self) -> i32 {
+    /// The sense in which a label to one side moves away from its anchor: in columns, to
+    /// the right, and in rows, up.
+    pub(in crate::widgets) fn outwards(self) -> (i32, i32) {
         match self {
-            S::Right | S::AboveRight | S::BelowRight => 1,
-            S::Above | S::Below | S::Over => 0,
-            S::AboveLeft | S::Left | S::BelowLeft => -1,
+            S::Right => (1, 0),
+            S::AboveRight => (1, 1),
+            S::Above => (0, 1),
+            S::AboveLeft => (-1, 1),
+            S::Left => (-1, 0),
+            S::BelowLeft => (-1, -1),
+            S::Below => (0, -1),
+            S::BelowRight => (1, -1),
+            S::Over => (0, 0),
         }
     }
 
@@ -106,18 +113,13 @@ impl LabelSide {
         width: i32,
         away: i32,
     ) -> (i32, i32) {
-        let x = match self {
-            S::Right => column + 2 * away,
-            S::AboveRight | S::BelowRight => column + away,
-            S::Above | S::Below | S::Over => column - width / 2,
-            S::AboveLeft | S::BelowLeft => column - width + 1 - away,
-            S::Left => column - width + 1 - 2 * away,
+        let (aside, up) = self.outwards();
+        let columns = if up == 0 { 2 * away } else { away };
+        let x = match aside {
+            1 => column + columns,
+            0 => column - width / 2,
+            _ => column - width + 1 - columns,
         };
-        let y = match self {
-            S::Right | S::Left | S::Over => row,
-            S::Above | S::AboveLeft | S::AboveRight => row - away,
-            S::Below | S::BelowLeft | S::BelowRight => row + away,
-        };
-        (x, y)
+        (x, row - up * away)
     }
 }

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::{Axis, Plot};
 use crate::progress::{Attempt, Calibrated, calibration_over_time, smoothed_errors_deg};
 use crate::quiz::{Confidence, RIGHT_DEG};
-use crate::widgets::picture::{LabelSide, Pen, Picture};
+use crate::widgets::picture::{LabelSide as S, Pen, Picture};
 use crate::widgets::{Look, Role};
 
 /// How many answers the line of errors takes the mean of.
@@ -57,11 +57,7 @@ pub(crate) fn errors_picture(
         };
         plot.mark(at(*number, *error), sign, role);
     }
-    let above = [
-        LabelSide::AboveLeft,
-        LabelSide::Above,
-        LabelSide::AboveRight,
-    ];
+    let above = [S::AboveLeft, S::Above, S::AboveRight];
     plot.label("right", dvec2(to, RIGHT_DEG), &above, Role::Good);
     Some((plot.picture(), group))
 }
@@ -105,12 +101,7 @@ pub(crate) fn sureness_picture(
         plot.curve(points.iter().rev().copied(), pen);
         if let Some(end) = points.first() {
             plot.mark(*end, sign, pen.role);
-            let sides = [
-                LabelSide::Above,
-                LabelSide::AboveLeft,
-                LabelSide::Below,
-                LabelSide::BelowLeft,
-            ];
+            let sides = [S::Above, S::AboveLeft, S::Below, S::BelowLeft];
             plot.label(confidence.name(), *end, &sides, pen.role);
         }
     }

@@ -1,6 +1,8 @@
 //! Where the ticks of an axis are, and what is written beside them.
 
+use crate::lessons::formula::superscript;
 use crate::numbers::{fixed, true_minus};
+
 /// A tick.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
@@ -85,16 +87,8 @@ fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
         return format!("{}", 10_i32.pow(exponent.unsigned_abs()));
     }
-    let exponent = exponent.to_string();
-    let raised = exponent.chars().map(|c| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        // ⁰ and ⁴ to ⁹ stand in a row.
-        digit => char::from_u32(u32::from('⁰') + digit.to_digit(10).unwrap_or(0)).unwrap_or(' '),
-    });
-    "10".chars().chain(raised).collect()
+    let exponent = superscript(&exponent.to_string());
+    format!("10{}", exponent.unwrap_or_default())
 }
 
 /// The next number from `least` up that is 1, 2 or 5 times a power of ten.

@@ -21,20 +21,18 @@ pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotI
         .iter()
         .filter_map(move |event| match event.kind {
             EventKind::Impact {
-                discs,
-                normal,
-                before,
+                mut discs,
+                mut normal,
+                mut before,
                 ..
             } => {
                 let [first, second] = discs;
-                let turned = first != set_off
-                    && (second == set_off
-                        || before[1].length_squared() > before[0].length_squared());
-                let (discs, before, normal) = if turned {
-                    ([second, first], [before[1], before[0]], -normal)
-                } else {
-                    (discs, before, normal)
-                };
+                let faster = before[1].length_squared() > before[0].length_squared();
+                if first != set_off && (second == set_off || faster) {
+                    discs.reverse();
+                    before.reverse();
+                    normal = -normal;
+                }
                 let bodies = [*shot.discs().get(discs[0])?, *shot.discs().get(discs[1])?];
                 Some(ShotImpact {
                     time: event.time,
@@ -53,15 +51,11 @@ pub(crate) fn impacts(shot: &Shot, set_off: usize) -> impl Iterator<Item = ShotI
 fn collision(bodies: [Disc; 2], before: [DVec2; 2], normal: DVec2, restitution: f64) -> Collision {
     let along = (before[0] - before[1]).normalize_or_zero();
     let reach = bodies[0].radius + bodies[1].radius;
+    let offset = -reach * along.perp_dot(normal);
     Collision {
         u2: before[1],
         restitution,
-        ..Collision::at_offset(
-            bodies[0],
-            bodies[1],
-            before[0],
-            -reach * along.perp_dot(normal),
-        )
+        ..Collision::at_offset(bodies[0], bodies[1], before[0], offset)
     }
 }
 

@@ -171,37 +171,31 @@ impl ShotPlayer {
             (false, true) => ("", ""),
         };
         let impacts = if self.lists { "impacts" } else { "impact" };
-        let key = Key::Char;
         match &self.showing {
             Showing::Board => table
-                .on(key(' '), GoOn, go_on)
+                .on(' ', GoOn, go_on)
                 .when(!over)
-                .on(key('i'), Impacts, impacts)
+                .on('i', Impacts, impacts)
                 .when(!self.impacts.is_empty())
-                .on(key('a'), Again, "again")
-                .each([(key(','), Step(-1)), (key('.'), Step(1))], "step")
+                .on('a', Again, "again")
+                .by([',', '.'], Step, [-1, 1], "step")
                 .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
-                .each([(key('<'), Scrub(-1)), (key('>'), Scrub(1))], "scrub")
-                .each([(key('+'), Speed(1)), (key('-'), Speed(-1))], speed)
-                .or([(key('='), Speed(1))])
+                .by(['<', '>'], Scrub, [-1, 1], "scrub")
+                .by(['+', '-'], Speed, [1, -1], speed)
+                .or([('=', Speed(1))])
                 .each([(Key::Home, Seek(0.0)), (Key::End, END)], ""),
             Showing::Impacts => table
                 .with(ListView::keys("look closer"), ShotAction::List)
                 .on(Key::Escape, Leave, "back")
-                .or([(key('i'), Leave)]),
+                .or([('i', Leave)]),
             Showing::Impact(watch) => table
                 .with(watch.keys(), ShotAction::Watch)
-                .each(
-                    [(Key::Down, NextImpact(1)), (Key::Up, NextImpact(-1))],
-                    "other impact",
-                )
-                .or([(Key::Tab, NextImpact(1)), (Key::BackTab, NextImpact(-1))])
+                .by([Key::Down, Key::Up], NextImpact, [1, -1], "other impact")
+                .or([(Key::BackTab, NextImpact(-1)), (Key::Tab, NextImpact(1))])
                 .when(many)
                 .on(Key::Escape, Leave, "back")
-                .or([(key('i'), Leave), (Key::Enter, Leave)])
-                .or([(key(' '), Leave)]
-                    .into_iter()
-                    .filter(|_| watch.clock().is_over())),
+                .or([Key::Char('i'), Key::Enter].map(|key| (key, Leave)))
+                .or(watch.clock().is_over().then_some((' ', Leave))),
         }
     }
 

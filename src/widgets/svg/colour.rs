@@ -11,15 +11,29 @@ pub(super) const PAPER: Rgb = Rgb::hex(0x101418);
 const INK: Rgb = Rgb::hex(0xd0d0d0);
 
 /// The first sixteen colours, as xterm and its kin show them.
-const SIXTEEN: [u32; 16] = [
-    0x000000, 0xcd0000, 0x00cd00, 0xcdcd00, 0x3b6eea, 0xcd00cd, 0x00cdcd, 0xe5e5e5, 0x7f7f7f,
-    0xff5555, 0x55ff55, 0xffff55, 0x7a9cff, 0xff55ff, 0x55ffff, 0xffffff,
+const SIXTEEN: [(Color, u32); 16] = [
+    (Color::Black, 0x000000),
+    (Color::Red, 0xcd0000),
+    (Color::Green, 0x00cd00),
+    (Color::Yellow, 0xcdcd00),
+    (Color::Blue, 0x3b6eea),
+    (Color::Magenta, 0xcd00cd),
+    (Color::Cyan, 0x00cdcd),
+    (Color::Gray, 0xe5e5e5),
+    (Color::DarkGray, 0x7f7f7f),
+    (Color::LightRed, 0xff5555),
+    (Color::LightGreen, 0x55ff55),
+    (Color::LightYellow, 0xffff55),
+    (Color::LightBlue, 0x7a9cff),
+    (Color::LightMagenta, 0xff55ff),
+    (Color::LightCyan, 0x55ffff),
+    (Color::White, 0xffffff),
 ];
 
 /// One of the 256 colours: sixteen, a cube of six by six by six, and greys.
 fn indexed(index: u8) -> Rgb {
     match index {
-        0..16 => Rgb::hex(SIXTEEN[usize::from(index)]),
+        0..16 => Rgb::hex(SIXTEEN[usize::from(index)].1),
         16..232 => {
             let level = |step: u8| if step == 0 { 0 } else { 55 + 40 * step };
             let i = index - 16;
@@ -34,28 +48,14 @@ fn indexed(index: u8) -> Rgb {
 
 /// The colour a cell names; `otherwise` where it names none.
 fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
-    let index = match colour {
-        Color::Reset => return otherwise,
-        Color::Rgb(red, green, blue) => return Rgb(red, green, blue),
-        Color::Indexed(index) => index,
-        Color::Black => 0,
-        Color::Red => 1,
-        Color::Green => 2,
-        Color::Yellow => 3,
-        Color::Blue => 4,
-        Color::Magenta => 5,
-        Color::Cyan => 6,
-        Color::Gray => 7,
-        Color::DarkGray => 8,
-        Color::LightRed => 9,
-        Color::LightGreen => 10,
-        Color::LightYellow => 11,
-        Color::LightBlue => 12,
-        Color::LightMagenta => 13,
-        Color::LightCyan => 14,
-        Color::White => 15,
-    };
-    indexed(index)
+    match colour {
+        Color::Rgb(red, green, blue) => Rgb(red, green, blue),
+        Color::Indexed(index) => indexed(index),
+        _ => {
+            let named = SIXTEEN.iter().find(|(name, _)| *name == colour);
+            named.map_or(otherwise, |(_, code)| Rgb::hex(*code))
+        }
+    }
 }
 
 /// The two colours of a cell as they are seen.

@@ -70,18 +70,12 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
             let look = CellColours::of(cell);
             let taken = cell.symbol().width().max(1) * CELL.0;
             if look.ground != PAPER {
-                let _ = write!(
-                    grounds.of(look.ground),
-                    "M{x} {y}h{taken}v{}h-{taken}z",
-                    CELL.1
-                );
+                let ground = grounds.of(look.ground);
+                let _ = write!(ground, "M{x} {y}h{taken}v{}h-{taken}z", CELL.1);
             }
             if cell.modifier.contains(Modifier::UNDERLINED) {
-                let _ = write!(
-                    shapes.of(look.ink),
-                    "M{x} {}h{taken}v1h-{taken}z",
-                    y + CELL.1 - 2
-                );
+                let y = y + CELL.1 - 2;
+                let _ = write!(shapes.of(look.ink), "M{x} {y}h{taken}v1h-{taken}z");
             }
             let blank = cell.symbol().trim().is_empty() || cell.modifier.contains(Modifier::HIDDEN);
             let strength = shape::strength(cell.symbol());
@@ -185,18 +179,8 @@ impl std::fmt::Display for Number {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let rounded = (100.0 * self.0).round() / 100.0;
         // Adding 0 makes a plain 0 of −0.
-        let number = if rounded.is_finite() {
-            rounded + 0.0
-        } else {
-            0.0
-        };
-        write!(f, "{number}")
-    }
-}
-
-impl Render for Number {
-    fn render_to(&self, buffer: &mut String) {
-        let _ = write!(buffer, "{self}");
+        let number = Some(rounded).filter(|it| it.is_finite());
+        write!(f, "{}", number.unwrap_or_default() + 0.0)
     }
 }
 
@@ -250,16 +234,9 @@ impl SvgWord {
         let Some((ink, modifier)) = look else {
             return;
         };
-        let bold = if modifier.contains(Modifier::BOLD) {
-            " font-weight=\"bold\""
-        } else {
-            ""
-        };
-        let italic = if modifier.contains(Modifier::ITALIC) {
-            " font-style=\"italic\""
-        } else {
-            ""
-        };
+        let set = |flag, text| if modifier.contains(flag) { text } else { "" };
+        let bold = set(Modifier::BOLD, " font-weight=\"bold\"");
+        let italic = set(Modifier::ITALIC, " font-style=\"italic\"");
         let text = escape(&text);
         let y = y + BASE;
         let _ = writeln!(

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::CELL;
+use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
 
 /// Adds the outline of a glyph in the cell whose corner is at `corner`, if it is
 /// one that is drawn as a shape.
@@ -94,13 +95,8 @@ struct CellPen<'a> {
 impl CellPen<'_> {
     /// A rectangle between two corners, in shares of the cell.
     fn block(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) {
-        let (width, height) = (CELL.0 as f64, CELL.1 as f64);
-        self.rectangle(
-            x0 * width,
-            y0 * height,
-            (x1 - x0) * width,
-            (y1 - y0) * height,
-        );
+        let (w, h) = (CELL.0 as f64, CELL.1 as f64);
+        self.rectangle(x0 * w, y0 * h, (x1 - x0) * w, (y1 - y0) * h);
     }
 
     /// A rectangle in units of the picture.
@@ -111,20 +107,11 @@ impl CellPen<'_> {
 
     /// The dots of a braille pattern; bits as Unicode orders them.
     fn braille(&mut self, bits: u32) {
-        const DOTS: [(f64, f64); 8] = [
-            (0.0, 0.0),
-            (0.0, 1.0),
-            (0.0, 2.0),
-            (1.0, 0.0),
-            (1.0, 1.0),
-            (1.0, 2.0),
-            (0.0, 3.0),
-            (1.0, 3.0),
-        ];
         let radius = 1.6;
         let across = 2.0 * radius;
-        for (bit, (column, row)) in DOTS.iter().enumerate() {
-            if bits >> bit & 1 == 1 {
+        for bit in (0..8).map(|bit| 1 << bit) {
+            if let Some(dot) = BRAILLE.iter().position(|it| bits & bit & it != 0) {
+                let (column, row) = ((dot % 2) as f64, (dot / 2) as f64);
                 let x = self.left + (column + 0.5) * CELL.0 as f64 / 2.0 - radius;
                 let y = self.top + (row + 0.5) * CELL.1 as f64 / 4.0;
                 let _ = write!(
@@ -137,26 +124,12 @@ impl CellPen<'_> {
     }
 
     fn quadrants(&mut self, glyph: char) {
-        let quarters = match glyph {
-            '▘' => [1, 0, 0, 0],
-            '▝' => [0, 1, 0, 0],
-            '▖' => [0, 0, 1, 0],
-            '▗' => [0, 0, 0, 1],
-            '▚' => [1, 0, 0, 1],
-            '▞' => [0, 1, 1, 0],
-            '▙' => [1, 0, 1, 1],
-            '▛' => [1, 1, 1, 0],
-            '▜' => [1, 1, 0, 1],
-            '▟' => [0, 1, 1, 1],
-            _ => [0; 4],
-        };
+        let quarters = QUARTERS.iter().position(|it| *it == glyph).unwrap_or(0);
         let corners = [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)];
-        for (_, (x, y)) in quarters
-            .iter()
-            .zip(corners)
-            .filter(|(drawn, _)| **drawn == 1)
-        {
-            self.block(x, y, x + 0.5, y + 0.5);
+        for (bit, (x, y)) in corners.into_iter().enumerate() {
+            if quarters >> bit & 1 == 1 {
+                self.block(x, y, x + 0.5, y + 0.5);
+            }
         }
     }
 
@@ -165,18 +138,14 @@ impl CellPen<'_> {
         // Whole units, so that lines are sharp and meet those of their neighbours.
         let x = ((width - thick) / 2.0).floor();
         let y = ((height - thick) / 2.0).floor();
-        let drawn = |arm| arms & arm != 0;
-        if drawn(arm::LEFT) {
-            self.rectangle(0.0, y, x + thick, thick);
-        }
-        if drawn(arm::RIGHT) {
-            self.rectangle(x, y, width - x, thick);
-        }
-        if drawn(arm::UP) {
-            self.rectangle(x, 0.0, thick, y + thick);
-        }
-        if drawn(arm::DOWN) {
-            self.rectangle(x, y, thick, height - y);
+        let bars = [
+            (arm::LEFT, (0.0, y, x + thick, thick)),
+            (arm::RIGHT, (x, y, width - x, thick)),
+            (arm::UP, (x, 0.0, thick, y + thick)),
+            (arm::DOWN, (x, y, thick, height - y)),
+        ];
+        for (_, (x, y, width, height)) in bars.into_iter().filter(|(arm, _)| arms & arm != 0) {
+            self.rectangle(x, y, width, height);
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Pictures as true vectors: lines are lines and discs are circles.
 
 use std::f64::consts::{PI, TAU};
-use std::fmt::{Display, Write};
+use std::fmt::{self, Display, Write};
 
 use glam::{DVec2, dvec2};
 
 use super::{CELL, Number, escape};
 use crate::widgets::ink::Canvas;
-use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, LabelSide, Mark, Pen, Picture, View};
+use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, Mark, Pen, Picture, View};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Look, Role};
 
@@ -49,18 +49,11 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
     }
     let canvas = Canvas::of(picture, look.charset);
     for label in canvas.labels() {
-        let (left, right) = (
-            f64::from(label.place.left()),
-            f64::from(label.place.right()),
-        );
-        let (column, anchor) = match label.side {
-            LabelSide::Right | LabelSide::AboveRight | LabelSide::BelowRight => {
-                (left, Anchor::Start)
-            }
-            LabelSide::Left | LabelSide::AboveLeft | LabelSide::BelowLeft => (right, Anchor::End),
-            LabelSide::Above | LabelSide::Below | LabelSide::Over => {
-                (f64::midpoint(left, right), Anchor::Middle)
-            }
+        let [left, right] = [label.place.left(), label.place.right()].map(f64::from);
+        let (column, anchor) = match label.side.outwards() {
+            (1, _) => (left, Anchor::Start),
+            (0, _) => (f64::midpoint(left, right), Anchor::Middle),
+            _ => (right, Anchor::End),
         };
         let at = dvec2(column, f64::from(label.place.y) + 0.5) * cell();
         vectors.text(&label.text, at, anchor, label.role);
@@ -84,7 +77,8 @@ fn layer(mark: &Mark) -> DrawLayer {
 }
 
 /// Which end of a text stands at its place.
-#[derive(Clone, Copy)]
+#[derive(strum::Display)]
+#[strum(serialize_all = "lowercase")]
 enum Anchor {
     Start,
     Middle,
@@ -117,6 +111,15 @@ fn clipped([from, to]: [DVec2; 2], low: DVec2, high: DVec2) -> Option<[DVec2; 2]
         _ => from + share * way,
     };
     (way.is_finite() && first <= last).then(|| [end(first), end(last)])
+}
+
+/// A place in a path.
+struct Point(DVec2);
+
+impl Display for Point {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", Number(self.0.x), Number(self.0.y))
+    }
 }
 
 struct Vectors<'a> {
@@ -154,12 +157,12 @@ impl Vectors<'_> {
                 pen,
             } => self.arc((*centre, *radius), *from, *to, *pen),
             Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
-            Mark::Dot { at, pen } => self.circle(*at, 1.2, Some(self.inked(*pen)), ""),
+            Mark::Dot { at, pen } => self.circle(*at, 1.2, self.inked(*pen), ""),
             Mark::Disc(body) => self.disc(body),
             Mark::Ring { body, letter } => {
                 let stroke = self.stroke(Pen::new(body.role).bold());
                 let radius = self.length(body.radius);
-                self.circle(body.at, radius, None, &stroke);
+                self.circle(body.at, radius, "none", &stroke);
                 let at = self.at(*letter);
                 self.text(&body.letter.to_string(), at, Anchor::Middle, body.role);
             }
@@ -167,13 +170,10 @@ impl Vectors<'_> {
             Mark::Area { low, high, pen } => {
                 let (a, b) = (self.at(*low), self.at(*high));
                 let (least, size) = (a.min(b), (a - b).abs());
+                let [x, y, width, height] = [least.x, least.y, size.x, size.y].map(Number);
                 let fill = self.inked(*pen);
                 self.put(format_args!(
-                    "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{fill}\"/>\n",
-                    Number(least.x),
-                    Number(least.y),
-                    Number(size.x),
-                    Number(size.y)
+                    "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>\n"
                 ));
             }
             Mark::Text { .. } | Mark::Axes(_) | Mark::Reserved(_) => {}
@@ -203,16 +203,14 @@ impl Vectors<'_> {
         )
     }
 
-    fn path(&mut self, path: &str, fill: Option<Rgb>, stroke: &str) {
-        let fill = fill.map_or("none".into(), |fill| fill.to_string());
+    fn path(&mut self, path: &str, fill: impl Display, stroke: &str) {
         self.put(format_args!(
             "<path d=\"{path}\" fill=\"{fill}\"{stroke}/>\n"
         ));
     }
 
-    fn circle(&mut self, centre: DVec2, radius: f64, fill: Option<Rgb>, stroke: &str) {
+    fn circle(&mut self, centre: DVec2, radius: f64, fill: impl Display, stroke: &str) {
         let at = self.at(centre);
-        let fill = fill.map_or("none".into(), |fill| fill.to_string());
         let (x, y, r) = (Number(at.x), Number(at.y), Number(radius));
         self.put(format_args!(
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"{stroke}/>\n"
@@ -229,14 +227,14 @@ impl Vectors<'_> {
                 continue;
             };
             if last != Some(from) {
-                let _ = write!(path, "M{} {}", Number(from.x), Number(from.y));
+                let _ = write!(path, "M{}", Point(from));
             }
-            let _ = write!(path, "L{} {}", Number(to.x), Number(to.y));
+            let _ = write!(path, "L{}", Point(to));
             last = Some(to);
         }
         if !path.is_empty() {
             let stroke = self.stroke(pen);
-            self.path(&path, None, &stroke);
+            self.path(&path, "none", &stroke);
         }
     }
 
@@ -261,20 +259,14 @@ impl Vectors<'_> {
         }
         let stroke = self.stroke(pen);
         if (to - from).abs() >= TAU {
-            return self.circle(centre, r, None, &stroke);
+            return self.circle(centre, r, "none", &stroke);
         }
-        let [start, end] = [from, to].map(|it| self.at(centre + radius * DVec2::from_angle(it)));
+        let end = |it| Point(self.at(centre + radius * DVec2::from_angle(it)));
+        let (start, end, r) = (end(from), end(to), Number(r));
         let long = u8::from((to - from).abs() > PI);
         let sweep = u8::from(to < from);
-        let path = format!(
-            "M{} {}A{r} {r} 0 {long} {sweep} {} {}",
-            Number(start.x),
-            Number(start.y),
-            Number(end.x),
-            Number(end.y),
-            r = Number(r),
-        );
-        self.path(&path, None, &stroke);
+        let path = format!("M{start}A{r} {r} 0 {long} {sweep} {end}");
+        self.path(&path, "none", &stroke);
     }
 
     fn arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) {
@@ -291,11 +283,9 @@ impl Vectors<'_> {
             .view
             .to_world((tip - 0.8 * size * HEAD.0 * along) / cell());
         self.curve(&[from, end], pen);
-        let mut path = String::new();
-        for (order, at) in [('M', tip), ('L', neck + across), ('L', neck - across)] {
-            let _ = write!(path, "{order}{} {}", Number(at.x), Number(at.y));
-        }
-        self.path(&(path + "Z"), Some(self.inked(pen)), "");
+        let [tip, left, right] = [tip, neck + across, neck - across].map(Point);
+        let path = format!("M{tip}L{left}L{right}Z");
+        self.path(&path, self.inked(pen), "");
     }
 
     /// A disc of a hit: pale, so that what is drawn over it is plain to see.
@@ -303,10 +293,10 @@ impl Vectors<'_> {
         let radius = self.length(body.radius);
         let role = self.rgb(body.role);
         if radius <= DOT {
-            return self.circle(body.at, DOT, Some(role), "");
+            return self.circle(body.at, DOT, role, "");
         }
         let stroke = format!(" stroke=\"{role}\" stroke-width=\"1.8\"");
-        self.circle(body.at, radius, Some(self.pale(body.role)), &stroke);
+        self.circle(body.at, radius, self.pale(body.role), &stroke);
     }
 
     fn pale(&self, role: Role) -> Rgb {
@@ -329,7 +319,7 @@ impl Vectors<'_> {
         let role = self.rgb(body.role);
         let rim = self.rgb(Role::Background).mixed(role, 0.4);
         let stroke = format!(" stroke=\"{rim}\" stroke-width=\"1\"");
-        self.circle(body.at, radius, Some(role), &stroke);
+        self.circle(body.at, radius, role, &stroke);
         if radius >= 0.5 * LETTERS {
             let at = self.at(body.at);
             let sign = body.letter.to_string();
@@ -337,7 +327,7 @@ impl Vectors<'_> {
         }
         if body.pointed_out {
             let stroke = self.stroke(Pen::new(Role::Good).bold());
-            self.circle(body.at, POINTED_OUT * radius, None, &stroke);
+            self.circle(body.at, POINTED_OUT * radius, "none", &stroke);
         }
     }
 
@@ -350,11 +340,6 @@ impl Vectors<'_> {
     /// A text with a rim of what is behind it, which keeps it readable where a line runs
     /// there.
     fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, [ink, rim]: [Rgb; 2]) {
-        let anchor = match anchor {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
-        };
         self.put(format_args!(
             "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{ink}\" stroke=\"{rim}\" \
              stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
@@ -370,12 +355,12 @@ impl Vectors<'_> {
         let at = self.at(world);
         let stroke = format!(" stroke=\"{ink}\" stroke-width=\"1.8\"");
         match text {
-            "●" | "o" | "O" => self.circle(world, DOT, Some(ink), ""),
-            "○" => self.circle(world, DOT, Some(self.rgb(Role::Background)), &stroke),
+            "●" | "o" | "O" => self.circle(world, DOT, ink, ""),
+            "○" => self.circle(world, DOT, self.rgb(Role::Background), &stroke),
             "×" | "x" => {
                 let (x, y, size) = (Number(at.x - DOT), Number(at.y - DOT), Number(2.0 * DOT));
                 let path = format!("M{x} {y}l{size} {size}m-{size} 0l{size} -{size}");
-                self.path(&path, None, &stroke);
+                self.path(&path, "none", &stroke);
             }
             _ => self.text(text, at, Anchor::Middle, role),
         }
@@ -393,31 +378,19 @@ impl Vectors<'_> {
         let ends = [dvec2(origin.x, corner.y), origin, dvec2(corner.x, origin.y)];
         self.curve(&ends, pen);
         let tick = dvec2(self.view.per_column(), self.view.per_row()) * dvec2(0.45, 0.22);
-        let names = axes
-            .names
-            .each_ref()
-            .map(|name| self.look.charset.text(name));
+        let charset = self.look.charset;
+        let names = axes.names.each_ref().map(|name| charset.text(name));
         for (place, text) in &axes.ticks[0] {
             let at = dvec2(*place, origin.y);
             self.curve(&[at, at - tick.y * DVec2::Y], pen);
             let below = self.at(at) + DVec2::Y * cell().y;
-            self.text(
-                &self.look.charset.text(text),
-                below,
-                Anchor::Middle,
-                Role::Dim,
-            );
+            self.text(&charset.text(text), below, Anchor::Middle, Role::Dim);
         }
         for (place, text) in &axes.ticks[1] {
             let at = dvec2(origin.x, *place);
             self.curve(&[at, at - tick.x * DVec2::X], pen);
             let beside = self.at(at) - 0.8 * DVec2::X * cell().x;
-            self.text(
-                &self.look.charset.text(text),
-                beside,
-                Anchor::End,
-                Role::Dim,
-            );
+            self.text(&charset.text(text), beside, Anchor::End, Role::Dim);
         }
         let top = dvec2(f64::from(area.x), f64::from(area.y) + 0.5) * cell();
         self.text(&names[1], top, Anchor::Start, Role::Text);
@@ -432,6 +405,7 @@ mod tests {
     use ratatui::layout::Rect;
 
     use super::*;
+    use crate::widgets::picture::LabelSide;
     use crate::widgets::{Charset, Theme};
 
     fn drawn(make: impl Fn(&mut Picture)) -> String {

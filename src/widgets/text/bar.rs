@@ -1,6 +1,7 @@
 //! Bars that show a share of a whole.
 
 use super::Charset;
+use super::blocks::LEFT;
 
 /// A bar `width` cells wide, filled to `share` (0 to 1; what lies outside counts
 /// as the nearer end, what is no number as nothing).
@@ -14,7 +15,6 @@ use super::Charset;
 /// ```
 #[must_use]
 pub fn bar(share: f64, width: u16, charset: Charset) -> String {
-    const EIGHTHS: [char; 8] = [' ', '▏', '▎', '▍', '▌', '▋', '▊', '▉'];
     let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
     let width = usize::from(width);
     match charset {
@@ -25,9 +25,8 @@ pub fn bar(share: f64, width: u16, charset: Charset) -> String {
         Charset::Unicode => {
             let eighths = (share * 8.0 * width as f64).round() as usize;
             let mut bar = "█".repeat(eighths / 8);
-            let part = eighths % 8;
-            if part > 0 {
-                bar.push(EIGHTHS[part]);
+            if let Some(part) = (eighths % 8).checked_sub(1) {
+                bar.push(LEFT[part]);
             }
             let empty = width - eighths.div_ceil(8);
             bar + &"░".repeat(empty)

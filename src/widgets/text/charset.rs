@@ -120,16 +120,10 @@ fn spelling(letter: char) -> &'static str {
     match letter {
         // The micro of a unit.
         'µ' => "u",
-        '₀' => "0",
-        '₁' => "1",
-        '₂' => "2",
-        '₃' => "3",
-        '₄' => "4",
-        '₅' => "5",
-        '₆' => "6",
-        '₇' => "7",
-        '₈' => "8",
-        '₉' => "9",
+        '₀'..='₉' => {
+            let digit = letter as usize - '₀' as usize;
+            &"0123456789"[digit..=digit]
+        }
         'ₙ' => "_n",
         'ₜ' => "_t",
         'ₓ' => "x",

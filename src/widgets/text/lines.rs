@@ -85,7 +85,7 @@ impl<'a> Lines<'a> {
 
     /// Rows that a [`Lines::paragraph`] of this text takes.
     pub fn rows_of(&self, text: &str) -> u16 {
-        self.wrapped(text).len() as u16
+        self.rows_of_hanging("", text)
     }
 
     /// An empty row, unless there is nothing above it.
@@ -139,22 +139,16 @@ impl<'a> Lines<'a> {
 
     /// Text over as many rows as it takes.
     pub fn paragraph(&mut self, text: &str, role: Role) {
-        for line in self.wrapped(text) {
-            self.line(&line, role);
-        }
+        self.hanging("", text, role);
     }
 
     /// An equation over as many rows as it takes, those after the first set in by
     /// `indent`: the rest of an equation is no equation of its own.
     pub fn equation(&mut self, equation: &str, indent: u16, role: Role) {
         let text = self.look.charset.text(equation);
-        let rows = text::equation(
-            &text,
-            self.area.width.saturating_sub(1).into(),
-            indent.into(),
-        );
+        let width = self.area.width.saturating_sub(1).into();
         let mut column = 0;
-        for row in rows {
+        for row in text::equation(&text, width, indent.into()) {
             self.put(column, &row, role);
             self.written += 1;
             column = indent;
@@ -165,10 +159,8 @@ impl<'a> Lines<'a> {
     /// set in by `indent`; the first begins with `mark`.
     pub fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
         let width = self.area.width.saturating_sub(1 + indent).into();
-        for (i, row) in flow(runs, width, self.look.charset).into_iter().enumerate() {
-            if i == 0 {
-                self.put(0, mark, Role::Dim);
-            }
+        self.put(0, mark, Role::Dim);
+        for row in flow(runs, width, self.look.charset) {
             let mut column = indent;
             for run in row {
                 self.put(column, &run.text, run.role);
@@ -181,23 +173,17 @@ impl<'a> Lines<'a> {
     /// Text over as many rows as it takes behind a mark, under which nothing else is
     /// written.
     pub fn hanging(&mut self, mark: &str, text: &str, role: Role) {
-        let indent = self.width_of(mark) as u16;
-        let width = self.area.width.saturating_sub(1 + indent).into();
-        let rows = text::wrap(&self.look.charset.text(text), width);
-        for (i, row) in rows.iter().enumerate() {
-            if i == 0 {
-                self.put(0, mark, role);
-            }
-            self.put(indent, row, role);
+        let (indent, rows) = self.hung(mark, text);
+        self.put(0, mark, role);
+        for row in rows {
+            self.put(indent, &row, role);
             self.written += 1;
         }
     }
 
     /// Rows that a [`Lines::hanging`] text takes.
     pub fn rows_of_hanging(&self, mark: &str, text: &str) -> u16 {
-        let indent = self.width_of(mark) as u16;
-        let width = self.area.width.saturating_sub(1 + indent).into();
-        text::wrap(&self.look.charset.text(text), width).len() as u16
+        self.hung(mark, text).1.len() as u16
     }
 
     /// Rows that what `write` writes takes, beginning with an empty area.
@@ -214,9 +200,11 @@ impl<'a> Lines<'a> {
         lines.written
     }
 
-    fn wrapped(&self, text: &str) -> Vec<String> {
-        let width = self.area.width.saturating_sub(1).into();
-        text::wrap(&self.look.charset.text(text), width)
+    /// The columns that a mark takes, and the rows of a text behind it.
+    fn hung(&self, mark: &str, text: &str) -> (u16, Vec<String>) {
+        let indent = self.width_of(mark) as u16;
+        let width = self.area.width.saturating_sub(1 + indent).into();
+        (indent, text::wrap(&self.look.charset.text(text), width))
     }
 
     /// Columns that a text takes as it is written.

@@ -2,6 +2,7 @@
 
 pub mod bar;
 pub(crate) mod big;
+pub(crate) mod blocks;
 pub mod cells;
 mod charset;
 pub(crate) mod flow;
@@ -17,4 +18,4 @@ pub use charset::Charset;
 pub use lines::{Lines, Spare};
 pub use look::Look;
 pub use scroll::{Scroll, overflow, scroll_keys};
-pub use wrap::{ago, belong_together, clipped, equation, held, width, wrap};
+pub use wrap::{ago, clipped, equation, held, width, wrap};

@@ -1,21 +1,14 @@
 //! Signs of physics that are spelt on an ASCII screen and in plain lines alike.
 
+use crate::numbers::RAISED_DIGITS;
+
 /// The digit or sign that is raised in an exponent.
-pub(crate) const fn superscript(letter: char) -> Option<char> {
-    Some(match letter {
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴' => '4',
-        '⁵' => '5',
-        '⁶' => '6',
-        '⁷' => '7',
-        '⁸' => '8',
-        '⁹' => '9',
-        '⁻' => '-',
-        _ => return None,
-    })
+pub(crate) fn superscript(letter: char) -> Option<char> {
+    let digit = |letter| (0..10).zip(RAISED_DIGITS).find(|(_, it)| *it == letter);
+    match letter {
+        '⁻' => Some('-'),
+        _ => char::from_digit(digit(letter)?.0, 10),
+    }
 }
 
 /// The name of a Greek letter, capital like it: "delta", "Delta".

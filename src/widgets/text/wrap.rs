@@ -22,7 +22,7 @@ const UNITS: [&str; 21] = [
 /// a vector (`(60, 0)`) or of a difference (`90 - 30`), the factors of a product
 /// (`2 × 15`, `m₂ u₂`), a sign of equality from what stands on either side, an operator
 /// from what follows it, a sine from its angle and its factor.
-pub fn belong_together(before: &str, after: &str) -> bool {
+fn belong_together(before: &str, after: &str) -> bool {
     let minus = ["-", "−"];
     let operators = ["=", "+", "/"];
     let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);

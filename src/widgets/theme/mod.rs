@@ -31,9 +31,6 @@ pub enum Palette {
 }
 
 impl Palette {
-    /// All palettes, in the order a player steps through them.
-    pub const ALL: [Self; 3] = [Self::Dark, Self::Light, Self::Mono];
-
     /// The next palette, round and round.
     #[must_use]
     pub const fn next(self) -> Self {
@@ -41,16 +38,6 @@ impl Palette {
             Self::Dark => Self::Light,
             Self::Light => Self::Mono,
             Self::Mono => Self::Dark,
-        }
-    }
-
-    /// The name a player reads in the settings.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Dark => "dark",
-            Self::Light => "light",
-            Self::Mono => "mono",
         }
     }
 }

@@ -6,84 +6,29 @@ use std::sync::LazyLock;
 pub(in super::super) const GRID: (usize, usize) = (3, 5);
 const SAMPLES: usize = GRID.0 * GRID.1;
 
-/// How much ink each glyph has in each sample, row by row from the top left, as
+/// How much ink each glyph has in each sample, in hundredths, row by row from the top left, as
 /// measured in a common monospace font. (The apostrophe of most fonts is upright;
 /// the grave accent has its ink to the left.)
-const INK: [(u8, [f32; SAMPLES]); 13] = [
-    (b' ', [0.0; SAMPLES]),
-    (
-        b'.',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.37, 0.0, 0.0, 0.0, 0.0,
-        ],
-    ),
-    (
-        b'\'',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.43, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        ],
-    ),
-    (
-        b'`',
-        [
-            0.06, 0.06, 0.0, 0.01, 0.24, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        ],
-    ),
-    (
-        b',',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.36, 0.0, 0.0, 0.28, 0.0,
-        ],
-    ),
-    (
-        b'-',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.40, 0.06, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        ],
-    ),
-    (
-        b'_',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.40, 0.40, 0.40,
-        ],
-    ),
-    (
-        b'|',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.42, 0.0, 0.0, 0.42, 0.0, 0.0, 0.42, 0.0, 0.0, 0.42, 0.0,
-        ],
-    ),
-    (
-        b'/',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.15, 0.31, 0.0, 0.46, 0.0, 0.31, 0.16, 0.0, 0.09, 0.0, 0.0,
-        ],
-    ),
-    (
-        b'\\',
-        [
-            0.0, 0.0, 0.0, 0.38, 0.08, 0.0, 0.02, 0.44, 0.0, 0.0, 0.25, 0.22, 0.0, 0.0, 0.09,
-        ],
-    ),
-    (
-        b'(',
-        [
-            0.0, 0.0, 0.0, 0.0, 0.40, 0.02, 0.0, 0.47, 0.0, 0.0, 0.46, 0.0, 0.0, 0.23, 0.02,
-        ],
-    ),
-    (
-        b')',
-        [
-            0.0, 0.0, 0.0, 0.02, 0.41, 0.0, 0.0, 0.47, 0.0, 0.0, 0.46, 0.0, 0.02, 0.23, 0.0,
-        ],
-    ),
-    (
-        b'"',
-        [
-            0.0, 0.0, 0.0, 0.18, 0.49, 0.18, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-        ],
-    ),
+const HUNDREDTHS: [(u8, [u8; SAMPLES]); 13] = [
+    (b' ', [0; SAMPLES]),
+    (b'.', [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 37, 0, 0, 0, 0]),
+    (b'\'', [0, 0, 0, 0, 43, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
+    (b'`', [6, 6, 0, 1, 24, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
+    (b',', [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 36, 0, 0, 28, 0]),
+    (b'-', [0, 0, 0, 0, 0, 0, 5, 40, 6, 0, 0, 0, 0, 0, 0]),
+    (b'_', [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 40, 40, 40]),
+    (b'|', [0, 0, 0, 0, 42, 0, 0, 42, 0, 0, 42, 0, 0, 42, 0]),
+    (b'/', [0, 0, 0, 0, 15, 31, 0, 46, 0, 31, 16, 0, 9, 0, 0]),
+    (b'\\', [0, 0, 0, 38, 8, 0, 2, 44, 0, 0, 25, 22, 0, 0, 9]),
+    (b'(', [0, 0, 0, 0, 40, 2, 0, 47, 0, 0, 46, 0, 0, 23, 2]),
+    (b')', [0, 0, 0, 2, 41, 0, 0, 47, 0, 0, 46, 0, 2, 23, 0]),
+    (b'"', [0, 0, 0, 18, 49, 18, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
 ];
+
+/// The same, 1 being all the ink that a sample can have.
+static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
+    HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
+});
 
 /// How much of a sample's ink its neighbours get: strokes are a little wider than
 /// the samples they hit, and so are the glyphs.
@@ -127,7 +72,7 @@ static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
         .collect()
 });
 
-const GLYPHS: usize = INK.len();
+const GLYPHS: usize = HUNDREDTHS.len();
 /// How many samples make the low half of a mask.
 const LOW: usize = 8;
 

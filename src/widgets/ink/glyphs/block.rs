@@ -2,21 +2,17 @@
 
 use std::sync::LazyLock;
 
+use crate::widgets::text::blocks::{LEFT, LOWER, QUARTERS};
+
 /// A block element, and whether it is drawn in the background's colour upon the
 /// disc's, which gives the shapes Unicode has no character for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(in super::super) struct BlockGlyph {
     pub(in super::super) symbol: char,
     pub(in super::super) inverse: bool,
     /// The cells of the 8 × 8 grid it covers, row by row from the top left.
     cover: u64,
 }
-
-const QUADRANTS: [char; 16] = [
-    ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
-];
-const LOWER: [char; 7] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇'];
-const LEFT: [char; 7] = ['▏', '▎', '▍', '▌', '▋', '▊', '▉'];
 
 static BLOCKS: LazyLock<Vec<BlockGlyph>> = LazyLock::new(|| {
     let mut blocks = Vec::new();
@@ -27,12 +23,9 @@ static BLOCKS: LazyLock<Vec<BlockGlyph>> = LazyLock::new(|| {
             cover,
         });
     };
-    for (bits, symbol) in (0..).zip(QUADRANTS) {
-        add(
-            symbol,
-            false,
-            grid(|x, y| bits >> (x / 4 + 2 * (y / 4)) & 1 == 1),
-        );
+    for (bits, symbol) in (0..).zip(QUARTERS) {
+        let cover = grid(|x, y| bits >> (x / 4 + 2 * (y / 4)) & 1 == 1);
+        add(symbol, false, cover);
     }
     for (eighths, symbol) in (1..).zip(LOWER) {
         let cover = grid(|_, y| y >= 8 - eighths);
@@ -60,11 +53,7 @@ pub(in super::super) fn nearest(cover: u64, inverse: bool) -> BlockGlyph {
         .filter(|block| inverse || !block.inverse)
         .min_by_key(|block| (block.cover ^ cover).count_ones())
         .copied()
-        .unwrap_or(BlockGlyph {
-            symbol: ' ',
-            inverse: false,
-            cover: 0,
-        })
+        .unwrap_or_default()
 }
 
 #[cfg(test)]

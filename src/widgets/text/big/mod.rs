@@ -11,6 +11,7 @@ use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::widgets::text::blocks::QUARTERS;
 use crate::widgets::{Charset, Look, Role};
 
 /// Pixels between two letters.
@@ -221,35 +222,20 @@ fn set(text: &str, size: Size, columns: usize, charset: Charset) -> Option<Vec<V
 
 /// What stands in a cell of a line of pixels.
 fn symbol(line: &[u8], column: usize, row: usize, size: Size, charset: Charset) -> char {
-    const QUARTERS: [char; 16] = [
-        ' ', '▘', '▝', '▀', '▖', '▌', '▞', '▛', '▗', '▚', '▐', '▜', '▄', '▙', '▟', '█',
-    ];
     let pixel = |x: usize, y: usize| line.get(x).is_some_and(|it| it >> y & 1 == 1);
+    let halves = |x, y| usize::from(pixel(x, y)) | usize::from(pixel(x, y + 1)) << 1;
     match (size, charset) {
-        (Size::Large, charset) => match (pixel(column / 2, row), charset) {
-            (false, _) => ' ',
-            (true, Charset::Ascii) => '#',
-            (true, Charset::Unicode) => '█',
-        },
-        (Size::Middle, charset) => {
-            let halves = [pixel(column, 2 * row), pixel(column, 2 * row + 1)];
-            let symbols = match charset {
-                Charset::Ascii => ['"', '.', '#'],
-                Charset::Unicode => ['▀', '▄', '█'],
-            };
-            match halves {
-                [false, false] => ' ',
-                [true, false] => symbols[0],
-                [false, true] => symbols[1],
-                [true, true] => symbols[2],
-            }
-        }
+        (Size::Large, _) if !pixel(column / 2, row) => ' ',
+        (Size::Large, Charset::Ascii) => '#',
+        (Size::Large, Charset::Unicode) => '█',
+        (Size::Middle, Charset::Ascii) => [' ', '"', '.', '#'][halves(column, 2 * row)],
+        (Size::Middle, Charset::Unicode) => [' ', '▀', '▄', '█'][halves(column, 2 * row)],
         (Size::Small | Size::Strokes, _) => {
             let (x, y) = (2 * column, 2 * row);
             let quarters = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
-            let bits = quarters.iter().enumerate();
+            let bits = quarters.into_iter().enumerate();
             let index: usize = bits
-                .map(|(bit, (x, y))| usize::from(pixel(*x, *y)) << bit)
+                .map(|(bit, (x, y))| usize::from(pixel(x, y)) << bit)
                 .sum();
             QUARTERS[index]
         }
