@@ -45,10 +45,9 @@ impl Concept {
                 found(field, format!("expected whole sentences, found \"{text}\""));
             }
         }
-        for choice in self.choices() {
-            if choice.text().ends_with('.') {
-                let message = format!("expected no full stop after \"{}\"", choice.text());
-                found("choice", message);
+        for (text, _) in self.choices() {
+            if text.ends_with('.') {
+                found("choice", format!("expected no full stop after \"{text}\""));
             }
         }
         for wrong in &self.wrongs {
@@ -163,10 +162,10 @@ fn places(concepts: &[Concept]) -> Vec<String> {
 /// ones have, tell them from afar.
 fn words(concepts: &[Concept]) -> Vec<String> {
     let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
-    for choice in concepts.iter().flat_map(Concept::choices) {
-        let first = choice.text().split_whitespace().next().unwrap_or_default();
+    for (text, wrong) in concepts.iter().flat_map(Concept::choices) {
+        let first = text.split_whitespace().next().unwrap_or_default();
         let (right, of) = begin.entry(first).or_default();
-        *right += usize::from(choice.is_right());
+        *right += usize::from(wrong.is_none());
         *of += 1;
     }
     let mut faults: Vec<String> = begin

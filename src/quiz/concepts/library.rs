@@ -24,16 +24,11 @@ pub struct Library {
 impl Library {
     /// The questions in the program.
     pub fn embedded() -> Self {
-        match super::embedded() {
-            Ok(concepts) => Self {
-                concepts,
-                problems: Vec::new(),
-            },
-            Err(errors) => Self {
-                concepts: Vec::new(),
-                problems: errors.into_iter().collect(),
-            },
-        }
+        let (concepts, problems) = match super::embedded() {
+            Ok(concepts) => (concepts, Vec::new()),
+            Err(errors) => (Vec::new(), errors.into_iter().collect()),
+        };
+        Self { concepts, problems }
     }
 
     /// Adds the questions of a folder. A file that is no good is left out and reported

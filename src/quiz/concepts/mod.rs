@@ -71,30 +71,6 @@ pub struct Wrong {
     pub says: String,
 }
 
-/// One of the choices of a question.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ConceptChoice<'a> {
-    /// The right one.
-    Right(&'a str),
-    /// A wrong one.
-    Wrong(&'a Wrong),
-}
-
-impl<'a> ConceptChoice<'a> {
-    /// What it says.
-    pub fn text(self) -> &'a str {
-        match self {
-            Self::Right(text) => text,
-            Self::Wrong(wrong) => &wrong.choice,
-        }
-    }
-
-    /// Whether it is the right one.
-    pub fn is_right(self) -> bool {
-        matches!(self, Self::Right(_))
-    }
-}
-
 impl Concept {
     /// What it is about, in words: "right angle".
     pub fn topic(&self) -> Topic {
@@ -116,12 +92,14 @@ impl Concept {
         fault.file == self.file && fault.line == Some(self.line)
     }
 
-    /// All choices. Those of an [ordered](Self::ordered) question stand as they are to
-    /// be shown; of any other the right one is first, and they have to be shuffled.
-    pub fn choices(&self) -> Vec<ConceptChoice<'_>> {
-        let mut choices: Vec<_> = self.wrongs.iter().map(ConceptChoice::Wrong).collect();
+    /// All choices, each with what makes it a wrong one. Those of an
+    /// [ordered](Self::ordered) question stand as they are to be shown; of any other the
+    /// right one is first, and they have to be shuffled.
+    pub fn choices(&self) -> Vec<(&str, Option<&Wrong>)> {
+        let wrongs = self.wrongs.iter();
+        let mut choices: Vec<_> = wrongs.map(|it| (it.choice.as_str(), Some(it))).collect();
         let place = self.before_right.min(choices.len());
-        choices.insert(place, ConceptChoice::Right(&self.right));
+        choices.insert(place, (&self.right, None));
         choices
     }
 }

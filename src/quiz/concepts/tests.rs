@@ -328,7 +328,7 @@ fn the_order_names_each_question_once() {
 #[test]
 fn an_ordered_question_has_its_right_choice_in_place() {
     let ordered = with_id("ninety-survives-speed").unwrap();
-    let texts: Vec<_> = ordered.choices().iter().map(|c| c.text()).collect();
+    let texts: Vec<_> = ordered.choices().iter().map(|c| c.0).collect();
     assert_eq!(texts, ["Below 90°", "90°", "Above 90°"]);
 }
 

@@ -73,11 +73,10 @@ impl MovingPair {
             180 => "the opposite way".into(),
             way => format!("at {} to its path", in_degrees(way)),
         };
+        let [u1, u2] = [self.speed, self.target_speed].map(|it| significant(it.into()));
         let text = format!(
-            "A striker moves at {} m/s, an equal coin at {} m/s {way}. {place} Smooth rims, no \
-             energy lost.",
-            significant(f64::from(self.speed)),
-            significant(f64::from(self.target_speed))
+            "A striker moves at {u1} m/s, an equal coin at {u2} m/s {way}. {place} Smooth rims, \
+             no energy lost."
         );
         let disc = collision.striker;
         Outline::new(text, Illustration::before(collision, Markings::FIGURES))
@@ -89,10 +88,6 @@ impl MovingPair {
             .figure("line_deg", -self.side * f64::from(self.line_deg))
             .figure("direction_deg", self.direction_deg)
     }
-}
-
-fn in_degrees(deg: u32) -> String {
-    degrees(rad_from_deg(f64::from(deg)))
 }
 
 /// Draws a question.
@@ -272,6 +267,8 @@ fn speed(
     };
     let (own, others) = if of_target { (u2, u1) } else { (u1, u2) };
     let truth = velocity.length();
+    let [taken, along] = [others, others * cos].map(significant);
+    let [kept, across, all] = [own, own * sin, truth].map(significant);
     draft
         .named(id, TOPIC)
         .ask(format!("How fast does the {name} leave?"))
@@ -292,14 +289,9 @@ fn speed(
              the parts along the line are exchanged.",
         )
         .why(format!(
-            "Along the line of impact equal discs exchange: the {name} takes over {} cos {line} = \
-             {} m/s. Across it, it keeps {} sin {line} = {} m/s. Square to each other, they make \
-             {} m/s.",
-            significant(others),
-            significant(others * cos),
-            significant(own),
-            significant(own * sin),
-            significant(truth),
+            "Along the line of impact equal discs exchange: the {name} takes over {taken} cos \
+             {line} = {along} m/s. Across it, it keeps {kept} sin {line} = {across} m/s. Square to \
+             each other, they make {all} m/s.",
             line = bare_degrees(line),
         ))
 }

@@ -10,7 +10,7 @@ const TOPIC: &str = "centre-of-mass";
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let first = dice.coin();
     let hit = |pieces: &[Pieces], dice: &mut Dice| {
-        HitDraws::new(pieces, 10..=80, NO_LOSS).draw(difficulty, dice)
+        HitDraws(pieces, 10..=80, NO_LOSS).draw(difficulty, dice)
     };
     match (difficulty, first) {
         (Difficulty::Easy, true) => turn_from_angle(&hit(ALL, dice)?),
@@ -49,19 +49,17 @@ fn why_turn(alpha: f64, turn: f64) -> String {
 
 /// Θ asked for.
 fn turn(hit: &Hit, turn: f64) -> Outline {
-    let text = format!(
-        "{} No energy is lost. By what angle Θ does the hit turn the striker as seen from their \
-         centre of mass?",
-        in_short(hit)
-    );
     let picture = Illustration::before(hit.collision(), Markings::given(hit));
     let on_board = hit
         .outcome()
         .theta1
         .map(|theta1| deg_from_rad(theta1.abs()));
-    Outline::told(hit, text, picture)
-        .topic(TOPIC)
-        .figure("asked", "turn")
+    Outline::told(hit, in_short(hit), picture)
+        .named("turn", TOPIC)
+        .ask(
+            "No energy is lost. By what angle Θ does the hit turn the striker as seen from their \
+             centre of mass?",
+        )
         .number(Measure::Angle, deg_from_rad(turn))
         .wrong(
             DoubleAngleForgotten,
@@ -135,68 +133,61 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         return None;
     }
     let [m1_words, m2_words, u1_words, u2_words] = [m1, m2, u1, u2.abs()].map(significant);
+    let (sign, way) = if u2 > 0.0 {
+        ("+", "ahead of it, the same way")
+    } else {
+        ("-", "towards it")
+    };
     let (setting, momentum) = match target_speed {
         None => (
             format!("{} at {u1_words} m/s.", hit.who("striker", "hits")),
             format!("{m1_words} × {u1_words}"),
         ),
-        Some(_) => {
-            let (sign, way) = if u2 > 0.0 {
-                ("+", "ahead of it, the same way")
-            } else {
-                ("-", "towards it")
-            };
-            (
-                format!(
-                    "A striker of {m1_words} g moves at {u1_words} m/s, a {name} of {m2_words} g \
-                     at {u2_words} m/s {way}."
-                ),
-                format!("{m1_words} × {u1_words} {sign} {m2_words} × {u2_words}"),
-            )
-        }
+        Some(_) => (
+            format!(
+                "A striker of {m1_words} g moves at {u1_words} m/s, a {name} of {m2_words} g at \
+                 {u2_words} m/s {way}."
+            ),
+            format!("{m1_words} × {u1_words} {sign} {m2_words} × {u2_words}"),
+        ),
     };
     let backward = if along < 0.0 {
         " It moves the way of the heavier one."
     } else {
         ""
     };
-    let text = format!("{setting} How fast does their centre of mass move?");
-    Outline::told(
-        hit,
-        text,
-        Illustration::before(collision, Markings::FIGURES),
-    )
-    .topic(TOPIC)
-    .figure("asked", "centre-speed")
-    .figure("target_speed", u2)
-    .number(Measure::Speed, velocity.length())
-    .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
-    .says("You took the middle between the two velocities. The heavier one counts for more.")
-    .wrong(UpsideDown, exchanged.abs())
-    .says("You had the masses the other way round: the centre moves more like the heavier one.")
-    .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
-    .says(
-        "You added the momenta as plain numbers. They point against each other, so one is \
+    let picture = Illustration::before(collision, Markings::FIGURES);
+    Outline::told(hit, setting, picture)
+        .named("centre-speed", TOPIC)
+        .ask("How fast does their centre of mass move?")
+        .figure("target_speed", u2)
+        .number(Measure::Speed, velocity.length())
+        .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
+        .says("You took the middle between the two velocities. The heavier one counts for more.")
+        .wrong(UpsideDown, exchanged.abs())
+        .says("You had the masses the other way round: the centre moves more like the heavier one.")
+        .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
+        .says(
+            "You added the momenta as plain numbers. They point against each other, so one is \
              taken off.",
-    )
-    .why(format!(
-        "All the momentum, {momentum} g m/s, belongs to {} g in all: {} m/s.{backward}",
-        significant(m1 + m2),
-        significant(velocity.length())
-    ))
+        )
+        .why(format!(
+            "All the momentum, {momentum} g m/s, belongs to {} g in all: {} m/s.{backward}",
+            significant(m1 + m2),
+            significant(velocity.length())
+        ))
 }
 
 /// A question that goes from Θ back to the board.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
-    let text = format!(
-        "{}, and no energy is lost. Seen from their centre of mass the hit turns both by Θ = {}. \
-         {text}",
+    let told = format!(
+        "{}, and no energy is lost. Seen from their centre of mass the hit turns both by Θ = {}.",
         hit.who("striker", "hits"),
-        degrees(rad_from_deg(turn_deg))
+        in_degrees(turn_deg)
     );
-    Outline::told(hit, text, unmarked(hit))
-        .topic(TOPIC)
-        .figure("asked", asked)
+    Outline::told(hit, told, unmarked(hit))
+        .named(asked, TOPIC)
+        .ask(text)
         .figure("turn_deg", turn_deg)
         .wrong(FramesMixed, turn_deg)
         .says(format!(

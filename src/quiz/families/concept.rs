@@ -1,7 +1,7 @@
 //! The written questions: one idea each, in words.
 
 use super::outline::Outline;
-use crate::quiz::concepts::{self, Concept, ConceptChoice};
+use crate::quiz::concepts::{self, Concept};
 use crate::quiz::question::{Dice, Difficulty, Illustration, Markings, Question};
 
 /// Draws a question.
@@ -20,12 +20,10 @@ pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Qu
     let mut draft = Outline::new(&concept.ask, picture)
         .topic(concept.topic())
         .figure("id", concept.id.as_str());
-    for choice in concept.choices() {
-        draft = match choice {
-            ConceptChoice::Right(text) => draft.right(text),
-            ConceptChoice::Wrong(wrong) => draft
-                .choice(wrong.misconception, &wrong.choice)
-                .says(&wrong.says),
+    for (text, wrong) in concept.choices() {
+        draft = match wrong {
+            None => draft.right(text),
+            Some(wrong) => draft.choice(wrong.misconception, text).says(&wrong.says),
         };
     }
     if !concept.ordered {

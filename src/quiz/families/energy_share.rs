@@ -12,9 +12,9 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         pair(10, 30),
     ];
     let draws = match difficulty {
-        Difficulty::Easy => HitDraws::new(EQUAL, 15..=75, NO_LOSS),
-        Difficulty::Middle => HitDraws::new(&unequal, 15..=75, NO_LOSS),
-        Difficulty::Hard => HitDraws::new(ALL, 15..=75, &[0.2, 0.3, 0.4, 0.5, 0.6]),
+        Difficulty::Easy => HitDraws(EQUAL, 15..=75, NO_LOSS),
+        Difficulty::Middle => HitDraws(&unequal, 15..=75, NO_LOSS),
+        Difficulty::Hard => HitDraws(ALL, 15..=75, &[0.2, 0.3, 0.4, 0.5, 0.6]),
     };
     let hit = draws.draw(difficulty, dice)?;
     match difficulty {

@@ -1,10 +1,11 @@
 //! Hits that more than one family asks about.
 
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use crate::numbers::{bare_millimetres, degrees, significant};
 use crate::physics::{Disc, ImpactPoint};
-use crate::quiz::question::{Dice, Difficulty, Hit, Illustration, Markings, Pieces};
+use crate::quiz::question::{Dice, Difficulty, Hit, Illustration, Markings, Measure, Pieces};
 
 pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];
 pub(super) const UNEQUAL: &[Pieces] = &[Pieces::Tournament, Pieces::Marbles];
@@ -13,34 +14,23 @@ pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::M
 /// No loss.
 pub(super) const NO_LOSS: &[f64] = &[1.0];
 
-/// What a hit on a resting target is drawn from.
-pub(super) struct HitDraws<'a> {
-    pieces: &'a [Pieces],
-    fives_deg: RangeInclusive<u32>,
-    restitutions: &'a [f64],
-}
+/// What a hit on a resting target is drawn from: these sets of pieces, impact angles in
+/// degrees in steps of five, and e.
+pub(super) struct HitDraws<'a>(
+    pub(super) &'a [Pieces],
+    pub(super) RangeInclusive<u32>,
+    pub(super) &'a [f64],
+);
 
-impl<'a> HitDraws<'a> {
-    /// These sets of pieces, impact angles in degrees in steps of five, and e.
-    pub(super) const fn new(
-        pieces: &'a [Pieces],
-        fives_deg: RangeInclusive<u32>,
-        restitutions: &'a [f64],
-    ) -> Self {
-        Self {
-            pieces,
-            fives_deg,
-            restitutions,
-        }
-    }
-
+impl HitDraws<'_> {
     /// A hit: the pieces, α, e, a speed of 2 to 5 m/s, the side, and a direction that is
     /// the freer the harder the question.
     pub(super) fn draw(&self, difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
-        let pieces = *dice.pick(self.pieces)?;
-        let (from, to) = (self.fives_deg.start() / 5, self.fives_deg.end() / 5);
+        let Self(pieces, fives_deg, restitutions) = self;
+        let pieces = *dice.pick(pieces)?;
+        let (from, to) = (fives_deg.start() / 5, fives_deg.end() / 5);
         let alpha_deg = f64::from(5 * (from + dice.below((to + 1).saturating_sub(from))));
-        let restitution = *dice.pick(self.restitutions)?;
+        let restitution = *dice.pick(restitutions)?;
         let speed = f64::from(2 + dice.below(4));
         let left = dice.coin();
         Some(Hit {
@@ -63,12 +53,17 @@ pub(super) fn drawn(
     difficulty: Difficulty,
     dice: &mut Dice,
 ) -> Option<Hit> {
-    HitDraws::new(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
+    HitDraws(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
 }
 
-/// A direction of the striker on the picture, in degrees.
+/// A direction of the striker on the picture, in degrees: a multiple of one that is the
+/// smaller the harder the question.
 pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
-    let turn = difficulty.turn_deg();
+    let turn = match difficulty {
+        Difficulty::Easy => 360,
+        Difficulty::Middle => 90,
+        Difficulty::Hard => 30,
+    };
     f64::from(turn * dice.below(360 / turn))
 }
 
@@ -107,6 +102,16 @@ pub(super) fn in_short(hit: &Hit) -> String {
 pub(super) fn off_centre(hit: &Hit) -> String {
     let who = hit.who("smooth striker", "hits");
     format!("{who} off-centre at {} m/s.", significant(hit.speed))
+}
+
+/// An angle of so many degrees, as printed.
+pub(super) fn in_degrees(deg: impl Into<f64>) -> String {
+    Measure::Angle.print(deg.into())
+}
+
+/// The place among choices that stand in the order less, the same, more.
+pub(super) const fn place(compared: Ordering) -> usize {
+    (compared as i8 + 1) as usize
 }
 
 /// What is said to whoever forgets the loss, with the e there is.

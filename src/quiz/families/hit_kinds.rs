@@ -2,15 +2,19 @@
 
 use std::sync::OnceLock;
 
-use crate::physics::units::{deg_from_rad, rad_from_deg};
+use strum::VariantArray;
 
+use super::hit_draws::{ALL, EQUAL, NO_LOSS, direction_deg};
 use crate::numbers::tenths;
 use crate::physics::ImpactPoint;
+use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::quiz::misconceptions::OF_RAYS;
-use crate::quiz::question::{Dice, Difficulty, Hit, MIN_SEPARATION, Pieces, RIGHT_DEG, Rays};
+use crate::quiz::question::{
+    Dice, Difficulty, Hit, MIN_SEPARATION, Pieces, RIGHT_DEG, Rays, nearest,
+};
 
 /// A kind of hit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum HitKind {
     /// Equal masses, α given.
     EqualAngle,
@@ -32,93 +36,43 @@ pub(super) enum HitKind {
     LossyMarbles,
 }
 
-/// What a round of hits is made of, by difficulty: the ideas, and the turns.
-impl Difficulty {
-    /// The kinds that a round asks at this difficulty, each as often as it stands
-    /// here.
-    pub(super) const fn kinds(self) -> &'static [HitKind] {
-        match self {
-            Self::Easy => &[
-                HitKind::EqualAngle,
-                HitKind::EqualAngle,
-                HitKind::EqualOffset,
-            ],
-            Self::Middle => &[
-                HitKind::TournamentAngle,
-                HitKind::MarblesAngle,
-                HitKind::LossyAngle,
-                HitKind::HeadOn,
-            ],
-            Self::Hard => &[
-                HitKind::TournamentOffset,
-                HitKind::MarblesOffset,
-                HitKind::LossyMarbles,
-            ],
-        }
-    }
-
-    /// The striker's directions are multiples of this, in degrees.
-    pub(super) const fn turn_deg(self) -> u32 {
-        match self {
-            Self::Easy => 360,
-            Self::Middle => 90,
-            Self::Hard => 30,
-        }
-    }
-}
+/// The kinds that a round of hits asks when it is easy, middle and hard, each as often as it
+/// stands here.
+pub(super) const KINDS: [&[HitKind]; 3] = {
+    use HitKind::*;
+    [
+        &[EqualAngle, EqualAngle, EqualOffset],
+        &[TournamentAngle, MarblesAngle, LossyAngle, HeadOn],
+        &[TournamentOffset, MarblesOffset, LossyMarbles],
+    ]
+};
 
 impl HitKind {
-    /// How many kinds there are.
-    const COUNT: usize = 1 + Self::LossyMarbles as usize;
-
     /// All hits of this kind that are good to ask, in a fixed order, with the
     /// target on the right and the striker moving to the right at 1 m/s. They are looked
     /// for once, for it takes thousands of hits to find them.
     pub(super) fn candidates(self) -> &'static [Hit] {
-        static FOUND: [OnceLock<Vec<Hit>>; HitKind::COUNT] =
-            [const { OnceLock::new() }; HitKind::COUNT];
+        const COUNT: usize = HitKind::VARIANTS.len();
+        static FOUND: [OnceLock<Vec<Hit>>; COUNT] = [const { OnceLock::new() }; COUNT];
         FOUND[self as usize].get_or_init(|| self.find())
     }
 
     fn find(self) -> Vec<Hit> {
-        let angles = |pieces, steps: std::ops::RangeInclusive<u32>, step: u32, losses: &[f64]| {
-            let given = steps
-                .map(|i| ImpactPoint::Angle {
-                    alpha_deg: f64::from(i * step),
-                })
-                .collect::<Vec<_>>();
-            every(pieces, &given, losses)
-        };
-        let offsets = |pieces: Pieces| {
-            let head_on = plain(pieces, ImpactPoint::Angle { alpha_deg: 0.0 }, 1.0);
-            let given = (1..=(10.0 * head_on.reach_mm()) as u32)
-                .map(|tenths| ImpactPoint::Offset {
-                    offset_mm: f64::from(tenths) / 10.0,
-                })
-                .collect::<Vec<_>>();
-            every(pieces, &given, &[1.0])
-        };
-        let all = match self {
-            Self::EqualAngle => angles(Pieces::Equal, 3..=15, 5, &[1.0]),
-            Self::EqualOffset => offsets(Pieces::Equal),
-            Self::TournamentAngle => angles(Pieces::Tournament, 10..=80, 1, &[1.0]),
-            Self::MarblesAngle => angles(Pieces::Marbles, 10..=80, 1, &[1.0]),
-            Self::LossyAngle => angles(Pieces::Equal, 3..=15, 5, &[0.4, 0.5, 0.6, 0.7, 0.8]),
-            Self::HeadOn => [Pieces::Equal, Pieces::Tournament, Pieces::Marbles]
-                .into_iter()
-                .flat_map(|pieces| angles(pieces, 0..=0, 1, &[1.0]))
-                .collect(),
-            Self::TournamentOffset => offsets(Pieces::Tournament),
-            Self::MarblesOffset => offsets(Pieces::Marbles),
-            Self::LossyMarbles => angles(Pieces::Marbles, 3..=15, 5, &[0.4, 0.5, 0.6]),
-        };
-        all.into_iter()
-            .filter(|hit| {
-                within_reason(hit)
-                    && adds_up(hit)
-                    && clearance(hit) > rad_from_deg(MIN_SEPARATION * RIGHT_DEG)
-            })
-            .collect()
+        use HitKind::*;
+        use Pieces::{Equal, Marbles, Tournament};
+        let fives: Vec<_> = (15..=75).step_by(5).map(at_angle).collect();
+        let degrees: Vec<_> = (10..=80).map(at_angle).collect();
+        match self {
+            EqualAngle => every(EQUAL, &fives, NO_LOSS),
+            EqualOffset => every(EQUAL, &offsets(Equal), NO_LOSS),
+            TournamentAngle => every(&[Tournament], &degrees, NO_LOSS),
+            MarblesAngle => every(&[Marbles], &degrees, NO_LOSS),
+            LossyAngle => every(EQUAL, &fives, &[0.4, 0.5, 0.6, 0.7, 0.8]),
+            HeadOn => every(ALL, &[at_angle(0)], NO_LOSS),
+            TournamentOffset => every(&[Tournament], &offsets(Tournament), NO_LOSS),
+            MarblesOffset => every(&[Marbles], &offsets(Marbles), NO_LOSS),
+            LossyMarbles => every(&[Marbles], &fives, &[0.4, 0.5, 0.6]),
+        }
     }
 
     /// Draws a hit of this kind, none of `asked` again; `None` only if all have
@@ -138,12 +92,10 @@ impl HitKind {
         let hit = *dice.pick(&fresh)?;
         let left = dice.coin();
         let speed = f64::from(2 + dice.below(3));
-        let turn = difficulty.turn_deg();
-        let direction_deg = f64::from(turn * dice.below(360 / turn));
         Some(Hit {
             given: if left { mirrored(hit.given) } else { hit.given },
             speed,
-            direction_deg,
+            direction_deg: direction_deg(difficulty, dice),
             ..hit
         })
     }
@@ -160,11 +112,34 @@ fn plain(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
     }
 }
 
-fn every(pieces: Pieces, given: &[ImpactPoint], losses: &[f64]) -> Vec<Hit> {
-    given
-        .iter()
-        .flat_map(|&given| losses.iter().map(move |&e| plain(pieces, given, e)))
-        .collect()
+fn at_angle(alpha_deg: u32) -> ImpactPoint {
+    let alpha_deg = f64::from(alpha_deg);
+    ImpactPoint::Angle { alpha_deg }
+}
+
+/// Every tenth of a millimetre.
+fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
+    let tenths = 10.0 * plain(pieces, at_angle(0), 1.0).reach_mm();
+    let offset = |tenths| ImpactPoint::Offset {
+        offset_mm: f64::from(tenths) / 10.0,
+    };
+    (1..=tenths as u32).map(offset).collect()
+}
+
+/// Every hit of these pieces, at these places and with these e, that is good to ask.
+fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec<Hit> {
+    let mut hits = Vec::new();
+    for &it in pieces {
+        for &given in places {
+            hits.extend(restitutions.iter().map(|&e| plain(it, given, e)));
+        }
+    }
+    hits.retain(|hit| {
+        within_reason(hit)
+            && adds_up(hit)
+            && clearance(hit) > rad_from_deg(MIN_SEPARATION * RIGHT_DEG)
+    });
+    hits
 }
 
 fn mirrored(given: ImpactPoint) -> ImpactPoint {
@@ -199,16 +174,11 @@ fn within_reason(hit: &Hit) -> bool {
 /// radians: as [`Question::clearance`](crate::quiz::Question::clearance) has it, without
 /// the words of a question, for thousands of hits are looked through.
 fn clearance(hit: &Hit) -> f64 {
-    let mut rays: Vec<Rays> = OF_RAYS
+    let held = OF_RAYS
         .into_iter()
-        .filter_map(|misconception| Some(misconception.predict(hit)?.0))
-        .collect();
-    rays.push(hit.truth());
-    let pairs = rays
-        .iter()
-        .enumerate()
-        .flat_map(|(i, a)| rays.iter().skip(i + 1).map(move |b| a.gap(b)));
-    pairs.fold(f64::INFINITY, f64::min)
+        .filter_map(|it| Some(it.predict(hit)?.0));
+    let rays: Vec<Rays> = held.chain([hit.truth()]).collect();
+    nearest(&rays, Rays::gap)
 }
 
 /// Whether the angles that are printed add up to the printed separation, to the last
@@ -227,21 +197,9 @@ fn adds_up(hit: &Hit) -> bool {
 mod tests {
     use super::*;
 
-    const KINDS: [HitKind; HitKind::COUNT] = [
-        HitKind::EqualAngle,
-        HitKind::EqualOffset,
-        HitKind::TournamentAngle,
-        HitKind::MarblesAngle,
-        HitKind::LossyAngle,
-        HitKind::HeadOn,
-        HitKind::TournamentOffset,
-        HitKind::MarblesOffset,
-        HitKind::LossyMarbles,
-    ];
-
     #[test]
     fn every_kind_has_hits_enough() {
-        for kind in KINDS {
+        for &kind in HitKind::VARIANTS {
             let least = if kind == HitKind::HeadOn { 3 } else { 8 };
             let n = kind.candidates().len();
             assert!(n >= least, "{kind:?}: {n}");
@@ -255,7 +213,7 @@ mod tests {
             let tenths = angle.to_degrees() * 10.0;
             (tenths - tenths.floor() - 0.5).abs() < 1e-7
         };
-        for kind in KINDS {
+        for &kind in HitKind::VARIANTS {
             for hit in kind.candidates() {
                 let outcome = hit.outcome();
                 let printed = [outcome.theta1, outcome.theta2, outcome.separation];

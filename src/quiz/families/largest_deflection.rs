@@ -16,29 +16,16 @@ const SQUARE: usize = 1;
 const BACK: usize = 2;
 
 /// Masses in grams of a striker and a lighter coin.
-const HEAVIER: [(u32, u32); 10] = [
-    (15, 3),
-    (15, 5),
-    (15, 6),
-    (20, 6),
-    (20, 8),
-    (20, 10),
-    (20, 12),
-    (24, 18),
-    (25, 20),
-    (30, 26),
+const HEAVIER: [&[(u32, u32)]; 3] = [
+    &[(15, 3), (15, 5), (15, 6)],
+    &[(20, 6), (20, 8), (20, 10), (20, 12)],
+    &[(24, 18), (25, 20), (30, 26)],
 ];
 
 /// Masses in grams of a striker and a coin as heavy or heavier.
-const NOT_HEAVIER: [(u32, u32); 8] = [
-    (12, 12),
-    (15, 15),
-    (18, 18),
-    (20, 20),
-    (10, 20),
-    (12, 15),
-    (15, 30),
-    (20, 25),
+const NOT_HEAVIER: [&[(u32, u32)]; 2] = [
+    &[(12, 12), (15, 15), (18, 18), (20, 20)],
+    &[(10, 20), (12, 15), (15, 30), (20, 25)],
 ];
 
 /// Draws a question.
@@ -89,12 +76,12 @@ fn setting(hit: &Hit) -> String {
 
 /// Whether there is a limit, and which.
 fn limit(dice: &mut Dice) -> Option<Question> {
-    let pairs: &[(u32, u32)] = if dice.below(5) < 2 {
-        &HEAVIER
+    let pairs = if dice.below(5) < 2 {
+        HEAVIER.concat()
     } else {
-        &NOT_HEAVIER
+        NOT_HEAVIER.concat()
     };
-    let hit = turned_most(*dice.pick(pairs)?, 10, Difficulty::Easy, dice);
+    let hit = turned_most(*dice.pick(&pairs)?, 10, Difficulty::Easy, dice);
     let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
         .named("limit", "limit-of-turn")
         .ask("You choose the offset. How far can it be turned?");
@@ -141,7 +128,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
 
 /// By how many degrees at most.
 fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let hit = turned_most(*dice.pick(&HEAVIER)?, e_tenths, difficulty, dice);
+    let hit = turned_most(*dice.pick(&HEAVIER.concat())?, e_tenths, difficulty, dice);
     let LargestDeflection::Turned { theta1, .. } = most(&hit) else {
         return None;
     };
@@ -185,7 +172,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
 /// A question where to aim a heavier striker without loss: the hit, the largest θ₁, the α
 /// that brings it, and what is told.
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
-    let hit = turned_most(*dice.pick(&HEAVIER)?, 10, Difficulty::Hard, dice);
+    let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
     let LargestDeflection::Turned { theta1, alpha } = most(&hit) else {
         return None;
     };

@@ -191,7 +191,7 @@ impl ShotTask {
         };
         let collision = hit.collision();
         Outline::new(text, Illustration::before(collision, shown))
-            .topic(Topic::with_id(format!("send-{sent}")))
+            .named(asked, Topic::with_id(format!("send-{sent}")))
             .figure("m1_g", m1_g)
             .figure("m2_g", m2_g)
             .figure("r1_mm", mm_from_m(collision.striker.radius))
@@ -200,7 +200,6 @@ impl ShotTask {
             .figure("direction_deg", hit.direction_deg)
             .figure("wanted_deg", self.wanted_deg)
             .figure("side", if self.side < 0.0 { "left" } else { "right" })
-            .figure("asked", asked)
             .shot(AimTask {
                 collision,
                 ray,

@@ -78,7 +78,7 @@ impl Outline {
     }
 
     /// Which of its family's questions it is, and the topic.
-    pub(super) fn named(self, id: &str, topic: &'static str) -> Self {
+    pub(super) fn named(self, id: &str, topic: impl Into<Topic>) -> Self {
         self.figure("asked", id).topic(topic)
     }
 

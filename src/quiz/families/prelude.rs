@@ -1,8 +1,8 @@
 //! What nearly every family of figures is declared with.
 
 pub(super) use super::hit_draws::{
-    ALL, EQUAL, HitDraws, NO_LOSS, UNEQUAL, direction_deg, drawn, here_e, in_short, off_centre,
-    pair, unmarked,
+    ALL, EQUAL, HitDraws, NO_LOSS, UNEQUAL, direction_deg, drawn, here_e, in_degrees, in_short,
+    off_centre, pair, place, unmarked,
 };
 pub(super) use super::outline::Outline;
 pub(super) use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};

@@ -6,19 +6,11 @@ use super::separation::twice_alpha;
 use super::weigh::seen_angles;
 
 /// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
-const SQUARE: [(u32, u32, u32); 12] = [
-    (4, 20, 2),
-    (6, 20, 3),
-    (6, 15, 4),
-    (8, 20, 4),
-    (10, 20, 5),
-    (12, 24, 5),
-    (15, 30, 5),
-    (9, 15, 6),
-    (12, 20, 6),
-    (18, 30, 6),
-    (14, 20, 7),
-    (16, 20, 8),
+const SQUARE: [&[(u32, u32, u32)]; 4] = [
+    &[(4, 20, 2), (6, 20, 3), (6, 15, 4), (8, 20, 4)],
+    &[(10, 20, 5), (12, 24, 5), (15, 30, 5)],
+    &[(9, 15, 6), (12, 20, 6), (18, 30, 6)],
+    &[(14, 20, 7), (16, 20, 8)],
 ];
 
 /// Draws a question.
@@ -121,7 +113,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
 
 /// A hit that is square in spite of loss.
 fn square(dice: &mut Dice) -> Option<Hit> {
-    let &(m1_g, m2_g, e_tenths) = dice.pick(&SQUARE)?;
+    let (m1_g, m2_g, e_tenths) = *dice.pick(&SQUARE.concat())?;
     let e = f64::from(e_tenths) / 10.0;
     drawn(pair(m1_g, m2_g), e, Difficulty::Middle, dice)
 }

@@ -23,16 +23,23 @@ struct FoilBeam {
 }
 
 impl FoilBeam {
-    /// A question about this beam and these tracks.
-    fn told(&self, tracks_deg: Option<[f64; 2]>) -> Outline {
+    /// A question about this beam beside this picture.
+    fn told(&self, picture: Illustration) -> Outline {
         let text = format!("α-particles meet a thin foil of {}.", self.foil);
-        let tracks = tracks_deg.map(|angles_deg| Illustration::Tracks {
-            rutherford: Rutherford::new(ALPHA_CHARGE, self.charge, self.energy_mev * MEV),
-            angles: angles_deg.map(rad_from_deg),
-        });
-        Outline::new(text, tracks.unwrap_or(Illustration::Nothing))
+        Outline::new(text, picture)
             .figure("foil", self.foil)
             .figure("energy_mev", self.energy_mev)
+    }
+
+    /// A question that compares the counts at two angles in degrees, beside both tracks.
+    fn compared(&self, from_deg: f64, to_deg: f64) -> Outline {
+        let angles_deg = [from_deg.min(to_deg), from_deg.max(to_deg)];
+        self.told(Illustration::Tracks {
+            rutherford: Rutherford::new(ALPHA_CHARGE, self.charge, self.energy_mev * MEV),
+            angles: angles_deg.map(rad_from_deg),
+        })
+        .figure("angle_deg", from_deg)
+        .figure("to_deg", to_deg)
     }
 }
 
@@ -76,10 +83,6 @@ fn why(from_deg: f64, to_deg: f64) -> String {
     )
 }
 
-fn in_degrees(deg: f64) -> String {
-    degrees(rad_from_deg(deg))
-}
-
 /// A whole ratio, to be chosen.
 fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
@@ -94,17 +97,13 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     } else {
         (far_deg, near_deg, [few(times), few(root), many(times)])
     };
-    let text = format!(
-        "Compared with {}, how many does the same small screen count at {}?",
-        in_degrees(there),
-        in_degrees(here)
-    );
-    beam.told(Some([near_deg, far_deg]))
-        .topic("counts-at-two-angles")
-        .ask(text)
-        .figure("angle_deg", here)
-        .figure("to_deg", there)
-        .figure("asked", "choice")
+    beam.compared(here, there)
+        .named("choice", "counts-at-two-angles")
+        .ask(format!(
+            "Compared with {}, how many does the same small screen count at {}?",
+            in_degrees(there),
+            in_degrees(here)
+        ))
         .right(right)
         .choice(TooGentle, gentle)
         .says("You took the square of the sine. It is the fourth power that counts.")
@@ -128,9 +127,6 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg));
     let truth = by_energy * times_as_many(from_deg, to_deg);
     draft
-        .figure("angle_deg", from_deg)
-        .figure("to_deg", to_deg)
-        .figure("asked", "ratio")
         .number(Measure::Times, truth)
         .wrong(HalfAngleForgotten, whole.map(|whole| by_energy * whole))
         .says("You took the sine of the whole angles. It is the half of each that counts.")
@@ -145,15 +141,13 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
 /// A ratio as a number.
 fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
-    let text = format!(
-        "How many times as many does a small screen count at {} as at {}?",
-        in_degrees(here_deg),
-        in_degrees(there_deg)
-    );
+    let [here, there] = [here_deg, there_deg].map(in_degrees);
     let draft = beam
-        .told(Some([here_deg, there_deg]))
-        .topic("counts-at-two-angles")
-        .ask(text);
+        .compared(here_deg, there_deg)
+        .named("ratio", "counts-at-two-angles")
+        .ask(format!(
+            "How many times as many does a small screen count at {here} as at {there}?"
+        ));
     wrong_ratios(draft, here_deg, there_deg, 1.0)
         .says("You had the ratio upside down. The smaller angle has the larger count.")
         .why(why(here_deg, there_deg))
@@ -167,17 +161,15 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         return None;
     }
     let by_energy = (to_energy_mev / beam.energy_mev).powi(2);
-    let text = format!(
-        "How many times as many does a screen count at {} with {} MeV as at {} with {} MeV?",
-        in_degrees(here_deg),
-        significant(beam.energy_mev),
-        in_degrees(there_deg),
-        significant(to_energy_mev)
-    );
+    let [here, there] = [here_deg, there_deg].map(in_degrees);
+    let [from, to] = [beam.energy_mev, to_energy_mev].map(significant);
     let draft = beam
-        .told(Some([here_deg, there_deg]))
-        .topic("counts-angle-and-energy")
-        .ask(text)
+        .compared(here_deg, there_deg)
+        .named("ratio", "counts-angle-and-energy")
+        .ask(format!(
+            "How many times as many does a screen count at {here} with {from} MeV as at {there} \
+             with {to} MeV?"
+        ))
         .figure("to_energy_mev", to_energy_mev);
     wrong_ratios(draft, here_deg, there_deg, by_energy)
         .says("You had the ratio upside down. Counts fall with the angle, and with the energy.")
@@ -208,16 +200,15 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     if truth.is_nan() || truth > 165.0 {
         return None;
     }
-    let text = format!(
-        "At which angle does a small screen count 1/{fewer} of what it counts at {}?",
-        in_degrees(from_deg)
-    );
-    beam.told(None)
-        .topic("angle-of-count")
-        .ask(text)
+    let [times, before, after] = [root, half_sine, half_sine * root].map(significant);
+    beam.told(Illustration::Nothing)
+        .named("angle", "angle-of-count")
+        .ask(format!(
+            "At which angle does a small screen count 1/{fewer} of what it counts at {}?",
+            in_degrees(from_deg)
+        ))
         .figure("angle_deg", from_deg)
         .figure("fewer_times", fewer)
-        .figure("asked", "angle")
         .number(Measure::Angle, truth)
         .wrong(
             HalfAngleForgotten,
@@ -229,12 +220,8 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .wrong(UpsideDown, at(half_sine / root))
         .says("You went to a smaller angle. There more are counted, not fewer.")
         .why(format!(
-            "Counts go as 1 / sin⁴ of half the angle. For 1/{fewer} of them the sine must be {} \
-             times as large: {} × {} = {}, half of the angle is {}.",
-            significant(root),
-            significant(root),
-            significant(half_sine),
-            significant(half_sine * root),
+            "Counts go as 1 / sin⁴ of half the angle. For 1/{fewer} of them the sine must be \
+             {times} times as large: {times} × {before} = {after}, half of the angle is {}.",
             in_degrees(truth / 2.0)
         ))
 }

@@ -1,8 +1,6 @@
 //! The corner that the two ways out make: more, exactly or less than 90°, and how many
 //! degrees.
 
-use std::cmp::Ordering;
-
 use super::prelude::*;
 use crate::quiz::misconceptions::reasoning;
 
@@ -15,44 +13,27 @@ const LESS: usize = 2;
 /// Masses in grams and e in tenths: m₁, m₂, e.
 type MassesAndLoss = (u32, u32, u32);
 
-const LOSSLESS_PAIRS: [MassesAndLoss; 9] = [
-    (15, 15, 10),
-    (18, 18, 10),
-    (20, 20, 10),
-    (15, 6, 10),
-    (20, 10, 10),
-    (24, 16, 10),
-    (10, 20, 10),
-    (12, 18, 10),
-    (20, 40, 10),
+/// Alike, with a heavier striker, and with a lighter one.
+const LOSSLESS_PAIRS: [&[MassesAndLoss]; 3] = [
+    &[(15, 15, 10), (18, 18, 10), (20, 20, 10)],
+    &[(15, 6, 10), (20, 10, 10), (24, 16, 10)],
+    &[(10, 20, 10), (12, 18, 10), (20, 40, 10)],
 ];
 
-/// Far from m₁ = e m₂.
-const LOSSY_PAIRS: [MassesAndLoss; 8] = [
-    (15, 15, 5),
-    (15, 15, 8),
-    (20, 20, 6),
-    (20, 10, 8),
-    (10, 20, 9),
-    (10, 30, 6),
-    (15, 30, 8),
-    (20, 40, 9),
+/// The same, far from m₁ = e m₂.
+const LOSSY_PAIRS: [&[MassesAndLoss]; 3] = [
+    &[(15, 15, 5), (15, 15, 8), (20, 20, 6)],
+    &[(20, 10, 8)],
+    &[(10, 20, 9), (10, 30, 6), (15, 30, 8), (20, 40, 9)],
 ];
 
 /// A lighter striker, at m₁ = e m₂ and to both sides of it.
-const NEAR_SQUARE: [MassesAndLoss; 12] = [
-    (10, 20, 5),
-    (10, 20, 8),
-    (10, 20, 3),
-    (12, 20, 6),
-    (12, 20, 9),
-    (12, 20, 3),
-    (12, 15, 8),
-    (12, 15, 5),
-    (9, 15, 6),
-    (9, 15, 9),
-    (6, 15, 4),
-    (6, 15, 2),
+const NEAR_SQUARE: [&[MassesAndLoss]; 5] = [
+    &[(10, 20, 5), (10, 20, 8), (10, 20, 3)],
+    &[(12, 20, 6), (12, 20, 9), (12, 20, 3)],
+    &[(12, 15, 8), (12, 15, 5)],
+    &[(9, 15, 6), (9, 15, 9)],
+    &[(6, 15, 4), (6, 15, 2)],
 ];
 
 /// Draws a question.
@@ -66,21 +47,13 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The corner of a hit: the lighter the striker against e times the target, the wider.
-fn compared(striker: u32, target: u32) -> usize {
-    match striker.cmp(&target) {
-        Ordering::Less => MORE,
-        Ordering::Equal => EXACTLY,
-        Ordering::Greater => LESS,
-    }
-}
-
 /// More, exactly or less than 90°.
-fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let &(m1_g, m2_g, e_tenths) = dice.pick(pairs)?;
+fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let (m1_g, m2_g, e_tenths) = *dice.pick(&pairs.concat())?;
     let e = f64::from(e_tenths) / 10.0;
     let hit = drawn(pair(m1_g, m2_g), e, difficulty, dice)?;
-    let right = compared(10 * m1_g, e_tenths * m2_g);
+    // The lighter the striker against e times the target, the wider.
+    let right = place((10 * m1_g).cmp(&(e_tenths * m2_g)));
     let lossy = e_tenths < 10;
     let not_here = if m1_g == m2_g {
         "Equal masses part at a right angle if no energy is lost. Here some is."
@@ -108,7 +81,7 @@ fn corner(pairs: &[MassesAndLoss], difficulty: Difficulty, dice: &mut Dice) -> O
         )
         .chooses(AlwaysSquare, EXACTLY)
         .says(not_here)
-        .chooses(Lossless, lossy.then(|| compared(m1_g, m2_g)))
+        .chooses(Lossless, lossy.then(|| place(m1_g.cmp(&m2_g))))
         .says("That is so without loss. Loss closes the corner, the more the more is lost.")
         .chooses(SpeedOpensAngle, square.then_some(MORE))
         .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
@@ -163,7 +136,7 @@ fn lossy_corner(right: usize, lossy_target_g: f64, striker_g: f64) -> String {
 
 /// How many degrees, with unequal masses.
 fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let hit = HitDraws::new(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
+    let hit = HitDraws(UNEQUAL, 15..=75, restitutions).draw(difficulty, dice)?;
     let alpha = hit.alpha().abs();
     let wide = |hit: &Hit| hit.outcome().separation.map(deg_from_rad);
     let heavy = hit.mass_ratio() > 1.0;

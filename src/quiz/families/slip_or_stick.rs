@@ -15,10 +15,14 @@ enum Rims {
 }
 
 impl Rims {
+    fn restitution(self) -> f64 {
+        if self == Self::Lossless { 1.0 } else { 0.0 }
+    }
+
     /// The hit with these rims.
     fn collision(self, hit: &Hit) -> Collision {
         Collision {
-            restitution: if self == Self::Lossless { 1.0 } else { 0.0 },
+            restitution: self.restitution(),
             bond: if self == Self::Stick {
                 Bond::Stick
             } else {
@@ -53,10 +57,9 @@ impl Rims {
         };
         let picture = Illustration::before(self.collision(hit), shown);
         Outline::told(hit, format!("{} {words}", in_short(hit)), picture)
-            .topic(topic)
+            .named(asked, topic)
             .ask(text)
             .figure("rims", id)
-            .figure("asked", asked)
     }
 }
 
@@ -68,7 +71,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         Difficulty::Middle => (EQUAL, 3),
         Difficulty::Hard => (UNEQUAL, 4),
     };
-    let hit = HitDraws::new(pieces, 20..=70, &[0.0]).draw(difficulty, dice)?;
+    let hit = HitDraws(pieces, 20..=70, &[0.0]).draw(difficulty, dice)?;
     match dice.pick(&by_number[..asks]) {
         Some(ask) => ask(&hit),
         None => by_choice(&hit, dice),
@@ -77,12 +80,13 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 /// How do they go on? Equal masses.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
-    const SQUARE: &str = "They part at exactly 90°";
-    const NARROW: &str = "They part at less than 90°";
-    const MOVING: &str = "They stay together and move on";
-    const STILL: &str = "They stay together, at rest";
-    const BOUNCED: &str =
-        "You let them part as if nothing were lost. Here nothing throws them apart.";
+    /// The first three in the order of [`Rims`].
+    const WAYS: [&str; 4] = [
+        "They part at exactly 90°",
+        "They part at less than 90°",
+        "They stay together and move on",
+        "They stay together, at rest",
+    ];
     let rims = *dice.pick(&[
         Rims::Slip,
         Rims::Slip,
@@ -90,33 +94,23 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
         Rims::Stick,
         Rims::Lossless,
     ])?;
-    let hit = &hit.with_restitution(if rims == Rims::Lossless { 1.0 } else { 0.0 });
+    let hit = &hit.with_restitution(rims.restitution());
     let outcome = rims.collision(hit).outcome();
     let across = significant(hit.speed * hit.alpha().abs().sin());
-    let draft = rims.ask(hit, "picture", "How do the two go on?");
-    let (draft, why) = match rims {
+    // What is said to whoever lets them part at less than 90°, or stay together.
+    let (narrow, together, why) = match rims {
         Rims::Lossless => (
-            draft
-                .right(SQUARE)
-                .choice(None, NARROW)
-                .says("You let some of the bounce be lost. With e = 1 all of it comes back.")
-                .choice(GripStopsAll, MOVING)
-                .says("You let them stick. But smooth rims cannot hold each other."),
+            "You let some of the bounce be lost. With e = 1 all of it comes back.",
+            "You let them stick. But smooth rims cannot hold each other.",
             format!(
                 "Along the line of impact the coin takes all that the striker had. Across it the \
                  striker keeps its {across} m/s: a corner of 90°."
             ),
         ),
         Rims::Slip => (
-            draft
-                .choice(Lossless, SQUARE)
-                .says(BOUNCED)
-                .right(NARROW)
-                .choice(GripStopsAll, MOVING)
-                .says(
-                    "You let them stick. But smooth rims do not grip: across the line of impact \
-                     nothing is stopped.",
-                ),
+            "",
+            "You let them stick. But smooth rims do not grip: across the line of impact nothing \
+             is stopped.",
             format!(
                 "Along the line of impact both go on alike. Across it the striker keeps its \
                  {across} m/s and slides off: they part at {}.",
@@ -124,15 +118,9 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             ),
         ),
         Rims::Stick => (
-            draft
-                .choice(Lossless, SQUARE)
-                .says(BOUNCED)
-                .choice(GripIgnored, NARROW)
-                .says(
-                    "You let them slip along each other. So it would be with smooth rims and \
-                     e = 0; these hold fast.",
-                )
-                .right(MOVING),
+            "You let them slip along each other. So it would be with smooth rims and e = 0; these \
+             hold fast.",
+            "",
             format!(
                 "Stuck together they go on with their centre of mass, at {} m/s. Off-centre, the \
                  pair also turns.",
@@ -140,8 +128,15 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             ),
         ),
     };
-    draft
-        .choice(MomentumLost, STILL)
+    rims.ask(hit, "picture", "How do the two go on?")
+        .options(WAYS, rims as usize)
+        .chooses(Lossless, 0)
+        .says("You let them part as if nothing were lost. Here nothing throws them apart.")
+        .chooses((rims == Rims::Stick).then_some(GripIgnored), 1)
+        .says(narrow)
+        .chooses(GripStopsAll, 2)
+        .says(together)
+        .chooses(MomentumLost, 3)
         .says(
             "You let all motion go. Energy can be lost, but momentum cannot: the two carry it on.",
         )
@@ -199,6 +194,7 @@ fn parting(hit: &Hit) -> Option<Question> {
 fn striker_speed(hit: &Hit) -> Option<Question> {
     let (_, across) = parts(hit);
     let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
+    let [u, kept, both] = [hit.speed, across, speed(Rims::Slip)].map(significant);
     Rims::Slip
         .ask(hit, "striker-speed", "How fast does the striker go on?")
         .number(Measure::Speed, speed(Rims::Slip))
@@ -218,25 +214,20 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
              share it.",
         )
         .why(format!(
-            "{} Across it the striker keeps {} sin {} = {} m/s. Those two are square to each \
-             other and make {} m/s.",
+            "{} Across it the striker keeps {u} sin {} = {kept} m/s. Those two are square to each \
+             other and make {both} m/s.",
             shared(hit),
-            significant(hit.speed),
             bare_degrees(hit.alpha().abs()),
-            significant(across),
-            significant(speed(Rims::Slip))
         ))
 }
 
 /// How fast the stuck pair goes on.
 fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
+    let outcome = Rims::Stick.collision(hit).outcome();
     Rims::Stick
         .ask(hit, "pair-speed", "How fast does the pair go on?")
-        .number(
-            Measure::Speed,
-            Rims::Stick.collision(hit).outcome().v1.length(),
-        )
+        .number(Measure::Speed, outcome.v1.length())
         .wrong(GripIgnored, share * parts(hit).0)
         .says(
             "You shared only the part along the line of impact. Sticky rims take the part across \

@@ -3,9 +3,9 @@
 use super::prelude::*;
 
 const DRAWS: [HitDraws; 3] = [
-    HitDraws::new(EQUAL, 15..=75, NO_LOSS),
-    HitDraws::new(UNEQUAL, 15..=75, NO_LOSS),
-    HitDraws::new(UNEQUAL, 15..=75, &[0.4, 0.5, 0.6, 0.8]),
+    HitDraws(EQUAL, 15..=75, NO_LOSS),
+    HitDraws(UNEQUAL, 15..=75, NO_LOSS),
+    HitDraws(UNEQUAL, 15..=75, &[0.4, 0.5, 0.6, 0.8]),
 ];
 
 /// Draws a question.
@@ -22,18 +22,15 @@ fn target(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (u, alpha, e) = (hit.speed, hit.alpha().abs(), hit.restitution);
     let speed = |hit: &Hit| hit.outcome().v2.length();
-    let truth = speed(hit);
+    let (truth, before) = (speed(hit), significant(u));
     let lossless = speed(&hit.with_restitution(1.0));
     let along = u * alpha.cos();
     let equal = hit.masses_are_equal();
     let share = if equal && e >= 1.0 {
         format!("With equal masses and no loss the {name} takes all of it.")
     } else {
-        format!(
-            "The {name} leaves with (1 + e) m₁ / (m₁ + m₂) = {} times that: {} m/s.",
-            significant(truth / along),
-            significant(truth)
-        )
+        let [times, after] = [truth / along, truth].map(significant);
+        format!("The {name} leaves with (1 + e) m₁ / (m₁ + m₂) = {times} times that: {after} m/s.")
     };
     Outline::about(hit)
         .named("target", "target-speed")
@@ -43,9 +40,8 @@ fn target(hit: &Hit) -> Option<Question> {
         .says(sine_for_cosine(name))
         .wrong(OneLineFormula, truth / alpha.cos())
         .says(format!(
-            "You used the formula of a head-on hit on the whole {} m/s. Only the part along the \
-             line of impact takes part.",
-            significant(u)
+            "You used the formula of a head-on hit on the whole {before} m/s. Only the part along \
+             the line of impact takes part."
         ))
         .wrong(SpeedsAdd, equal.then_some(u * (1.0 - alpha.sin())))
         .says(
@@ -59,8 +55,7 @@ fn target(hit: &Hit) -> Option<Question> {
         .wrong(LossOnEverything, e * lossless)
         .says(SHRUNK)
         .why(format!(
-            "Along the line of impact the striker brings {} cos {} = {} m/s. {share}",
-            significant(u),
+            "Along the line of impact the striker brings {before} cos {} = {} m/s. {share}",
             bare_degrees(alpha),
             significant(along)
         ))

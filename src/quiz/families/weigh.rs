@@ -1,7 +1,5 @@
 //! A mass from what is seen after the hit: which is the heavier, and how heavy it is.
 
-use std::cmp::Ordering;
-
 use super::prelude::*;
 use super::separation::FOLLOWS_OR_BOUNCES;
 use crate::numbers::tenths;
@@ -51,7 +49,7 @@ impl SeenHit {
     ) -> Option<Self> {
         let coin_g = *dice.pick(coins_g)?;
         let pieces = [pair(STRIKER_G, coin_g)];
-        let hit = HitDraws::new(&pieces, 20..=70, restitutions).draw(difficulty, dice)?;
+        let hit = HitDraws(&pieces, 20..=70, restitutions).draw(difficulty, dice)?;
         let outcome = hit.outcome();
         Some(Self {
             hit,
@@ -81,22 +79,13 @@ pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     )
 }
 
-/// How the coin compares with the striker.
-const fn weight(coin: Ordering) -> usize {
-    match coin {
-        Ordering::Less => LIGHTER,
-        Ordering::Equal => ALIKE,
-        Ordering::Greater => HEAVIER,
-    }
-}
-
 /// Which of the two is the heavier, from the corner.
 fn which(dice: &mut Dice) -> Option<Question> {
     let alike = dice.below(3) == 0;
     let coins_g: &[u32] = if alike { &[STRIKER_G] } else { &COINS_G };
     let seen = SeenHit::draw(coins_g, NO_LOSS, Difficulty::Easy, dice)?;
-    let right = weight(seen.coin_g.total_cmp(&STRIKER));
-    let turned_less = weight(tenths(seen.theta1).cmp(&tenths(seen.theta2)));
+    let right = place(seen.coin_g.total_cmp(&STRIKER));
+    let turned_less = place(tenths(seen.theta1).cmp(&tenths(seen.theta2)));
     if right == ALIKE && turned_less == ALIKE {
         // Whoever compares the two angles is right by accident.
         return None;
@@ -136,13 +125,11 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let outcome = seen.hit.outcome();
     let (u, v1, v2) = (seen.hit.speed, outcome.v1.length(), outcome.v2.length());
     let (theta1, theta2) = (seen.theta1, seen.theta2);
+    let [before, then, coin] = [u, v1, v2].map(significant);
     seen.told(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
-            "Speeds: {} m/s before, then {} m/s, the coin {} m/s. Its mass?",
-            significant(u),
-            significant(v1),
-            significant(v2)
+            "Speeds: {before} m/s before, then {then} m/s, the coin {coin} m/s. Its mass?"
         ))
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)

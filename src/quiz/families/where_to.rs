@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::hit_kinds::HitKind;
+use super::hit_kinds::HitKind::{self, *};
+use super::hit_kinds::KINDS;
 use crate::physics::ImpactPoint;
 use crate::physics::units::mm_from_m;
 use crate::quiz::misconceptions::{OF_RAYS, reasoning};
@@ -26,7 +27,7 @@ pub fn hits(seed: u64) -> Vec<(Difficulty, Hit)> {
     let mut dice = Dice::new(seed);
     let mut hits: Vec<(Difficulty, Hit)> = Vec::with_capacity(LENGTH);
     for difficulty in Difficulty::ALL {
-        let mut kinds = difficulty.kinds().to_vec();
+        let mut kinds = KINDS[difficulty as usize].to_vec();
         dice.shuffle(&mut kinds);
         for kind in kinds {
             let asked: Vec<Hit> = hits.iter().map(|(_, hit)| *hit).collect();
@@ -39,42 +40,34 @@ pub fn hits(seed: u64) -> Vec<(Difficulty, Hit)> {
 
 /// Any question of this family.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    of_kinds(difficulty.kinds(), difficulty, dice)
+    of_kinds(KINDS, difficulty, dice)
 }
 
 /// Both rays from the impact angle: equal masses, with and without loss.
 pub(super) fn from_angle(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let kinds = match difficulty {
-        Difficulty::Easy | Difficulty::Middle => HitKind::EqualAngle,
-        Difficulty::Hard => HitKind::LossyAngle,
-    };
-    of_kinds(&[kinds], difficulty, dice)
+    let kinds: [&[HitKind]; 3] = [&[EqualAngle], &[EqualAngle], &[LossyAngle]];
+    of_kinds(kinds, difficulty, dice)
 }
 
 /// Both rays from the offset: the angle has to be found first.
 pub(super) fn from_offset(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let kinds: &[HitKind] = match difficulty {
-        Difficulty::Easy | Difficulty::Middle => &[HitKind::EqualOffset],
-        Difficulty::Hard => &[HitKind::TournamentOffset, HitKind::MarblesOffset],
-    };
-    of_kinds(kinds, difficulty, dice)
+    let unequal = &[TournamentOffset, MarblesOffset];
+    of_kinds([&[EqualOffset], &[EqualOffset], unequal], difficulty, dice)
 }
 
 /// Both rays with a heavier striker or a heavier target.
 pub(super) fn unequal_masses(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    use HitKind::{HeadOn, LossyMarbles, MarblesAngle, TournamentAngle};
-    let kinds: &[HitKind] = match difficulty {
-        Difficulty::Easy => &[TournamentAngle, MarblesAngle, HeadOn],
-        Difficulty::Middle => &[TournamentAngle, MarblesAngle],
-        Difficulty::Hard => &[LossyMarbles],
-    };
+    let kinds: [&[HitKind]; 3] = [
+        &[TournamentAngle, MarblesAngle, HeadOn],
+        &[TournamentAngle, MarblesAngle],
+        &[LossyMarbles],
+    ];
     of_kinds(kinds, difficulty, dice)
 }
 
 /// Both rays from the picture alone: no figure is given, only what can be seen.
 pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let kind = dice.pick(&[HitKind::EqualAngle])?;
-    let hit = kind.draw(difficulty, &[], dice)?;
+    let hit = dice.pick(&[EqualAngle])?.draw(difficulty, &[], dice)?;
     let (angle, eye) = match difficulty {
         Difficulty::Easy => (
             true,
@@ -95,34 +88,15 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
             "Two alike, one at rest, no energy lost, and no figures. {eye} where will they go?"
         ),
         picture: Illustration::before(hit.collision(), shown),
-        ..question(&hit)
+        ..Question::from(&hit)
     })
 }
 
-/// A question about a hit of one of these kinds.
-fn of_kinds(kinds: &[HitKind], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let hit = dice.pick(kinds)?.draw(difficulty, &[], dice)?;
-    Some(question(&hit))
-}
-
-/// The question where the two of this hit will go.
-pub(crate) fn question(hit: &Hit) -> Question {
-    Question {
-        family: Family::WhereTo,
-        difficulty: Difficulty::Middle,
-        topic: hit.topic(),
-        text: hit.text(),
-        picture: Illustration::before(hit.collision(), Markings::given(hit)),
-        form: Form::Rays {
-            truth: hit.truth(),
-            side: hit.side(),
-            target: hit.pieces.target_name(),
-        },
-        beliefs: beliefs(hit),
-        replies: BTreeMap::new(),
-        why: reasoning(hit),
-        figures: figures(hit),
-    }
+/// A question about a hit of one of these kinds, which stand by difficulty.
+fn of_kinds(kinds: [&[HitKind]; 3], difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let kind = dice.pick(kinds[difficulty as usize])?;
+    let hit = kind.draw(difficulty, &[], dice)?;
+    Some(Question::from(&hit))
 }
 
 /// What misconceptions make of a hit.
@@ -163,8 +137,24 @@ pub(super) fn figures(hit: &Hit) -> Map<String, Value> {
     figures.into_iter().collect()
 }
 
+/// The question where the two of a hit will go.
 impl From<&Hit> for Question {
     fn from(hit: &Hit) -> Self {
-        question(hit)
+        Self {
+            family: Family::WhereTo,
+            difficulty: Difficulty::Middle,
+            topic: hit.topic(),
+            text: hit.text(),
+            picture: Illustration::before(hit.collision(), Markings::given(hit)),
+            form: Form::Rays {
+                truth: hit.truth(),
+                side: hit.side(),
+                target: hit.pieces.target_name(),
+            },
+            beliefs: beliefs(hit),
+            replies: BTreeMap::new(),
+            why: reasoning(hit),
+            figures: figures(hit),
+        }
     }
 }

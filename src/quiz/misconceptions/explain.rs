@@ -3,7 +3,7 @@
 
 use crate::numbers::{degrees, tenths};
 use crate::quiz::question::{
-    Answer, Diagnosis, Form, Grade, Question, Ray, RayGrade, Rays, Response,
+    Answer, Diagnosis, Form, Grade, Question, Ray, Rays, RaysGrade, Response,
 };
 
 /// An explanation, to be shown as a title over a text.
@@ -19,12 +19,7 @@ pub struct Explanation {
 
 /// Explains a question to a player who gave this answer.
 pub fn explain(question: &Question, answer: &Answer) -> Explanation {
-    let belief = question.belief_of(answer);
-    let diagnosis = belief.map(|(belief, fit)| Diagnosis {
-        misconception: belief.misconception,
-        fit,
-    });
-    let (title, opening) = match belief {
+    let (title, opening) = match question.belief_of(answer) {
         Some((belief, _)) => (belief.misconception.name(), belief.says.clone()),
         None if Grade::new(question, answer).right => ("right", "Right, and this is why.".into()),
         None => undiagnosed(question, answer),
@@ -32,7 +27,7 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
     Explanation {
         title,
         text: format!("{opening} {}", question.why).trim().to_owned(),
-        diagnosis,
+        diagnosis: question.diagnose(answer),
     }
 }
 
@@ -70,12 +65,9 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
 
 /// How two rays are off that fit no misconception.
 fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
-    let [striker_grade, target_grade] = Ray::BOTH.map(|ray| RayGrade {
-        error: said.apart(truth, ray),
-    });
-    let striker_off = off(said, truth, Ray::Striker, &striker_grade);
-    let target_off = off(said, truth, Ray::Target, &target_grade);
-    match (striker_grade.is_right(), target_grade.is_right()) {
+    let [striker_off, target_off] = Ray::BOTH.map(|ray| off(said, truth, ray));
+    let grade = RaysGrade::new(said, truth);
+    match (grade.striker.is_right(), grade.target.is_right()) {
         (true, _) => (
             "one is off",
             format!("The striker is right; the {target} {target_off}."),
@@ -92,8 +84,8 @@ fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
 }
 
 /// How a ray is off: "is 12.0° too wide", "does not stay still".
-fn off(said: &Rays, truth: &Rays, ray: Ray, grade: &RayGrade) -> String {
-    match (said.get(ray), truth.get(ray), grade.error) {
+fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
+    match (said.get(ray), truth.get(ray), said.apart(truth, ray)) {
         (Some(said), Some(true_angle), Some(error)) => {
             // Straight ahead and straight back have no side.
             let has_side = tenths(true_angle.abs()) % 1800 != 0;

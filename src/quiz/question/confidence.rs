@@ -1,7 +1,10 @@
 //! How sure a player is, and what that brings.
 
+use strum::{EnumString, IntoStaticStr};
+
 /// How sure the player is. The points are in [`Confidence::points`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Confidence {
     /// No idea, really.
     Guess,
@@ -25,19 +28,13 @@ impl Confidence {
     }
 
     /// Its name in files.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Guess => "guess",
-            Self::ThinkSo => "think-so",
-            Self::Sure => "sure",
-        }
+    pub fn id(self) -> &'static str {
+        self.into()
     }
 
     /// The confidence of an `id`.
     pub fn with_id(id: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|confidence| confidence.id() == id)
+        id.parse().ok()
     }
 
     /// Points for an answer of this confidence that earned `credit`, 0 to 1.

@@ -1,7 +1,10 @@
 //! How hard a question is.
 
+use strum::IntoStaticStr;
+
 /// How hard a question is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Difficulty {
     /// One idea, in the plainest setting.
     Easy,
@@ -16,12 +19,8 @@ impl Difficulty {
     pub const ALL: [Self; 3] = [Self::Easy, Self::Middle, Self::Hard];
 
     /// Its name in files, and as shown.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Easy => "easy",
-            Self::Middle => "middle",
-            Self::Hard => "hard",
-        }
+    pub fn id(self) -> &'static str {
+        self.into()
     }
 
     /// That of question `i` (from 0) of `count` in a round that rises.

@@ -35,38 +35,30 @@ impl Measure {
 
     /// The unit behind a number, as typed beside it; empty for a pure number.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Angle => "°",
-            Self::Share => "%",
-            Self::Speed => "m/s",
-            Self::Mass => "g",
-            Self::Length => "mm",
-            Self::Times => "times",
-            Self::Restitution => "",
-        }
+        self.words().0
     }
 
     /// Its name in files, with which a number is kept: "angle_deg".
     pub const fn id(self) -> &'static str {
+        self.words().1
+    }
+
+    /// The unit, and the name in files.
+    const fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::Angle => "angle_deg",
-            Self::Share => "share_percent",
-            Self::Speed => "speed",
-            Self::Mass => "mass_g",
-            Self::Length => "length_mm",
-            Self::Times => "times",
-            Self::Restitution => "restitution",
+            Self::Angle => ("°", "angle_deg"),
+            Self::Share => ("%", "share_percent"),
+            Self::Speed => ("m/s", "speed"),
+            Self::Mass => ("g", "mass_g"),
+            Self::Length => ("mm", "length_mm"),
+            Self::Times => ("times", "times"),
+            Self::Restitution => ("", "restitution"),
         }
     }
 
     /// A number as printed, with its unit: "63.4°", "25.0 %", "2.12 m/s".
     pub fn print(self, x: f64) -> String {
-        let bare = self.print_bare(x);
-        match self {
-            Self::Angle => format!("{bare}°"),
-            Self::Restitution => bare,
-            _ => format!("{bare} {}", self.unit()),
-        }
+        numbers::with_unit(&self.print_bare(x), self.unit())
     }
 
     /// The same without its unit.

@@ -32,6 +32,7 @@ pub use illustration::{Illustration, Markings};
 pub use measure::Measure;
 pub use misconception::Misconception;
 pub use pieces::Pieces;
+pub(super) use question::nearest;
 pub use question::{Diagnosis, Fit, MIN_SEPARATION, Question, WrongAnswer};
 pub use rays::{Ray, Rays};
 pub use topic::Topic;

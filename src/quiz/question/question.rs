@@ -89,13 +89,9 @@ impl Question {
     /// would answer are, counted in the widest that can count as right. Choices are 0 or
     /// infinitely far apart.
     pub fn clearance(&self) -> f64 {
-        let mut answers: Vec<Response> = self.beliefs.iter().map(|belief| belief.said).collect();
-        answers.push(self.form.truth());
-        let pairs = answers.iter().enumerate().flat_map(|(i, a)| {
-            let later = answers.iter().skip(i + 1);
-            later.map(move |b| self.form.spacing(a, b))
-        });
-        pairs.fold(f64::INFINITY, f64::min)
+        let held = self.beliefs.iter().map(|belief| belief.said);
+        let answers: Vec<Response> = held.chain([self.form.truth()]).collect();
+        nearest(&answers, |a, b| self.form.spacing(a, b))
     }
 
     /// Whether an answer tells which of the misconceptions it follows, if any, and whether
@@ -154,4 +150,15 @@ impl Question {
         let fits = gap <= near && from_truth > near;
         fits.then_some((Fit::OneRay(ray), gap / near))
     }
+}
+
+/// The distance of the two of these that are nearest to each other; infinite where there
+/// are no two.
+pub(in crate::quiz) fn nearest<T>(all: &[T], distance: impl Fn(&T, &T) -> f64) -> f64 {
+    let pairs = (1..)
+        .zip(all)
+        .flat_map(|(next, a)| all[next..].iter().map(move |b| (a, b)));
+    pairs
+        .map(|(a, b)| distance(a, b))
+        .fold(f64::INFINITY, f64::min)
 }

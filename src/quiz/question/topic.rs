@@ -7,72 +7,58 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::Family::{
-    self, BothMoving, CentreOfMass, EnergyShare, FromAngle, FromOffset, FromPicture,
-    LargestDeflection, MakeItSo, Restitution, Rutherford, Separation, SlipOrStick, Speeds,
-    UnequalMasses, Weigh, WhereTo,
-};
+use super::Family::{self, *};
 
 /// What a question is about. Keep it by its [`id`](Self::id), which stays the same for good;
 /// show its [`name`](Self::name). Two with the same id are one topic.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Topic(Cow<'static, str>);
 
-/// A topic of the families of figures.
-struct KnownTopic {
-    id: &'static str,
-    name: &'static str,
-    /// Who asks about it, besides written questions.
-    families: &'static [Family],
-}
-
-const fn known(id: &'static str, name: &'static str, families: &'static [Family]) -> KnownTopic {
-    KnownTopic { id, name, families }
-}
-
+/// The topics of the families of figures: the id, the name, and who asks about it, besides
+/// written questions.
 #[rustfmt::skip]
-static TOPICS: [KnownTopic; 41] = [
-    known("equal-masses", "equal masses", &[WhereTo, FromAngle]),
-    known("equal-masses-by-offset", "equal masses, by offset", &[WhereTo, FromOffset]),
-    known("equal-masses-head-on", "equal masses, head-on", &[WhereTo, UnequalMasses]),
-    known("equal-masses-lossy", "equal masses, lossy", &[WhereTo, FromAngle]),
-    known("heavier-striker", "heavier striker", &[WhereTo, UnequalMasses]),
-    known("heavier-striker-by-offset", "heavier striker, by offset", &[WhereTo, FromOffset]),
-    known("heavier-striker-head-on", "heavier striker, head-on", &[WhereTo, UnequalMasses]),
-    known("heavier-target", "heavier target", &[WhereTo, UnequalMasses]),
-    known("heavier-target-by-offset", "heavier target, by offset", &[WhereTo, FromOffset]),
-    known("heavier-target-head-on", "heavier target, head-on", &[WhereTo, UnequalMasses]),
-    known("heavier-target-lossy", "heavier target, lossy", &[WhereTo, UnequalMasses]),
-    known("from-the-picture", "from the picture", &[FromPicture]),
-    known("target-speed", "target's speed", &[Speeds]),
-    known("striker-speed", "striker's speed", &[Speeds]),
-    known("corner-heavier-striker", "the corner, heavier striker", &[Separation]),
-    known("corner-lighter-striker", "the corner, lighter striker", &[Separation]),
-    known("corner-with-loss", "the corner, with loss", &[Separation, Restitution]),
-    known("corner-without-loss", "the corner, without loss", &[Separation]),
-    known("energy-lost", "energy lost", &[EnergyShare]),
-    known("energy-of-target", "energy the target takes", &[EnergyShare]),
-    known("energy-of-striker", "energy the striker keeps", &[EnergyShare]),
-    known("square-in-spite-of-loss", "90° in spite of loss", &[Restitution]),
-    known("e-for-square", "e for a right angle", &[Restitution]),
-    known("e-from-angles", "e from the angles", &[Restitution]),
-    known("e-head-on", "e of a head-on hit", &[Restitution]),
-    known("aim-for-largest-turn", "aim for the largest turn", &[LargestDeflection]),
-    known("limit-of-turn", "is there a limit?", &[LargestDeflection]),
-    known("largest-turn", "the largest turn", &[LargestDeflection]),
-    known("mass-from-angles", "mass from the angles", &[Weigh]),
-    known("mass-from-momentum", "mass from the momentum", &[Weigh]),
-    known("which-is-heavier", "which is heavier?", &[Weigh]),
-    known("smooth-no-spring", "smooth, e = 0", &[SlipOrStick]),
-    known("smooth-no-loss", "smooth, no loss", &[SlipOrStick]),
-    known("sticking", "sticking together", &[SlipOrStick]),
-    known("both-moving", "both moving", &[BothMoving]),
-    known("centre-of-mass", "the centre of mass", &[CentreOfMass]),
-    known("counts-at-two-angles", "counts at two angles", &[Rutherford]),
-    known("counts-angle-and-energy", "counts, angle and energy", &[Rutherford]),
-    known("angle-of-count", "the angle of a count", &[Rutherford]),
-    known("send-coin", "send the coin", &[MakeItSo]),
-    known("send-striker", "send the striker", &[MakeItSo]),
+static TOPICS: [(&str, &str, &[Family]); 41] = [
+    ("equal-masses", "equal masses", &[WhereTo, FromAngle]),
+    ("equal-masses-by-offset", "equal masses, by offset", &[WhereTo, FromOffset]),
+    ("equal-masses-head-on", "equal masses, head-on", &[WhereTo, UnequalMasses]),
+    ("equal-masses-lossy", "equal masses, lossy", &[WhereTo, FromAngle]),
+    ("heavier-striker", "heavier striker", &[WhereTo, UnequalMasses]),
+    ("heavier-striker-by-offset", "heavier striker, by offset", &[WhereTo, FromOffset]),
+    ("heavier-striker-head-on", "heavier striker, head-on", &[WhereTo, UnequalMasses]),
+    ("heavier-target", "heavier target", &[WhereTo, UnequalMasses]),
+    ("heavier-target-by-offset", "heavier target, by offset", &[WhereTo, FromOffset]),
+    ("heavier-target-head-on", "heavier target, head-on", &[WhereTo, UnequalMasses]),
+    ("heavier-target-lossy", "heavier target, lossy", &[WhereTo, UnequalMasses]),
+    ("from-the-picture", "from the picture", &[FromPicture]),
+    ("target-speed", "target's speed", &[Speeds]),
+    ("striker-speed", "striker's speed", &[Speeds]),
+    ("corner-heavier-striker", "the corner, heavier striker", &[Separation]),
+    ("corner-lighter-striker", "the corner, lighter striker", &[Separation]),
+    ("corner-with-loss", "the corner, with loss", &[Separation, Restitution]),
+    ("corner-without-loss", "the corner, without loss", &[Separation]),
+    ("energy-lost", "energy lost", &[EnergyShare]),
+    ("energy-of-target", "energy the target takes", &[EnergyShare]),
+    ("energy-of-striker", "energy the striker keeps", &[EnergyShare]),
+    ("square-in-spite-of-loss", "90° in spite of loss", &[Restitution]),
+    ("e-for-square", "e for a right angle", &[Restitution]),
+    ("e-from-angles", "e from the angles", &[Restitution]),
+    ("e-head-on", "e of a head-on hit", &[Restitution]),
+    ("aim-for-largest-turn", "aim for the largest turn", &[LargestDeflection]),
+    ("limit-of-turn", "is there a limit?", &[LargestDeflection]),
+    ("largest-turn", "the largest turn", &[LargestDeflection]),
+    ("mass-from-angles", "mass from the angles", &[Weigh]),
+    ("mass-from-momentum", "mass from the momentum", &[Weigh]),
+    ("which-is-heavier", "which is heavier?", &[Weigh]),
+    ("smooth-no-spring", "smooth, e = 0", &[SlipOrStick]),
+    ("smooth-no-loss", "smooth, no loss", &[SlipOrStick]),
+    ("sticking", "sticking together", &[SlipOrStick]),
+    ("both-moving", "both moving", &[BothMoving]),
+    ("centre-of-mass", "the centre of mass", &[CentreOfMass]),
+    ("counts-at-two-angles", "counts at two angles", &[Rutherford]),
+    ("counts-angle-and-energy", "counts, angle and energy", &[Rutherford]),
+    ("angle-of-count", "the angle of a count", &[Rutherford]),
+    ("send-coin", "send the coin", &[MakeItSo]),
+    ("send-striker", "send the striker", &[MakeItSo]),
 ];
 
 impl Topic {
@@ -90,7 +76,7 @@ impl Topic {
     /// The topics of the families of figures.
     #[cfg(test)]
     pub(in crate::quiz) fn all() -> impl Iterator<Item = Self> {
-        TOPICS.iter().map(|known| Self::with_id(known.id))
+        TOPICS.iter().map(|(id, ..)| Self::with_id(*id))
     }
 
     /// What it is kept by: "corner-with-loss".
@@ -98,21 +84,21 @@ impl Topic {
         &self.0
     }
 
-    fn known(&self) -> Option<&'static KnownTopic> {
-        TOPICS.iter().find(|known| known.id == self.0)
+    fn known(&self) -> Option<&'static (&'static str, &'static str, &'static [Family])> {
+        TOPICS.iter().find(|(id, ..)| *id == self.0)
     }
 
     /// Its name as shown: "the corner, with loss".
     pub fn name(&self) -> String {
         match self.known() {
-            Some(known) => known.name.into(),
+            Some((_, name, _)) => (*name).into(),
             None => self.0.replace('-', " "),
         }
     }
 
     /// The families of figures that ask about it.
     pub(in crate::quiz) fn families_of_figures(&self) -> &'static [Family] {
-        self.known().map_or(&[], |known| known.families)
+        self.known().map_or(&[], |(.., families)| families)
     }
 }
 
@@ -136,9 +122,9 @@ mod tests {
 
     #[test]
     fn ids_and_names_are_each_one_topic() {
-        let ids: BTreeSet<_> = TOPICS.iter().map(|it| it.id).collect();
+        let ids: BTreeSet<_> = TOPICS.iter().map(|it| it.0).collect();
         assert_eq!(ids.len(), TOPICS.len());
-        let names: BTreeSet<_> = TOPICS.iter().map(|it| it.name).collect();
+        let names: BTreeSet<_> = TOPICS.iter().map(|it| it.1).collect();
         assert_eq!(names.len(), TOPICS.len());
     }
 }

@@ -46,38 +46,29 @@ impl CourseKind {
 
     /// Its name in codes.
     pub fn id(&self) -> &'static str {
-        match self {
-            Self::Hits => "hits",
-            Self::Quick => "quick",
-            Self::Mixed => "mixed",
-            Self::Exam => "exam",
-            Self::Topic(family) => family.id(),
-            Self::Review(_) => "review",
-            Self::Own(_) => "own",
-        }
+        self.entry().0
     }
 
     /// Its name as shown.
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Hits => "ten hits",
-            Self::Quick => "quick five",
-            Self::Mixed => "mixed ten",
-            Self::Exam => "exam",
-            Self::Topic(family) => family.name(),
-            Self::Review(_) => "review",
-            Self::Own(_) => "your own questions",
-        }
+    pub fn name(&self) -> &'static str {
+        self.entry().1
     }
 
     /// How many questions it has unless told otherwise.
     pub fn length(&self) -> usize {
+        self.entry().2
+    }
+
+    /// Its name in codes, its name as shown, and how many questions it has.
+    fn entry(&self) -> (&'static str, &'static str, usize) {
         match self {
-            Self::Quick => 5,
-            Self::Review(due) => due.len().min(Course::REVIEWED),
-            Self::Exam => 15,
-            Self::Topic(_) => 6,
-            Self::Hits | Self::Mixed | Self::Own(_) => families::where_to::LENGTH,
+            Self::Hits => ("hits", "ten hits", families::where_to::LENGTH),
+            Self::Quick => ("quick", "quick five", 5),
+            Self::Mixed => ("mixed", "mixed ten", 10),
+            Self::Exam => ("exam", "exam", 15),
+            Self::Topic(family) => (family.id(), family.name(), 6),
+            Self::Review(due) => ("review", "review", due.len().min(Course::REVIEWED)),
+            Self::Own(_) => ("own", "your own questions", 10),
         }
     }
 

@@ -35,7 +35,7 @@ impl Round {
                 .iter()
                 .map(|(difficulty, hit)| Question {
                     difficulty: *difficulty,
-                    ..where_to::question(hit)
+                    ..Question::from(hit)
                 })
                 .collect(),
             CourseKind::Quick | CourseKind::Mixed | CourseKind::Exam => {

@@ -34,7 +34,7 @@ fn each_is_asked_as_it_is_written() {
             assert_eq!(told, format!("{} {}", wrong.says, written.why));
         }
         if written.ordered {
-            let written: Vec<_> = written.choices().iter().map(|it| it.text()).collect();
+            let written: Vec<_> = written.choices().iter().map(|it| it.0).collect();
             assert_eq!(*options, written);
         }
     }
