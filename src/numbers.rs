@@ -98,6 +98,12 @@ pub(crate) fn with_unit(number: &str, unit: &str) -> String {
     format!("{number}{gap}{unit}")
 }
 
+/// So many of them: "1 answer", "7 answers".
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
+}
+
 /// The same text with minus signs for its hyphens.
 pub(crate) fn true_minus(text: &str) -> String {
     text.replace('-', "−")

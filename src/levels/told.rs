@@ -4,7 +4,7 @@ use super::goal::{Goal, between, between_deg};
 use super::judge::{Judged, Judgement, Observed};
 use super::level::Level;
 use super::scene::{figures, tidy};
-use crate::numbers::degrees;
+use crate::numbers::{counted, degrees};
 use crate::physics::units::mm_from_m;
 
 /// What became of one goal.
@@ -56,7 +56,7 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
             let hit = format!("{} hit {}", name(by), name(disc));
             match least {
                 0 => hit,
-                _ => format!("{hit} off {}", counted(*met)),
+                _ => format!("{hit} off {}", in_cushions(*met)),
             }
         }
         (Goal::Hit { disc, by, .. }, _) => did_not_hit(&name(by), &name(disc)),
@@ -80,12 +80,12 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
             match seen {
                 Observed::OtherFirst => format!("{name} met another disc first"),
                 Observed::Cushions(0) => format!("{name} met {target} without a cushion"),
-                Observed::Cushions(met) => format!("{name} met {target} off {}", counted(*met)),
+                Observed::Cushions(met) => format!("{name} met {target} off {}", in_cushions(*met)),
                 _ => format!("{name} never met {target}"),
             }
         }
         (Goal::Cushions { disc, .. }, Observed::Cushions(met)) => {
-            format!("{} met {}", name(disc), counted(*met))
+            format!("{} met {}", name(disc), in_cushions(*met))
         }
         (Goal::Separation { .. }, Observed::NoDirection) => {
             "one of the two stopped, so there is no angle".into()
@@ -131,10 +131,9 @@ fn wanted(met: bool, told: String, wanted: impl Fn() -> String) -> String {
 }
 
 /// A number of cushions in words.
-fn counted(cushions: usize) -> String {
-    match cushions {
+fn in_cushions(count: usize) -> String {
+    match count {
         0 => "no cushion".into(),
-        1 => "1 cushion".into(),
-        _ => format!("{cushions} cushions"),
+        _ => counted(count, "cushion"),
     }
 }

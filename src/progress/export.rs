@@ -29,33 +29,49 @@ const COLUMNS: [&str; 14] = [
     "misconception",
 ];
 
+/// What stands in each of the [`COLUMNS`], as JSON has it.
+fn values(attempt: &Attempt) -> [Value; COLUMNS.len()] {
+    let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
+    [
+        attempt.time_s.and_then(utc).into(),
+        attempt.player.as_str().into(),
+        attempt.family.as_str().into(),
+        attempt.topic_name().into(),
+        attempt.seed.into(),
+        attempt.number.into(),
+        figures(&attempt.question),
+        figures(&attempt.answer),
+        figures(&attempt.truth),
+        attempt.error_deg.into(),
+        attempt.credit.into(),
+        attempt.right.into(),
+        attempt.confidence.map(Confidence::id).into(),
+        attempt.misconception.as_deref().into(),
+    ]
+}
+
 /// The attempts as a [`table`], one a row.
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
-    let number = |number: f64| number.to_string();
-    let rows: Vec<Vec<String>> = attempts
-        .iter()
-        .map(|attempt| {
-            vec![
-                attempt.time_s.and_then(utc).unwrap_or_default(),
-                attempt.player.clone(),
-                attempt.family.clone(),
-                attempt.topic_name(),
-                attempt.seed.to_string(),
-                attempt.number.to_string(),
-                attempt.question.clone(),
-                tidied(&attempt.answer),
-                tidied(&attempt.truth),
-                attempt.error_deg.map(number).unwrap_or_default(),
-                number(attempt.credit),
-                if attempt.right { "yes" } else { "no" }.into(),
-                attempt.confidence.map_or("", Confidence::id).into(),
-                attempt.misconception.clone().unwrap_or_default(),
-            ]
-        })
-        .collect();
+    let cell = |attempt: &Attempt, column: &str, value: Value| match (column, value) {
+        ("question", _) => attempt.question.clone(),
+        ("answer", _) => tidied(&attempt.answer),
+        ("truth", _) => tidied(&attempt.truth),
+        (_, Value::Null) => String::new(),
+        (_, Value::String(text)) => text,
+        (_, Value::Bool(right)) => if right { "yes" } else { "no" }.into(),
+        (_, number) if number.is_f64() => number.as_f64().unwrap_or_default().to_string(),
+        (_, number) => number.to_string(),
+    };
+    let row = |attempt: &Attempt| {
+        let columns = COLUMNS.into_iter().zip(values(attempt));
+        columns
+            .map(|(column, value)| cell(attempt, column, value))
+            .collect()
+    };
+    let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
     table(&COLUMNS, &rows)
 }
 
@@ -140,7 +156,7 @@ pub fn utc(time_s: i64) -> Option<String> {
 pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String> {
     let all = All {
         summary: summary(attempts, calendar),
-        attempts: AttemptRows(attempts),
+        attempts,
     };
     serde_json::to_string(&all).map_err(|error| error.to_string())
 }
@@ -148,56 +164,21 @@ pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String>
 #[derive(Serialize)]
 struct All<'a> {
     summary: Value,
-    attempts: AttemptRows<'a>,
+    #[serde(serialize_with = "rows")]
+    attempts: &'a [Attempt],
 }
 
 /// Attempts, each made ready only when it is written: there may be very many.
-struct AttemptRows<'a>(&'a [Attempt]);
+fn rows<S: Serializer>(attempts: &[Attempt], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(attempts.iter().map(AttemptRow))
+}
 
-impl Serialize for AttemptRows<'_> {
+/// An attempt as it is written, in the order of the [`COLUMNS`].
+struct AttemptRow<'a>(&'a Attempt);
+
+impl Serialize for AttemptRow<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(AttemptRow::from))
-    }
-}
-
-/// An attempt as it is written.
-#[derive(Serialize)]
-struct AttemptRow<'a> {
-    time: Option<String>,
-    player: &'a str,
-    family: &'a str,
-    topic: String,
-    seed: u64,
-    number: u32,
-    question: Value,
-    answer: Value,
-    truth: Value,
-    error_deg: Option<f64>,
-    credit: f64,
-    right: bool,
-    confidence: Option<&'static str>,
-    misconception: Option<&'a str>,
-}
-
-impl<'a> From<&'a Attempt> for AttemptRow<'a> {
-    fn from(attempt: &'a Attempt) -> Self {
-        let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
-        Self {
-            time: attempt.time_s.and_then(utc),
-            player: &attempt.player,
-            family: &attempt.family,
-            topic: attempt.topic_name(),
-            seed: attempt.seed,
-            number: attempt.number,
-            question: figures(&attempt.question),
-            answer: figures(&attempt.answer),
-            truth: figures(&attempt.truth),
-            error_deg: attempt.error_deg,
-            credit: attempt.credit,
-            right: attempt.right,
-            confidence: attempt.confidence.map(Confidence::id),
-            misconception: attempt.misconception.as_deref(),
-        }
+        serializer.collect_map(COLUMNS.into_iter().zip(values(self.0)))
     }
 }
 

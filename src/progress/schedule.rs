@@ -23,6 +23,7 @@ use jiff::civil::Date;
 
 use super::attempt::topic_name;
 use super::{Attempt, Calendar};
+use crate::numbers::counted;
 use crate::quiz::Confidence;
 
 /// The last step; the first is 0.
@@ -52,10 +53,9 @@ impl Review {
     /// When it is due as seen from `today`, in few letters: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // Between two dates a difference in days always fits.
-        match (self.due - today).get_days() {
-            ..=0 => "now".into(),
-            1 => "in 1 day".into(),
-            days => format!("in {days} days"),
+        match usize::try_from((self.due - today).get_days()) {
+            Ok(days @ 1..) => format!("in {}", counted(days, "day")),
+            _ => "now".into(),
         }
     }
 

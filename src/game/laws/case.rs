@@ -2,6 +2,7 @@
 
 use super::Law;
 use crate::game::pieces::{COINS_EACH, Colour};
+use crate::numbers::counted;
 
 /// Points for the queen, to a winner whose score allows it (25b).
 pub(super) const QUEEN_POINTS: u8 = 3;
@@ -188,8 +189,5 @@ pub(super) fn coins(number: u8, colour: Colour) -> String {
 
 /// A number of points in words.
 pub(super) fn points(number: u8) -> String {
-    match number {
-        1 => "1 point".to_owned(),
-        _ => format!("{number} points"),
-    }
+    counted(number.into(), "point")
 }

@@ -2,11 +2,12 @@
 
 use maud::{Markup, Render, html};
 
-use super::rows::{Cut, of};
+use super::rows::{ChapterRow, Cut, PackRow, of};
 use super::{Report, ReportPicture};
+use crate::numbers::counted;
 use crate::paper::{HtmlPage, clean};
-use crate::progress::words::{angles, degrees, percent};
-use crate::progress::{LATELY, Mastery, Trend};
+use crate::progress::words::{degrees, percent};
+use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
 
 /// Columns of a topic's name.
 const TOPIC: usize = 40;
@@ -49,7 +50,7 @@ fn figures(report: &Report) -> Markup {
     let figure = |value: String, name: &str| {
         html! { div { strong { (value) } span.dim { (name) } } }
     };
-    let angles = angles(report.all.angles());
+    let angles = counted(report.all.angles(), "angle");
     html! {
         div.figures {
             (figure(report.all.attempts.to_string(), "answered"))
@@ -82,14 +83,16 @@ fn columns(report: &Report) -> Markup {
         div.columns {
             div {
                 (picture("errors"))
-                section { (topics(report)) }
+                section { (listed("Topics", &report.topics, "No question of the quiz yet.", topics)) }
                 section { (beliefs(report)) }
-                section { (packs(report)) }
+                section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
             }
             div {
                 (picture("calibration"))
                 (picture("calibration-over-time"))
-                section.chapters { (chapters(report)) }
+                section.chapters {
+                    (listed("Chapters", &report.chapters, "None begun yet.", chapters))
+                }
             }
         }
     }
@@ -109,39 +112,43 @@ fn more<T>(cut: &Cut<T>) -> Markup {
     html! { @if let Some(more) = cut.and_more() { p.dim { (more) } } }
 }
 
+/// A title over a table of rows, or a word where there are none.
+fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -> Markup {
+    html! {
+        h2 { (title) }
+        @if cut.rows.is_empty() { p.dim { (none) } }
+        @else { (table(&cut.rows)) (more(cut)) }
+    }
+}
+
 /// A share as a bar that is told apart in black and white too.
 fn bar(share: f64) -> Markup {
     let width = format!("width: {:.0}%", 100.0 * share.clamp(0.0, 1.0));
     html! { span.bar { span style=(width) {} } }
 }
 
-fn topics(report: &Report) -> Markup {
+fn topics(topics: &[TopicStanding]) -> Markup {
     html! {
-        h2 { "Topics" }
-        @if report.topics.rows.is_empty() { p.dim { "No question of the quiz yet." } }
-        @else {
-            table {
-                thead { tr {
-                    th { "topic" } th { "stands" } th.n { "right" } th { "of the last five" }
-                    th.n { "off by" }
+        table {
+            thead { tr {
+                th { "topic" } th { "stands" } th.n { "right" } th { "of the last five" }
+                th.n { "off by" }
+            } }
+            tbody {
+                @for topic in topics { tr {
+                    td.name { (clean(&topic.name, TOPIC)) }
+                    td {
+                        @if topic.mastery() == Mastery::Solid { b { "solid" } }
+                        @else { (topic.mastery().name()) }
+                    }
+                    td.n { (of((topic.all.right, topic.all.attempts))) }
+                    td {
+                        (bar(topic.lately.right as f64 / LATELY as f64))
+                        (of((topic.lately.right, topic.lately.attempts)))
+                    }
+                    td.n { (degrees(topic.all.mean_error_deg())) }
                 } }
-                tbody {
-                    @for topic in &report.topics.rows { tr {
-                        td.name { (clean(&topic.name, TOPIC)) }
-                        td {
-                            @if topic.mastery() == Mastery::Solid { b { "solid" } }
-                            @else { (topic.mastery().name()) }
-                        }
-                        td.n { (topic.all.right) " of " (topic.all.attempts) }
-                        td {
-                            (bar(topic.lately.right as f64 / LATELY as f64))
-                            (topic.lately.right) " of " (topic.lately.attempts)
-                        }
-                        td.n { (degrees(topic.all.mean_error_deg())) }
-                    } }
-                }
             }
-            (more(&report.topics))
         }
     }
 }
@@ -175,38 +182,28 @@ fn beliefs(report: &Report) -> Markup {
     }
 }
 
-fn chapters(report: &Report) -> Markup {
+fn chapters(chapters: &[ChapterRow]) -> Markup {
     html! {
-        h2 { "Chapters" }
-        @if report.chapters.rows.is_empty() { p.dim { "None begun yet." } }
-        @else {
-            table {
-                thead { tr { th {} th.n { "read" } th.n { "right" } } }
-                tbody {
-                    @for chapter in &report.chapters.rows { tr {
-                        td.name { (chapter.title) }
-                        td.n { (of(chapter.read)) }
-                        td.n { (of(chapter.right)) }
-                    } }
-                }
+        table {
+            thead { tr { th {} th.n { "read" } th.n { "right" } } }
+            tbody {
+                @for chapter in chapters { tr {
+                    td.name { (chapter.title) }
+                    td.n { (of(chapter.read)) }
+                    td.n { (of(chapter.right)) }
+                } }
             }
-            (more(&report.chapters))
         }
     }
 }
 
-fn packs(report: &Report) -> Markup {
+fn packs(packs: &[PackRow]) -> Markup {
     html! {
-        h2 { "Levels" }
-        @if report.packs.rows.is_empty() { p.dim { "No stars yet." } }
-        @else {
-            div.packs {
-                @for pack in &report.packs.rows { p.pack {
-                    span { (pack.title) }
-                    span.n { "★ " (pack.stars) " of " (pack.most) }
-                } }
-            }
-            (more(&report.packs))
+        div.packs {
+            @for pack in packs { p.pack {
+                span { (pack.title) }
+                span.n { "★ " (of((pack.stars, pack.most))) }
+            } }
         }
     }
 }

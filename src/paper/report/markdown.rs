@@ -1,9 +1,10 @@
 //! The report as Markdown.
 
 use super::Report;
-use super::rows::of;
+use super::rows::{ChapterRow, Cut, PackRow, of};
+use crate::numbers::counted;
 use crate::paper::{Markdown, clean};
-use crate::progress::words::{angles, degrees, percent};
+use crate::progress::words::{degrees, percent};
 
 /// Columns of a topic's name.
 const TOPIC: usize = 60;
@@ -31,58 +32,45 @@ pub(super) fn document(report: &Report, folder: &str) -> String {
 }
 
 fn figures(report: &Report, document: &mut Markdown) {
-    let mut rows = vec![
-        vec!["answered".to_owned(), report.all.attempts.to_string()],
-        vec!["right".to_owned(), percent(report.all.share_right())],
-    ];
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value| rows.push(vec![name.to_owned(), value]);
+    row("answered", report.all.attempts.to_string());
+    row("right", percent(report.all.share_right()));
     if let Some(error) = report.all.mean_error_deg() {
-        let of = format!("mean error of {}", angles(report.all.angles()));
-        rows.push(vec![of, degrees(Some(error))]);
+        let of = format!("mean error of {}", counted(report.all.angles(), "angle"));
+        row(&of, degrees(Some(error)));
     }
     if let Some((first, last)) = report.ends() {
-        rows.push(vec![
-            "mean error of the first ten".to_owned(),
-            degrees(Some(first)),
-        ]);
-        rows.push(vec![
-            "mean error of the last ten".to_owned(),
-            degrees(Some(last)),
-        ]);
+        row("mean error of the first ten", degrees(Some(first)));
+        row("mean error of the last ten", degrees(Some(last)));
     }
-    rows.push(vec!["topics solid".to_owned(), report.solid.to_string()]);
-    rows.push(vec!["chapters done".to_owned(), of(report.done)]);
-    rows.push(vec!["stars".to_owned(), of(report.stars)]);
+    row("topics solid", report.solid.to_string());
+    row("chapters done", of(report.done));
+    row("stars", of(report.stars));
     document.table(&["all in all", ""], rows);
 }
 
 fn tables(report: &Report, document: &mut Markdown) {
-    let more = |document: &mut Markdown, more: Option<String>| {
-        if let Some(more) = more {
-            document.paragraph(&more);
-        }
-    };
-    if !report.topics.rows.is_empty() {
-        document.heading(2, "Topics");
-        let rows = report.topics.rows.iter().map(|topic| {
+    let topics = &report.topics;
+    if !topics.rows.is_empty() {
+        let rows = topics.rows.iter().map(|topic| {
             vec![
                 clean(&topic.name, TOPIC),
                 topic.mastery().name().to_owned(),
-                format!("{} of {}", topic.all.right, topic.all.attempts),
-                format!("{} of {}", topic.lately.right, topic.lately.attempts),
+                of((topic.all.right, topic.all.attempts)),
+                of((topic.lately.right, topic.lately.attempts)),
                 degrees(topic.all.mean_error_deg()),
             ]
         });
-        document.table(
-            &["topic", "stands", "right", "of the last five", "off by"],
-            rows,
-        );
-        more(document, report.topics.and_more());
+        let heads = ["topic", "stands", "right", "of the last five", "off by"];
+        table(document, "Topics", &heads, topics, rows);
     }
-    document.heading(2, "Misconceptions");
-    if report.beliefs.rows.is_empty() {
+    let beliefs = &report.beliefs;
+    if beliefs.rows.is_empty() {
+        document.heading(2, "Misconceptions");
         document.paragraph("No answer fitted a known misconception.");
     } else {
-        let rows = report.beliefs.rows.iter().map(|belief| {
+        let rows = beliefs.rows.iter().map(|belief| {
             vec![
                 belief.misconception.name().to_owned(),
                 belief.before.to_string(),
@@ -91,30 +79,47 @@ fn tables(report: &Report, document: &mut Markdown) {
             ]
         });
         let heads = ["what wrong answers had in common", "before", "since", ""];
-        document.table(&heads, rows);
-        more(document, report.beliefs.and_more());
+        table(document, "Misconceptions", &heads, beliefs, rows);
         document.paragraph(
             "Of how many questions could have shown it, before the middle of all answers and \
              since.",
         );
     }
-    if !report.chapters.rows.is_empty() {
-        document.heading(2, "Chapters");
-        let rows = report
-            .chapters
-            .rows
-            .iter()
-            .map(|chapter| vec![chapter.title.clone(), of(chapter.read), of(chapter.right)]);
-        document.table(&["chapter", "pages read", "questions right"], rows);
-        more(document, report.chapters.and_more());
+    let chapters = &report.chapters;
+    if !chapters.rows.is_empty() {
+        let row = |it: &ChapterRow| vec![it.title.clone(), of(it.read), of(it.right)];
+        let heads = ["chapter", "pages read", "questions right"];
+        table(
+            document,
+            "Chapters",
+            &heads,
+            chapters,
+            chapters.rows.iter().map(row),
+        );
     }
-    if !report.packs.rows.is_empty() {
-        document.heading(2, "Levels");
-        let rows = report.packs.rows.iter().map(|pack| {
-            let stars = format!("{} of {}", pack.stars, pack.most);
-            vec![pack.title.clone(), stars]
-        });
-        document.table(&["pack", "stars"], rows);
-        more(document, report.packs.and_more());
+    let packs = &report.packs;
+    if !packs.rows.is_empty() {
+        let row = |it: &PackRow| vec![it.title.clone(), of((it.stars, it.most))];
+        table(
+            document,
+            "Levels",
+            &["pack", "stars"],
+            packs,
+            packs.rows.iter().map(row),
+        );
+    }
+}
+
+/// A table under its title, and how many rows more there are.
+fn table<T>(
+    document: &mut Markdown,
+    title: &str,
+    heads: &[&str],
+    cut: &Cut<T>,
+    rows: impl Iterator<Item = Vec<String>>,
+) {
+    document.heading(2, title).table(heads, rows);
+    if let Some(more) = cut.and_more() {
+        document.paragraph(&more);
     }
 }

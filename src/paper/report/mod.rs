@@ -16,7 +16,7 @@ use crate::lessons::{self, Bookmark};
 use crate::levels;
 use crate::levels::Starred;
 use crate::messages::History;
-use crate::progress::words::answers;
+use crate::numbers::counted;
 use crate::progress::{
     Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice,
     beliefs, calibration, ends_deg, topics,
@@ -128,27 +128,18 @@ impl<'a> Report<'a> {
         pictures::all(self)
     }
 
-    /// The first and the last day on which something was answered, as they are read.
-    fn dates(&self) -> Option<(String, String)> {
-        let days = self.days();
-        Some((long(*days.first()?), long(*days.last()?)))
-    }
-
-    /// The days on which something was answered.
-    fn days(&self) -> BTreeSet<Date> {
-        let times = self.attempts.iter().filter_map(|it| it.time_s);
-        times.filter_map(|time| self.calendar.day(time)).collect()
-    }
-
     /// From when to when, and how much.
     fn span(&self) -> String {
-        let count = answers(self.all.attempts);
-        match (self.dates(), self.days().len()) {
-            (Some((first, _)), 1) => format!("{count} on {first}"),
-            (Some((first, last)), days) => {
+        let count = counted(self.all.attempts, "answer");
+        let times = self.attempts.iter().filter_map(|it| it.time_s);
+        let days: BTreeSet<Date> = times.filter_map(|time| self.calendar.day(time)).collect();
+        match (days.first(), days.last()) {
+            (Some(first), Some(last)) if first == last => format!("{count} on {}", long(*first)),
+            (Some(first), Some(last)) => {
+                let (days, [first, last]) = (days.len(), [first, last].map(|day| long(*day)));
                 format!("{count} on {days} days, from {first} to {last}")
             }
-            (None, _) => count,
+            _ => count,
         }
     }
 

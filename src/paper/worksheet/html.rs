@@ -23,7 +23,7 @@ pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
     html! {
         header {
             div {
-                p.dim { "carrom · " (kind) " · " (words::count(worksheet.round)) }
+                p.dim { "carrom · " (kind) " · " (numbers::counted(worksheet.round.questions().len(), "question")) }
                 h1 { bdi { (title) } }
             }
             div.code {

@@ -14,7 +14,7 @@ fn head(document: &mut Markdown, worksheet: &Worksheet, kind: &str, title: &str)
     let code = worksheet.round.code();
     document.heading(1, title).paragraph(&format!(
         "carrom · {kind} · {} · code {code} · on screen: {}",
-        words::count(worksheet.round),
+        numbers::counted(worksheet.round.questions().len(), "question"),
         words::command(code)
     ));
 }

@@ -1,8 +1,6 @@
 //! What stands on sheet and key, whatever they are written in.
 
-use crate::quiz::{
-    Code, Confidence, Form, Illustration, Measure, Question, RIGHT_DEG, Round, letter,
-};
+use crate::quiz::{Code, Confidence, Form, Illustration, Measure, Question, RIGHT_DEG, letter};
 
 /// What a student is to know before the first question.
 pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
@@ -13,14 +11,6 @@ pub(super) const ADVICE: &str = "Say first, then check: answer every question be
 /// What a key is for.
 pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \
      is true, and the wrong answers to listen for: who gives one of these very likely thinks so.";
-
-/// How many questions there are.
-pub(super) fn count(round: &Round) -> String {
-    match round.questions().len() {
-        1 => "1 question".into(),
-        n => format!("{n} questions"),
-    }
-}
 
 /// What opens the same round on a screen.
 pub(super) fn command(code: &Code) -> String {

@@ -18,6 +18,7 @@ use super::recall::Recall;
 use super::{Context, Next, Place, Screen};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
+use crate::numbers::counted;
 use crate::widgets::input::KeyTable;
 use crate::widgets::{Lines, Role, Scroll, SplitLayout, scroll_keys};
 use page::ProgressPage;
@@ -186,7 +187,7 @@ impl Screen for Progress {
     fn status(&self, cx: &Context) -> String {
         let player = words::brief(&cx.settings.player, 24);
         match self.history() {
-            Some(history) => format!("{player}   {}", words::answers(history.attempts.len())),
+            Some(history) => format!("{player}   {}", counted(history.attempts.len(), "answer")),
             None => player,
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::widgets::text;
 
-pub(super) use crate::progress::words::{answers, degrees, percent};
+pub(super) use crate::progress::words::{degrees, percent};
 
 /// A name from outside in at most so many columns, whatever it is.
 pub(super) fn brief(name: &str, columns: usize) -> String {

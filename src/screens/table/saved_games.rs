@@ -9,7 +9,7 @@ use super::options::Options;
 use super::{picture, words};
 use crate::game::{Game, GameStage, Rules, SavedGame};
 use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
-use crate::numbers::capital;
+use crate::numbers::{capital, counted};
 use crate::screens::kept_files::{KeptFiles, KeptKind};
 use crate::screens::{Context, Next};
 use crate::widgets::input::KeyTable;
@@ -153,10 +153,7 @@ fn title(kept: &KeptGame) -> String {
 /// What else there is to know of it.
 fn about(saved: &SavedGame, game: &Game) -> String {
     let options = Options::of(saved);
-    let strokes = match saved.record.strokes() {
-        1 => "1 stroke".into(),
-        strokes => format!("{strokes} strokes"),
-    };
+    let strokes = counted(saved.record.strokes(), "stroke");
     let board = match options.rules {
         Rules::Tournament => format!(", board {}", game.board_number()),
         Rules::Friendly | Rules::Practice => String::new(),
