@@ -25,8 +25,8 @@ fn main() {
 
 /// Plays every table once a round.
 fn many(name: &str, board: &Board, tables: &[Table], rounds: usize) {
-    let mut engine = Engine::new();
-    let mut shot = Shot::new();
+    let mut engine = Engine::default();
+    let mut shot = Shot::default();
     let mut events = 0;
     let mut impacts = 0;
     for table in tables {
@@ -54,8 +54,8 @@ fn many(name: &str, board: &Board, tables: &[Table], rounds: usize) {
 }
 
 fn one(name: &str, board: &Board, table: &Table) {
-    let mut engine = Engine::new();
-    let mut shot = Shot::new();
+    let mut engine = Engine::default();
+    let mut shot = Shot::default();
     let rounds = 20_000 / table.discs.len();
     let (best, median) = time(rounds.clamp(7, 200), || {
         play(&mut engine, &mut shot, board, table);

@@ -145,16 +145,16 @@ fn stroke(game: &mut Game, player: Player, hand: &mut Pcg64) {
     let board = Board::default();
     let struck = match player {
         Player::Strength(strength) => {
-            think(game, &board, strength, hand.random()).map(|decision| decision.struck())
+            think(game, strength, hand.random()).map(|decision| decision.struck())
         }
-        Player::Random => random(game, &board, hand),
+        Player::Random => random(game, hand),
     };
     let ruled = match struck {
         Some(striker) => {
             let (discs, motions) = game.discs(striker);
-            let mut shot = Shot::new();
+            let mut shot = Shot::default();
             let limits = Limits::default();
-            let played = Engine::new().play_into(&mut shot, &board, &discs, &motions, limits);
+            let played = Engine::default().play_into(&mut shot, &board, &discs, &motions, limits);
             played.unwrap_or_else(|error| panic!("{error}"));
             let stroke = Stroke::from_shot(game.coins(), &shot);
             stroke.and_then(|stroke| game.apply(&stroke))
@@ -164,8 +164,8 @@ fn stroke(game: &mut Game, player: Player, hand: &mut Pcg64) {
     ruled.unwrap_or_else(|error| panic!("{error}"));
 }
 
-fn random(game: &Game, board: &Board, hand: &mut Pcg64) -> Option<Motion> {
-    let lines = game.base_lines(board);
+fn random(game: &Game, hand: &mut Pcg64) -> Option<Motion> {
+    let lines = game.base_lines();
     let position = lines.nearest(lines.at(hand.random_range(-0.2..0.2)))?;
     let way = DVec2::from_angle(hand.random_range(0.0..std::f64::consts::PI));
     let velocity = game.seat().turn(way) * hand.random_range(0.5..FASTEST);
@@ -174,7 +174,6 @@ fn random(game: &Game, board: &Board, hand: &mut Pcg64) -> Option<Motion> {
 
 /// How long the strokes of a few boards take to think of, on one core.
 fn thinking(strength: Strength) {
-    let board = Board::default();
     let mut hand = Pcg64::seed_from_u64(0);
     let mut times = Vec::new();
     for seed in 0..4 {
@@ -184,7 +183,7 @@ fn thinking(strength: Strength) {
             // The best of three: what the work itself takes.
             let time = (0..3).map(|_| {
                 let start = Instant::now();
-                std::hint::black_box(think(&game, &board, strength, thought));
+                std::hint::black_box(think(&game, strength, thought));
                 start.elapsed()
             });
             times.extend(time.min());

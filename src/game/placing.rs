@@ -42,7 +42,6 @@ pub enum Misplaced {
 /// A side's base lines, with all that limits the striker there.
 #[derive(Debug, Clone, Copy)]
 pub struct BaseLines<'a> {
-    board: &'a Board,
     set: PieceSet,
     seat: Seat,
     coins: &'a [Coin],
@@ -50,13 +49,8 @@ pub struct BaseLines<'a> {
 
 impl<'a> BaseLines<'a> {
     /// The base lines of the player at `seat`, with `coins` on the board.
-    pub const fn new(board: &'a Board, set: PieceSet, seat: Seat, coins: &'a [Coin]) -> Self {
-        Self {
-            board,
-            set,
-            seat,
-            coins,
-        }
+    pub const fn new(set: PieceSet, seat: Seat, coins: &'a [Coin]) -> Self {
+        Self { set, seat, coins }
     }
 
     /// The place `along` metres to the player's right of the middle, halfway
@@ -69,7 +63,7 @@ impl<'a> BaseLines<'a> {
     /// lines, in metres.
     pub(super) fn middle(&self) -> f64 {
         let from_frame = BASE_LINE_FROM_FRAME + BASE_LINE_GAP / 2.0;
-        -self.board.side / 2.0 + from_frame
+        -Board::default().side / 2.0 + from_frame
     }
 
     /// How far to the player's right of the middle `at` lies, in metres.
@@ -167,12 +161,8 @@ impl<'a> BaseLines<'a> {
 ///
 /// # Errors
 /// The first reason why not.
-pub(crate) fn check_anywhere(
-    board: &Board,
-    set: PieceSet,
-    coins: &[Coin],
-    at: DVec2,
-) -> Result<(), Misplaced> {
+pub(crate) fn check_anywhere(set: PieceSet, coins: &[Coin], at: DVec2) -> Result<(), Misplaced> {
+    let board = Board::default();
     let room = board.side / 2.0 - set.striker_radius();
     if !at.abs().cmple(DVec2::splat(room + SLACK)).all() {
         return Err(Misplaced::OutsideTheFrame);
@@ -206,9 +196,8 @@ mod tests {
 
     #[test]
     fn every_seat_has_the_same_places() {
-        let board = Board::default();
         for seat in Seat::ALL {
-            let lines = BaseLines::new(&board, SET, seat, &[]);
+            let lines = BaseLines::new(SET, seat, &[]);
             assert_eq!(lines.check(lines.at(0.0)), Ok(()));
             assert_eq!(lines.check(lines.at(0.18)), Ok(()));
             assert_eq!(
@@ -219,7 +208,7 @@ mod tests {
             assert_eq!(lines.check(lines.at(0.30)), Err(Misplaced::OffTheBaseLines));
             for other in Seat::ALL {
                 let same = other == seat;
-                let there = BaseLines::new(&board, SET, other, &[]).at(0.0);
+                let there = BaseLines::new(SET, other, &[]).at(0.0);
                 assert_eq!(lines.check(there).is_ok(), same);
             }
         }
@@ -227,8 +216,7 @@ mod tests {
 
     #[test]
     fn both_lines_must_be_touched() {
-        let board = Board::default();
-        let lines = BaseLines::new(&board, SET, Seat::South, &[]);
+        let lines = BaseLines::new(SET, Seat::South, &[]);
         let play = SET.striker_radius() - BASE_LINE_GAP / 2.0;
         let shifted = |by| lines.at(0.0) + DVec2::new(0.0, by);
         assert_eq!(lines.check(shifted(play)), Ok(()));
@@ -241,8 +229,7 @@ mod tests {
 
     #[test]
     fn a_base_circle_is_covered_fully_or_not_at_all() {
-        let board = Board::default();
-        let lines = BaseLines::new(&board, SET, Seat::North, &[]);
+        let lines = BaseLines::new(SET, Seat::North, &[]);
         let circle = BaseLines::base_circle_along();
         let spare = SET.striker_radius() - BASE_CIRCLE_RADIUS;
         let touching = SET.striker_radius() + BASE_CIRCLE_RADIUS;
@@ -261,9 +248,8 @@ mod tests {
 
     #[test]
     fn a_coin_bars_its_place_and_the_nearest_free_one_touches_nothing() {
-        let board = Board::default();
         let coins = [black(DVec2::new(0.01, -0.26))];
-        let lines = BaseLines::new(&board, SET, Seat::South, &coins);
+        let lines = BaseLines::new(SET, Seat::South, &coins);
         let wanted = lines.at(0.0);
         assert_eq!(lines.check(wanted), Err(Misplaced::OnACoin(Piece::Black)));
         let free = lines.nearest(wanted).unwrap();
@@ -275,8 +261,7 @@ mod tests {
 
     #[test]
     fn the_nearest_place_to_a_cut_circle_is_on_it_or_beside_it() {
-        let board = Board::default();
-        let lines = BaseLines::new(&board, SET, Seat::East, &[]);
+        let lines = BaseLines::new(SET, Seat::East, &[]);
         let circle = BaseLines::base_circle_along();
         let beside = circle - SET.striker_radius() - BASE_CIRCLE_RADIUS;
         let nearest = |along| lines.along(lines.nearest(lines.at(along)).unwrap());
@@ -288,21 +273,19 @@ mod tests {
 
     #[test]
     fn nothing_is_offered_when_coins_bar_the_whole_length() {
-        let board = Board::default();
-        let empty = BaseLines::new(&board, SET, Seat::South, &[]);
+        let empty = BaseLines::new(SET, Seat::South, &[]);
         let coins: Vec<Coin> = (-4..=4)
             .map(|i| black(empty.at(f64::from(i) * 0.055)))
             .collect();
-        let lines = BaseLines::new(&board, SET, Seat::South, &coins);
+        let lines = BaseLines::new(SET, Seat::South, &coins);
         assert_eq!(lines.nearest(lines.at(0.0)), None);
         assert!(lines.candidates(40).is_empty());
     }
 
     #[test]
     fn every_candidate_is_legal_and_they_go_from_left_to_right() {
-        let board = Board::default();
         let coins = [black(DVec2::new(0.26, 0.05)), black(DVec2::new(0.25, -0.1))];
-        let lines = BaseLines::new(&board, SET, Seat::East, &coins);
+        let lines = BaseLines::new(SET, Seat::East, &coins);
         let places = lines.candidates(30);
         assert!(places.len() > 10 && places.len() < 32);
         assert!(places.iter().all(|at| lines.check(*at).is_ok()));
@@ -315,9 +298,8 @@ mod tests {
 
     #[test]
     fn free_placing_keeps_to_the_board() {
-        let board = Board::default();
         let coins = [black(DVec2::ZERO)];
-        let check = |x, y| check_anywhere(&board, SET, &coins, DVec2::new(x, y));
+        let check = |x, y| check_anywhere(SET, &coins, DVec2::new(x, y));
         assert_eq!(check(0.1, 0.1), Ok(()));
         assert_eq!(check(0.01, 0.02), Err(Misplaced::OnACoin(Piece::Black)));
         assert_eq!(check(0.36, 0.0), Err(Misplaced::OutsideTheFrame));
@@ -327,8 +309,7 @@ mod tests {
 
     #[test]
     fn a_place_that_is_not_a_number_is_refused() {
-        let board = Board::default();
-        let lines = BaseLines::new(&board, SET, Seat::South, &[]);
+        let lines = BaseLines::new(SET, Seat::South, &[]);
         assert!(lines.check(DVec2::new(f64::NAN, -0.25)).is_err());
         assert!(
             lines

@@ -181,8 +181,7 @@ impl Move {
                 return Ok((Some(shot), rulings));
             }
             Self::NoPlace => {
-                let board = Board::default();
-                if game.base_lines(&board).nearest(DVec2::ZERO).is_some() {
+                if game.base_lines().nearest(DVec2::ZERO).is_some() {
                     return Err(MoveError::RoomLeft);
                 }
                 return Ok((None, game.no_place()?));
@@ -200,10 +199,14 @@ impl Strike {
     /// # Errors
     /// If the striker may not stand there or the engine cannot play it.
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
-        let board = Board::default();
-        game.check_place(&board, self.place)?;
+        game.check_place(self.place)?;
         let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));
-        Ok(physics::play(&board, &discs, &motions, Limits::default())?)
+        Ok(physics::play(
+            &Board::default(),
+            &discs,
+            &motions,
+            Limits::default(),
+        )?)
     }
 }
 
@@ -221,8 +224,7 @@ mod tests {
         let mut record = Record::new(setup);
         let mut game = Game::new(setup);
         for _ in 0..strokes {
-            let board = Board::default();
-            let lines = game.base_lines(&board);
+            let lines = game.base_lines();
             let wanted = lines.at(hand.random_range(-0.2..0.2));
             let next = match lines.nearest(wanted) {
                 _ if game.play().won.is_some() => Move::NextBoard,

@@ -74,13 +74,11 @@ impl BaseLines<'_> {
 mod tests {
     use super::*;
     use crate::game::{Coin, Piece, PieceSet};
-    use crate::physics::Board;
 
     const SET: PieceSet = PieceSet::Tournament;
 
     fn coin(along: f64) -> Coin {
-        let board = Board::default();
-        let lines = BaseLines::new(&board, SET, Seat::South, &[]);
+        let lines = BaseLines::new(SET, Seat::South, &[]);
         Coin {
             piece: Piece::Black,
             at: lines.at(along),
@@ -91,9 +89,8 @@ mod tests {
     /// would cut it: 182.55 mm to 214.35 mm from the middle.
     #[test]
     fn a_step_passes_over_what_is_not_legal() {
-        let board = Board::default();
         for seat in Seat::ALL {
-            let lines = BaseLines::new(&board, SET, seat, &[]);
+            let lines = BaseLines::new(SET, seat, &[]);
             let mut at = lines.at(0.0);
             let mut passed = Vec::new();
             while let Some(next) = lines.next_on_steps(at, PLACE_STEP) {
@@ -115,9 +112,8 @@ mod tests {
 
     #[test]
     fn a_step_passes_over_a_coin_and_finds_back_to_the_steps() {
-        let board = Board::default();
         let coins = [coin(0.0)];
-        let lines = BaseLines::new(&board, SET, Seat::South, &coins);
+        let lines = BaseLines::new(SET, Seat::South, &coins);
         let beside = lines.nearest(lines.at(0.01)).unwrap();
         let reach = SET.striker_radius() + SET.coin_radius();
         assert!((lines.along(beside) - reach).abs() < 2e-4, "36.65 mm");

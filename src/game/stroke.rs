@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::pieces::{Coin, Piece, count, piece_of};
-use crate::physics::{DiscState, Shot};
+use crate::physics::{Board, DiscState, Shot};
 
 /// A stroke as the referee sees it: what was touched, what fell and what lies
 /// where afterwards. How it came about is the engine's business.
@@ -93,12 +93,11 @@ impl Stroke {
         u8::try_from(found).unwrap_or(u8::MAX)
     }
 
-    /// Whether this stroke could have been played on `before`, on a board
-    /// whose frame is `side` metres.
+    /// Whether this stroke could have been played on `before`.
     ///
     /// # Errors
     /// What does not fit.
-    pub fn check(&self, before: &[Coin], side: f64) -> Result<(), StrokeError> {
+    pub fn check(&self, before: &[Coin]) -> Result<(), StrokeError> {
         if self.fallen(Piece::Striker) > 1 || count(&self.left, Piece::Striker) > 0 {
             return Err(StrokeError::Striker);
         }
@@ -116,7 +115,8 @@ impl Stroke {
         if !self.touched && self.pocketed.iter().any(|p| *p != Piece::Striker) {
             return Err(StrokeError::Untouched);
         }
-        let inside = |coin: &Coin| coin.at.abs().max_element() <= side / 2.0 && coin.at.is_finite();
+        let half = Board::default().side / 2.0;
+        let inside = |coin: &Coin| coin.at.abs().max_element() <= half && coin.at.is_finite();
         if !self.left.iter().all(inside) {
             return Err(StrokeError::OffTheBoard);
         }
@@ -133,8 +133,6 @@ mod tests {
     use super::*;
     use crate::physics::{self, Board, Limits, Motion};
     use glam::DVec2;
-
-    const SIDE: f64 = 0.740;
 
     #[test]
     fn a_shot_becomes_what_fell_and_what_lies_where() {
@@ -164,13 +162,13 @@ mod tests {
         assert!(hit.touched);
         assert_eq!(hit.pocketed[0], Piece::Black);
         assert_eq!(hit.left, coins[..1]);
-        assert_eq!(hit.check(&coins, SIDE), Ok(()));
+        assert_eq!(hit.check(&coins), Ok(()));
 
         let miss = play(DVec2::new(0.3, 0.0)).unwrap();
         assert!(!miss.touched);
         assert_eq!(miss.left, coins);
         assert_eq!(
-            Stroke::from_shot(&coins, &Shot::new()),
+            Stroke::from_shot(&coins, &Shot::default()),
             Err(StrokeError::OtherDiscs {
                 expected: 3,
                 found: 0
@@ -186,12 +184,12 @@ mod tests {
             pocketed: vec![],
             left: coins.clone(),
         };
-        assert_eq!(missed.check(&coins, SIDE), Ok(()));
+        assert_eq!(missed.check(&coins), Ok(()));
 
         let mut lost = missed.clone();
         lost.left.pop();
         assert_eq!(
-            lost.check(&coins, SIDE),
+            lost.check(&coins),
             Err(StrokeError::Miscounted {
                 piece: Piece::Black,
                 before: 9,
@@ -199,14 +197,14 @@ mod tests {
             })
         );
         lost.pocketed.push(Piece::Black);
-        assert_eq!(lost.check(&coins, SIDE), Err(StrokeError::Untouched));
+        assert_eq!(lost.check(&coins), Err(StrokeError::Untouched));
 
         let mut away = missed.clone();
         away.left[3].at.x = f64::NAN;
-        assert_eq!(away.check(&coins, SIDE), Err(StrokeError::OffTheBoard));
+        assert_eq!(away.check(&coins), Err(StrokeError::OffTheBoard));
 
         let mut twice = missed;
         twice.pocketed = vec![Piece::Striker; 2];
-        assert_eq!(twice.check(&coins, SIDE), Err(StrokeError::Striker));
+        assert_eq!(twice.check(&coins), Err(StrokeError::Striker));
     }
 }

@@ -13,7 +13,7 @@ use super::score::Score;
 use super::seat::{Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
-use crate::physics::{Board, Disc, Motion};
+use crate::physics::{Disc, Motion};
 
 /// What is agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -151,8 +151,8 @@ impl Game {
     }
 
     /// The base lines of the player whose turn it is.
-    pub fn base_lines<'a>(&'a self, board: &'a Board) -> BaseLines<'a> {
-        BaseLines::new(board, self.setup.set, self.seat(), self.coins())
+    pub fn base_lines(&self) -> BaseLines<'_> {
+        BaseLines::new(self.setup.set, self.seat(), self.coins())
     }
 
     /// Whether the striker may stand at `at` for the next stroke: within the
@@ -160,10 +160,10 @@ impl Game {
     ///
     /// # Errors
     /// Why not.
-    pub fn check_place(&self, board: &Board, at: DVec2) -> Result<(), Misplaced> {
+    pub fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
-            Rules::Practice => check_anywhere(board, self.setup.set, self.coins(), at),
-            Rules::Tournament | Rules::Friendly => self.base_lines(board).check(at),
+            Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
+            Rules::Tournament | Rules::Friendly => self.base_lines().check(at),
         }
     }
 
@@ -188,7 +188,7 @@ impl Game {
         if self.play.won.is_some() {
             return Err(StrokeError::Ended);
         }
-        stroke.check(self.coins(), Board::default().side)?;
+        stroke.check(self.coins())?;
         let terms = self.terms();
         let verdict = laws::judge(self.setup.rules, &self.play.case(&terms, stroke));
         self.play.take_in(&terms, stroke);

@@ -43,8 +43,8 @@ impl Trial {
 pub fn winning_share(level: &Level, tries: u32) -> f64 {
     let dials: Vec<_> = level.adjust.dials().collect();
     let root = root_for(dials.len());
-    let mut engine = Engine::new();
-    let mut shot = Shot::new();
+    let mut engine = Engine::default();
+    let mut shot = Shot::default();
     let won = (0..tries).filter(|&n| {
         let mut aim = level.start();
         let mut ratio = 1.0;

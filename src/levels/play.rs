@@ -14,8 +14,8 @@ impl Scene {
     ///
     /// If the shot has too many events to be played to its end.
     pub fn play(&self) -> Result<Shot, EngineError> {
-        let mut shot = Shot::new();
-        self.play_into(&mut Engine::new(), &mut shot)?;
+        let mut shot = Shot::default();
+        self.play_into(&mut Engine::default(), &mut shot)?;
         Ok(shot)
     }
 

@@ -132,7 +132,8 @@ struct LegStart {
 ///
 /// Between its own events each disc slides on a parabola in time, so a few numbers
 /// an event give its place at every moment: [`Shot::at`]. Pause, slow motion and
-/// rewind are only other values of the time.
+/// rewind are only other values of the time. At first nothing has happened in it, and
+/// [`Engine::play_into`](super::Engine::play_into) fills it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shot {
     board: Board,
@@ -144,12 +145,6 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// A shot in which nothing has happened yet: something for
-    /// [`Engine::play_into`](super::Engine::play_into) to fill.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
     /// Wipes the record and writes down how the next shot starts. Keeps the memory.
     pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
         self.board = *board;
@@ -224,10 +219,6 @@ impl Shot {
     /// times after [`Shot::duration`] as the end; at the time of an event the disc
     /// is as the event left it.
     pub fn at(&self, disc: usize, time: f64) -> Sample {
-        if time < 0.0 {
-            let motion = self.start(disc);
-            return sample(motion, false);
-        }
         let time = time.min(self.duration);
         if let Some(capture) = self.capture.as_ref().filter(|c| time >= c.time) {
             return sample(capture.at(disc, time), false);

@@ -2,16 +2,12 @@
 
 use crate::game::opponent;
 use crate::messages::{Found, SearchResult, SearchTask, Wanted};
-use crate::physics::Board;
 
 /// Runs a search to its end. The same task always has the same result.
 pub(super) fn search(task: &SearchTask) -> SearchResult {
-    let board = Board::default();
     let found = match task.wanted {
-        Wanted::Stroke(strength) => {
-            Found::Stroke(opponent::think(&task.game, &board, strength, task.seed))
-        }
-        Wanted::Hint => Found::Hint(opponent::hint(&task.game, &board, task.seed)),
+        Wanted::Stroke(strength) => Found::Stroke(opponent::think(&task.game, strength, task.seed)),
+        Wanted::Hint => Found::Hint(opponent::hint(&task.game, task.seed)),
     };
     SearchResult {
         ticket: task.ticket,

@@ -1,7 +1,6 @@
 //! Playing without much thought.
 
 use carrom::game::{Call, Game, Move, Rules, Strike};
-use carrom::physics::Board;
 use glam::DVec2;
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -9,8 +8,7 @@ use rand_pcg::Pcg64;
 /// Makes a move that can be made, nearly always a hard stroke, and gives it.
 pub(crate) fn random_move(game: &mut Game, chance: &mut Pcg64) -> Move {
     loop {
-        let board = Board::default();
-        let lines = game.base_lines(&board);
+        let lines = game.base_lines();
         let wanted = lines.at(chance.random_range(-0.2..0.2));
         let made = match lines.nearest(wanted) {
             _ if game.play().won.is_some() => Move::NextBoard,

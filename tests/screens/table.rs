@@ -6,7 +6,6 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Strike, Team};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
-use carrom::physics::Board;
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
 use carrom::screens::{Hosted, Place, Settings};
@@ -51,8 +50,7 @@ impl Keyed {
 
     /// The stroke that these keys set up.
     fn strike(self, game: &Game) -> Option<Strike> {
-        let board = Board::default();
-        let lines = game.base_lines(&board);
+        let lines = game.base_lines();
         // On the screen a step goes right; North's right is the other way.
         let right = lines.along(glam::DVec2::X).signum();
         let place = lines.at(right * f64::from(self.steps * 20) / 10_000.0);

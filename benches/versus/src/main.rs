@@ -40,8 +40,8 @@ fn main() {
 }
 
 fn play_exactly(board: &Board, tables: &[Table]) {
-    let mut engine = Engine::new();
-    let mut shot = Shot::new();
+    let mut engine = Engine::default();
+    let mut shot = Shot::default();
     for table in tables {
         let limits = Limits::default();
         let played = engine.play_into(&mut shot, board, &table.discs, &table.start, limits);
@@ -56,8 +56,8 @@ fn one_hit(alpha: f64) -> (f64, f64) {
     let board = closed_board();
     let b = (STRIKER.radius + COIN.radius) * alpha.sin();
     let table = Table::pair((-0.2, 0.0), (2.5, 0.0), (0.05, -b));
-    let mut shot = Shot::new();
-    Engine::new()
+    let mut shot = Shot::default();
+    Engine::default()
         .play_into(
             &mut shot,
             &board,

@@ -38,21 +38,22 @@ impl StrokeHint {
     pub fn which(&self) -> String {
         let story = &self.reason.story;
         match (story.fall, story.first_hit) {
-            (Some(fall), _) => format!(
-                "Look at the {} and the {}.{}{}",
-                fall.piece,
-                pocket_seen_from(self.reason.seat, fall.corner),
-                match fall.sent_by {
+            (Some(fall), _) => {
+                let pocket = pocket_seen_from(self.reason.seat, fall.corner);
+                let driven = match fall.sent_by {
                     Piece::Striker => String::new(),
                     Piece::Queen => " The queen can drive it there.".to_owned(),
                     other => format!(" Another coin, a {other}, can drive it there."),
-                },
-                if fall.cushions > 0 {
-                    " It can go by a cushion."
-                } else {
-                    ""
-                },
-            ),
+                };
+                let cushion = match fall.cushions {
+                    0 => "",
+                    _ => " It can go by a cushion.",
+                };
+                format!(
+                    "Look at the {} and the {pocket}.{driven}{cushion}",
+                    fall.piece
+                )
+            }
             (None, Some(hit)) => format!(
                 "No coin is sure to fall from here. Play the {} for a better next stroke.",
                 hit.piece
@@ -76,15 +77,14 @@ impl StrokeHint {
         let aim = deg_from_rad(self.direction());
         let speed = self.stroke.velocity.length();
         let why = capital(&words::met(&self.reason.story, Teller::You));
-        let warning = if self.fouls {
-            "Mind: the striker will fall too. No stroke without that was found."
-        } else {
-            ""
-        };
-        let stroke =
+        let mut told =
             format!("Place the striker {place}, aim at {aim:.1}° and strike with {speed:.1} m/s.");
-        let told = [stroke.as_str(), &why, warning].into_iter();
-        let told: Vec<_> = told.filter(|part| !part.is_empty()).collect();
-        told.join(" ")
+        if !why.is_empty() {
+            told = format!("{told} {why}");
+        }
+        if self.fouls {
+            told += " Mind: the striker will fall too. No stroke without that was found.";
+        }
+        told
     }
 }

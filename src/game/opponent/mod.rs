@@ -46,7 +46,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64;
 
 use super::Game;
-use crate::physics::{Board, Motion};
+use crate::physics::Motion;
 use rehearsal::Rehearsal;
 use search::{Candidate, Search};
 use strength::Skill;
@@ -78,12 +78,12 @@ impl Decision {
 
 /// The stroke of an opponent of this strength for the player whose turn it is.
 ///
-/// The same game, board, strength and seed give the same decision; take another seed
+/// The same game, strength and seed give the same decision; take another seed
 /// for each stroke. `None` if the board has ended or coins bar every place for the
 /// striker: then [`Game::no_place`] is called for.
-pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Option<Decision> {
+pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     let skill = strength.skill();
-    let (choice, reason) = seek(game, board, skill, seed)?;
+    let (choice, reason) = seek(game, skill, seed)?;
     // A generator of its own, so that the slip does not hang on how long the search was.
     let mut hand = Pcg64::seed_from_u64(!seed);
     Some(Decision {
@@ -102,7 +102,7 @@ pub fn think(game: &Game, board: &Board, strength: Strength, seed: u64) -> Optio
 /// Place, direction and speed are on the steps in which a player sets
 /// them, and struck exactly so the striker does not fall, wherever there is such a
 /// stroke.
-pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<StrokeHint> {
+pub fn hint(game: &Game, seed: u64) -> Option<StrokeHint> {
     let all = Skill {
         hand: Strength::Club.hand(),
         on_steps: true,
@@ -116,10 +116,10 @@ pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<StrokeHint> {
         refinements: 4,
         ..all
     };
-    let plain = seek(game, board, cuts, seed).filter(|(choice, reason)| {
+    let plain = seek(game, cuts, seed).filter(|(choice, reason)| {
         reason.chance.works_mostly() && reason.story.is_plain_cut() && !choice.fouls
     });
-    let (choice, reason) = plain.or_else(|| seek(game, board, all, seed))?;
+    let (choice, reason) = plain.or_else(|| seek(game, all, seed))?;
     Some(StrokeHint {
         stroke: choice.motion,
         reason,
@@ -127,20 +127,18 @@ pub fn hint(game: &Game, board: &Board, seed: u64) -> Option<StrokeHint> {
     })
 }
 
-fn seek(game: &Game, board: &Board, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
+fn seek(game: &Game, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
     if game.play().won.is_some() {
         return None;
     }
     let mut search = Search {
         game,
-        board,
         skill,
         judge: Judge {
-            board,
             team: game.team(game.seat()),
             skill,
         },
-        rehearsal: Rehearsal::new(game, board),
+        rehearsal: Rehearsal::new(game),
         chance: Pcg64::seed_from_u64(seed),
     };
     let choice = search.best()?;

@@ -6,7 +6,7 @@ use crate::physics::{Board, Disc, Engine, Limits, Motion, Shot};
 
 /// A board on which strokes are tried and nothing is decided.
 pub(super) struct Rehearsal<'a> {
-    board: &'a Board,
+    board: Board,
     game: &'a Game,
     discs: Vec<Disc>,
     motions: Vec<Motion>,
@@ -26,15 +26,15 @@ pub(super) struct Tried {
 }
 
 impl<'a> Rehearsal<'a> {
-    pub(super) fn new(game: &'a Game, board: &'a Board) -> Self {
+    pub(super) fn new(game: &'a Game) -> Self {
         let (discs, motions) = game.discs(Motion::default());
         Self {
-            board,
+            board: Board::default(),
             game,
             discs,
             motions,
-            engine: Engine::new(),
-            shot: Shot::new(),
+            engine: Engine::default(),
+            shot: Shot::default(),
         }
     }
 
@@ -44,7 +44,7 @@ impl<'a> Rehearsal<'a> {
             *first = striker;
         }
         let (discs, motions, limits) = (&self.discs, &self.motions, Limits::default());
-        let played = (self.engine).play_into(&mut self.shot, self.board, discs, motions, limits);
+        let played = (self.engine).play_into(&mut self.shot, &self.board, discs, motions, limits);
         played.ok()?;
         let stroke = Stroke::from_shot(self.game.coins(), &self.shot).ok()?;
         let mut after = self.game.clone();

@@ -18,7 +18,7 @@ use super::wants::wants;
 use super::worth::Judge;
 use crate::game::Game;
 use crate::game::steps::on_steps;
-use crate::physics::{Board, Motion};
+use crate::physics::Motion;
 
 /// Aims that are kept of one course: neighbouring places give much the same shot.
 const AIMS_A_COURSE: usize = 4;
@@ -44,9 +44,8 @@ pub(super) struct Candidate {
 /// The search for one stroke.
 pub(super) struct Search<'a> {
     pub(super) game: &'a Game,
-    pub(super) board: &'a Board,
     pub(super) skill: Skill,
-    pub(super) judge: Judge<'a>,
+    pub(super) judge: Judge,
     pub(super) rehearsal: Rehearsal<'a>,
     pub(super) chance: Pcg64,
 }
@@ -70,7 +69,7 @@ impl Search<'_> {
     /// Places along the base lines; where coins bar all of those, the free one that is
     /// nearest to the middle.
     fn places(&self) -> Vec<DVec2> {
-        let lines = self.game.base_lines(self.board);
+        let lines = self.game.base_lines();
         let mut places = lines.candidates(self.skill.places);
         if self.skill.on_steps {
             let on_steps = places.iter().filter_map(|at| lines.nearest_on_steps(*at));
@@ -92,7 +91,7 @@ impl Search<'_> {
             let playable = strokes.filter(|(motion, _)| motion.velocity.length() <= FASTEST);
             proposed.extend(playable);
         }
-        let sight = Sight::of(self.game, self.board);
+        let sight = Sight::of(self.game);
         let speeds = if self.game.play().is_unbroken() {
             BREAK
         } else {
@@ -108,7 +107,7 @@ impl Search<'_> {
 
     /// The aims that forgive most, the most forgiving first.
     fn aims(&self, places: &[DVec2]) -> Vec<ProposedStroke> {
-        let sight = Sight::of(self.game, self.board);
+        let sight = Sight::of(self.game);
         let mut aims = Vec::new();
         for course in self.courses(&sight) {
             let mut own: Vec<ProposedStroke> = strikes(&sight, &course, places).collect();
@@ -144,7 +143,7 @@ impl Search<'_> {
     /// The place from which a course is a full, straight hit, or the legal one
     /// nearest to it.
     fn straight_place(&self, course: &PocketPath) -> Option<DVec2> {
-        let lines = self.game.base_lines(self.board);
+        let lines = self.game.base_lines();
         let seat = self.game.seat();
         let coin = seat.turn_back(self.game.coins().get(course.coin)?.at);
         let way = seat.turn_back(course.toward);

@@ -8,7 +8,7 @@ use crate::physics::{Board, RestingTarget};
 /// Coins on a board, and the numbers that shots are made of.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sight<'a> {
-    pub(super) board: &'a Board,
+    pub(super) board: Board,
     pub(super) set: PieceSet,
     pub(super) coins: &'a [Coin],
 }
@@ -17,9 +17,9 @@ pub(super) struct Sight<'a> {
 pub(super) const WALLS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
 
 impl<'a> Sight<'a> {
-    pub(super) fn of(game: &'a Game, board: &'a Board) -> Self {
+    pub(super) fn of(game: &'a Game) -> Self {
         Self {
-            board,
+            board: Board::default(),
             set: game.setup().set,
             coins: game.coins(),
         }

@@ -40,8 +40,8 @@ fn scattered(seed: u64) -> Game {
 
 fn apply(game: &mut Game, striker: Motion) {
     let (discs, motions) = game.discs(striker);
-    let mut shot = Shot::new();
-    Engine::new()
+    let mut shot = Shot::default();
+    Engine::default()
         .play_into(
             &mut shot,
             &Board::default(),
@@ -56,13 +56,12 @@ fn apply(game: &mut Game, striker: Motion) {
 
 #[test]
 fn every_decision_is_a_legal_stroke() {
-    let board = Board::default();
     for seed in 0..60 {
         let game = scattered(seed);
         for strength in [Strength::Beginner, Strength::Club, Strength::Expert] {
-            let decision = think(&game, &board, strength, seed).unwrap();
+            let decision = think(&game, strength, seed).unwrap();
             for motion in [decision.meant, decision.struck()] {
-                assert_eq!(game.check_place(&board, motion.position), Ok(()));
+                assert_eq!(game.check_place(motion.position), Ok(()));
                 let speed = motion.velocity.length();
                 assert!(speed > 0.0 && speed <= FASTEST * (1.0 + 1e-12), "{speed}");
             }
@@ -75,22 +74,20 @@ fn every_decision_is_a_legal_stroke() {
 
 #[test]
 fn the_same_seed_gives_the_same_decision_and_another_another() {
-    let board = Board::default();
     let game = scattered(1);
     for strength in Strength::ALL {
-        let decide = |seed| think(&game, &board, strength, seed).unwrap();
+        let decide = |seed| think(&game, strength, seed).unwrap();
         assert_eq!(decide(7), decide(7));
         assert_ne!(decide(7).slip, decide(8).slip);
     }
-    assert_eq!(hint(&game, &board, 3), hint(&game, &board, 3));
+    assert_eq!(hint(&game, 3), hint(&game, 3));
 }
 
 #[test]
 fn it_breaks_the_pack() {
-    let board = Board::default();
     for strength in Strength::ALL {
         let mut game = Game::new(GameSetup::default());
-        let decision = think(&game, &board, strength, 2).unwrap();
+        let decision = think(&game, strength, 2).unwrap();
         assert!(decision.reason.breaking && decision.reason.story.first_hit.is_some());
         apply(&mut game, decision.meant);
         assert!(!game.play().is_unbroken());
@@ -99,7 +96,6 @@ fn it_breaks_the_pack() {
 
 #[test]
 fn a_coin_before_a_pocket_is_seen_by_all() {
-    let board = Board::default();
     let mut game = scattered(0);
     game.play.coins = vec![
         coin(Piece::White, 290.0, 290.0),
@@ -107,11 +103,11 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
     ];
     game.play.queen_covered_by = Some(Team::First);
     for strength in Strength::ALL {
-        let decision = think(&game, &board, strength, 4).unwrap();
+        let decision = think(&game, strength, 4).unwrap();
         let fall = decision.reason.story.fall.unwrap();
         assert_eq!((fall.piece, fall.corner), (Piece::White, 3), "{strength}");
     }
-    let hint = hint(&game, &board, 4).unwrap();
+    let hint = hint(&game, 4).unwrap();
     assert_eq!(
         hint.which(),
         "Look at the white coin and the far right pocket."
@@ -128,10 +124,10 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
     let mut clean = 0;
     for seed in 0..12 {
         let game = scattered(seed);
-        let hint = hint(&game, &board, seed).unwrap();
+        let hint = hint(&game, seed).unwrap();
         let stroke = hint.stroke;
-        assert_eq!(game.check_place(&board, stroke.position), Ok(()));
-        let lines = game.base_lines(&board);
+        assert_eq!(game.check_place(stroke.position), Ok(()));
+        let lines = game.base_lines();
         assert_eq!(
             lines.nearest_on_steps(stroke.position),
             Some(stroke.position)
@@ -149,7 +145,6 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
 
 #[test]
 fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
-    let board = Board::default();
     let mut game = scattered(0);
     // Own coins walled in behind a row of the opponent's.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
@@ -157,19 +152,19 @@ fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
     game.play.coins.push(coin(Piece::White, 0.0, 350.0));
     game.play.coins.push(coin(Piece::Queen, 32.0, 350.0));
     for strength in Strength::ALL {
-        assert!(think(&game, &board, strength, 1).is_some());
+        assert!(think(&game, strength, 1).is_some());
     }
 
     let bar = |i: i32| coin(Piece::Black, f64::from(i) * 55.0, -252.6);
     game.play.coins = (-4..=4).map(bar).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 0.0));
-    assert_eq!(think(&game, &board, Strength::Champion, 1), None);
-    assert_eq!(hint(&game, &board, 1), None);
+    assert_eq!(think(&game, Strength::Champion, 1), None);
+    assert_eq!(hint(&game, 1), None);
 
     let mut empty = scattered(2);
     empty.play.coins.clear();
     assert!(
-        think(&empty, &board, Strength::Champion, 1).is_some(),
+        think(&empty, Strength::Champion, 1).is_some(),
         "in practice one may strike at nothing"
     );
 }
@@ -181,12 +176,11 @@ fn a_finished_board_asks_for_no_stroke() {
         winner: Team::First,
         points: 3,
     });
-    assert_eq!(think(&game, &Board::default(), Strength::Club, 1), None);
+    assert_eq!(think(&game, Strength::Club, 1), None);
 }
 
 #[test]
 fn the_last_coin_is_not_taken_before_the_queen() {
-    let board = Board::default();
     let mut game = scattered(0);
     game.play.coins = vec![
         coin(Piece::White, 290.0, 290.0),
@@ -196,7 +190,7 @@ fn the_last_coin_is_not_taken_before_the_queen() {
     ];
     game.play.pocketed_before[Team::First] = true;
     for strength in [Strength::Expert, Strength::Champion] {
-        let decision = think(&game, &board, strength, 1).unwrap();
+        let decision = think(&game, strength, 1).unwrap();
         assert_eq!(decision.reason.story.fall.unwrap().piece, Piece::Queen);
     }
 }
@@ -204,7 +198,6 @@ fn the_last_coin_is_not_taken_before_the_queen() {
 /// The whole contest is `cargo bench --bench strength`.
 #[test]
 fn an_expert_beats_a_player_that_shoots_at_random() {
-    let board = Board::default();
     for seed in 0..4 {
         let mut chance = Pcg64::seed_from_u64(seed);
         let mut game = Game::new(GameSetup {
@@ -214,9 +207,9 @@ fn an_expert_beats_a_player_that_shoots_at_random() {
         });
         for _ in 0..300 {
             let striker = if game.team(game.seat()) == Team::First {
-                think(&game, &board, Strength::Expert, chance.random()).map(|d| d.struck())
+                think(&game, Strength::Expert, chance.random()).map(|d| d.struck())
             } else {
-                let lines = game.base_lines(&board);
+                let lines = game.base_lines();
                 let way = DVec2::from_angle(chance.random_range(0.0..3.0));
                 lines.nearest(lines.at(0.0)).map(|position| Motion {
                     position,

@@ -1,7 +1,6 @@
 //! The opponent's stroke in plain words, with the angles.
 
 use std::f64::consts::PI;
-use std::fmt::Write as _;
 
 use super::hand::Slip;
 use super::story::{Chance, Fall, FirstContact, Story};
@@ -59,42 +58,29 @@ pub(super) fn plan(story: &Story, seat: Seat, breaking: bool) -> String {
         more => format!(", and {more} more pieces after it"),
     };
     if story.is_plain_cut() && !breaking {
-        return format!(
-            "I {} the {} into the {pocket}{also}: {}",
-            if is_full(hit) { "played" } else { "cut" },
-            fall.piece,
-            met(story, Teller::I)
-        );
+        let played = if is_full(hit) { "played" } else { "cut" };
+        let (piece, met) = (fall.piece, met(story, Teller::I));
+        return format!("I {played} the {piece} into the {pocket}{also}: {met}");
     }
-    let verb = if breaking {
-        "broke the pack and sent"
-    } else {
-        "sent"
-    };
-    format!(
-        "I {verb} the {} into the {pocket}{}{also}. {}",
-        fall.piece,
-        route(fall),
-        capital(&met(story, Teller::I))
-    )
+    let broke = if breaking { "broke the pack and " } else { "" };
+    let (piece, route, met) = (fall.piece, route(fall), capital(&met(story, Teller::I)));
+    format!("I {broke}sent the {piece} into the {pocket}{route}{also}. {met}")
 }
 
 /// By what way a piece fell, where it was not the plain one.
 fn route(fall: &Fall) -> String {
-    let mut way = match fall.sent_by {
+    let by = match fall.sent_by {
         Piece::Striker => String::new(),
         Piece::Queen => " by way of the queen".to_owned(),
         other if other == fall.piece => format!(" by way of another {other}"),
         other => format!(" by way of a {other}"),
     };
-    match fall.cushions {
-        0 => {}
-        1 => way.push_str(" off a cushion"),
-        more => {
-            let _ = write!(way, " off {more} cushions");
-        }
-    }
-    way
+    let off = match fall.cushions {
+        0 => String::new(),
+        1 => " off a cushion".to_owned(),
+        more => format!(" off {more} cushions"),
+    };
+    by + &off
 }
 
 /// The first hit: cut, offset, and where the striker goes; nothing if there was none.
@@ -102,9 +88,9 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     let Some(hit) = &story.first_hit else {
         return String::new();
     };
-    let (i_aimed, my, meets, goes) = match teller {
-        Teller::I => ("I aimed", "my", "met", "went"),
-        Teller::You => ("aim", "your", "meets", "will go"),
+    let (i_aimed, my, meets, goes, stops) = match teller {
+        Teller::I => ("I aimed", "my", "met", "went", "all but stopped"),
+        Teller::You => ("aim", "your", "meets", "will go", "will all but stop"),
     };
     let piece = hit.piece;
     let article = if piece == Piece::Queen { "the" } else { "a" };
@@ -129,10 +115,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         )
     };
     let striker = match hit.theta1.filter(|_| hit.kept > ALL_BUT_STOPPED) {
-        None => match teller {
-            Teller::I => "all but stopped".to_owned(),
-            Teller::You => "will all but stop".to_owned(),
-        },
+        None => stops.to_owned(),
         Some(turn) if turn.abs() < FULL => format!("{goes} straight on"),
         Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
         Some(turn) => format!("{goes} on {} to the {}", degrees(turn), side(turn > 0.0)),
@@ -147,16 +130,14 @@ fn is_full(hit: &FirstContact) -> bool {
 /// How sure the stroke was, where it was tried often enough to say.
 pub(super) fn odds(chance: Chance) -> Option<String> {
     (chance.of >= 4).then(|| {
-        format!(
-            "I tried it {} times in my head with an unsteady hand, and it worked {}.",
-            chance.of,
-            match chance.fell {
-                0 => "not once".to_owned(),
-                1 => "once".to_owned(),
-                all if all == chance.of => "every time".to_owned(),
-                some => format!("{some} times"),
-            }
-        )
+        let of = chance.of;
+        let worked = match chance.fell {
+            0 => "not once".to_owned(),
+            1 => "once".to_owned(),
+            all if all == of => "every time".to_owned(),
+            some => format!("{some} times"),
+        };
+        format!("I tried it {of} times in my head with an unsteady hand, and it worked {worked}.")
     })
 }
 
@@ -170,11 +151,11 @@ pub(super) fn slipped(slip: Slip) -> String {
         let way = if percent > 0.0 { "hard" } else { "soft" };
         format!("{:.0} % too {way}", percent.abs())
     });
-    match (direction, strength) {
-        (Some(direction), Some(strength)) => format!("My hand was {direction} and {strength}."),
-        (Some(slip), None) | (None, Some(slip)) => format!("My hand was {slip}."),
-        (None, None) => "My hand was just right.".to_owned(),
+    let slips: Vec<String> = direction.into_iter().chain(strength).collect();
+    if slips.is_empty() {
+        return "My hand was just right.".to_owned();
     }
+    format!("My hand was {}.", slips.join(" and "))
 }
 
 fn side(left: bool) -> &'static str {

@@ -7,7 +7,6 @@ use super::strength::Skill;
 use super::wants::wants_from;
 use crate::game::laws::Rules;
 use crate::game::{BaseLines, Game, Seat, Team};
-use crate::physics::Board;
 
 /// A won board, before its points.
 const BOARD: f64 = 20.0;
@@ -22,14 +21,13 @@ const PLACES: u16 = 7;
 
 /// How a position is looked at.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Judge<'a> {
-    pub(super) board: &'a Board,
+pub(super) struct Judge {
     pub(super) team: Team,
     /// What both sides are thought to be able to do.
     pub(super) skill: Skill,
 }
 
-impl Judge<'_> {
+impl Judge {
     /// What `game` is worth to the team.
     pub(super) fn worth(&self, game: &Game) -> f64 {
         if let Some(won) = game.play().won {
@@ -55,9 +53,6 @@ impl Judge<'_> {
 
     /// What the next strokes of both sides promise.
     fn prospects(&self, game: &Game) -> f64 {
-        if !self.skill.looks_ahead {
-            return 0.0;
-        }
         let (seat, next) = (game.seat(), game.setup().hands.next(game.seat()));
         let sign = |seat| self.sign(game.team(seat));
         let first = self.prospect(game, seat);
@@ -75,8 +70,8 @@ impl Judge<'_> {
         if !self.skill.looks_ahead {
             return 0.0;
         }
-        let sight = Sight::of(game, self.board);
-        let places = BaseLines::new(self.board, sight.set, seat, sight.coins).candidates(PLACES);
+        let sight = Sight::of(game);
+        let places = BaseLines::new(sight.set, seat, sight.coins).candidates(PLACES);
         let wanted = game.coins().iter().enumerate();
         let easiest = wanted
             .filter(|(_, coin)| wants_from(game, seat, coin.piece))

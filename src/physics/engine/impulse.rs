@@ -8,7 +8,7 @@
 //!
 //! Such problems: R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear Complementarity
 //! Problem* (1992); this one for several impacts at once: F. Pfeiffer and C. Glocker,
-//! *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8.
+//! *Multibody Dynamics with Unilateral Contacts* (1996), on impacts without friction.
 
 use glam::DVec2;
 

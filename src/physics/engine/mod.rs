@@ -79,8 +79,8 @@ pub fn play(
     start: &[Motion],
     limits: Limits,
 ) -> Result<Shot, EngineError> {
-    let mut shot = Shot::new();
-    Engine::new().play_into(&mut shot, board, discs, start, limits)?;
+    let mut shot = Shot::default();
+    Engine::default().play_into(&mut shot, board, discs, start, limits)?;
     Ok(shot)
 }
 
@@ -94,11 +94,6 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// An engine that has not played yet.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
     /// Plays a shot into a record whose memory is used again: what a search through
     /// many shots needs. See [`play()`].
     ///

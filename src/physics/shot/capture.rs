@@ -96,7 +96,7 @@ impl Shot {
         }
         let touching = discs[0].radius + discs[1].radius;
         let apart = start[1].position - start[0].position;
-        let mut shot = Self::new();
+        let mut shot = Self::default();
         shot.begin(&board, &discs, &start);
         shot.end(duration);
         let relative = start[1].velocity - start[0].velocity;

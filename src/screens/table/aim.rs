@@ -29,8 +29,7 @@ impl Aim {
     /// The aim that a turn begins with: from the middle, or the place nearest to it,
     /// straight across.
     pub(super) fn begin(game: &Game) -> Self {
-        let board = Board::default();
-        let lines = game.base_lines(&board);
+        let lines = game.base_lines();
         let middle = lines.at(0.0);
         Self {
             place: lines.nearest(middle).unwrap_or(middle),
@@ -73,7 +72,7 @@ impl Aim {
     /// # Errors
     /// The reason.
     pub(super) fn check(&self, game: &Game) -> Result<(), Misplaced> {
-        game.check_place(&Board::default(), self.place)
+        game.check_place(self.place)
     }
 
     /// Aims in a direction in degrees; any number will do.
@@ -104,8 +103,7 @@ impl Aim {
             self.put(self.place + step, game);
             return;
         }
-        let board = Board::default();
-        let lines = game.base_lines(&board);
+        let lines = game.base_lines();
         if let Some(next) = lines.next_on_steps(self.place, lines.along(step)) {
             self.place = next;
         }
@@ -121,7 +119,7 @@ impl Aim {
             self.place = grid.clamp(DVec2::splat(-room), DVec2::splat(room));
             return;
         }
-        let lines = game.base_lines(&board);
+        let lines = game.base_lines();
         let end = BaseLines::base_circle_along();
         let along = (lines.along(at) * 10_000.0).round() / 10_000.0;
         // The very end covers a base circle.

@@ -132,8 +132,8 @@ proptest! {
 #[test]
 fn boards_played_on_the_engine_stay_valid_and_end() {
     let board = Board::default();
-    let mut engine = Engine::new();
-    let mut shot = Shot::new();
+    let mut engine = Engine::default();
+    let mut shot = Shot::default();
     for seed in 0..4_u64 {
         let mut hand = Pcg64::seed_from_u64(seed);
         let mut game = Game::new(GameSetup {
@@ -146,7 +146,7 @@ fn boards_played_on_the_engine_stay_valid_and_end() {
             ..GameSetup::default()
         });
         for _ in 0..20_000 {
-            let lines = game.base_lines(&board);
+            let lines = game.base_lines();
             let wanted = lines.at(hand.random_range(-0.2..0.2));
             let rulings = if let Some(position) = lines.nearest(wanted) {
                 let way = DVec2::from_angle(hand.random_range(0.0..std::f64::consts::PI));

@@ -19,7 +19,11 @@ fn coin(x: f64, y: f64) -> Coin {
 }
 
 fn sight<'a>(board: &'a Board, set: PieceSet, coins: &'a [Coin]) -> Sight<'a> {
-    Sight { board, set, coins }
+    Sight {
+        board: *board,
+        set,
+        coins,
+    }
 }
 
 fn shoot(sight: &Sight, striker: Motion) -> Shot {
@@ -29,7 +33,7 @@ fn shoot(sight: &Sight, striker: Motion) -> Shot {
         discs.push(sight.set.disc(coin.piece));
         motions.push(Motion::at_rest(coin.at));
     }
-    play(sight.board, &discs, &motions, Limits::default()).unwrap()
+    play(&sight.board, &discs, &motions, Limits::default()).unwrap()
 }
 
 /// The line of impact from disc `a` to disc `b` when they first meet.

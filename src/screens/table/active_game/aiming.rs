@@ -6,7 +6,6 @@ use super::{ActiveGame, Calling, Grip, TablePhase};
 use crate::game::Move;
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
 use crate::messages::{Mouse, MouseKind};
-use crate::physics::Board;
 use crate::physics::units::m_from_mm;
 use crate::screens::Context;
 use crate::screens::table::aim::{Aim, along_the_screen, rightwards};
@@ -103,8 +102,7 @@ impl ActiveGame {
 
     /// From aiming to the stroke, or to the call before it.
     fn strike(&mut self, cx: &Context) {
-        let board = Board::default();
-        let lines = self.game().base_lines(&board);
+        let lines = self.game().base_lines();
         if !self.is_practice() && lines.nearest(DVec2::ZERO).is_none() {
             self.pass();
             return;

@@ -466,7 +466,7 @@ mod tests {
         else {
             panic!("a stroke was wanted");
         };
-        let decision = opponent::think(game, &Board::default(), *strength, *seed);
+        let decision = opponent::think(game, *strength, *seed);
         let result = SearchResult {
             ticket: *ticket,
             found: Found::Stroke(decision),
