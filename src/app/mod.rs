@@ -208,7 +208,10 @@ impl App {
         if self.wake().is_none() {
             return vec![];
         }
-        self.with_screen(|screen, cx| screen.advance(passed, cx))
+        self.with_screen(|screen, cx| {
+            screen.advance(passed, cx);
+            Next::Stay
+        })
     }
 
     /// When the app next needs time; `None` while nothing moves.

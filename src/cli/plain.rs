@@ -15,9 +15,7 @@ pub(super) fn quiz(code: Option<&Code>, options: &GlobalOptions) -> Result<(), F
     let own = options.own();
     let code = super::round(code, options, &own).map_err(Failure::input)?;
     let seed = options.seed.unwrap_or_else(any_seed);
-    with_keeper(options, |talk, keeper| {
-        plain::quiz(talk, keeper, code, seed, &own)
-    })
+    with_recorder(options, |recorder| plain::quiz(recorder, code, seed, &own))
 }
 
 /// The chapters, from one of them on.
@@ -28,9 +26,7 @@ pub(super) fn learn(chapter: Option<&str>, options: &GlobalOptions) -> Result<()
         .map(|name| super::find_chapter(library, name))
         .transpose()
         .map_err(Failure::input)?;
-    with_keeper(options, |talk, keeper| {
-        plain::learn(talk, keeper, library, chapter)
-    })
+    with_recorder(options, |recorder| plain::learn(recorder, library, chapter))
 }
 
 /// A worked solution; where it is not said where the two meet, the hit is asked for.
@@ -57,13 +53,13 @@ pub(super) fn advise(message: &mut clap::Error) {
     }
 }
 
-fn with_keeper(
+fn with_recorder(
     options: &GlobalOptions,
-    run: impl FnOnce(&mut Talk, &mut Recorder) -> Result<(), Leave>,
+    run: impl FnOnce(&mut Recorder) -> Result<(), Leave>,
 ) -> Result<(), Failure> {
     let mut store = options.store();
     let player = options.player_name();
-    talk(|talk| run(talk, &mut Recorder::new(&player, &mut store)))
+    talk(|talk| run(&mut Recorder::new(talk, &player, &mut store)))
 }
 
 /// A talk over standard input and output. To leave it early is no failure.

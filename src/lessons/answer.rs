@@ -1,35 +1,24 @@
-//! What a student answers at a checkpoint, and how good that is.
+//! How good an answer at a checkpoint is, and how it is kept.
 
 use serde_json::{Value, json};
 
 use super::checkpoint::{Checkpoint, CheckpointKind};
 use crate::physics::Collision;
-use crate::quiz::{Ray, RayGrade, Rays};
+use crate::quiz::{Rays, RaysGrade, Response};
 
-/// An answer at a checkpoint.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CheckpointAnswer {
-    /// Where both will go.
-    Rays(Rays),
-    /// A number.
-    Number(f64),
-    /// A line of a choice, from 0.
-    Choice(usize),
-}
-
-impl CheckpointAnswer {
-    /// Credit from 0 to 1. `figure` is the collision as the page's figure has it.
+impl Checkpoint {
+    /// Credit from 0 to 1 for an answer. `figure` is the collision as the page's figure
+    /// has it.
     ///
     /// Rays are marked as in the quiz. A number earns full credit within the
     /// tolerance, and then less in a straight line, down to none at four times it.
-    pub fn credit(&self, checkpoint: &Checkpoint, figure: Option<&Collision>) -> f64 {
-        match (self, &checkpoint.asked) {
-            (Self::Rays(rays), CheckpointKind::Rays) => {
-                let [striker, target] = grades(rays, figure).map(|grade| grade.credit());
-                f64::midpoint(striker, target)
+    pub fn credit(&self, said: &Response, figure: Option<&Collision>) -> f64 {
+        match (said, &self.asked) {
+            (Response::Rays(rays), CheckpointKind::Rays) => {
+                grade(rays, figure).map_or(0.0, |grade| grade.credit())
             }
             (
-                Self::Number(number),
+                Response::Number(number),
                 CheckpointKind::Number {
                     expected,
                     tolerance,
@@ -39,7 +28,7 @@ impl CheckpointAnswer {
                 let beyond = (number - truth).abs() / tolerance - 1.0;
                 (1.0 - (beyond - ROUNDING).max(0.0) / 3.0).max(0.0)
             }
-            (Self::Choice(chosen), CheckpointKind::Choice(choices)) => {
+            (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
                 let right = choices.get(*chosen).is_some_and(|choice| choice.right);
                 f64::from(u8::from(right))
             }
@@ -47,52 +36,51 @@ impl CheckpointAnswer {
         }
     }
 
-    /// Whether it counts as right.
-    pub fn is_right(&self, checkpoint: &Checkpoint, figure: Option<&Collision>) -> bool {
-        match self {
-            Self::Rays(rays) => grades(rays, figure).iter().all(RayGrade::is_right),
-            _ => self.credit(checkpoint, figure) >= 1.0,
+    /// Whether an answer counts as right.
+    pub fn is_right(&self, said: &Response, figure: Option<&Collision>) -> bool {
+        match said {
+            Response::Rays(rays) => grade(rays, figure).is_some_and(|grade| grade.is_right()),
+            _ => self.credit(said, figure) >= 1.0,
         }
     }
+}
 
-    /// It as it is kept: angles in degrees, a line of a choice counted from 1.
-    pub fn json(&self) -> Value {
-        match self {
-            Self::Rays(rays) => rays.json(),
-            Self::Number(number) => json!({"number": number}),
-            Self::Choice(line) => json!({"choice": line + 1}),
-        }
+/// An answer as it is kept: angles in degrees, a line of a choice counted from 1.
+pub fn answer_json(said: &Response) -> Value {
+    match said {
+        Response::Rays(rays) => rays.json(),
+        Response::Number(number) => json!({"number": number}),
+        Response::Choice(line) => json!({"choice": line + 1}),
+        // No checkpoint asks for one.
+        Response::Shot(_) => Value::Null,
     }
+}
 
-    /// An answer as [`CheckpointAnswer::json`] writes it; `None` if it is none.
-    pub fn of_json(value: &Value) -> Option<Self> {
-        if let Some(number) = value.get("number") {
-            return number
-                .as_f64()
-                .filter(|it| it.is_finite())
-                .map(Self::Number);
-        }
-        if let Some(line) = value.get("choice") {
-            let line = usize::try_from(line.as_u64()?).ok()?;
-            return line.checked_sub(1).map(Self::Choice);
-        }
-        Rays::of_json(value).map(Self::Rays)
+/// An answer as [`answer_json`] writes it; `None` if it is none.
+pub fn answer_of_json(value: &Value) -> Option<Response> {
+    if let Some(number) = value.get("number") {
+        let number = number.as_f64().filter(|it| it.is_finite());
+        return number.map(Response::Number);
     }
+    if let Some(line) = value.get("choice") {
+        let line = usize::try_from(line.as_u64()?).ok()?;
+        return line.checked_sub(1).map(Response::Choice);
+    }
+    Rays::of_json(value).map(Response::Rays)
 }
 
 /// A number on the very edge of the tolerance is right, whatever rounding left of it.
 const ROUNDING: f64 = 1e-9;
 
-fn grades(rays: &Rays, figure: Option<&Collision>) -> [RayGrade; 2] {
-    let truth = figure.map(|collision| Rays::from(&collision.outcome()));
-    Ray::BOTH.map(|ray| RayGrade {
-        error: truth.and_then(|truth| rays.apart(&truth, ray)),
-    })
+fn grade(rays: &Rays, figure: Option<&Collision>) -> Option<RaysGrade> {
+    let truth = Rays::from(&figure?.outcome());
+    Some(RaysGrade::new(rays, &truth))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quiz::Ray;
 
     #[test]
     fn an_answer_is_read_as_it_is_written() {
@@ -101,16 +89,16 @@ mod tests {
             target: Some(0.5),
         };
         for answer in [
-            CheckpointAnswer::Number(-0.1),
-            CheckpointAnswer::Choice(0),
-            CheckpointAnswer::Choice(4),
-            CheckpointAnswer::Rays(Rays::new(0.0, -1.0)),
-            CheckpointAnswer::Rays(still),
+            Response::Number(-0.1),
+            Response::Choice(0),
+            Response::Choice(4),
+            Response::Rays(Rays::new(0.0, -1.0)),
+            Response::Rays(still),
         ] {
-            let text = answer.json().to_string();
+            let text = answer_json(&answer).to_string();
             let read: Value = serde_json::from_str(&text).unwrap();
-            match (CheckpointAnswer::of_json(&read), answer) {
-                (Some(CheckpointAnswer::Rays(read)), CheckpointAnswer::Rays(said)) => {
+            match (answer_of_json(&read), answer) {
+                (Some(Response::Rays(read)), Response::Rays(said)) => {
                     for ray in Ray::BOTH {
                         let apart = read.apart(&said, ray).unwrap();
                         assert!(apart < 1e-12, "{text}");
@@ -129,7 +117,7 @@ mod tests {
             "{\"theta1_deg\":1}",
         ] {
             let read: Value = serde_json::from_str(nonsense).unwrap();
-            assert_eq!(CheckpointAnswer::of_json(&read), None, "{nonsense}");
+            assert_eq!(answer_of_json(&read), None, "{nonsense}");
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::answer::CheckpointAnswer;
 use super::chapter::Chapter;
+use super::checkpoint::Checkpoint;
 use super::page::ChapterPage;
+use crate::quiz::Response;
 
 /// How far a chapter has been read.
 ///
@@ -27,7 +28,7 @@ pub struct GivenAnswer {
     /// What was asked: [`Checkpoint::written`](super::Checkpoint::written).
     pub asked: String,
     /// What was answered.
-    pub answer: CheckpointAnswer,
+    pub answer: Response,
     /// Whether it was right.
     pub right: bool,
 }
@@ -40,6 +41,25 @@ impl Bookmark {
             pages: BTreeMap::from([(page.title.clone(), None)]),
             ..Self::default()
         }
+    }
+
+    /// The same with an answer given to what its page asks, `right` or not.
+    #[must_use]
+    pub fn answering(
+        page: &ChapterPage,
+        asked: &Checkpoint,
+        answer: Response,
+        right: bool,
+    ) -> Self {
+        let mut mark = Self::at(page);
+        let asked = asked.written.clone();
+        let given = GivenAnswer {
+            asked,
+            answer,
+            right,
+        };
+        mark.pages.insert(page.title.clone(), Some(given));
+        mark
     }
 
     /// The page it is open at, from 0; the first where that page is gone.
@@ -126,7 +146,7 @@ mod tests {
     fn answer(page: &ChapterPage, line: usize, right: bool) -> Bookmark {
         let given = GivenAnswer {
             asked: page.checkpoint.as_ref().unwrap().written.clone(),
-            answer: CheckpointAnswer::Choice(line),
+            answer: Response::Choice(line),
             right,
         };
         Bookmark {

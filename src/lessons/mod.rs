@@ -26,7 +26,7 @@ mod tests;
 mod words;
 mod written;
 
-pub use answer::CheckpointAnswer;
+pub use answer::{answer_json, answer_of_json};
 pub use block::{Inline, TextBlock, Tone};
 pub use book::{Book, Forget};
 pub use bookmark::{Bookmark, GivenAnswer};

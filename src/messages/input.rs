@@ -43,9 +43,23 @@ pub struct Mouse {
 }
 
 impl Mouse {
-    /// The cell: its column and its row.
-    pub fn cell(&self) -> (u16, u16) {
+    /// The column and the row of the cell.
+    pub const fn cell(&self) -> (u16, u16) {
         (self.column, self.row)
+    }
+
+    /// Whether the button is down, just now or for some time.
+    pub fn is_held(&self) -> bool {
+        matches!(self.kind, MouseKind::Down | MouseKind::Drag)
+    }
+
+    /// A step of the wheel, if it turned: 1 away from the hand, −1 towards it.
+    pub const fn wheel(&self) -> Option<i8> {
+        match self.kind {
+            MouseKind::ScrollUp => Some(1),
+            MouseKind::ScrollDown => Some(-1),
+            _ => None,
+        }
     }
 }
 

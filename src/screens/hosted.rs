@@ -66,7 +66,7 @@ pub trait AnyScreen {
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
     /// See [`Screen::advance`].
-    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next;
+    fn advance(&mut self, passed: Duration, cx: &mut Context);
     /// See [`Screen::wake`].
     fn wake(&self, cx: &Context) -> Option<Duration>;
     /// See [`Screen::draw`].
@@ -139,8 +139,8 @@ impl<S: Screen> AnyScreen for Hosted<S> {
         self.screen.input(input, cx)
     }
 
-    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
-        self.screen.advance(passed, cx)
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        self.screen.advance(passed, cx);
     }
 
     fn wake(&self, cx: &Context) -> Option<Duration> {

@@ -26,7 +26,8 @@ pub use context::{Context, Settings};
 pub use hosted::{AnyScreen, Hosted, SharedAction};
 pub use place::Place;
 
-use crate::messages::{Input, Key};
+use crate::messages::{Input, Key, Mouse};
+use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
 /// A place in the app: it takes input, lets time pass and draws itself.
@@ -67,15 +68,21 @@ pub trait Screen {
         Next::Stay
     }
 
-    /// Takes an input that is no key: the mouse, pasted text, what came of a request.
-    fn input(&mut self, _input: &Input, _cx: &mut Context) -> Next {
+    /// Takes the mouse.
+    fn mouse(&mut self, _mouse: &Mouse, _cx: &mut Context) -> Next {
         Next::Ignored
     }
 
-    /// Lets time pass; called only while [`Screen::wake`] asks for time.
-    fn advance(&mut self, _passed: Duration, _cx: &mut Context) -> Next {
-        Next::Stay
+    /// Takes an input that is no key: the mouse, pasted text, what came of a request.
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Mouse(mouse) => self.mouse(mouse, cx),
+            _ => Next::Ignored,
+        }
     }
+
+    /// Lets time pass; called only while [`Screen::wake`] asks for time.
+    fn advance(&mut self, _passed: Duration, _cx: &mut Context) {}
 
     /// When it next needs time; `None` while nothing moves.
     fn wake(&self, _cx: &Context) -> Option<Duration> {
@@ -111,6 +118,16 @@ impl Next {
     /// What follows from an input that was of use or not.
     pub(crate) fn after(used: bool) -> Self {
         if used { Self::Stay } else { Self::Ignored }
+    }
+
+    /// What follows from what an input meant to a part of the screen; `done` says it of
+    /// what came of it.
+    pub(crate) fn of<T>(outcome: Outcome<T>, done: impl FnOnce(T) -> Self) -> Self {
+        match outcome {
+            Outcome::Ignored => Self::Ignored,
+            Outcome::Used => Self::Stay,
+            Outcome::Done(came) => done(came),
+        }
     }
 }
 

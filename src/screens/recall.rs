@@ -2,6 +2,7 @@
 
 use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
+use crate::widgets::{Lines, Role};
 
 /// What the player has done, as far as it is known here.
 #[derive(Debug, Clone)]
@@ -31,6 +32,19 @@ impl Recall {
                 Err(reason) => Self::Unknown(reason.clone()),
             };
         }
+    }
+
+    /// Writes that it is looked for, or why it cannot be; says whether that is so.
+    pub(super) fn write_unknown(&self, lines: &mut Lines) -> bool {
+        match self {
+            Self::Asked(_) => lines.line("Looking …", Role::Dim),
+            Self::Unknown(reason) => {
+                let message = format!("What you have done cannot be looked at: {reason}.");
+                lines.paragraph(&message, Role::Warn);
+            }
+            Self::Known(_) => return false,
+        }
+        true
     }
 
     /// What was done, where there is something.

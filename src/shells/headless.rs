@@ -253,10 +253,9 @@ mod tests {
         fn act(&mut self, (): (), _: &mut Context) -> Next {
             Next::Stay
         }
-        fn advance(&mut self, passed: Duration, _: &mut Context) -> Next {
+        fn advance(&mut self, passed: Duration, _: &mut Context) {
             self.steps.push(passed);
             self.left = self.left.saturating_sub(passed);
-            Next::Stay
         }
         fn wake(&self, _: &Context) -> Option<Duration> {
             (!self.left.is_zero()).then(|| Duration::from_millis(40).min(self.left))

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use carrom::app::App;
-use carrom::lessons::{self, Bookmark, Chapter, CheckpointAnswer, GivenAnswer};
+use carrom::lessons::{self, Bookmark, Chapter, GivenAnswer};
 use carrom::levels;
 use carrom::levels::Starred;
 use carrom::messages::{History, StoreCall, StoreReply, StoreRequest};
@@ -15,6 +15,7 @@ use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
 use carrom::progress::{Attempt, Calendar, LESSON, csv, json};
 use carrom::quiz::Confidence;
+use carrom::quiz::Response;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -276,7 +277,7 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
             asked += 1;
             GivenAnswer {
                 asked: checkpoint.written.clone(),
-                answer: CheckpointAnswer::Choice(0),
+                answer: Response::Choice(0),
                 right: asked <= right,
             }
         });

@@ -343,9 +343,8 @@ impl Screen for Restless {
         true
     }
 
-    fn advance(&mut self, _: Duration, _: &mut Context) -> Next {
+    fn advance(&mut self, _: Duration, _: &mut Context) {
         self.steps += 1;
-        Next::Stay
     }
 
     fn wake(&self, _: &Context) -> Option<Duration> {

@@ -248,9 +248,8 @@ impl Screen for Notes {
         };
         Next::Stay
     }
-    fn advance(&mut self, passed: Duration, _: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, _: &mut Context) {
         self.0 += &format!("<{} ms>", passed.as_millis());
-        Next::Stay
     }
     fn wake(&self, _: &Context) -> Option<Duration> {
         Some(Duration::from_millis(400))

@@ -18,6 +18,14 @@ pub enum Response {
 }
 
 impl Response {
+    /// The rays, where it is those.
+    pub const fn rays(self) -> Option<Rays> {
+        match self {
+            Self::Rays(rays) => Some(rays),
+            _ => None,
+        }
+    }
+
     /// The text with which it is kept: "rays 60 still", "number 2.1", "choice 2" (from
     /// 1), "shot 15" (angles in degrees, the offset in millimetres).
     pub fn to_text(self) -> String {

@@ -126,11 +126,7 @@ impl Form {
     /// An answer in words, as long as it takes: "striker 60.0° left, coin 30.0° right".
     pub fn words(&self, said: &Response) -> String {
         match (self, said) {
-            (Self::Rays { target, .. }, Response::Rays(rays)) => format!(
-                "striker {}, {target} {}",
-                Ray::Striker.words(rays.striker),
-                Ray::Target.words(rays.target)
-            ),
+            (Self::Rays { target, .. }, Response::Rays(rays)) => rays.words(target),
             (Self::Number { quantity, .. }, Response::Number(x)) => quantity.print(*x),
             (Self::Choice { options, .. }, Response::Choice(i)) => {
                 options.get(*i).cloned().unwrap_or_else(|| "-".into())

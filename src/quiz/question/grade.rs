@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::numbers::points;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use super::measure::apart_deg;
@@ -74,6 +75,12 @@ impl RaysGrade {
         f64::midpoint(self.striker.credit(), self.target.credit())
     }
 
+    /// Error of the ray that is further off, in radians; `None` where there is none.
+    pub fn error(&self) -> Option<f64> {
+        let errors = [self.striker.error, self.target.error];
+        errors.into_iter().flatten().reduce(f64::max)
+    }
+
     /// Whether both rays count as right.
     pub fn is_right(&self) -> bool {
         self.striker.is_right() && self.target.is_right()
@@ -118,10 +125,7 @@ impl Grade {
                     Some(rad_from_deg(apart_deg(*said, *truth)))
                 }
                 (Form::Shot(aim), Response::Shot(offset)) => aim.error(*offset),
-                _ => rays.and_then(|rays| {
-                    let errors = [rays.striker.error, rays.target.error];
-                    errors.into_iter().flatten().reduce(f64::max)
-                }),
+                _ => rays.and_then(|rays| rays.error()),
             },
             rays,
             confidence: answer.confidence,
@@ -131,6 +135,11 @@ impl Grade {
     /// Points by [`Confidence::points`], −6 to 10.
     pub fn points(&self) -> f64 {
         self.confidence.points(self.credit)
+    }
+
+    /// The same in words: "8.5 of 10 points".
+    pub fn score(&self) -> String {
+        format!("{} of {:.0} points", points(self.points()), Self::MOST)
     }
 }
 

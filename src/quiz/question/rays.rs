@@ -87,6 +87,13 @@ impl Rays {
         })
     }
 
+    /// Both as one sees them along the striker's path, `target` being what the struck
+    /// disc is called: "striker 60.0° left, coin 30.0° right".
+    pub fn words(&self, target: &str) -> String {
+        let [striker, other] = Ray::BOTH.map(|ray| ray.words(self.get(ray)));
+        format!("striker {striker}, {target} {other}")
+    }
+
     /// One of the two.
     pub fn get(&self, ray: Ray) -> Option<f64> {
         match ray {

@@ -1,5 +1,6 @@
 //! A look back over a round.
 
+use crate::numbers;
 use crate::quiz::misconceptions::most_held;
 use crate::quiz::question::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
 
@@ -56,6 +57,13 @@ impl Summary {
     /// How many answers were right.
     pub fn right(&self) -> usize {
         self.lines.iter().filter(|line| line.grade.right).count()
+    }
+
+    /// Points and right answers in words: "61.5 of 100 points, 7 of 10 right".
+    pub fn score(&self) -> String {
+        let (points, most) = (numbers::points(self.points()), self.most());
+        let (right, asked) = (self.right(), self.lines.len());
+        format!("{points} of {most:.0} points, {right} of {asked} right")
     }
 
     /// The errors of all angles in radians: each of two rays counts for itself.
@@ -125,6 +133,16 @@ impl Summary {
         let held = self.lines.iter().filter_map(|line| line.diagnosis);
         let held: Vec<_> = held.map(|it| it.misconception).collect();
         most_held(&held)
+    }
+
+    /// The same in words.
+    pub fn held_words(&self) -> Option<String> {
+        let (misconception, count) = self.most_held()?;
+        let name = misconception.name();
+        Some(match count {
+            1 => format!("Once it looked like this: {name}."),
+            _ => format!("Most often, {count} times: {name}."),
+        })
     }
 
     /// One piece of advice on what to try next.

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Look, Role, text};
+use crate::widgets::{Look, Role, areas, text};
 
 /// Rows of a screen's body from which on it has a heading in large type.
 const LARGE_FROM: u16 = 21;
@@ -68,12 +68,7 @@ impl Heading {
 
 /// What is left of an area below so many rows.
 pub(super) fn below(area: Rect, rows: u16) -> Rect {
-    let rows = rows.min(area.height);
-    Rect {
-        y: area.y + rows,
-        height: area.height - rows,
-        ..area
-    }
+    areas::upper(area, rows)[1]
 }
 
 /// Writes a line in the middle of the first row of an area, if it has one.

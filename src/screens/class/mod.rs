@@ -253,11 +253,10 @@ impl Screen for Class {
         Next::Stay
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
         if let ClassScene::Play(play) = &mut self.scene {
             play.advance(passed);
         }
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

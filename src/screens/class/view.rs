@@ -9,7 +9,7 @@ use super::{ending_view, question_view, scores_view, shown_view, spread_view, vo
 use crate::class::{ClassStep, Vote};
 use crate::quiz::Question;
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, areas};
 
 /// A text that may be longer than its place: the place, and what writes it.
 pub(super) type Text<'a> = (Rect, Box<dyn Fn(&mut Lines) + 'a>);
@@ -133,12 +133,7 @@ pub(super) fn column(area: Rect) -> Rect {
 
 /// So many columns in the middle of an area, or all it has.
 pub(super) fn middle(area: Rect, width: u16) -> Rect {
-    let width = area.width.min(width);
-    Rect {
-        x: area.x + (area.width - width) / 2,
-        width,
-        ..area
-    }
+    areas::middle(area, width)
 }
 
 /// One of the places of so many rows into which an area is cut, from 0 at its top.

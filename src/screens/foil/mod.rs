@@ -332,13 +332,12 @@ impl Screen for FoilScreen {
         }
     }
 
-    fn advance(&mut self, _passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, _passed: Duration, _cx: &mut Context) {
         // As many particles a picture whatever time it took, so that a beam is never in
         // the way of the next picture.
         if let Some(run) = &mut self.run {
             run.advance();
         }
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::{FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, Role, SplitLayout, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, areas, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
@@ -19,16 +19,7 @@ pub(super) struct FoilLayout {
 impl FoilLayout {
     /// Lays it out in `area`.
     pub(super) fn new(area: Rect) -> Self {
-        let row = 1.min(area.height);
-        let tabs = Rect {
-            height: row,
-            ..area
-        };
-        let rest = Rect {
-            y: area.y + row,
-            height: area.height - row,
-            ..area
-        };
+        let [tabs, rest] = areas::upper(area, 1);
         Self {
             tabs,
             beside: SplitLayout::new(rest),

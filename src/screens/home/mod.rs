@@ -2,15 +2,13 @@
 
 mod view;
 
-use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Confirmation, Context, Next, Place, Screen};
-use crate::messages::{Input, Key};
-use crate::physics::{Collision, Disc};
-use crate::widgets::Outcome;
+use crate::messages::{Key, Mouse};
+use crate::physics::CollisionSpec;
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
@@ -22,21 +20,16 @@ pub(crate) struct Home {
 }
 
 impl Default for Home {
-    /// The first choice, beside a hit at its contact.
+    /// The first choice, beside a hit at its contact: the shot that everything here is
+    /// explained on.
     fn default() -> Self {
-        let mut layers = Overlays::default();
-        layers.toggle(Overlay::Triangle);
+        let worked_shot = CollisionSpec::default().collision();
+        let layers = Overlays::default().without([Overlay::Triangle]);
         Self {
             list: ListView::default(),
-            picture: Watch::new(worked_shot(), None, true).with_layers(layers),
+            picture: Watch::new(worked_shot, None, true).with_layers(layers),
         }
     }
-}
-
-/// 15 g on 15 g at 4 m/s and 30°: the shot that everything here is explained on.
-fn worked_shot() -> Collision {
-    let disc = Disc::from_g_mm(15.0, 15.0);
-    Collision::at_angle(disc, disc, DVec2::new(4.0, 0.0), 30_f64.to_radians())
 }
 
 impl Home {
@@ -71,58 +64,39 @@ struct Entry {
     place: Place,
 }
 
+impl Entry {
+    const fn new(key: char, name: &'static str, about: &'static str, place: Place) -> Self {
+        Self {
+            key,
+            name,
+            about,
+            place,
+        }
+    }
+}
+
 static ENTRIES: [Entry; 8] = [
-    Entry {
-        key: 'e',
-        name: "Learn",
-        about: "chapters, read by doing",
-        place: Place::Learn,
-    },
-    Entry {
-        key: 'l',
-        name: "Lab",
-        about: "one hit: set it, say, watch",
-        place: Place::Lab,
-    },
-    Entry {
-        key: 'z',
-        name: "Quiz",
-        about: "find out what you know",
-        place: Place::Quiz { code: None },
-    },
-    Entry {
-        key: 'c',
-        name: "Class",
-        about: "teams, one screen, two votes",
-        place: Place::Class {
+    Entry::new('e', "Learn", "chapters, read by doing", Place::Learn),
+    Entry::new('l', "Lab", "one hit: set it, say, watch", Place::Lab),
+    Entry::new(
+        'z',
+        "Quiz",
+        "find out what you know",
+        Place::Quiz { code: None },
+    ),
+    Entry::new(
+        'c',
+        "Class",
+        "teams, one screen, two votes",
+        Place::Class {
             code: None,
             teams: Vec::new(),
         },
-    },
-    Entry {
-        key: 't',
-        name: "Table",
-        about: "carrom, every hit explained",
-        place: Place::Table,
-    },
-    Entry {
-        key: 'v',
-        name: "Levels",
-        about: "puzzles, solved by aiming",
-        place: Place::Levels,
-    },
-    Entry {
-        key: 'f',
-        name: "Foil",
-        about: "beams: from board to atom",
-        place: Place::Foil,
-    },
-    Entry {
-        key: 'p',
-        name: "Progress",
-        about: "how far you have come",
-        place: Place::Progress,
-    },
+    ),
+    Entry::new('t', "Table", "carrom, every hit explained", Place::Table),
+    Entry::new('v', "Levels", "puzzles, solved by aiming", Place::Levels),
+    Entry::new('f', "Foil", "beams: from board to atom", Place::Foil),
+    Entry::new('p', "Progress", "how far you have come", Place::Progress),
 ];
 
 impl Screen for Home {
@@ -154,10 +128,10 @@ impl Screen for Home {
 
     fn act(&mut self, action: HomeAction, _cx: &mut Context) -> Next {
         match action {
-            HomeAction::List(action) => match self.list.act(action, ENTRIES.len()) {
-                Outcome::Done(line) => self.open(line),
-                _ => Next::Stay,
-            },
+            HomeAction::List(action) => {
+                let outcome = self.list.act(action, ENTRIES.len());
+                Next::of(outcome, |line| self.open(line))
+            }
             HomeAction::Open(line) => self.open(line),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
             HomeAction::Quit => Next::Quit,
@@ -168,16 +142,10 @@ impl Screen for Home {
         Next::Quit
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let Input::Mouse(mouse) = input else {
-            return Next::Ignored;
-        };
-        let line = view::choice_at(cx.body, mouse.column, mouse.row);
-        match self.list.mouse(mouse, ENTRIES.len(), line) {
-            Outcome::Done(line) => self.open(line),
-            Outcome::Used => Next::Stay,
-            Outcome::Ignored => Next::Ignored,
-        }
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let line = view::choice_at(cx.body, mouse.cell());
+        let outcome = self.list.mouse(mouse, ENTRIES.len(), line);
+        Next::of(outcome, |line| self.open(line))
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {

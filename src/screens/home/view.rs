@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::{ENTRIES, Home};
 use crate::screens::Context;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, areas};
 
 /// Columns of the menu.
 const MENU: u16 = 36;
@@ -14,28 +14,16 @@ const MENU: u16 = 36;
 const HEAD_ROWS: u16 = 3;
 
 /// Where the picture's frame and the menu are.
-fn layout(area: Rect) -> (Rect, Rect) {
-    let menu = MENU.min(area.width);
-    let picture = Rect {
-        width: area.width - menu,
-        ..area
-    };
-    let menu = Rect {
-        x: picture.right(),
-        width: menu,
-        ..area
-    };
-    (picture, menu)
+fn layout(area: Rect) -> [Rect; 2] {
+    areas::left(area, area.width.saturating_sub(MENU))
 }
 
 /// Which line of the menu stands at this cell.
-pub(super) fn choice_at(area: Rect, column: u16, row: u16) -> Option<usize> {
-    let (_, menu) = layout(area);
-    if !menu.contains((column, row).into()) {
-        return None;
-    }
-    let choice = usize::from(row.checked_sub(menu.y + HEAD_ROWS)? / rows_of_a_choice(menu));
-    (choice < ENTRIES.len()).then_some(choice)
+pub(super) fn choice_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
+    let [_, menu] = layout(area);
+    let row = cell.1.checked_sub(menu.y + HEAD_ROWS)?;
+    let choice = usize::from(row / rows_of_a_choice(menu));
+    (menu.contains(cell.into()) && choice < ENTRIES.len()).then_some(choice)
 }
 
 /// A choice takes a row for its name, one for what it is about and an empty one, as
@@ -48,7 +36,7 @@ fn rows_of_a_choice(menu: Rect) -> u16 {
 /// Draws the menu beside a hit.
 pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let (picture, menu) = layout(area);
+    let [picture, menu] = layout(area);
     let title = "a glancing hit";
     let inside = draw_panel(buf, picture, title, look.charset, &look.theme);
     home.picture.picture(inside).draw(buf, &look);

@@ -301,11 +301,10 @@ impl Screen for Lab {
         }
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
         if let LabPhase::Watch(watch) = &mut self.phase {
             watch.advance(passed);
         }
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

@@ -4,10 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::reading::Reading;
-use crate::lessons::{
-    Chapter, ChapterPage, CheckpointAnswer, CheckpointKind, FileError, TextBlock,
-};
-use crate::quiz::Rays;
+use crate::lessons::{Chapter, ChapterPage, CheckpointKind, FileError, TextBlock};
+use crate::quiz::{Rays, Response};
 use crate::screens::{Context, Screen, Settings};
 use crate::widgets::{Charset, SplitLayout, formula, text};
 
@@ -43,30 +41,20 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
 }
 
 /// Every answer that is answered differently.
-fn answers(asked: &CheckpointKind) -> Vec<CheckpointAnswer> {
+fn answers(asked: &CheckpointKind) -> Vec<Response> {
     match asked {
         // Straight ahead, half and half, thrown back: each is explained at length.
         CheckpointKind::Rays => {
-            let rays = |degrees: f64| Rays {
-                striker: Some(degrees.to_radians()),
-                target: Some(degrees.to_radians()),
-            };
-            [0.0, 45.0, 150.0]
-                .map(|degrees| CheckpointAnswer::Rays(rays(degrees)))
-                .to_vec()
+            let rays = |degrees: f64| Rays::new(degrees.to_radians(), degrees.to_radians());
+            let rays = [0.0, 45.0, 150.0].map(rays);
+            rays.map(Response::Rays).to_vec()
         }
-        CheckpointKind::Number { .. } => vec![CheckpointAnswer::Number(-123.0)],
-        CheckpointKind::Choice(choices) => {
-            (0..choices.len()).map(CheckpointAnswer::Choice).collect()
-        }
+        CheckpointKind::Number { .. } => vec![Response::Number(-123.0)],
+        CheckpointKind::Choice(choices) => (0..choices.len()).map(Response::Choice).collect(),
     }
 }
 
-fn too_long(
-    reading: &Reading,
-    answer: Option<CheckpointAnswer>,
-    charset: Charset,
-) -> Option<String> {
+fn too_long(reading: &Reading, answer: Option<Response>, charset: Charset) -> Option<String> {
     let settings = Settings {
         charset,
         ..Settings::default()
@@ -79,7 +67,7 @@ fn too_long(
     reading.draw(BODY, &mut buf, &cx);
     let what = match answer {
         None => "the page".to_owned(),
-        Some(CheckpointAnswer::Choice(line)) => format!("what is said to choice {}", line + 1),
+        Some(Response::Choice(line)) => format!("what is said to choice {}", line + 1),
         Some(_) => "what is said to the answer".to_owned(),
     };
     (rows > room).then(|| {

@@ -3,7 +3,7 @@
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::prose;
-use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointKind};
+use crate::lessons::{Checkpoint, CheckpointKind};
 use crate::messages::Key;
 use crate::physics::Collision;
 use crate::quiz::{Ray, Response, letter};
@@ -89,21 +89,14 @@ impl CheckpointInput {
     }
 
     /// Does what a key stands for; done with the answer once it is given.
-    pub(super) fn act(&mut self, action: CheckpointAction) -> Outcome<CheckpointAnswer> {
+    pub(super) fn act(&mut self, action: CheckpointAction) -> Outcome<Response> {
         match (self, action) {
-            (Self::Number(entry), CheckpointAction::Number(action)) => match entry.act(action) {
-                Outcome::Done(number) => Outcome::Done(CheckpointAnswer::Number(number)),
-                Outcome::Used => Outcome::Used,
-                Outcome::Ignored => Outcome::Ignored,
-            },
+            (Self::Number(entry), CheckpointAction::Number(action)) => {
+                entry.act(action).map(Response::Number)
+            }
             (Self::Given(input), CheckpointAction::Given(action)) => {
                 match (input.act(action), input.said()) {
-                    (Outcome::Done(()), Some(Response::Rays(rays))) => {
-                        Outcome::Done(CheckpointAnswer::Rays(rays))
-                    }
-                    (Outcome::Done(()), Some(Response::Choice(line))) => {
-                        Outcome::Done(CheckpointAnswer::Choice(line))
-                    }
+                    (Outcome::Done(()), Some(said)) => Outcome::Done(said),
                     (Outcome::Ignored, _) => Outcome::Ignored,
                     _ => Outcome::Used,
                 }
@@ -139,21 +132,14 @@ impl CheckpointInput {
                 let (sign, unit) = expected.sign_and_unit();
                 let shown = format!("{}_ {unit}", entry.text());
                 rows(0, lines.written());
-                lines.pair(
-                    &format!("> {sign} ="),
-                    &shown,
-                    Role::Selected,
-                    Role::Selected,
-                );
+                let name = format!("> {sign} =");
+                lines.pair(&name, &shown, Role::Selected, Role::Selected);
             }
             (Self::Given(AnswerInput::Choice { chosen, .. }), CheckpointKind::Choice(choices)) => {
                 for (i, choice) in choices.iter().enumerate() {
                     rows(i, lines.written());
-                    let (mark, role) = if Some(i) == *chosen {
-                        (format!(">{}", letter(i)), Role::Selected)
-                    } else {
-                        (format!(" {}", letter(i)), Role::Text)
-                    };
+                    let (mark, role) = Role::Text.of_choice(Some(i) == *chosen);
+                    let mark = format!("{mark}{}", letter(i));
                     lines.flowing(&mark, 3, &prose::runs(&choice.text, role, None));
                 }
             }

@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use crate::lessons::{Chapter, Checkpoint, CheckpointAnswer, CheckpointKind};
+use crate::lessons::{Chapter, Checkpoint, CheckpointKind, answer_json};
 use crate::physics::Collision;
 use crate::physics::units::deg_from_rad;
 use crate::progress::{Attempt, LESSON};
-use crate::quiz::{Ray, Rays};
+use crate::quiz::{Rays, RaysGrade, Response};
 
 /// An answer to the checkpoint of page `at` (from 0), marked; `figure` is the collision
 /// as the page's figure has it.
@@ -14,7 +14,7 @@ pub fn attempt(
     player: &str,
     chapter: &Chapter,
     at: usize,
-    answer: &CheckpointAnswer,
+    answer: &Response,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Attempt {
@@ -29,11 +29,11 @@ pub fn attempt(
         seed: 0,
         number,
         question: question.to_string(),
-        answer: answer.json().to_string(),
+        answer: answer_json(answer).to_string(),
         truth: truth.to_string(),
         error_deg: error_deg(answer, &checkpoint.asked, figure),
-        credit: answer.credit(checkpoint, figure),
-        right: answer.is_right(checkpoint, figure),
+        credit: checkpoint.credit(answer, figure),
+        right: checkpoint.is_right(answer, figure),
         confidence: None,
         misconception: None,
     }
@@ -42,10 +42,10 @@ pub fn attempt(
 /// How the answer is given, and the right one.
 fn truly(asked: &CheckpointKind, figure: Option<&Collision>) -> (&'static str, Value) {
     match asked {
-        CheckpointKind::Rays => (
-            "rays",
-            true_rays(figure).map_or(Value::Null, |rays| rays.json()),
-        ),
+        CheckpointKind::Rays => {
+            let truth = figure.map(|collision| Rays::from(&collision.outcome()).json());
+            ("rays", truth.unwrap_or_default())
+        }
         CheckpointKind::Number { expected, .. } => {
             let (_, unit) = expected.sign_and_unit();
             let number = expected.value(figure);
@@ -58,27 +58,14 @@ fn truly(asked: &CheckpointKind, figure: Option<&Collision>) -> (&'static str, V
     }
 }
 
-fn true_rays(figure: Option<&Collision>) -> Option<Rays> {
-    figure.map(|collision| Rays::from(&collision.outcome()))
-}
-
 /// How far off the angle was, or of both rays the one furthest off.
-fn error_deg(
-    answer: &CheckpointAnswer,
-    asked: &CheckpointKind,
-    figure: Option<&Collision>,
-) -> Option<f64> {
+fn error_deg(answer: &Response, asked: &CheckpointKind, figure: Option<&Collision>) -> Option<f64> {
     match (answer, asked) {
-        (CheckpointAnswer::Rays(rays), CheckpointKind::Rays) => {
-            let truth = true_rays(figure)?;
-            let errors = Ray::BOTH.map(|ray| rays.apart(&truth, ray));
-            errors
-                .into_iter()
-                .flatten()
-                .reduce(f64::max)
-                .map(deg_from_rad)
+        (Response::Rays(rays), CheckpointKind::Rays) => {
+            let grade = RaysGrade::new(rays, &Rays::from(&figure?.outcome()));
+            grade.error().map(deg_from_rad)
         }
-        (CheckpointAnswer::Number(number), CheckpointKind::Number { expected, .. }) => {
+        (Response::Number(number), CheckpointKind::Number { expected, .. }) => {
             let (_, unit) = expected.sign_and_unit();
             let error = (number - expected.value(figure)?).abs();
             (unit == "°").then_some(error)

@@ -83,19 +83,18 @@ impl Progress {
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
         let layout = layout(cx.body);
-        let mut scroll = self.scroll;
         let table = |lines: &mut Lines| self.table(&cx.book, lines);
         let panel = |lines: &mut Lines| self.panel(&cx.book, lines);
-        scroll.picture = scroll.picture.by(rows, layout.picture, look, table);
-        scroll.panel = scroll.panel.by(rows, layout.panel, look, panel);
-        self.scroll = scroll;
+        self.scroll = Scrolls {
+            picture: self.scroll.picture.by(rows, layout.picture, look, table),
+            panel: self.scroll.panel.by(rows, layout.panel, look, panel),
+        };
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        match mouse.kind {
-            MouseKind::ScrollUp => self.scroll_by(-1, cx),
-            MouseKind::ScrollDown => self.scroll_by(1, cx),
-            MouseKind::Down => self.turn_to(self.page.beside(1)),
+        match (mouse.wheel(), mouse.kind) {
+            (Some(by), _) => self.scroll_by(-i16::from(by), cx),
+            (None, MouseKind::Down) => self.turn_to(self.page.beside(1)),
             _ => return Next::Ignored,
         }
         Next::Stay
@@ -104,36 +103,16 @@ impl Progress {
     /// Writes the left side, where it is not a plot.
     fn table(&self, book: &Book, lines: &mut Lines) {
         let Some(history) = self.history() else {
-            return self.nothing(lines);
+            if !self.history.write_unknown(lines) {
+                nothing_yet(lines);
+            }
+            return;
         };
         match self.page {
             ProgressPage::OverTime | ProgressPage::SureOverTime => {}
             ProgressPage::Topics => topics::table(history, book, lines),
             ProgressPage::Sure => sure::table(history, lines),
             ProgressPage::Beliefs => beliefs::table(history, lines),
-        }
-    }
-
-    /// What to say where there is nothing to be shown.
-    fn nothing(&self, lines: &mut Lines) {
-        match &self.history {
-            Recall::Asked(_) => lines.line("Looking …", Role::Dim),
-            Recall::Unknown(reason) => {
-                let message = format!("What you have done cannot be looked at: {reason}.");
-                lines.paragraph(&message, Role::Warn);
-            }
-            Recall::Known(_) => {
-                lines.paragraph(
-                    "Nothing here yet: every beginning is a clean board.",
-                    Role::Text,
-                );
-                lines.gap();
-                lines.paragraph(
-                    "Answer a few questions of the quiz, then come back. Here you will see \
-                     your answers come closer to the truth.",
-                    Role::Text,
-                );
-            }
         }
     }
 
@@ -166,6 +145,18 @@ impl Progress {
                 .picture
                 .draw(area, buf, look, |lines| self.table(&cx.book, lines)),
         }
+    }
+}
+
+/// What to say where nothing has been done.
+fn nothing_yet(lines: &mut Lines) {
+    for text in [
+        "Nothing here yet: every beginning is a clean board.",
+        "Answer a few questions of the quiz, then come back. Here you will see your answers \
+         come closer to the truth.",
+    ] {
+        lines.gap();
+        lines.paragraph(text, Role::Text);
     }
 }
 

@@ -29,19 +29,16 @@ pub(super) fn plot(history: &History, area: Rect, buf: &mut Buffer, look: Look) 
 pub(super) fn panel(history: &History, book: &Book, lines: &mut Lines) {
     let attempts = &history.attempts;
     let all = Tally::of(attempts);
-    let row = |lines: &mut Lines, name: &str, value: &str| {
-        lines.pair(name, value, Role::Dim, Role::Text);
-    };
-    row(lines, "answers", &all.attempts.to_string());
-    row(lines, "right", &percent(all.share_right()));
-    row(lines, "chapters done", &book.done());
+    lines.fact("answers", &all.attempts.to_string());
+    lines.fact("right", &percent(all.share_right()));
+    lines.fact("chapters done", &book.done());
     if let Some(error) = all.mean_error_deg() {
-        row(lines, "angles", &all.angles().to_string());
-        row(lines, "  mean error", &degrees(Some(error)));
+        lines.fact("angles", &all.angles().to_string());
+        lines.fact("  mean error", &degrees(Some(error)));
     }
     if let Some((first, last)) = ends_deg(attempts) {
-        row(lines, "  first ten", &degrees(Some(first)));
-        row(lines, "  last ten", &degrees(Some(last)));
+        lines.fact("  first ten", &degrees(Some(first)));
+        lines.fact("  last ten", &degrees(Some(last)));
         lines.gap();
         lines.paragraph(compared(first, last), Role::Text);
     }

@@ -1,7 +1,9 @@
 //! The pages of the screen.
 
+use strum::VariantArray;
+
 /// A page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum ProgressPage {
     /// How far off the answers were as time went by.
     OverTime,
@@ -16,13 +18,7 @@ pub(super) enum ProgressPage {
 }
 
 impl ProgressPage {
-    pub(super) const ALL: [Self; 5] = [
-        Self::OverTime,
-        Self::Topics,
-        Self::Sure,
-        Self::SureOverTime,
-        Self::Beliefs,
-    ];
+    pub(super) const ALL: &[Self] = Self::VARIANTS;
 
     /// The page so many after this one, round and round.
     pub(super) fn beside(self, steps: isize) -> Self {

@@ -58,7 +58,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         .filter(|it| it.is_surely_wrong())
         .count();
     if missed > 0 {
-        lines.pair("sure, but off", &missed.to_string(), Role::Dim, Role::Text);
+        lines.fact("sure, but off", &missed.to_string());
         lines.paragraph(
             "Each of these is a find: something you did not know you did not know.",
             Role::Text,

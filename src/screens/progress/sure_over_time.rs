@@ -32,7 +32,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
     lines.line("Right, of the last ten", Role::Title);
     for (confidence, shares) in Confidence::ALL.into_iter().zip(&shares).rev() {
         let now = percent(shares.last().map(|(_, share)| *share));
-        lines.pair(confidence.name(), &now, Role::Dim, Role::Text);
+        lines.fact(confidence.name(), &now);
     }
     lines.gap();
     lines.paragraph(

@@ -17,7 +17,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Confirmation, Context, Next, Place, Screen};
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
@@ -26,7 +26,7 @@ use crate::quiz::{
 };
 use crate::widgets::hit::{Overlays, Telling, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
-use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll, scroll_keys};
+use crate::widgets::{AnswerAction, AnswerInput, Lines, Outcome, Scroll, scroll_keys};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
@@ -72,10 +72,8 @@ pub(crate) struct Quiz {
 /// What one is doing in a round.
 #[derive(Debug, Clone)]
 enum QuizPhase {
-    /// Answering.
+    /// Answering, then saying how sure one is.
     Asked(Box<OpenQuestion>),
-    /// Saying how sure one is.
-    Confidence(Box<OpenQuestion>, Confidence),
     /// Watching what happens, if there is anything to be watched, and reading why.
     Watch(Box<AnsweredQuestion>),
     /// Looking back, with the mark at one question.
@@ -87,6 +85,8 @@ enum QuizPhase {
 struct OpenQuestion {
     question: Question,
     input: AnswerInput,
+    /// How sure the player is, from the answer on.
+    sure: Option<Confidence>,
 }
 
 /// A question and the answer to it.
@@ -127,6 +127,7 @@ impl Quiz {
             Some(question) => QuizPhase::Asked(Box::new(OpenQuestion {
                 question: question.clone(),
                 input: AnswerInput::new(&question.form),
+                sure: None,
             })),
             None => QuizPhase::Summary(ListView::default()),
         };
@@ -148,7 +149,7 @@ impl Quiz {
         match &self.phase {
             QuizPhase::Summary(_) => true,
             QuizPhase::Watch(watched) => watched.opened.is_some(),
-            QuizPhase::Asked(_) | QuizPhase::Confidence(..) => false,
+            QuizPhase::Asked(_) => false,
         }
     }
 
@@ -158,25 +159,24 @@ impl Quiz {
     }
 
     /// Takes the answer, if there is one, and shows what happens, or asks on.
-    fn answer(&mut self, asked: &OpenQuestion, confidence: Confidence, cx: &mut Context) {
+    fn answer(&mut self, confidence: Confidence, cx: &mut Context) {
+        let QuizPhase::Asked(asked) = &self.phase else {
+            return;
+        };
         let Some(said) = asked.input.said() else {
             return;
         };
+        let (question, code) = (asked.question.clone(), self.round.code());
         let answer = Answer::new(said, confidence);
         self.answers.push(answer);
-        let attempt = Attempt::of_quiz(
-            &cx.settings.player,
-            self.round.code(),
-            self.answers.len() as u32,
-            &asked.question,
-            &answer,
-        );
+        let number = self.answers.len() as u32;
+        let attempt = Attempt::of_quiz(&cx.settings.player, code, number, &question, &answer);
         // It is safe before the explanation is seen.
         cx.record(attempt);
         if self.tells_at_end() {
             return self.ask();
         }
-        let watched = AnsweredQuestion::new(asked.question.clone(), answer, self.layers, cx);
+        let watched = AnsweredQuestion::new(question, answer, self.layers, cx);
         self.enter(QuizPhase::Watch(Box::new(watched)));
     }
 
@@ -222,9 +222,8 @@ impl Quiz {
         let look = cx.settings.look();
         let text = view::text_area(self, cx.body);
         let row = view::first_line(self, text, look).saturating_add(at as u16);
-        self.scroll = self
-            .scroll
-            .show(row, text, look, |lines| view::write(self, lines, look));
+        let write = |lines: &mut Lines| view::write(self, lines, look);
+        self.scroll = self.scroll.show(row, text, look, write);
     }
 
     /// Plays another round of the same kind. What is due is another matter after every
@@ -245,7 +244,7 @@ impl Quiz {
     /// Number of the question at hand, from 1.
     fn number(&self) -> usize {
         match &self.phase {
-            QuizPhase::Asked(_) | QuizPhase::Confidence(..) => self.answers.len() + 1,
+            QuizPhase::Asked(_) => self.answers.len() + 1,
             QuizPhase::Watch(watched) => watched.opened.map_or(self.answers.len(), |at| at + 1),
             QuizPhase::Summary(_) => self.answers.len(),
         }
@@ -282,31 +281,16 @@ impl Quiz {
         }
     }
 
-    /// Takes what was said, and asks how sure the player is of it.
-    fn said(&mut self, outcome: Outcome) {
-        if let (Outcome::Done(()), QuizPhase::Asked(asked)) = (outcome, &self.phase) {
-            let asked = asked.clone();
-            self.enter(QuizPhase::Confidence(asked, Confidence::ThinkSo));
-        }
-    }
-
-    /// Takes how sure the player is.
-    fn sure(&mut self, confidence: Confidence, cx: &mut Context) {
-        if let QuizPhase::Confidence(asked, _) = &self.phase {
-            let asked = asked.clone();
-            self.answer(&asked, confidence, cx);
-        }
-    }
-
     /// Leaves the round: at once while nothing has been answered, else the player is asked.
     /// Whoever leaves an exam has yet to hear of what was answered.
     fn leave(&mut self, cx: &Context) -> Next {
+        if let QuizPhase::Asked(asked) = &mut self.phase
+            && asked.sure.take().is_some()
+        {
+            self.scroll = Scroll::default();
+            return Next::Stay;
+        }
         match &self.phase {
-            QuizPhase::Confidence(asked, _) => {
-                let asked = asked.clone();
-                self.enter(QuizPhase::Asked(asked));
-                Next::Stay
-            }
             QuizPhase::Watch(watched) if watched.opened.is_some() => {
                 self.layers = watched.telling.layers().unwrap_or(self.layers);
                 self.close(watched.opened.unwrap_or(0), cx);
@@ -319,18 +303,11 @@ impl Quiz {
                     1 => "Your answer is kept.".to_owned(),
                     count => format!("Your {count} answers are kept."),
                 };
-                Next::Confirm(match self.tells_at_end() {
-                    true => Confirmation::new(
-                        format!("End the exam and see what you answered? {kept}"),
-                        "end the exam",
-                        "stay",
-                    ),
-                    false => Confirmation::new(
-                        format!("Leave the round? {kept}"),
-                        "leave the round",
-                        "stay",
-                    ),
-                })
+                let (what, yes) = match self.tells_at_end() {
+                    true => ("End the exam and see what you answered?", "end the exam"),
+                    false => ("Leave the round?", "leave the round"),
+                };
+                Next::Confirm(Confirmation::new(format!("{what} {kept}"), yes, "stay"))
             }
         }
     }
@@ -338,84 +315,15 @@ impl Quiz {
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
         let area = view::text_area(self, cx.body);
-        self.scroll = self
-            .scroll
-            .by(rows, area, look, |lines| view::write(self, lines, look));
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let layout = view::layout(self, cx.body);
-        let cell = (mouse.column, mouse.row);
-        let on_picture = layout.picture.contains(cell.into());
-        let pressed = mouse.kind == MouseKind::Down;
-        let look = cx.settings.look();
-        let text = view::text_area(self, cx.body);
-        let wheel = match mouse.kind {
-            MouseKind::ScrollUp => Some(-1),
-            MouseKind::ScrollDown => Some(1),
-            _ => None,
-        };
-        match (&mut self.phase, wheel) {
-            (QuizPhase::Summary(_), _) => {
-                let line = view::line_at(self, cx.body, look, cell);
-                let QuizPhase::Summary(list) = &mut self.phase else {
-                    return Next::Ignored;
-                };
-                let count = self.answers.len();
-                match list.mouse(mouse, count, line) {
-                    Outcome::Ignored => return Next::Ignored,
-                    Outcome::Done(at) => self.open(at, cx),
-                    Outcome::Used => {
-                        let at = list.chosen(count);
-                        self.show_line(at, cx);
-                    }
-                }
-            }
-            (QuizPhase::Watch(watched), Some(by)) if on_picture => {
-                watched.telling.act(WatchAction::Step(-by));
-            }
-            (_, Some(by)) => self.scroll_by(by.into(), cx),
-            (QuizPhase::Asked(asked), None)
-                if on_picture && (pressed || mouse.kind == MouseKind::Drag) =>
-            {
-                let OpenQuestion { question, input } = &mut **asked;
-                if !input.point(question, layout.picture, cell, pressed) {
-                    return Next::Ignored;
-                }
-            }
-            (QuizPhase::Asked(asked), None) if pressed => {
-                let rows = self
-                    .scroll
-                    .rows(text, look, |lines| panel::asked(asked, lines));
-                let Some(choice) = panel::choice_at(asked, text, rows, cell, look) else {
-                    return Next::Ignored;
-                };
-                asked.input.act(AnswerAction::Choose(choice));
-            }
-            (QuizPhase::Confidence(..), None) if pressed => {
-                let Some(confidence) = panel::confidence_at(text, cell) else {
-                    return Next::Ignored;
-                };
-                self.sure(confidence, cx);
-            }
-            (QuizPhase::Watch(watched), None) if pressed && on_picture => {
-                if let Some(action) = watched.telling.keys().find(Key::Char(' ')) {
-                    watched.telling.act(action);
-                }
-            }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
+        let write = |lines: &mut Lines| view::write(self, lines, look);
+        self.scroll = self.scroll.by(rows, area, look, write);
     }
 }
 
 impl AnsweredQuestion {
     /// An answer just given. What was answered by shooting is what is watched.
     fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
-        let rays = match answer.said {
-            Response::Rays(rays) => Some(rays),
-            _ => None,
-        };
+        let rays = answer.said.rays();
         let reduced = cx.settings.reduced_motion;
         let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
         let (watch, remedy) = match (&question.form, answer.said) {
@@ -452,29 +360,18 @@ impl Screen for Quiz {
     }
 
     fn status(&self, _cx: &Context) -> String {
-        let place = match self.phase {
+        let count = self.round.questions().len();
+        let mut status = match self.phase {
             QuizPhase::Summary(_) if self.is_over() => "all answered".into(),
-            QuizPhase::Summary(_) => format!(
-                "{} of {} answered",
-                self.answers.len(),
-                self.round.questions().len()
-            ),
-            _ => format!(
-                "question {} of {}",
-                self.number(),
-                self.round.questions().len()
-            ),
+            QuizPhase::Summary(_) => format!("{} of {count} answered", self.answers.len()),
+            _ => format!("question {} of {count}", self.number()),
         };
-        let mut status = place;
         if !self.tells_at_end() || self.has_ended() {
             status += &format!("  {} points", numbers::points(self.summary().points()));
         }
         match &self.round.course().kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",
-            CourseKind::Review(due) => {
-                let asked = self.round.questions().len();
-                format!("{status}  review: {asked} of {} due", due.len())
-            }
+            CourseKind::Review(due) => format!("{status}  review: {count} of {} due", due.len()),
             _ => format!("{status}  code {}", self.round.code()),
         }
     }
@@ -487,7 +384,7 @@ impl Screen for Quiz {
         let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
         let pages = scroll_keys(Scroll);
         match &self.phase {
-            QuizPhase::Asked(asked) => {
+            QuizPhase::Asked(asked) if asked.sure.is_none() => {
                 let input = asked.input.keys();
                 // While a number is being typed, Escape gives that up.
                 let free = input.exact(Key::Escape).is_none();
@@ -496,7 +393,7 @@ impl Screen for Quiz {
                     .when(free)
                     .each(pages, "")
             }
-            QuizPhase::Confidence(asked, _) => {
+            QuizPhase::Asked(asked) => {
                 let sure = ('1'..)
                     .map(Key::Char)
                     .zip((0..Confidence::ALL.len()).map(Sure));
@@ -560,16 +457,19 @@ impl Screen for Quiz {
     fn act(&mut self, action: QuizAction, cx: &mut Context) -> Next {
         match (action, &mut self.phase) {
             (QuizAction::Answer(action), QuizPhase::Asked(asked)) => {
-                let outcome = asked.input.act(action);
-                self.said(outcome);
+                if let Outcome::Done(()) = asked.input.act(action) {
+                    asked.sure = Some(Confidence::ThinkSo);
+                    self.scroll = Scroll::default();
+                }
             }
-            (QuizAction::Sure(at), _) => self.sure(Confidence::ALL[at], cx),
-            (QuizAction::MoreSure(by), QuizPhase::Confidence(_, chosen)) => {
-                *chosen = beside(*chosen, by);
+            (QuizAction::Sure(at), _) => self.answer(Confidence::ALL[at], cx),
+            (QuizAction::MoreSure(by), QuizPhase::Asked(asked)) => {
+                asked.sure = asked.sure.map(|chosen| beside(chosen, by));
             }
-            (QuizAction::Take, QuizPhase::Confidence(_, chosen)) => {
-                let chosen = *chosen;
-                self.sure(chosen, cx);
+            (QuizAction::Take, QuizPhase::Asked(asked)) => {
+                if let Some(chosen) = asked.sure {
+                    self.answer(chosen, cx);
+                }
             }
             (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.telling.act(action),
             (QuizAction::GoOn, _) => self.go_on(cx),
@@ -590,18 +490,68 @@ impl Screen for Quiz {
         CHOOSE
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match input {
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
-            _ => Next::Ignored,
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let picture = view::layout(self, cx.body).picture;
+        let text = view::text_area(self, cx.body);
+        let look = cx.settings.look();
+        let cell = mouse.cell();
+        let on_picture = picture.contains(cell.into());
+        let pressed = mouse.kind == MouseKind::Down;
+        match (&mut self.phase, mouse.wheel()) {
+            (QuizPhase::Summary(list), _) => {
+                let mut moved = *list;
+                let count = self.answers.len();
+                let line = view::line_at(self, cx.body, look, cell);
+                match moved.mouse(mouse, count, line) {
+                    Outcome::Ignored => return Next::Ignored,
+                    Outcome::Done(at) => self.open(at, cx),
+                    Outcome::Used => {
+                        self.phase = QuizPhase::Summary(moved);
+                        self.show_line(moved.chosen(count), cx);
+                    }
+                }
+            }
+            (QuizPhase::Watch(watched), Some(by)) if on_picture => {
+                watched.telling.act(WatchAction::Step(by));
+            }
+            (_, Some(by)) => self.scroll_by(-i16::from(by), cx),
+            (QuizPhase::Asked(asked), None) if asked.sure.is_some() => {
+                let Some(confidence) = panel::confidence_at(text, cell).filter(|_| pressed) else {
+                    return Next::Ignored;
+                };
+                self.answer(confidence, cx);
+            }
+            (QuizPhase::Asked(asked), None) if on_picture && mouse.is_held() => {
+                let OpenQuestion {
+                    question, input, ..
+                } = &mut **asked;
+                if !input.point(question, picture, cell, pressed) {
+                    return Next::Ignored;
+                }
+            }
+            (QuizPhase::Asked(asked), None) if pressed => {
+                let rows = self
+                    .scroll
+                    .rows(text, look, |lines| panel::asked(asked, lines));
+                let Some(choice) = panel::choice_at(asked, text, rows, cell, look) else {
+                    return Next::Ignored;
+                };
+                asked.input.act(AnswerAction::Choose(choice));
+            }
+            (QuizPhase::Watch(watched), None) if pressed && on_picture => {
+                if let Some(action) = watched.telling.keys().find(Key::Char(' ')) {
+                    watched.telling.act(action);
+                }
+            }
+            _ => return Next::Ignored,
         }
+        Next::Stay
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
         if let QuizPhase::Watch(watched) = &mut self.phase {
             watched.telling.advance(passed);
         }
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

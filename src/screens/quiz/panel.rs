@@ -5,7 +5,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{AnsweredQuestion, OpenQuestion};
-use crate::numbers;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::panels::said_and_true;
@@ -166,7 +165,8 @@ pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Chars
         lines.paragraph(again, Role::Dim);
         lines.gap();
     }
-    points(&grade, lines);
+    let role = if grade.right { Role::Good } else { Role::Text };
+    lines.pair(&grade.score(), grade.confidence.name(), role, Role::Dim);
     if credit {
         credit_bar(&grade, lines, charset);
     }
@@ -188,16 +188,6 @@ pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Chars
         };
         lines.line(next, Role::Key);
     }
-}
-
-fn points(grade: &Grade, lines: &mut Lines) {
-    let points = format!(
-        "{} of {:.0} points",
-        numbers::points(grade.points()),
-        Grade::MOST
-    );
-    let role = if grade.right { Role::Good } else { Role::Text };
-    lines.pair(&points, grade.confidence.name(), role, Role::Dim);
 }
 
 fn credit_bar(grade: &Grade, lines: &mut Lines, charset: Charset) {

@@ -69,13 +69,7 @@ fn for_a_friend(code: &Code) -> Option<String> {
 }
 
 fn score(summary: &Summary) -> String {
-    let mut text = format!(
-        "{} of {:.0} points, {} of {} right",
-        numbers::points(summary.points()),
-        summary.most(),
-        summary.right(),
-        summary.lines.len()
-    );
+    let mut text = summary.score();
     if let Some(error) = summary.mean_error() {
         text += &format!(
             ", mean error {} of {} angles",
@@ -89,12 +83,7 @@ fn score(summary: &Summary) -> String {
 /// What follows from the round, a paragraph each.
 fn closing(summary: &Summary) -> Vec<String> {
     let mut closing = vec![summary.calibration_words()];
-    if let Some((misconception, count)) = summary.most_held() {
-        closing.push(match count {
-            1 => format!("Once it looked like this: {}.", misconception.name()),
-            _ => format!("Most often, {count} times: {}.", misconception.name()),
-        });
-    }
+    closing.extend(summary.held_words());
     closing.push(summary.advice());
     closing
 }

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::*;
+use crate::messages::Input;
 use crate::physics::rutherford::Rutherford;
 use crate::physics::{Collision, Disc};
 use crate::quiz::{AimTask, Illustration, Markings, Measure, Ray};
@@ -39,6 +40,7 @@ impl TestRound {
         quiz.enter(QuizPhase::Asked(Box::new(OpenQuestion {
             input: AnswerInput::new(&question.form),
             question,
+            sure: None,
         })));
         let settings = Settings {
             reduced_motion: true,

@@ -8,19 +8,14 @@ use crate::physics::Frame;
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Look, SplitLayout, draw_question};
+use crate::widgets::{Lines, Look, SplitLayout, areas, draw_question};
 
 /// Columns of the look back at most, with its frame.
 const WIDEST: u16 = 108;
 
 /// The frame of the look back.
 fn summary_frame(area: Rect) -> Rect {
-    let width = area.width.min(WIDEST);
-    Rect {
-        x: area.x + (area.width - width) / 2,
-        width,
-        ..area
-    }
+    areas::middle(area, WIDEST)
 }
 
 /// Where picture and panel are: the panel alone for what is asked in words.
@@ -34,7 +29,7 @@ pub(super) fn layout(quiz: &Quiz, area: Rect) -> SplitLayout {
 /// The question at hand.
 fn question(quiz: &Quiz) -> Option<&Question> {
     match &quiz.phase {
-        QuizPhase::Asked(asked) | QuizPhase::Confidence(asked, _) => Some(&asked.question),
+        QuizPhase::Asked(asked) => Some(&asked.question),
         QuizPhase::Watch(watched) => Some(&watched.question),
         QuizPhase::Summary(_) => None,
     }
@@ -51,10 +46,10 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
 /// Writes the text of the phase at hand.
 pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
     match &quiz.phase {
-        QuizPhase::Asked(asked) => panel::asked(asked, lines),
-        QuizPhase::Confidence(asked, chosen) => {
-            panel::confidence(asked, *chosen, quiz.tells_at_end(), lines);
-        }
+        QuizPhase::Asked(asked) => match asked.sure {
+            None => panel::asked(asked, lines),
+            Some(chosen) => panel::confidence(asked, chosen, quiz.tells_at_end(), lines),
+        },
         QuizPhase::Watch(watched) if watched.telling.is_told() => {
             panel::told(watched, lines, look.charset);
         }
@@ -70,7 +65,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
     let layout = layout(quiz, area);
     match &quiz.phase {
-        QuizPhase::Asked(asked) | QuizPhase::Confidence(asked, _) => {
+        QuizPhase::Asked(asked) => {
             let title = asked.question.family.name();
             draw_frames(&layout, buf, &look, title, "say it first");
             draw_question(

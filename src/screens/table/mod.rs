@@ -150,11 +150,10 @@ impl Screen for Table {
         }
     }
 
-    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let TablePage::Playing(game) = &mut self.page {
             game.advance(passed, cx);
         }
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

@@ -2,20 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use super::answering::{self, skipped};
 use super::number::number;
 use super::recorder::Recorder;
 use super::spoken::{sentence, unit_name, verbatim};
-use super::talk::{Leave, Prompt, Talk};
-use super::{figure, formula};
+use super::talk::{Leave, Talk};
+use super::{answering, figure, formula};
 use crate::lessons::{
-    Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointAnswer, CheckpointKind,
-    GivenAnswer, Inline, TextBlock, Tone,
+    Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointKind, Inline, TextBlock,
+    Tone,
 };
 use crate::messages::{StoreReply, StoreRequest};
-use crate::physics::Collision;
+use crate::numbers::with_unit;
+use crate::physics::{Collision, worked};
 use crate::quiz::{Rays, Response};
 use crate::screens::{learn::attempt, why};
+use crate::widgets::hit::side;
 
 /// What may be said between two pages.
 const MOVES: &str = "Enter or next for the next page, back for the one before, contents for the \
@@ -26,11 +27,11 @@ const MOVES: &str = "Enter or next for the next page, back for the one before, c
 /// # Errors
 /// If the player quits, or nothing more is to be heard: the place is kept.
 pub fn learn(
-    talk: &mut Talk,
     recorder: &mut Recorder,
     library: &ChapterLibrary,
     chapter: Option<usize>,
 ) -> Result<(), Leave> {
+    let talk = &mut *recorder.talk;
     talk.say("carrom, the lessons. Type help at any time, and quit to leave.")?;
     for fault in &library.problems {
         talk.say(&format!("Left out: {}", verbatim(&fault.to_string())))?;
@@ -39,10 +40,10 @@ pub fn learn(
     loop {
         let at = match chosen.take() {
             Some(at) => at,
-            None => contents(talk, recorder, library)?,
+            None => contents(recorder, library)?,
         };
         if let Some(chapter) = library.chapters.get(at)
-            && read(talk, recorder, chapter)?
+            && read(recorder, chapter)?
         {
             chosen = Some(at + 1).filter(|next| *next < library.chapters.len());
         }
@@ -50,35 +51,24 @@ pub fn learn(
 }
 
 /// Asks which chapter it shall be.
-fn contents(
-    talk: &mut Talk,
-    recorder: &mut Recorder,
-    library: &ChapterLibrary,
-) -> Result<usize, Leave> {
-    let marks = marks(talk, recorder)?;
-    let mut lines = vec!["The chapters.".to_owned()];
-    for (number, chapter) in (1..).zip(&library.chapters) {
+fn contents(recorder: &mut Recorder, library: &ChapterLibrary) -> Result<usize, Leave> {
+    let marks = marks(recorder)?;
+    let mut lead = vec!["The chapters.".to_owned()];
+    lead.extend((1..).zip(&library.chapters).map(|(number, chapter)| {
+        let title = sentence(&chapter.title);
         let read = match marks.get(&chapter.id) {
             Some(mark) if mark.is_done(chapter) => " Done.".to_owned(),
-            Some(mark) => format!(
-                " {} of {} pages read.",
-                mark.seen(chapter),
-                chapter.pages.len()
-            ),
+            Some(mark) => {
+                let seen = mark.seen(chapter);
+                format!(" {seen} of {} pages read.", chapter.pages.len())
+            }
             None => String::new(),
         };
-        lines.push(format!(
-            "{number}: {} {}{read}",
-            sentence(&chapter.title),
-            chapter.about
-        ));
-    }
-    lines.push("Which one? Type its number.".into());
-    let asked = Prompt {
-        lines: &lines,
-        help: "Type the number of a chapter. It opens at the page where you left it.",
-    };
-    talk.ask_for(&asked, |heard| {
+        format!("{number}: {title} {}{read}", chapter.about)
+    }));
+    let asked = "Which one? Type its number.";
+    let help = "Type the number of a chapter. It opens at the page where you left it.";
+    recorder.talk.ask_for(&lead, asked, help, |heard| {
         let number: Option<usize> = heard.parse().ok();
         let at = number.and_then(|number| number.checked_sub(1));
         at.filter(|at| *at < library.chapters.len())
@@ -87,54 +77,43 @@ fn contents(
 }
 
 /// The player's bookmarks; none where they cannot be looked up.
-fn marks(talk: &mut Talk, recorder: &mut Recorder) -> Result<BTreeMap<String, Bookmark>, Leave> {
+fn marks(recorder: &mut Recorder) -> Result<BTreeMap<String, Bookmark>, Leave> {
     let player = recorder.player.to_owned();
-    Ok(match recorder.wish(talk, StoreRequest::Marks(player))? {
+    Ok(match recorder.wish(StoreRequest::Marks(player))? {
         StoreReply::Marks(Ok(marks)) => marks,
         _ => BTreeMap::new(),
     })
 }
 
 /// Reads a chapter from where it was left; whether to its end.
-fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
-    let marks = marks(talk, recorder)?;
+fn read(recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
+    let marks = marks(recorder)?;
     let mut at = marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter));
-    talk.say(&format!(
-        "Chapter {}: {}",
-        chapter.number,
-        sentence(&chapter.title)
-    ))?;
+    let title = sentence(&chapter.title);
+    let opening = format!("Chapter {}: {title}", chapter.number);
+    recorder.talk.say(&opening)?;
     let mut shown = ShownPage::default();
     while let Some(page) = chapter.pages.get(at) {
-        mark(talk, recorder, chapter, Bookmark::at(page))?;
-        talk.say(&format!(
-            "Page {} of {}: {}",
-            at + 1,
-            chapter.pages.len(),
-            sentence(&page.title)
-        ))?;
+        mark(recorder, chapter, Bookmark::at(page))?;
+        let (title, count) = (sentence(&page.title), chapter.pages.len());
+        let heading = format!("Page {} of {count}: {title}", at + 1);
+        recorder.talk.say(&heading)?;
         let collision = page.figure.map(|figure| figure.shot.collision());
         let figure = collision.as_ref();
-        for line in texts(&page.text, figure) {
-            talk.say(&line)?;
-        }
-        shown.open(talk, figure::describe(chapter, at, false))?;
+        recorder.talk.say_all(texts(&page.text, figure))?;
+        shown.open(recorder.talk, figure::describe(chapter, at, false))?;
         if let Some(checkpoint) = &page.checkpoint
-            && ask(talk, recorder, chapter, (at, page), checkpoint, figure)?
+            && ask(recorder, chapter, (at, page), checkpoint, figure)?
         {
-            shown.add(talk, figure::describe(chapter, at, true))?;
+            shown.add(recorder.talk, figure::describe(chapter, at, true))?;
         }
-        let asked = Prompt {
-            lines: &["Next?".to_owned()],
-            help: MOVES,
-        };
-        let next = talk.ask_for(&asked, |heard| match heard.to_lowercase().as_str() {
+        let moved = |heard: &str| match heard.to_lowercase().as_str() {
             "" | "next" | "n" => Ok(Some(at + 1)),
             "back" | "b" => Ok(Some(at.saturating_sub(1))),
             "contents" | "c" => Ok(None),
             _ => Err(MOVES.to_owned()),
-        })?;
-        let Some(next) = next else {
+        };
+        let Some(next) = recorder.talk.ask_for(&[], "Next?", MOVES, moved)? else {
             return Ok(false);
         };
         if next <= at {
@@ -142,10 +121,10 @@ fn read(talk: &mut Talk, recorder: &mut Recorder, chapter: &Chapter) -> Result<b
         }
         at = next;
     }
-    talk.say("That is the end of the chapter.")?;
+    recorder.talk.say("That is the end of the chapter.")?;
     // It is opened at its beginning the next time.
     if let Some(first) = chapter.pages.first() {
-        mark(talk, recorder, chapter, Bookmark::at(first))?;
+        mark(recorder, chapter, Bookmark::at(first))?;
     }
     Ok(true)
 }
@@ -177,24 +156,17 @@ impl ShownPage {
     }
 }
 
-fn mark(
-    talk: &mut Talk,
-    recorder: &mut Recorder,
-    chapter: &Chapter,
-    later: Bookmark,
-) -> Result<(), Leave> {
-    let wish = StoreRequest::Mark {
+fn mark(recorder: &mut Recorder, chapter: &Chapter, later: Bookmark) -> Result<(), Leave> {
+    recorder.wish(StoreRequest::Mark {
         player: recorder.player.to_owned(),
         chapter: chapter.id.clone(),
         later: Box::new(later),
-    };
-    recorder.wish(talk, wish)?;
+    })?;
     Ok(())
 }
 
 /// Asks what a page asks, keeps the answer, and says how it is; whether there was one.
 fn ask(
-    talk: &mut Talk,
     recorder: &mut Recorder,
     chapter: &Chapter,
     (at, page): (usize, &ChapterPage),
@@ -202,25 +174,17 @@ fn ask(
     figure: Option<&Collision>,
 ) -> Result<bool, Leave> {
     let question = texts(&checkpoint.question, figure);
-    let Some(answer) = hear(talk, &question, checkpoint, figure)? else {
-        talk.say("Left open.")?;
+    let Some(answer) = hear(recorder.talk, &question, checkpoint, figure)? else {
+        recorder.talk.say("Left open.")?;
         return Ok(false);
     };
-    let right = answer.is_right(checkpoint, figure);
     let attempt = attempt(recorder.player, chapter, at, &answer, checkpoint, figure);
-    recorder.record(talk, attempt)?;
-    let given = GivenAnswer {
-        asked: checkpoint.written.clone(),
-        answer,
-        right,
-    };
-    let mut later = Bookmark::at(page);
-    later.pages.insert(page.title.clone(), Some(given));
-    mark(talk, recorder, chapter, later)?;
-    tell(talk, &answer, right, checkpoint, figure)?;
-    for line in texts(&checkpoint.after, figure) {
-        talk.say(&line)?;
-    }
+    let right = attempt.right;
+    recorder.record(attempt)?;
+    let later = Bookmark::answering(page, checkpoint, answer, right);
+    mark(recorder, chapter, later)?;
+    tell(recorder.talk, &answer, right, checkpoint, figure)?;
+    recorder.talk.say_all(texts(&checkpoint.after, figure))?;
     Ok(true)
 }
 
@@ -230,37 +194,23 @@ fn hear(
     question: &[String],
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
-) -> Result<Option<CheckpointAnswer>, Leave> {
+) -> Result<Option<Response>, Leave> {
     match &checkpoint.asked {
-        CheckpointKind::Rays => {
-            let side = match figure.map(|collision| collision.offset) {
-                Some(offset) if offset < 0.0 => -1.0,
-                _ => 1.0,
-            };
-            let said = answering::rays(talk, question, side, "coin")?;
-            Ok(said.and_then(|said| match said {
-                Response::Rays(rays) => Some(CheckpointAnswer::Rays(rays)),
-                _ => None,
-            }))
-        }
+        CheckpointKind::Rays => answering::rays(talk, question, figure.map_or(1.0, side), "coin"),
         CheckpointKind::Number { expected, .. } => {
             let (_, unit) = expected.sign_and_unit();
-            let line = match unit {
+            let asked = match unit {
                 "" => "Your answer?".to_owned(),
                 unit => format!("Your answer in {}?", unit_name(unit)),
             };
-            let lines = [question, &[line]].concat();
-            let asked = Prompt {
-                lines: &lines,
-                help: "Type a number. Type skip to leave it open.",
-            };
-            let read = |heard: &str| skipped(heard, |heard| number(heard, unit, -1e9, 1e9));
-            Ok(talk.ask_for(&asked, read)?.map(CheckpointAnswer::Number))
+            let help = "Type a number. Type skip to leave it open.";
+            let read = |heard: &str| number(heard, unit, -1e9, 1e9);
+            let said = talk.ask_or_skip(question, &asked, help, read)?;
+            Ok(said.map(Response::Number))
         }
         CheckpointKind::Choice(choices) => {
             let texts: Vec<_> = choices.iter().map(|it| pieces(&it.text, figure)).collect();
-            let chosen = answering::choose(talk, question, &texts)?;
-            Ok(chosen.map(CheckpointAnswer::Choice))
+            answering::choose(talk, question, &texts)
         }
     }
 }
@@ -268,49 +218,34 @@ fn hear(
 /// Says how an answer was.
 fn tell(
     talk: &mut Talk,
-    answer: &CheckpointAnswer,
+    answer: &Response,
     right: bool,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<(), Leave> {
     talk.say(if right { "Right." } else { "Not quite." })?;
     match (answer, &checkpoint.asked) {
-        (CheckpointAnswer::Rays(rays), CheckpointKind::Rays) => {
+        (Response::Rays(rays), CheckpointKind::Rays) => {
             let Some(collision) = figure else {
                 return Ok(());
             };
             let truth = Rays::from(&collision.outcome());
-            for (name, rays) in [("You said", rays), ("It is", &truth)] {
-                let [striker, coin] = [
-                    crate::quiz::Ray::Striker.words(rays.striker),
-                    crate::quiz::Ray::Target.words(rays.target),
-                ];
-                talk.say(&format!("{name}: striker {striker}, coin {coin}."))?;
-            }
+            talk.say(&format!("You said: {}.", rays.words("coin")))?;
+            talk.say(&format!("It is: {}.", truth.words("coin")))?;
             let (title, text) = why::of_impact(collision, Some(*rays));
             if !right && !title.is_empty() {
                 talk.say(&format!("It looks like this: {}", sentence(&title)))?;
             }
             talk.say(&text)
         }
-        (CheckpointAnswer::Number(_), CheckpointKind::Number { expected, .. }) => {
-            match expected.value(figure) {
-                Some(truth) => {
-                    let (_, unit) = expected.sign_and_unit();
-                    let truth = crate::physics::worked::number(truth);
-                    let gap = if unit == "°" { "" } else { " " };
-                    talk.say(&format!(
-                        "It is {}.",
-                        format!("{truth}{gap}{unit}").trim_end()
-                    ))
-                }
-                None => Ok(()),
-            }
+        (Response::Number(_), CheckpointKind::Number { expected, .. }) => {
+            let (_, unit) = expected.sign_and_unit();
+            let truth = expected.value(figure).map(worked::number);
+            talk.say_all(truth.map(|truth| format!("It is {}.", with_unit(&truth, unit))))
         }
-        (CheckpointAnswer::Choice(chosen), CheckpointKind::Choice(choices)) => {
-            if let Some(chosen) = choices.get(*chosen) {
-                talk.say(&pieces(&chosen.why, figure))?;
-            }
+        (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
+            let chosen = choices.get(*chosen);
+            talk.say_all(chosen.map(|chosen| pieces(&chosen.why, figure)))?;
             match choices.iter().find(|choice| choice.right) {
                 Some(true_one) if !right => {
                     talk.say(&format!("It is: {}", pieces(&true_one.text, figure)))?;
@@ -325,27 +260,23 @@ fn tell(
 
 /// Blocks of text, a line each.
 fn texts(blocks: &[TextBlock], figure: Option<&Collision>) -> Vec<String> {
-    blocks
-        .iter()
-        .map(|block| match block {
-            TextBlock::Paragraph(text) => pieces(text, figure),
-            TextBlock::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
-            TextBlock::Item(None, text) => format!("Item: {}", pieces(text, figure)),
-            TextBlock::Formula(written) => format!("Formula: {}", formula::aloud(written)),
-        })
-        .collect()
+    let line = |block: &TextBlock| match block {
+        TextBlock::Paragraph(text) => pieces(text, figure),
+        TextBlock::Item(Some(number), text) => format!("{number}: {}", pieces(text, figure)),
+        TextBlock::Item(None, text) => format!("Item: {}", pieces(text, figure)),
+        TextBlock::Formula(written) => format!("Formula: {}", formula::aloud(written)),
+    };
+    blocks.iter().map(line).collect()
 }
 
 fn pieces(pieces: &[Inline], figure: Option<&Collision>) -> String {
-    pieces
-        .iter()
-        .map(|piece| match piece {
-            Inline::Text(key, Tone::Key) => verbatim(key),
-            Inline::Text(text, _) => text.clone(),
-            Inline::Formula(written) => formula::aloud(written),
-            Inline::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
-        })
-        .collect()
+    let words = |piece: &Inline| match piece {
+        Inline::Text(key, Tone::Key) => verbatim(key),
+        Inline::Text(text, _) => text.clone(),
+        Inline::Formula(written) => formula::aloud(written),
+        Inline::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
+    };
+    pieces.iter().map(words).collect()
 }
 
 #[cfg(test)]

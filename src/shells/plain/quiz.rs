@@ -6,9 +6,8 @@ use super::answering::{answer, confidence};
 use super::picture::describe;
 use super::recorder::Recorder;
 use super::spoken::{sentence, verbatim};
-use super::talk::{Leave, Prompt, Talk};
+use super::talk::{Leave, Talk};
 use crate::messages::{StoreReply, StoreRequest};
-use crate::numbers;
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
@@ -21,35 +20,28 @@ use crate::quiz::{
 /// # Errors
 /// If the player quits, or nothing more is to be heard: what was answered is kept.
 pub fn quiz(
-    talk: &mut Talk,
     recorder: &mut Recorder,
     code: Option<Code>,
     seed: u64,
     own: &Arc<Library>,
 ) -> Result<(), Leave> {
-    talk.say("carrom, the quiz. Type help at any question, and quit to leave.")?;
+    let greeting = "carrom, the quiz. Type help at any question, and quit to leave.";
+    recorder.talk.say(greeting)?;
     let round = match code {
         Some(code) => Round::of(code),
-        None => choose(talk, recorder, seed, own)?,
+        None => choose(recorder, seed, own)?,
     };
-    play(talk, recorder, &round)
+    play(recorder, &round)
 }
 
 /// Asks which round it shall be.
-fn choose(
-    talk: &mut Talk,
-    recorder: &mut Recorder,
-    seed: u64,
-    own: &Arc<Library>,
-) -> Result<Round, Leave> {
-    let due = due(talk, recorder)?;
-    let mut kinds: Vec<(String, CourseKind)> = CourseKind::ALWAYS
-        .into_iter()
-        .map(|kind| {
-            let about = format!("{}, {} questions", kind.name(), kind.length());
-            (about, kind)
-        })
-        .collect();
+fn choose(recorder: &mut Recorder, seed: u64, own: &Arc<Library>) -> Result<Round, Leave> {
+    let due = due(recorder)?;
+    let always = CourseKind::ALWAYS.map(|kind| {
+        let about = format!("{}, {} questions", kind.name(), kind.length());
+        (about, kind)
+    });
+    let mut kinds = always.to_vec();
     if let Some(review) = due.course() {
         let first: Vec<_> = due.first().iter().map(Topic::name).collect();
         let all = due.now.len();
@@ -67,21 +59,17 @@ fn choose(
         let about = format!("topic: {}", family.name());
         kinds.push((about, CourseKind::Topic(family)));
     }
-    let mut lines = vec!["Which round?".to_owned()];
+    let mut lead = vec!["Which round?".to_owned()];
     let each = (1..).zip(&kinds);
-    lines.extend(each.map(|(number, (about, _))| format!("{number}: {}", sentence(about))));
-    let left_out = own.problems.iter();
-    lines.extend(left_out.map(|problem| {
+    lead.extend(each.map(|(number, (about, _))| format!("{number}: {}", sentence(about))));
+    lead.extend(own.problems.iter().map(|problem| {
         let problem = verbatim(&problem.to_string());
         format!("Left out of your own questions: {problem}.")
     }));
-    lines.push("Type its number, or the code of a round, such as mixed-7.".into());
-    let asked = Prompt {
-        lines: &lines,
-        help: "Mixing the kinds of question feels harder than one kind at a time, and it is what \
-               makes them stay.",
-    };
-    talk.ask_for(&asked, |heard| {
+    let asked = "Type its number, or the code of a round, such as mixed-7.";
+    let help = "Mixing the kinds of question feels harder than one kind at a time, and it is what \
+                makes them stay.";
+    recorder.talk.ask_for(&lead, asked, help, |heard| {
         let number: Option<usize> = heard.parse().ok();
         let chosen = number.and_then(|number| kinds.get(number.checked_sub(1)?));
         if let Some((_, kind)) = chosen {
@@ -98,35 +86,34 @@ fn choose(
 }
 
 /// What is due for this player.
-fn due(talk: &mut Talk, recorder: &mut Recorder) -> Result<Due, Leave> {
+fn due(recorder: &mut Recorder) -> Result<Due, Leave> {
     let player = recorder.player.to_owned();
-    match recorder.wish(talk, StoreRequest::Recall(Some(player)))? {
+    match recorder.wish(StoreRequest::Recall(Some(player)))? {
         StoreReply::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, &history.calendar)),
         _ => Ok(Due::default()),
     }
 }
 
 /// Plays a round to its end.
-fn play(talk: &mut Talk, recorder: &mut Recorder, round: &Round) -> Result<(), Leave> {
+fn play(recorder: &mut Recorder, round: &Round) -> Result<(), Leave> {
     let at_end = round.course().tells_at_end();
     let mut answered: Vec<(&Question, Answer)> = Vec::new();
-    let outcome = (1..)
-        .zip(round.questions())
-        .try_for_each(|(number, question)| {
-            let lines = asking(round, number, question);
-            let Some(said) = answer(talk, &lines, &question.form)? else {
-                return talk.say("Left open.");
-            };
-            let answer = Answer::new(said, confidence(talk)?);
-            let attempt =
-                Attempt::of_quiz(recorder.player, round.code(), number, question, &answer);
-            recorder.record(talk, attempt)?;
-            answered.push((question, answer));
-            match at_end {
-                true => talk.say("Noted."),
-                false => tell(talk, question, &answer),
-            }
-        });
+    let mut each = (1..).zip(round.questions());
+    let outcome = each.try_for_each(|(number, question)| {
+        let lines = asking(round, number, question);
+        let Some(said) = answer(recorder.talk, &lines, &question.form)? else {
+            return recorder.talk.say("Left open.");
+        };
+        let answer = Answer::new(said, confidence(recorder.talk)?);
+        let attempt = Attempt::of_quiz(recorder.player, round.code(), number, question, &answer);
+        recorder.record(attempt)?;
+        answered.push((question, answer));
+        match at_end {
+            true => recorder.talk.say("Noted."),
+            false => tell(recorder.talk, question, &answer),
+        }
+    });
+    let talk = &mut *recorder.talk;
     // Whoever leaves an exam hears of what was answered, too.
     if at_end && !matches!(outcome, Err(Leave::Failed(_))) {
         for (number, (question, answer)) in (1..).zip(&answered) {
@@ -162,55 +149,28 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
     let grade = Grade::new(question, answer);
     let explanation = explain(question, answer);
     let form = &question.form;
+    let title = sentence(explanation.title);
     let verdict = match explanation.diagnosis {
         None if grade.right => "Right.".to_owned(),
-        Some(_) => format!(
-            "Not quite. It looks like this: {}",
-            sentence(explanation.title)
-        ),
-        None => format!("Not quite: {}", sentence(explanation.title)),
+        Some(_) => format!("Not quite. It looks like this: {title}"),
+        None => format!("Not quite: {title}"),
     };
-    talk.say(&verdict)?;
-    talk.say(&format!(
-        "You said: {}",
-        sentence(&form.words(&answer.said))
-    ))?;
-    talk.say(&format!("It is: {}", sentence(&form.words(&form.truth()))))?;
-    talk.say(&explanation.text)?;
-    talk.say(&format!(
-        "{} of {:.0} points.",
-        numbers::points(grade.points()),
-        Grade::MOST
-    ))
+    talk.say_all([
+        verdict,
+        format!("You said: {}", sentence(&form.words(&answer.said))),
+        format!("It is: {}", sentence(&form.words(&form.truth()))),
+        explanation.text,
+        format!("{}.", grade.score()),
+    ])
 }
 
 /// Looks back over what was answered.
 fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> Result<(), Leave> {
-    let summary = Summary::new(
-        answered
-            .iter()
-            .map(|(question, answer)| (*question, answer)),
-    );
-    talk.say(&format!(
-        "Your round: {} of {:.0} points, {} of {} right.",
-        numbers::points(summary.points()),
-        summary.most(),
-        summary.right(),
-        summary.lines.len()
-    ))?;
+    let each = answered.iter();
+    let summary = Summary::new(each.map(|(question, answer)| (*question, answer)));
+    talk.say(&format!("Your round: {}.", summary.score()))?;
     talk.say(&summary.calibration_words())?;
-    if let Some((misconception, count)) = summary.most_held() {
-        talk.say(&match count {
-            1 => format!(
-                "Once it looked like this: {}",
-                sentence(misconception.name())
-            ),
-            _ => format!(
-                "Most often, {count} times: {}",
-                sentence(misconception.name())
-            ),
-        })?;
-    }
+    talk.say_all(summary.held_words())?;
     talk.say(&summary.advice())?;
     match round.course().kind {
         CourseKind::Review(_) | CourseKind::Own(_) => Ok(()),

@@ -6,8 +6,10 @@ use crate::messages::{StoreCall, StoreReply, StoreRequest};
 use crate::progress::Attempt;
 use crate::store::Store;
 
-/// Who plays, and where what is answered is kept.
-pub struct Recorder<'a> {
+/// Who plays, how one talks with them, and where what is answered is kept.
+pub struct Recorder<'a, 't> {
+    /// The talk.
+    pub(super) talk: &'a mut Talk<'t>,
     /// The name of the player.
     pub player: &'a str,
     /// Where it is kept.
@@ -18,10 +20,11 @@ pub struct Recorder<'a> {
     lost: usize,
 }
 
-impl<'a> Recorder<'a> {
-    /// Keeps what this player does.
-    pub fn new(player: &'a str, store: &'a mut Store) -> Self {
+impl<'a, 't> Recorder<'a, 't> {
+    /// Keeps what this player does, who is talked with so.
+    pub fn new(talk: &'a mut Talk<'t>, player: &'a str, store: &'a mut Store) -> Self {
         Self {
+            talk,
             player,
             store,
             complained: false,
@@ -30,36 +33,32 @@ impl<'a> Recorder<'a> {
     }
 
     /// Asks the store, and says what is wrong with it, its reasons once.
-    pub(super) fn wish(
-        &mut self,
-        talk: &mut Talk,
-        wish: StoreRequest,
-    ) -> Result<StoreReply, Leave> {
+    pub(super) fn wish(&mut self, wish: StoreRequest) -> Result<StoreReply, Leave> {
         let answer = self.store.answer(&StoreCall { ticket: 0, wish });
         if let Some(notice) = answer.notice {
-            talk.say(&verbatim(&notice))?;
+            self.talk.say(&verbatim(&notice))?;
         }
         if let StoreReply::Noted(Err(reason)) = &answer.done
             && !std::mem::replace(&mut self.complained, true)
         {
             let reason = verbatim(reason);
-            talk.say(&format!("What you do cannot be kept: {reason}."))?;
+            self.talk
+                .say(&format!("What you do cannot be kept: {reason}."))?;
         }
         Ok(answer.done)
     }
 
     /// Keeps an answer, before anything is said about it. Each one that is lost is told.
-    pub(super) fn record(&mut self, talk: &mut Talk, attempt: Attempt) -> Result<(), Leave> {
-        if let StoreReply::Noted(Err(_)) =
-            self.wish(talk, StoreRequest::Record(Box::new(attempt)))?
-        {
-            self.lost += 1;
-            talk.say(&match self.lost {
-                1 => "This answer is not kept.".to_owned(),
-                lost => format!("This answer is not kept either: {lost} are lost by now."),
-            })?;
+    pub(super) fn record(&mut self, attempt: Attempt) -> Result<(), Leave> {
+        let kept = self.wish(StoreRequest::Record(Box::new(attempt)))?;
+        if !matches!(kept, StoreReply::Noted(Err(_))) {
+            return Ok(());
         }
-        Ok(())
+        self.lost += 1;
+        self.talk.say(&match self.lost {
+            1 => "This answer is not kept.".to_owned(),
+            lost => format!("This answer is not kept either: {lost} are lost by now."),
+        })
     }
 }
 
@@ -75,11 +74,11 @@ mod tests {
         let answer = Answer::new(question.form.truth(), Confidence::Sure);
         let (mut input, mut output) = (&b""[..], Vec::new());
         let mut store = Store::nowhere();
-        let mut recorder = Recorder::new("Ada", &mut store);
         let mut talk = Talk::new(&mut input, &mut output);
+        let mut recorder = Recorder::new(&mut talk, "Ada", &mut store);
         for number in 1..=3 {
             let attempt = Attempt::of_quiz("Ada", round.code(), number, question, &answer);
-            recorder.record(&mut talk, attempt).unwrap();
+            recorder.record(attempt).unwrap();
         }
         assert_eq!(
             String::from_utf8(output).unwrap(),

@@ -2,7 +2,7 @@
 
 use super::number::number;
 use super::spoken::sentence;
-use super::talk::{Leave, Prompt, Talk};
+use super::talk::{Leave, Talk};
 use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{CollisionSpec, ImpactPoint};
 
@@ -11,20 +11,14 @@ use crate::physics::{CollisionSpec, ImpactPoint};
 /// # Errors
 /// If the player quits, or nothing more is to be heard.
 pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave> {
-    let asked;
     let steps = match given {
-        Some(steps) => steps,
-        None => {
-            asked = ask(talk)?;
-            &asked
-        }
+        Some(steps) => steps.to_vec(),
+        None => ask(talk)?,
     };
-    for (count, step) in (1..).zip(steps) {
+    for (count, step) in (1..).zip(&steps) {
         talk.say(&format!("Step {count}: {}", sentence(step.title)))?;
         talk.say(&step.why)?;
-        for line in &step.lines {
-            talk.say(line)?;
-        }
+        talk.say_all(&step.lines)?;
     }
     Ok(())
 }
@@ -33,12 +27,9 @@ pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave>
 fn ask(talk: &mut Talk) -> Result<Vec<WorkedStep>, Leave> {
     talk.say("carrom, a hit worked out. Enter alone takes what is proposed.")?;
     let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
-        let lines = [format!("{what}? Proposed: {proposed}.")];
-        let asked = Prompt {
-            lines: &lines,
-            help: "Type a number, or Enter alone for what is proposed.",
-        };
-        talk.ask_for(&asked, |heard| match heard {
+        let asked = format!("{what}? Proposed: {proposed}.");
+        let help = "Type a number, or Enter alone for what is proposed.";
+        talk.ask_for(&[], &asked, help, |heard| match heard {
             "" => Ok(proposed),
             heard => number(heard, unit, least, most),
         })

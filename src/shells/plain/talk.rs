@@ -38,14 +38,6 @@ impl From<io::Error> for Leave {
     }
 }
 
-/// Something that is asked.
-pub(super) struct Prompt<'a> {
-    /// What is said again on `repeat`, a line each; the last is the question itself.
-    pub(super) lines: &'a [String],
-    /// How it is answered, for `help`.
-    pub(super) help: &'a str,
-}
-
 impl<'a> Talk<'a> {
     /// A talk with whoever is at the other end of these two.
     pub fn new(input: &'a mut dyn BufRead, output: &'a mut dyn Write) -> Self {
@@ -67,53 +59,70 @@ impl<'a> Talk<'a> {
         Ok(())
     }
 
-    /// Asks by these lines, and hears one without the blanks at its ends; it may be empty.
+    /// Says these lines, one after the other.
     ///
     /// # Errors
-    /// If the player quits, or nothing more is to be heard.
-    fn ask(&mut self, asked: &Prompt, lines: &[String]) -> Result<String, Leave> {
-        for line in lines {
-            self.say(line)?;
-        }
-        loop {
-            let heard = self.hear()?;
-            match heard.to_lowercase().as_str() {
-                "quit" | "q" | "exit" => return Err(Leave::Quit),
-                "help" | "h" | "?" => {
-                    self.say(asked.help)?;
-                    self.say(ALWAYS)?;
-                }
-                "repeat" | "r" => {
-                    for line in asked.lines {
-                        self.say(line)?;
-                    }
-                }
-                _ => return Ok(heard),
-            }
-        }
+    /// If nobody listens.
+    pub(super) fn say_all<S: AsRef<str>>(
+        &mut self,
+        lines: impl IntoIterator<Item = S>,
+    ) -> Result<(), Leave> {
+        lines
+            .into_iter()
+            .try_for_each(|line| self.say(line.as_ref()))
     }
 
-    /// Asks until an answer is understood. `read` gives what was meant, or a kind line on
-    /// what was expected.
+    /// Asks a question, after the lines that `lead` to it, until an answer is understood;
+    /// `help` says how it is answered. `read` gives what was meant, or a kind line on what
+    /// was expected, of a line without the blanks at its ends; it may be empty.
     ///
     /// # Errors
     /// If the player quits, or nothing more is to be heard.
     pub(super) fn ask_for<T>(
         &mut self,
-        asked: &Prompt,
+        lead: &[String],
+        question: &str,
+        help: &str,
         read: impl Fn(&str) -> Result<T, String>,
     ) -> Result<T, Leave> {
-        let question = asked.lines.len().saturating_sub(1);
-        let mut lines = asked.lines;
+        self.say_all(lead)?;
+        self.say(question)?;
         loop {
-            let heard = self.ask(asked, lines)?;
-            match read(&heard) {
-                Ok(meant) => return Ok(meant),
-                Err(expected) => self.say(&expected)?,
+            let heard = self.hear()?;
+            match heard.to_lowercase().as_str() {
+                "quit" | "q" | "exit" => return Err(Leave::Quit),
+                "help" | "h" | "?" => self.say_all([help, ALWAYS])?,
+                "repeat" | "r" => {
+                    self.say_all(lead)?;
+                    self.say(question)?;
+                }
+                _ => match read(&heard) {
+                    Ok(meant) => return Ok(meant),
+                    // The question stands; what led to it is said again only if it is
+                    // asked for.
+                    Err(expected) => self.say_all([&*expected, question])?,
+                },
             }
-            // The question stands; what led to it is said again only if it is asked for.
-            lines = asked.lines.get(question..).unwrap_or_default();
         }
+    }
+
+    /// Asks likewise for an answer that may be left open; `None` if it is skipped.
+    ///
+    /// # Errors
+    /// If the player quits, or nothing more is to be heard.
+    pub(super) fn ask_or_skip<T>(
+        &mut self,
+        lead: &[String],
+        question: &str,
+        help: &str,
+        read: impl Fn(&str) -> Result<T, String>,
+    ) -> Result<Option<T>, Leave> {
+        self.ask_for(lead, question, help, |heard| {
+            match heard.to_lowercase().as_str() {
+                "skip" | "s" => Ok(None),
+                _ => read(heard).map(Some),
+            }
+        })
     }
 
     fn hear(&mut self) -> Result<String, Leave> {
@@ -125,27 +134,12 @@ impl<'a> Talk<'a> {
             return Err(Leave::Ended);
         }
         if bytes.last() != Some(&b'\n') {
-            self.pass_over()?;
+            // Too long to be an answer: the rest is passed over.
+            self.input.skip_until(b'\n')?;
         }
         let text = String::from_utf8_lossy(&bytes);
         let visible: String = text.chars().filter(|c| !c.is_control()).collect();
         Ok(visible.trim().to_owned())
-    }
-
-    /// Passes over the rest of a line that is too long to be an answer.
-    fn pass_over(&mut self) -> Result<(), Leave> {
-        loop {
-            let buffer = self.input.fill_buf()?;
-            if buffer.is_empty() {
-                return Ok(());
-            }
-            let end = buffer.iter().position(|byte| *byte == b'\n');
-            let taken = end.map_or(buffer.len(), |end| end + 1);
-            self.input.consume(taken);
-            if end.is_some() {
-                return Ok(());
-            }
-        }
     }
 }
 

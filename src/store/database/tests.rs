@@ -3,9 +3,10 @@ use std::env;
 use std::process;
 
 use super::*;
-use crate::lessons::{Bookmark, CheckpointAnswer, Forget, GivenAnswer};
+use crate::lessons::{Bookmark, Forget, GivenAnswer};
 use crate::levels::Starred;
 use crate::progress::Attempt;
+use crate::quiz::Response;
 use crate::quiz::{Confidence, Topic};
 
 /// An empty folder, removed when it is dropped.
@@ -133,7 +134,7 @@ fn seen(page: &str) -> Bookmark {
 }
 
 /// A page answered.
-fn answered(page: &str, answer: CheckpointAnswer, right: bool) -> Bookmark {
+fn answered(page: &str, answer: Response, right: bool) -> Bookmark {
     let given = GivenAnswer {
         asked: "choice\nWhich?".into(),
         answer,
@@ -157,10 +158,10 @@ fn bookmarks_add_up_as_they_do_in_memory() {
         for later in [
             seen("One"),
             seen("Two"),
-            answered("Two", CheckpointAnswer::Choice(2), true),
+            answered("Two", Response::Choice(2), true),
             dial,
             seen("O'Brien\"; DROP TABLE page_seen; --"),
-            answered("Two", CheckpointAnswer::Number(0.1), false),
+            answered("Two", Response::Number(0.1), false),
             seen("Two"),
         ] {
             database.mark("Ada", "shots", &later).unwrap();
@@ -178,7 +179,7 @@ fn bookmarks_add_up_as_they_do_in_memory() {
 fn what_is_forgotten_is_gone_and_nothing_else() {
     let mut database = Database::in_memory();
     for (player, chapter) in [("Ada", "shots"), ("Ada", "atoms"), ("Bo", "shots")] {
-        let answer = answered("One", CheckpointAnswer::Choice(0), true);
+        let answer = answered("One", Response::Choice(0), true);
         database.mark(player, chapter, &seen("One")).unwrap();
         database.mark(player, chapter, &answer).unwrap();
     }
@@ -206,7 +207,7 @@ fn what_is_forgotten_is_gone_and_nothing_else() {
 fn an_answer_that_makes_no_sense_is_none() {
     let scratch = Scratch::new("senseless");
     let mut database = scratch.database();
-    let answer = answered("One", CheckpointAnswer::Choice(0), true);
+    let answer = answered("One", Response::Choice(0), true);
     database.mark("Ada", "shots", &answer).unwrap();
     let strange = Connection::open(scratch.path()).unwrap();
     for text in [
@@ -376,7 +377,7 @@ const PINNED_2: &str = "
 fn pinned_marks() -> BTreeMap<String, Bookmark> {
     let mut mark = seen("One");
     mark.merge(seen("Two"));
-    mark.merge(answered("Two", CheckpointAnswer::Choice(1), true));
+    mark.merge(answered("Two", Response::Choice(1), true));
     mark.alpha_deg = Some(12.5);
     BTreeMap::from([("shots".into(), mark)])
 }

@@ -62,6 +62,15 @@ impl Overlays {
         self.on[layer as usize]
     }
 
+    /// The same with these layers off.
+    #[must_use]
+    pub(crate) fn without<const N: usize>(mut self, layers: [Overlay; N]) -> Self {
+        for layer in layers {
+            self.on[layer as usize] = false;
+        }
+        self
+    }
+
     /// Switches `layer`.
     pub(crate) fn toggle(&mut self, layer: Overlay) {
         self.on[layer as usize] ^= true;

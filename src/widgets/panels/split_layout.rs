@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::draw_panel;
-use crate::widgets::Look;
+use crate::widgets::{Look, areas};
 
 /// Columns of the panel, with its frame.
 const PANEL: u16 = 30;
@@ -50,12 +50,7 @@ impl SplitLayout {
 
     /// Lays out a panel of text alone, in the middle.
     pub fn text_alone(area: Rect) -> Self {
-        let width = area.width.min(TEXT);
-        let panel = Rect {
-            x: area.x + (area.width - width) / 2,
-            width,
-            ..area
-        };
+        let panel = areas::middle(area, TEXT);
         let nothing = Rect { width: 0, ..area };
         Self {
             picture: nothing,
@@ -90,16 +85,7 @@ impl SplitLayout {
 
     /// Lays them out with a panel of so many columns, its frame included.
     pub fn with_panel(area: Rect, panel_width: u16) -> Self {
-        let panel_width = panel_width.min(area.width);
-        let picture = Rect {
-            width: area.width - panel_width,
-            ..area
-        };
-        let panel = Rect {
-            x: picture.right(),
-            width: panel_width,
-            ..area
-        };
+        let [picture, panel] = areas::left(area, area.width.saturating_sub(panel_width));
         Self {
             picture: inside(picture),
             panel: inside(panel),

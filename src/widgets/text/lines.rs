@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::flow::{Run, flow};
-use crate::widgets::{Charset, Look, Role, text};
+use crate::widgets::{Charset, Look, Role, areas, text};
 
 /// A column of text being written from the top of an area.
 pub struct Lines<'a> {
@@ -34,12 +34,7 @@ impl Spare {
 impl<'a> Lines<'a> {
     /// Starts at the top of `area`, with a column of margin on the left.
     pub fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
-        let margin = 1.min(area.width);
-        let area = Rect {
-            x: area.x + margin,
-            width: area.width - margin,
-            ..area
-        };
+        let [_, area] = areas::left(area, 1);
         Self {
             area,
             written: 0,

@@ -1,5 +1,6 @@
 //! Letters in cells: how they are spelt and broken into rows, formulas, large type, bars.
 
+pub(crate) mod areas;
 pub mod bar;
 pub(crate) mod big;
 pub(crate) mod blocks;

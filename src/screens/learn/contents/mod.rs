@@ -6,7 +6,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use crate::lessons::{Book, Forget};
+use crate::files::FileError;
+use crate::lessons::{Book, Chapter, Forget};
 use crate::messages::{Input, Key, StoreReply};
 use crate::screens::{Confirmation, Context, Next, Place, Screen};
 use crate::widgets::Outcome;
@@ -48,61 +49,48 @@ fn listed(book: &mut Book, act: impl FnOnce(&mut ListView, usize) -> Outcome<usi
     let count = lines(book).len();
     let outcome = act(&mut list, count);
     book.at = list.chosen(count);
-    match outcome {
-        Outcome::Ignored => Next::Ignored,
-        Outcome::Used => Next::Stay,
-        Outcome::Done(_) => open(book),
-    }
+    Next::of(outcome, |_| open(book))
 }
 
 /// What a line of the contents is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum ContentsLine {
-    /// A chapter, from 0.
-    Chapter(usize),
+#[derive(Debug, Clone, Copy)]
+enum ContentsLine<'a> {
+    /// A chapter.
+    Chapter(&'a Chapter),
     /// How far one has come.
     Summary,
-    /// A file that is left out, from 0.
-    Problem(usize),
+    /// A file that is left out.
+    Problem(&'a FileError),
 }
 
-/// All lines that can be chosen.
-fn lines(book: &Book) -> Vec<ContentsLine> {
+/// All lines that can be chosen, the chapters first.
+fn lines(book: &Book) -> Vec<ContentsLine<'_>> {
     let library = book.library();
-    let chapters = (0..library.chapters.len()).map(ContentsLine::Chapter);
-    let problems = (0..library.problems.len()).map(ContentsLine::Problem);
-    chapters
-        .chain([ContentsLine::Summary])
-        .chain(problems)
-        .collect()
+    let chapters = library.chapters.iter().map(ContentsLine::Chapter);
+    let problems = library.problems.iter().map(ContentsLine::Problem);
+    let lines = chapters.chain([ContentsLine::Summary]);
+    lines.chain(problems).collect()
 }
 
 /// The chosen line.
-fn chosen(book: &Book) -> ContentsLine {
-    lines(book)
-        .get(book.at)
-        .copied()
-        .unwrap_or(ContentsLine::Summary)
+fn chosen(book: &Book) -> ContentsLine<'_> {
+    let chosen = lines(book).get(book.at).copied();
+    chosen.unwrap_or(ContentsLine::Summary)
 }
 
 /// The id of the chosen chapter, if it was ever opened.
 fn chapter_begun(book: &Book) -> Option<String> {
-    let ContentsLine::Chapter(number) = chosen(book) else {
-        return None;
-    };
-    let id = &book.chapter(number)?.id;
+    let id = &book.chapter(book.at)?.id;
     book.mark(id).map(|_| id.clone())
 }
 
 fn open(book: &Book) -> Next {
-    match chosen(book) {
-        ContentsLine::Chapter(number) => Next::Open(Place::Chapter { number }),
-        ContentsLine::Summary => match book.next() {
-            Some(number) => Next::Open(Place::Chapter { number }),
-            None => Next::Stay,
-        },
-        ContentsLine::Problem(_) => Next::Stay,
-    }
+    let number = match chosen(book) {
+        ContentsLine::Chapter(_) => Some(book.at),
+        ContentsLine::Summary => book.next(),
+        ContentsLine::Problem(_) => None,
+    };
+    number.map_or(Next::Stay, |number| Next::Open(Place::Chapter { number }))
 }
 
 impl Screen for Contents {
@@ -182,14 +170,14 @@ impl Screen for Contents {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        let (body, book) = (cx.body, &mut cx.book);
+        let book = &mut cx.book;
         match input {
             Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_)) => {
                 book.at = book.next().unwrap_or(0);
                 Next::Stay
             }
             Input::Mouse(mouse) if book.is_known() => {
-                let line = view::line_at(book, body, (mouse.column, mouse.row));
+                let line = view::line_at(book, cx.body, mouse.cell());
                 listed(book, |list, count| list.mouse(mouse, count, line))
             }
             _ => Next::Ignored,

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{ContentsLine, chosen, lines};
-use crate::lessons::{Book, Chapter};
+use crate::lessons::{Book, Bookmark, Chapter};
 use crate::screens::Context;
 use crate::widgets::input::ListView;
 use crate::widgets::{Lines, Role, SplitLayout};
@@ -27,68 +27,45 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
         layout.draw(buf, &look, "learn", "");
         return Lines::new(layout.picture, buf, look).line("Looking …", Role::Dim);
     }
+    let all = lines(book);
     let title = match chosen(book) {
         ContentsLine::Chapter(_) => "the chapter",
         ContentsLine::Summary => "so far",
         ContentsLine::Problem(_) => "what is wrong",
     };
     layout.draw(buf, &look, "learn", title);
-    let all = lines(book);
     let first = ListView::first_shown(book.at, all.len(), layout.picture.height);
     let mut rows = Lines::new(layout.picture, buf, look);
     for (i, line) in all.into_iter().enumerate().skip(first) {
-        let here = i == book.at;
-        let mark = if here { ">" } else { " " };
         let (text, side, role) = match line {
-            ContentsLine::Chapter(number) => chapter_line(book, number),
+            ContentsLine::Chapter(chapter) => chapter_line(book, chapter),
             ContentsLine::Summary => (
                 "     How far you have come".into(),
                 String::new(),
                 Role::Dim,
             ),
-            ContentsLine::Problem(number) => {
-                let file = book
-                    .library()
-                    .problems
-                    .get(number)
-                    .map_or("", |fault| &fault.file);
-                (format!("  !  left out: {file}"), String::new(), Role::Warn)
+            ContentsLine::Problem(fault) => {
+                let text = format!("  !  left out: {}", fault.file);
+                (text, String::new(), Role::Warn)
             }
         };
-        let role = if here { Role::Selected } else { role };
+        let (mark, role) = role.of_choice(i == book.at);
         rows.pair(&format!("{mark}{text}"), &side, role, role);
     }
     let mut about = Lines::new(layout.panel, buf, look);
     match chosen(book) {
-        ContentsLine::Chapter(number) => {
-            if let Some(chapter) = book.chapter(number) {
-                about_chapter(book, chapter, &mut about);
-            }
-        }
+        ContentsLine::Chapter(chapter) => about_chapter(book, chapter, &mut about),
         ContentsLine::Summary => summary(book, &mut about),
-        ContentsLine::Problem(number) => {
-            if let Some(fault) = book.library().problems.get(number) {
-                about.paragraph(&fault.to_string(), Role::Text);
-            }
-        }
+        ContentsLine::Problem(fault) => about.paragraph(&fault.to_string(), Role::Text),
     }
 }
 
-fn chapter_line(book: &Book, number: usize) -> (String, String, Role) {
-    let Some(chapter) = book.chapter(number) else {
-        return (String::new(), String::new(), Role::Text);
-    };
-    let mark = book.mark(&chapter.id);
+fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
     let done = if book.is_done(chapter) { "✓" } else { " " };
-    let side = match mark {
-        Some(mark) => format!("{}/{}", mark.seen(chapter), chapter.pages.len()),
-        None => String::new(),
-    };
-    (
-        format!(" {done}{:>2} {}", chapter.number, chapter.title),
-        side,
-        Role::Text,
-    )
+    let text = format!(" {done}{:>2} {}", chapter.number, chapter.title);
+    let seen = |mark: &Bookmark| format!("{}/{}", mark.seen(chapter), chapter.pages.len());
+    let side = book.mark(&chapter.id).map(seen).unwrap_or_default();
+    (text, side, Role::Text)
 }
 
 fn about_chapter(book: &Book, chapter: &Chapter, lines: &mut Lines) {
@@ -101,26 +78,11 @@ fn about_chapter(book: &Book, chapter: &Chapter, lines: &mut Lines) {
     lines.gap();
     let mark = book.mark(&chapter.id).cloned().unwrap_or_default();
     let of = |some: usize, all: usize| format!("{some} of {all}");
-    lines.pair(
-        "pages seen",
-        &of(mark.seen(chapter), chapter.pages.len()),
-        Role::Dim,
-        Role::Text,
-    );
+    lines.fact("pages seen", &of(mark.seen(chapter), chapter.pages.len()));
     let asked = chapter.checkpoints();
     if asked > 0 {
-        lines.pair(
-            "answered",
-            &of(mark.answered(chapter), asked),
-            Role::Dim,
-            Role::Text,
-        );
-        lines.pair(
-            "right",
-            &of(mark.right(chapter), asked),
-            Role::Dim,
-            Role::Text,
-        );
+        lines.fact("answered", &of(mark.answered(chapter), asked));
+        lines.fact("right", &of(mark.right(chapter), asked));
     }
     lines.gap();
     let next = match mark.page(chapter) {
@@ -140,14 +102,9 @@ fn summary(book: &Book, lines: &mut Lines) {
     let asked: usize = chapters.iter().map(Chapter::checkpoints).sum();
     let answered: usize = marks().map(|(mark, of)| mark.answered(of)).sum();
     let right: usize = marks().map(|(mark, of)| mark.right(of)).sum();
-    lines.pair("chapters done", &book.done(), Role::Dim, Role::Text);
-    lines.pair(
-        "answered",
-        &format!("{answered} of {asked}"),
-        Role::Dim,
-        Role::Text,
-    );
-    lines.pair("right", &right.to_string(), Role::Dim, Role::Text);
+    lines.fact("chapters done", &book.done());
+    lines.fact("answered", &format!("{answered} of {asked}"));
+    lines.fact("right", &right.to_string());
     lines.gap();
     let weakest = marks()
         .filter_map(|(mark, chapter)| {

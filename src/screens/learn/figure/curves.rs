@@ -10,7 +10,7 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Charset, Look, Role};
+use crate::widgets::{Charset, Look, Role, areas};
 
 /// One curve: its name, its colour, and its value at an angle in degrees.
 struct Curve {
@@ -57,23 +57,14 @@ pub(super) fn alpha_at(
     look: &Look,
     cell: (u16, u16),
 ) -> Option<f64> {
-    let (plot, _) = rooms(area);
+    let [plot, _] = rooms(area);
     let at = empty(shown, plot, look).values_at(cell)?;
     Some(at.x)
 }
 
 /// The room for the plot and that for the hit.
-fn rooms(area: Rect) -> (Rect, Rect) {
-    let plot = Rect {
-        height: area.height * 11 / 20,
-        ..area
-    };
-    let hit = Rect {
-        y: plot.bottom(),
-        height: area.height - plot.height,
-        ..area
-    };
-    (plot, hit)
+fn rooms(area: Rect) -> [Rect; 2] {
+    areas::upper(area, area.height * 11 / 20)
 }
 
 fn empty(shown: &LiveFigure, area: Rect, look: &Look) -> Plot {
@@ -108,7 +99,8 @@ fn heavier_target(shown: &LiveFigure) -> bool {
 
 /// The plot with the point, and the hit at that point.
 pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture; 2] {
-    let (room, hit) = rooms(area);
+    use Overlay::{Angles, Lines, Trails, Triangle};
+    let [room, hit] = rooms(area);
     let mut plot = empty(shown, room, look);
     let pair = pair(shown);
     let alpha_deg = shown.alpha_deg().abs();
@@ -127,7 +119,9 @@ pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture;
         FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha),
         _ => curves(&mut plot, look, &SPEEDS, &pair, alpha),
     }
-    let watch = Watch::new(*shown.collision(), None, true).with_layers(bare());
+    // Only what can be seen in a small picture.
+    let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
+    let watch = Watch::new(*shown.collision(), None, true).with_layers(layers);
     let hit = watch.picture(hit.inner(Margin::new(1, 0)));
     [plot.picture(), hit]
 }
@@ -173,18 +167,4 @@ fn mark(plot: &mut Plot, look: &Look, at: DVec2, role: Role) {
         Charset::Unicode => '●',
     };
     plot.mark(at, symbol, role);
-}
-
-/// Only what can be seen in a small picture.
-fn bare() -> Overlays {
-    let mut layers = Overlays::default();
-    for layer in [
-        Overlay::Lines,
-        Overlay::Angles,
-        Overlay::Triangle,
-        Overlay::Trails,
-    ] {
-        layers.toggle(layer);
-    }
-    layers
 }

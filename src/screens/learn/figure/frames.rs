@@ -7,14 +7,11 @@ use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Collision, Frame};
 use crate::widgets::hit::{Overlay, Overlays, Watch, WatchAction};
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, areas};
 
 /// The two: from the board, from the centre of mass.
 pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
-    let mut layers = Overlays::default();
-    for layer in [Overlay::Triangle, Overlay::Lines] {
-        layers.toggle(layer);
-    }
+    let layers = Overlays::default().without([Overlay::Triangle, Overlay::Lines]);
     let watch = || Watch::new(*collision, None, reduced).with_layers(layers);
     let mut moving = watch();
     while moving.frame() != Frame::CentreOfMass {
@@ -32,13 +29,7 @@ fn halves(area: Rect) -> [Rect; 2] {
         let x = area.right() - width;
         [Rect { width, ..area }, Rect { x, width, ..area }]
     } else {
-        let height = area.height / 2;
-        let below = Rect {
-            y: area.y + height,
-            height: area.height - height,
-            ..area
-        };
-        [Rect { height, ..area }, below]
+        areas::upper(area, area.height / 2)
     }
 }
 
@@ -57,12 +48,7 @@ pub(super) fn lay_out(
         let mut lines = Lines::new(half, buf, *look);
         lines.line(name, Role::Dim);
         lines.line(&told, Role::Text);
-        let head = 2.min(half.height);
-        watch.picture(Rect {
-            y: half.y + head,
-            height: half.height - head,
-            ..half
-        })
+        watch.picture(areas::upper(half, lines.written())[1])
     })
     .collect()
 }

@@ -483,17 +483,10 @@ impl LiveFigure {
 
 /// Only the lines n and t, and the split of u unless it is to be the `lines` alone.
 fn split_layers(lines: bool) -> Overlays {
-    let mut layers = Overlays::default();
+    use Overlay::{Angles, Split, Trails, Triangle, Velocities};
+    let mut layers = Overlays::default().without([Velocities, Angles, Triangle, Trails]);
     if !lines {
-        layers.toggle(Overlay::Split);
-    }
-    for layer in [
-        Overlay::Velocities,
-        Overlay::Angles,
-        Overlay::Triangle,
-        Overlay::Trails,
-    ] {
-        layers.toggle(layer);
+        layers.toggle(Split);
     }
     layers
 }

@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, areas};
 
 /// Shots on a board.
 const ON_BOARD: u32 = 8;
@@ -37,15 +37,7 @@ pub(super) fn lay_out(
     buf: &mut Buffer,
     look: &Look,
 ) -> Picture {
-    let words = Rect {
-        y: area.bottom().saturating_sub(1),
-        height: 1.min(area.height),
-        ..area
-    };
-    let area = Rect {
-        height: area.height - words.height,
-        ..area
-    };
+    let [area, words] = areas::upper(area, area.height.saturating_sub(1));
     // What is turned by more than θ₁ = 90° − α comes nearer than sin α = cos θ₁.
     let near = beyond.map(f64::cos);
     let text = match (beyond, near) {

@@ -10,7 +10,7 @@ use ratatui::layout::Rect;
 use super::LiveFigure;
 use crate::physics::Collision;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
-use crate::widgets::{Lines, Look, Role, text};
+use crate::widgets::{Lines, Look, Role, areas, text};
 
 /// The corners: where the arrows begin, where v₁ ends, where u ends.
 fn corners(collision: &Collision) -> [DVec2; 3] {
@@ -34,18 +34,8 @@ pub(super) fn title(collision: &Collision) -> &'static str {
 }
 
 /// The rows for the picture and those for what it says.
-fn rooms(area: Rect) -> (Rect, Rect) {
-    let words = 2.min(area.height);
-    let picture = Rect {
-        height: area.height - words,
-        ..area
-    };
-    let below = Rect {
-        y: picture.bottom(),
-        height: words,
-        ..area
-    };
-    (picture, below)
+fn rooms(area: Rect) -> [Rect; 2] {
+    areas::upper(area, area.height.saturating_sub(2))
 }
 
 /// Squares stand on the sides from the second step on.
@@ -63,7 +53,7 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
     let crate::lessons::FigureKind::Triangle { step } = shown.figure.kind else {
         return None;
     };
-    let (picture, _) = rooms(area);
+    let [picture, _] = rooms(area);
     let at = view(collision, step, picture).world_at(column, row);
     // v₂ runs from the joint to the end of u, at α below u.
     let left = collision.u1 - at;
@@ -80,7 +70,7 @@ pub(super) fn lay_out(
     buf: &mut Buffer,
     look: &Look,
 ) -> Picture {
-    let (area, below) = rooms(area);
+    let [area, below] = rooms(area);
     let mut picture = Picture::new(view(collision, step, area));
     let [tail, joint, tip] = corners(collision);
     let equal = equal_masses(collision);

@@ -12,11 +12,12 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::figure::{FigureAction, LiveFigure, svg_of};
 use super::question::{CheckpointAction, CheckpointInput};
 use super::record;
-use crate::lessons::{Bookmark, Chapter, ChapterPage, CheckpointAnswer, Forget, GivenAnswer};
+use crate::lessons::{Bookmark, Chapter, ChapterPage, Forget};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
+use crate::quiz::Response;
 use crate::screens::{Confirmation, Context, Next, Place, Screen};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Outcome, Scroll, SplitLayout, overflow};
+use crate::widgets::{Lines, Outcome, Scroll, SplitLayout, overflow};
 
 /// What keys do in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -56,7 +57,7 @@ pub(crate) struct Reading {
     at: usize,
     figure: Option<LiveFigure>,
     question: Option<CheckpointInput>,
-    answer: Option<CheckpointAnswer>,
+    answer: Option<Response>,
     /// Whether keys go to the figure first.
     on_figure: bool,
     /// The impact angle that was set since the bookmark was moved last, in degrees.
@@ -96,7 +97,7 @@ impl Reading {
 
     /// A page as it is before and, with an `answer`, after its checkpoint: to see
     /// whether it fits.
-    pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<CheckpointAnswer>) -> Self {
+    pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<Response>) -> Self {
         let mut reading = Self::closed(0, chapter);
         reading.at = at;
         reading.lay_out(None, answer);
@@ -126,7 +127,7 @@ impl Reading {
         self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
     }
 
-    fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<CheckpointAnswer>) {
+    fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<Response>) {
         self.is_open = true;
         self.scroll = Scroll::default();
         self.notice = None;
@@ -167,21 +168,17 @@ impl Reading {
     }
 
     /// Shows what belongs to an answer.
-    fn tell(&mut self, answer: CheckpointAnswer, reduced: bool) {
+    fn tell(&mut self, answer: Response, reduced: bool) {
         self.answer = Some(answer);
         self.scroll = Scroll::default();
         if let Some(figure) = &mut self.figure {
-            let said = match answer {
-                CheckpointAnswer::Rays(rays) => Some(rays),
-                _ => None,
-            };
-            figure.reveal(said, reduced);
+            figure.reveal(answer.rays(), reduced);
         }
         self.on_figure = self.is_open_to_figure();
     }
 
     /// Takes an answer: marks it, keeps it, and tells what is so.
-    fn answered(&mut self, answer: CheckpointAnswer, cx: &mut Context) {
+    fn answered(&mut self, answer: Response, cx: &mut Context) {
         let Some(page) = self.page() else {
             return;
         };
@@ -189,16 +186,9 @@ impl Reading {
             return;
         };
         let figure = self.figure.as_ref().map(LiveFigure::collision);
-        let right = answer.is_right(checkpoint, figure);
         let player = &cx.settings.player;
         let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
-        let given = GivenAnswer {
-            asked: checkpoint.written.clone(),
-            answer,
-            right,
-        };
-        let mut mark = Bookmark::at(page);
-        mark.pages.insert(page.title.clone(), Some(given));
+        let mark = Bookmark::answering(page, checkpoint, answer, attempt.right);
         cx.record(attempt);
         cx.mark(&self.chapter.id, mark);
         self.tell(answer, cx.settings.reduced_motion);
@@ -297,10 +287,9 @@ impl Reading {
     /// Scrolls the text; says whether there was more of it.
     fn scroll_by(&mut self, rows: i16, cx: &Context) -> bool {
         let area = view::layout(self, cx.body).panel;
+        let write = |lines: &mut Lines| panel::write(self, lines);
         let before = self.scroll;
-        self.scroll = before.by(rows, area, cx.settings.look(), |lines| {
-            panel::write(self, lines);
-        });
+        self.scroll = before.by(rows, area, cx.settings.look(), write);
         self.scroll != before
     }
 
@@ -308,9 +297,8 @@ impl Reading {
     fn show_answer(&mut self, cx: &Context) {
         let (area, look) = (view::layout(self, cx.body).panel, cx.settings.look());
         if let Some(row) = panel::row_of_answer(self, area, look) {
-            self.scroll = self
-                .scroll
-                .show(row, area, look, |lines| panel::write(self, lines));
+            let write = |lines: &mut Lines| panel::write(self, lines);
+            self.scroll = self.scroll.show(row, area, look, write);
         }
     }
 
@@ -352,7 +340,7 @@ impl Reading {
                     let line = panel::choice_at(self, panel, cell, look);
                     if let (Some(line), Some(question)) = (line, &mut self.question) {
                         if question.choose(line) {
-                            self.answered(CheckpointAnswer::Choice(line), cx);
+                            self.answered(Response::Choice(line), cx);
                         }
                         return Next::Stay;
                     }
@@ -515,11 +503,10 @@ impl Screen for Reading {
         }
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
         if let Some(figure) = &mut self.figure {
             figure.advance(passed);
         }
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

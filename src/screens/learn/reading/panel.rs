@@ -4,10 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Reading;
-use crate::lessons::{Checkpoint, CheckpointAnswer, CheckpointChoice, CheckpointKind};
+use crate::lessons::{Checkpoint, CheckpointChoice, CheckpointKind};
 use crate::numbers::{fixed, true_minus, with_unit};
 use crate::physics::Collision;
-use crate::quiz::Rays;
+use crate::quiz::{Rays, Response};
 use crate::screens::lab::explain;
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
@@ -76,14 +76,14 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
         return;
     };
     let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
-    if let (CheckpointAnswer::Rays(_), Some(watch)) = (&answer, watch)
+    if let (Response::Rays(_), Some(watch)) = (&answer, watch)
         && !watch.is_told()
     {
         return lines.paragraph(watch.telling(), Role::Text);
     }
     let told = |lines: &mut Lines| told(reading, checkpoint, answer, lines);
     // What was read stays above it, if there is room for both.
-    let asked_above = matches!(answer, CheckpointAnswer::Rays(_));
+    let asked_above = matches!(answer, Response::Rays(_));
     let read = |lines: &mut Lines| {
         prose::write_dimmed(&page.text, lines, collision);
         if asked_above {
@@ -100,21 +100,21 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
 }
 
 /// What is said to an answer.
-fn told(reading: &Reading, checkpoint: &Checkpoint, answer: CheckpointAnswer, lines: &mut Lines) {
+fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mut Lines) {
     let collision = reading.figure.as_ref().map(LiveFigure::collision);
     let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
     match (&answer, &checkpoint.asked) {
-        (CheckpointAnswer::Rays(rays), _) => {
+        (Response::Rays(rays), _) => {
             if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
                 rays_told(rays, watch, figure, lines);
             }
         }
-        (CheckpointAnswer::Number(number), _) => {
+        (Response::Number(number), _) => {
             prose::write(&checkpoint.question, lines, collision);
             lines.gap();
             number_told(*number, &answer, checkpoint, collision, lines);
         }
-        (CheckpointAnswer::Choice(chosen), CheckpointKind::Choice(choices)) => {
+        (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
             prose::write(&checkpoint.question, lines, collision);
             lines.gap();
             choice_told(*chosen, choices, collision, lines);
@@ -147,7 +147,7 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines)
 
 fn number_told(
     number: f64,
-    answer: &CheckpointAnswer,
+    answer: &Response,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
     lines: &mut Lines,
@@ -159,7 +159,7 @@ fn number_told(
     else {
         return;
     };
-    let right = answer.is_right(checkpoint, figure);
+    let right = checkpoint.is_right(answer, figure);
     let (_, unit) = expected.sign_and_unit();
     // As many decimals as the tolerance asks for.
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
@@ -167,10 +167,10 @@ fn number_told(
     let role = if right { Role::Good } else { Role::Warn };
     lines.pair("you said", &shown(number), Role::Dim, role);
     if let Some(truth) = expected.value(figure) {
-        lines.pair("truth", &shown(truth), Role::Dim, Role::Text);
+        lines.fact("truth", &shown(truth));
     }
     lines.gap();
-    let credit = answer.credit(checkpoint, figure);
+    let credit = checkpoint.credit(answer, figure);
     let verdict = match right {
         true => "Right.",
         false if credit > 0.0 => "Nearly.",

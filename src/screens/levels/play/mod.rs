@@ -273,12 +273,8 @@ impl LevelPlay {
         let on_picture = layout.picture.contains(cell.into());
         let on_panel = layout.panel.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
-        let held = pressed || mouse.kind == MouseKind::Drag;
-        let wheel: i16 = match mouse.kind {
-            MouseKind::ScrollUp => 1,
-            MouseKind::ScrollDown => -1,
-            _ => 0,
-        };
+        let held = mouse.is_held();
+        let wheel = i16::from(mouse.wheel().unwrap_or(0));
         if wheel != 0 && on_panel {
             self.scroll_by(-wheel, cx);
             return Next::Stay;
@@ -434,12 +430,11 @@ impl Screen for LevelPlay {
         }
     }
 
-    fn advance(&mut self, passed: Duration, cx: &mut Context) -> Next {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let LevelPhase::Watch(made) = &mut self.phase {
             made.player.advance(passed);
         }
         self.keep_if_told(cx);
-        Next::Stay
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {

@@ -66,44 +66,31 @@ enum ChoosingPage {
 const LONGEST: usize = 40;
 
 /// A kind of round to choose.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug)]
 enum RoundChoice {
-    Quick,
-    Mixed,
+    /// One that is there for everyone.
+    Always(CourseKind),
+    /// What is due.
     Review,
-    Hits,
+    /// One topic, to be chosen.
     Topic,
-    Exam,
+    /// The round of a code, to be typed.
     Code,
+    /// Questions of a teacher's own.
     Own,
 }
 
-impl RoundChoice {
-    const ALL: [Self; 8] = [
-        Self::Quick,
-        Self::Mixed,
-        Self::Review,
-        Self::Hits,
-        Self::Topic,
-        Self::Exam,
-        Self::Code,
-        Self::Own,
-    ];
-
-    /// The letter that chooses it, besides its number.
-    const fn key(self) -> char {
-        match self {
-            Self::Quick => 'q',
-            Self::Mixed => 'm',
-            Self::Review => 'r',
-            Self::Hits => 'h',
-            Self::Topic => 't',
-            Self::Exam => 'e',
-            Self::Code => 'c',
-            Self::Own => 'o',
-        }
-    }
-}
+/// The kinds of round, each with the letter that chooses it, besides its number.
+static CHOICES: [(char, RoundChoice); 8] = [
+    ('q', RoundChoice::Always(CourseKind::Quick)),
+    ('m', RoundChoice::Always(CourseKind::Mixed)),
+    ('r', RoundChoice::Review),
+    ('h', RoundChoice::Always(CourseKind::Hits)),
+    ('t', RoundChoice::Topic),
+    ('e', RoundChoice::Always(CourseKind::Exam)),
+    ('c', RoundChoice::Code),
+    ('o', RoundChoice::Own),
+];
 
 impl Choosing {
     /// The screen, with what the player has done asked for.
@@ -118,18 +105,17 @@ impl Choosing {
     }
 
     /// The kinds of round to choose from; own questions only where a folder was given.
-    fn choices(&self) -> &'static [RoundChoice] {
-        let all = &RoundChoice::ALL[..];
+    fn choices(&self) -> &'static [(char, RoundChoice)] {
         match *self.own == Library::default() {
-            true => &all[..all.len() - 1],
-            false => all,
+            true => &CHOICES[..CHOICES.len() - 1],
+            false => &CHOICES,
         }
     }
 
     /// The kind of round that is chosen.
-    fn choice(&self) -> RoundChoice {
+    fn choice(&self) -> &'static RoundChoice {
         let choices = self.choices();
-        choices[self.rounds.chosen(choices.len())]
+        &choices[self.rounds.chosen(choices.len())].1
     }
 
     /// The topic that is chosen.
@@ -143,15 +129,19 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// The list of the page, and how many lines it has; `None` where nothing is chosen
-    /// from a list.
-    fn list(&mut self) -> Option<(&mut ListView, usize)> {
+    /// Moves the mark of the page's list, or does what its line says.
+    fn listed(
+        &mut self,
+        cx: &mut Context,
+        act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>,
+    ) -> Next {
         let rounds = self.choices().len();
-        match self.page {
-            ChoosingPage::Rounds => Some((&mut self.rounds, rounds)),
-            ChoosingPage::Topics => Some((&mut self.topics, CourseKind::topics().count())),
-            ChoosingPage::Code { .. } => None,
-        }
+        let outcome = match self.page {
+            ChoosingPage::Rounds => act(&mut self.rounds, rounds),
+            ChoosingPage::Topics => act(&mut self.topics, CourseKind::topics().count()),
+            ChoosingPage::Code { .. } => Outcome::Ignored,
+        };
+        Next::of(outcome, |_| self.enter(cx))
     }
 
     /// Does what the chosen line says.
@@ -159,10 +149,7 @@ impl Choosing {
         let kind = match (&self.page, self.choice()) {
             (ChoosingPage::Topics, _) => self.family().map(CourseKind::Topic),
             (ChoosingPage::Code { .. }, _) => return self.enter_code(),
-            (ChoosingPage::Rounds, RoundChoice::Quick) => Some(CourseKind::Quick),
-            (ChoosingPage::Rounds, RoundChoice::Mixed) => Some(CourseKind::Mixed),
-            (ChoosingPage::Rounds, RoundChoice::Hits) => Some(CourseKind::Hits),
-            (ChoosingPage::Rounds, RoundChoice::Exam) => Some(CourseKind::Exam),
+            (ChoosingPage::Rounds, RoundChoice::Always(kind)) => Some(kind.clone()),
             (ChoosingPage::Rounds, RoundChoice::Review) => self.due().course(),
             (ChoosingPage::Rounds, RoundChoice::Own) => {
                 let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
@@ -203,14 +190,6 @@ impl Choosing {
             }
         }
     }
-
-    fn opened(&mut self, outcome: Outcome<usize>, cx: &mut Context) -> Next {
-        match outcome {
-            Outcome::Ignored => Next::Ignored,
-            Outcome::Used => Next::Stay,
-            Outcome::Done(_) => self.enter(cx),
-        }
-    }
 }
 
 /// The code that a text is, capitals and blanks around it aside.
@@ -242,8 +221,8 @@ impl Screen for Choosing {
                 let numbers = ('1'..)
                     .map(Key::Char)
                     .zip((0..self.choices().len()).map(Begin));
-                let letters = self.choices().iter().enumerate();
-                let letters = letters.map(|(at, it)| (Key::Char(it.key()), BeginByLetter(at)));
+                let letters = (0..).zip(self.choices());
+                let letters = letters.map(|(at, (key, _))| (Key::Char(*key), BeginByLetter(at)));
                 keys.with(list, List)
                     .each(numbers, "at once")
                     .each(letters, "")
@@ -279,10 +258,7 @@ impl Screen for Choosing {
 
     fn act(&mut self, action: ChoosingAction, cx: &mut Context) -> Next {
         match action {
-            ChoosingAction::List(action) => {
-                let outcome = self.list().map(|(list, count)| list.act(action, count));
-                self.opened(outcome.unwrap_or(Outcome::Ignored), cx)
-            }
+            ChoosingAction::List(action) => self.listed(cx, |list, count| list.act(action, count)),
             ChoosingAction::Begin(at) | ChoosingAction::BeginByLetter(at) => {
                 self.rounds.choose(at);
                 self.enter(cx)
@@ -299,11 +275,8 @@ impl Screen for Choosing {
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match (input, &mut self.page) {
             (Input::Mouse(mouse), _) => {
-                let line = view::line_at(self, cx, (mouse.column, mouse.row));
-                let outcome = self
-                    .list()
-                    .map(|(list, count)| list.mouse(mouse, count, line));
-                return self.opened(outcome.unwrap_or(Outcome::Ignored), cx);
+                let line = view::line_at(self, cx, mouse.cell());
+                return self.listed(cx, |list, count| list.mouse(mouse, count, line));
             }
             (Input::Paste(text), ChoosingPage::Code { typed, refused }) => {
                 typed.paste(text.trim());

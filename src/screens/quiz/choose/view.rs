@@ -7,7 +7,6 @@ use super::{Choosing, ChoosingPage, RoundChoice, code as code_of};
 use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
-use crate::screens::recall::Recall;
 use crate::widgets::input::{ListView, TextField};
 use crate::widgets::{Lines, Look, Role, SplitLayout, text};
 
@@ -79,8 +78,8 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
 
 /// A line that can be chosen, with what is said of it on the right.
 fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
+    let (_, value_role) = Role::Dim.of_choice(chosen);
     let (mark, role) = role.of_choice(chosen);
-    let value_role = if chosen { role } else { Role::Dim };
     let name = format!("{mark} {name}");
     let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
     let value = if text::width(value) <= room {
@@ -93,46 +92,35 @@ fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
 
 fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
     let chosen = choosing.rounds.chosen(choosing.choices().len());
-    for (i, choice) in choosing.choices().iter().enumerate() {
-        let due = choosing.due();
+    let (due, own) = (choosing.due().now.len(), &choosing.own);
+    for (i, (_, choice)) in choosing.choices().iter().enumerate() {
         let (name, value) = match choice {
-            RoundChoice::Quick => (CourseKind::Quick.name(), questions(&CourseKind::Quick)),
-            RoundChoice::Mixed => (CourseKind::Mixed.name(), questions(&CourseKind::Mixed)),
-            RoundChoice::Hits => (CourseKind::Hits.name(), "where will they go?".into()),
-            RoundChoice::Exam => (CourseKind::Exam.name(), questions(&CourseKind::Exam)),
-            RoundChoice::Topic => (
-                "one topic",
-                format!("{} to choose from", CourseKind::topics().count()),
-            ),
+            RoundChoice::Always(CourseKind::Hits) => {
+                (CourseKind::Hits.name(), "where will they go?".into())
+            }
+            RoundChoice::Always(kind) => (kind.name(), format!("{} questions", kind.length())),
+            RoundChoice::Topic => {
+                let value = format!("{} to choose from", CourseKind::topics().count());
+                ("one topic", value)
+            }
             RoundChoice::Code => ("a round by its code", String::new()),
             RoundChoice::Own => {
-                let value = match choosing.own.problems.len() {
-                    0 => format!("of {}", choosing.own.concepts.len()),
-                    left => format!("of {}, {left} left out", choosing.own.concepts.len()),
+                let value = match own.problems.len() {
+                    0 => format!("of {}", own.concepts.len()),
+                    left => format!("of {}, {left} left out", own.concepts.len()),
                 };
                 ("your own questions", value)
             }
-            RoundChoice::Review => {
-                let value = match due.now.len() {
-                    0 => "nothing due".into(),
-                    due => format!("{due} due"),
-                };
-                ("review what is due", value)
-            }
+            RoundChoice::Review if due == 0 => ("review what is due", "nothing due".into()),
+            RoundChoice::Review => ("review what is due", format!("{due} due")),
         };
-        let idle = match choice {
-            RoundChoice::Review => due.now.is_empty(),
-            RoundChoice::Own => choosing.own.concepts.is_empty(),
-            _ => false,
+        let role = match choice {
+            RoundChoice::Review if due == 0 => Role::Dim,
+            RoundChoice::Own if own.concepts.is_empty() => Role::Dim,
+            _ => Role::Text,
         };
-        let role = if idle { Role::Dim } else { Role::Text };
-        line(
-            lines,
-            &format!("{} {name}", i + 1),
-            &value,
-            i == chosen,
-            role,
-        );
+        let name = format!("{} {name}", i + 1);
+        line(lines, &name, &value, i == chosen, role);
         for _ in 1..each {
             lines.line("", Role::Text);
         }
@@ -143,28 +131,23 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
     lines.paragraph(WHY_MIXED, Role::Dim);
 }
 
-/// "10 questions".
-fn questions(kind: &CourseKind) -> String {
-    format!("{} questions", kind.length())
-}
-
 fn about_round(choosing: &Choosing, lines: &mut Lines) {
     let text = match choosing.choice() {
-        RoundChoice::Quick => {
+        RoundChoice::Always(CourseKind::Quick) => {
             "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
         }
-        RoundChoice::Mixed => {
+        RoundChoice::Always(CourseKind::Mixed) => {
             "Ten questions of all kinds, in any order. Nobody tells you what kind comes next."
         }
         RoundChoice::Review => return about_review(choosing, lines),
         RoundChoice::Own => return about_own(choosing, lines),
-        RoundChoice::Hits => {
+        RoundChoice::Always(CourseKind::Hits) => {
             "Ten hits on the board: say where the striker and the coin will go. Masses and losses change on the way."
         }
         RoundChoice::Topic => {
             "Six questions of one kind, which get harder: when you have just read about it. Then come back to mixed rounds."
         }
-        RoundChoice::Exam => {
+        RoundChoice::Always(_) => {
             "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why."
         }
         RoundChoice::Code => {
@@ -208,13 +191,8 @@ fn about_own(choosing: &Choosing, lines: &mut Lines) {
 
 fn about_review(choosing: &Choosing, lines: &mut Lines) {
     let due = choosing.due();
-    match &choosing.history {
-        Recall::Asked(_) => return lines.line("Looking …", Role::Dim),
-        Recall::Unknown(reason) => {
-            let message = format!("What you have done cannot be looked at: {reason}.");
-            return lines.paragraph(&message, Role::Warn);
-        }
-        Recall::Known(_) => {}
+    if choosing.history.write_unknown(lines) {
+        return;
     }
     if due.now.is_empty() {
         let text = match choosing.history.history() {
