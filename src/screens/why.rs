@@ -1,7 +1,7 @@
 //! Reasons that more than one screen gives.
 
-use crate::physics::{Collision, ImpactPoint, Meeting};
-use crate::quiz::{self, Answer, Confidence, Hit, Pieces, Rays, Response};
+use crate::physics::{Collision, Meeting};
+use crate::quiz::{self, Answer, Confidence, Hit, Rays, Response};
 
 /// Why two that both move go where they go, in their own numbers; nothing for a miss.
 pub(super) fn both_moving(collision: &Collision) -> String {
@@ -30,32 +30,16 @@ pub(crate) fn of_impact(collision: &Collision, said: Option<Rays>) -> (String, S
     if collision.u2 != glam::DVec2::ZERO {
         return plain(both_moving(collision));
     }
-    let hit = Hit {
-        pieces: Pieces::Own {
-            striker: collision.striker,
-            target: collision.target,
-        },
-        given: ImpactPoint::Offset {
-            // A head-on hit is exactly that in words too, whatever rounding left.
-            offset_mm: (collision.offset * 1e9).round() / 1e6,
-        },
-        restitution: collision.restitution,
-        speed: collision.u1.length(),
-        direction_deg: collision.u1.to_angle().to_degrees(),
-    };
-    match said {
-        Some(rays) => {
-            let (title, text) = of_hit(&hit, rays);
-            (title.into(), text)
-        }
-        None => plain(quiz::reasoning(&hit)),
-    }
+    of_hit(&Hit::from(collision), said)
 }
 
-/// Why the two of a hit go where they go, starting from what the player said of them: a
-/// title and a text.
-pub(super) fn of_hit(hit: &Hit, said: Rays) -> (&'static str, String) {
-    let answer = Answer::new(Response::Rays(said), Confidence::ThinkSo);
+/// Why the two of a hit go where they go, starting from what the player said of them, if
+/// they did: a title, which is empty if they did not, and a text.
+pub(super) fn of_hit(hit: &Hit, said: Option<Rays>) -> (String, String) {
+    let Some(rays) = said else {
+        return (String::new(), quiz::reasoning(hit));
+    };
+    let answer = Answer::new(Response::Rays(rays), Confidence::ThinkSo);
     let explanation = quiz::explain(&hit.into(), &answer);
-    (explanation.title, explanation.text)
+    (explanation.title.into(), explanation.text)
 }

@@ -47,5 +47,5 @@ pub use panels::SplitLayout;
 pub use text::{
     Charset, Lines, Look, Scroll, Spare, bar, cells, formula, keys, overflow, scroll_keys,
 };
-pub(crate) use text::{areas, big, flow, signs};
+pub(crate) use text::{areas, big, flow, rehearsed, signs};
 pub use theme::{Depth, Palette, Role, Theme};

@@ -24,6 +24,25 @@ pub struct Hit {
     pub direction_deg: f64,
 }
 
+impl From<&Collision> for Hit {
+    /// The hit of smooth discs on a target at rest that a collision is, by its offset.
+    fn from(collision: &Collision) -> Self {
+        Self {
+            pieces: Pieces::Own {
+                striker: collision.striker,
+                target: collision.target,
+            },
+            given: ImpactPoint::Offset {
+                // A head-on hit is exactly that in words too, whatever rounding left.
+                offset_mm: (collision.offset * 1e9).round() / 1e6,
+            },
+            restitution: collision.restitution,
+            speed: numbers::tidy(collision.u1.length()),
+            direction_deg: numbers::tidy(deg_from_rad(collision.u1.to_angle())),
+        }
+    }
+}
+
 impl Hit {
     /// The collision it asks about.
     pub fn collision(&self) -> Collision {

@@ -9,7 +9,7 @@ use super::view::{Text, column};
 use crate::class::ClassStep;
 use crate::quiz::{Form, Illustration, Question, letter};
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
+use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question, rehearsed};
 
 /// The place of the question's words, and of its picture if it is to be seen.
 fn layout(play: &ClassPlay, question: &Question, area: Rect) -> (Rect, Option<SplitLayout>) {
@@ -87,10 +87,10 @@ fn options(question: &Question) -> &[String] {
 
 /// Rows that the choices take in plain type.
 fn rows_of_choices(question: &Question, place: Rect, look: &Look) -> u16 {
-    let mut scratch = Buffer::empty(place);
-    let mut lines = Lines::new(place, &mut scratch, *look);
-    write_choices(question, &mut lines);
-    lines.written()
+    rehearsed(place, *look, |lines| {
+        write_choices(question, lines);
+        lines.written()
+    })
 }
 
 /// The words that are not in large type.

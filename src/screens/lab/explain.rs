@@ -2,7 +2,6 @@
 
 use super::Setup;
 use crate::physics::{Bond, CollisionOutcome, Meeting};
-use crate::quiz;
 use crate::screens::why::{both_moving, of_hit};
 use crate::widgets::hit::Watch;
 
@@ -28,13 +27,7 @@ pub(in crate::screens) fn explain(setup: &Setup, watch: &Watch) -> (String, Stri
             "{} Press f for the coin's own frame.",
             both_moving(watch.collision())
         )),
-        Meeting::Hit => match watch.said() {
-            Some(said) => {
-                let (title, text) = of_hit(&setup.question(), *said);
-                (title.into(), text)
-            }
-            None => plain(quiz::reasoning(&setup.question())),
-        },
+        Meeting::Hit => of_hit(&setup.question(), watch.said().copied()),
     }
 }
 

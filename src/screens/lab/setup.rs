@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use crate::physics::angle::unit_vector;
-use crate::physics::{Bond, Collision, Disc, ImpactPoint};
-use crate::quiz::{Hit, Pieces};
+use crate::physics::{Bond, Collision, Disc};
+use crate::quiz::Hit;
 
 /// A named pair of discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -141,19 +141,7 @@ impl Setup {
 
     /// The question this poses, where the target is at rest and the discs slip.
     pub fn question(&self) -> Hit {
-        let collision = self.collision();
-        Hit {
-            pieces: Pieces::Own {
-                striker: collision.striker,
-                target: collision.target,
-            },
-            given: ImpactPoint::Offset {
-                offset_mm: self.offset_mm,
-            },
-            restitution: self.restitution,
-            speed: self.speed,
-            direction_deg: self.aim_deg,
-        }
+        Hit::from(&self.collision())
     }
 
     /// The collision this sets up.

@@ -114,30 +114,30 @@ impl CheckpointInput {
     }
 
     /// Writes the answer in the making. `rows` is told the first row of each of its
-    /// lines: of a choice, of a ray, of the number.
+    /// lines in turn: of a choice, of a ray, of the number.
     pub(super) fn write(
         &self,
         checkpoint: &Checkpoint,
         lines: &mut Lines,
-        mut rows: impl FnMut(usize, u16),
+        mut rows: impl FnMut(u16),
     ) {
         match (self, &checkpoint.asked) {
             (Self::Given(AnswerInput::Rays(rays)), _) => {
                 for ray in 0..Ray::BOTH.len() {
-                    rows(ray, lines.written() + ray as u16);
+                    rows(lines.written() + ray as u16);
                 }
                 rays.write(lines, "coin");
             }
             (Self::Number(entry), CheckpointKind::Number { expected, .. }) => {
                 let (sign, unit) = expected.sign_and_unit();
                 let shown = format!("{}_ {unit}", entry.text());
-                rows(0, lines.written());
+                rows(lines.written());
                 let name = format!("> {sign} =");
                 lines.pair(&name, &shown, Role::Selected, Role::Selected);
             }
             (Self::Given(AnswerInput::Choice { chosen, .. }), CheckpointKind::Choice(choices)) => {
                 for (i, choice) in choices.iter().enumerate() {
-                    rows(i, lines.written());
+                    rows(lines.written());
                     let (mark, role) = Role::Text.of_choice(Some(i) == *chosen);
                     let mark = format!("{mark}{}", letter(i));
                     lines.flowing(&mark, 3, &prose::runs(&choice.text, role, None));

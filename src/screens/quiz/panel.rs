@@ -1,14 +1,13 @@
 //! The panel beside the quiz's picture: the question, how sure one is, the answer
 //! and why.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{AnsweredQuestion, OpenQuestion};
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{AnswerInput, Charset, Lines, Look, Role};
+use crate::widgets::{AnswerInput, Charset, Lines, Look, Role, rehearsed};
 
 /// The question, and what is being said to it.
 pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
@@ -53,12 +52,12 @@ pub(super) fn choice_at(
     if !panel.contains((column, row).into()) {
         return None;
     }
-    let mut scratch = Buffer::empty(panel);
-    let lines = Lines::new(panel, &mut scratch, look);
-    let head = head_rows(asked, &lines);
-    let row = (row - panel.y + scrolled).checked_sub(head)?;
-    let left = panel.height.saturating_sub(head);
-    AnswerInput::choice_at(&asked.question.form, &lines, left, row)
+    rehearsed(panel, look, |lines| {
+        let head = head_rows(asked, lines);
+        let row = (row - panel.y + scrolled).checked_sub(head)?;
+        let left = panel.height.saturating_sub(head);
+        AnswerInput::choice_at(&asked.question.form, lines, left, row)
+    })
 }
 
 /// Row of the first confidence, from the top of the text.

@@ -8,7 +8,7 @@ use crate::physics::Frame;
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Look, SplitLayout, areas, draw_question};
+use crate::widgets::{Lines, Look, SplitLayout, areas, draw_question, rehearsed};
 
 /// Columns of the look back at most, with its frame.
 const WIDEST: u16 = 108;
@@ -124,8 +124,7 @@ pub(super) fn line_at(quiz: &Quiz, area: Rect, look: Look, cell: (u16, u16)) -> 
 
 /// Row of the first line of the look back.
 pub(super) fn first_line(quiz: &Quiz, text: Rect, look: Look) -> u16 {
-    let mut scratch = Buffer::empty(text);
-    summary::write(quiz, 0, &mut Lines::new(text, &mut scratch, look))
+    rehearsed(text, look, |lines| summary::write(quiz, 0, lines))
 }
 
 fn title(watched: &AnsweredQuestion) -> String {

@@ -1,21 +1,22 @@
 //! What the figure of a page shows, in words, computed by the engine.
 
+use glam::DVec2;
+
 use super::spoken::sentence;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
-use crate::numbers::{degrees, millimetres, significant};
+use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
-use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m, rad_from_deg};
-use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
-use crate::physics::{CollisionSpec, worked};
+use crate::physics::impact::kinetic_energy;
+use crate::physics::units::{g_from_kg, mm_from_m, rad_from_deg};
+use crate::physics::{
+    Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
+};
 
 /// What the figure of a page shows, a line each; before the page's question is
 /// `answered`, and where a later page asks for it, no more than how the hit is set up.
 pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<String> {
-    let Some((page, figure)) = chapter
-        .pages
-        .get(at)
-        .and_then(|page| Some((page, page.figure.as_ref()?)))
-    else {
+    let page = chapter.pages.get(at);
+    let Some((page, figure)) = page.and_then(|page| Some((page, page.figure.as_ref()?))) else {
         return Vec::new();
     };
     let told = answered || page.checkpoint.is_none();
@@ -100,30 +101,27 @@ fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<Strin
 fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     match kind {
         FigureKind::Curves => every_ten(collision, |alpha_deg, outcome| {
+            let [v1, v2] = [outcome.v1, outcome.v2].map(speed);
             format!(
-                "At α = {alpha_deg}° the striker leaves with {} m/s and the other disc with {} m/s.",
-                significant(outcome.v1.length()),
-                significant(outcome.v2.length())
+                "At α = {alpha_deg}° the striker leaves with {v1} and the other disc with {v2}."
             )
         }),
         FigureKind::Angles => every_ten(collision, |_, outcome| {
-            match (outcome.theta1, outcome.theta2) {
-                (Some(theta1), Some(theta2)) => format!(
-                    "θ₂ = {} goes with θ₁ = {}.",
-                    degrees(theta2.abs()),
-                    degrees(theta1.abs())
-                ),
+            let angle = |theta: Option<f64>| theta.map(|theta| degrees(theta.abs()));
+            match (angle(outcome.theta1), angle(outcome.theta2)) {
+                (Some(theta1), Some(theta2)) => format!("θ₂ = {theta2} goes with θ₁ = {theta1}."),
                 _ => "Head-on the striker stops, and has no angle.".into(),
             }
         }),
         FigureKind::Energy => every_ten(collision, |alpha_deg, outcome| {
-            let share = |mass: f64, speed: f64| {
-                significant(100.0 * 0.5 * mass * speed * speed / outcome.energy_before)
+            let share = |disc: Disc, v: DVec2| {
+                significant(100.0 * kinetic_energy(disc.mass, v) / outcome.energy_before)
             };
+            let kept = share(collision.striker, outcome.v1);
+            let taken = share(collision.target, outcome.v2);
             format!(
-                "At α = {alpha_deg}° the striker keeps {} % of the energy, the other disc takes {} %.",
-                share(collision.striker.mass, outcome.v1.length()),
-                share(collision.target.mass, outcome.v2.length())
+                "At α = {alpha_deg}° the striker keeps {kept} % of the energy, the other disc \
+                 takes {taken} %."
             )
         }),
         _ => Vec::new(),
@@ -152,31 +150,29 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
 fn set_up(figure: &Figure, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
-        Some(alpha) if !figure.shot.is_by_offset() => format!(
-            "with the line of impact at {} to its path",
-            degrees(alpha.abs())
-        ),
-        _ => format!(
-            "with its path at b = {} beside the other\'s centre",
-            millimetres(mm_from_m(collision.offset.abs()))
-        ),
+        Some(alpha) if !figure.shot.is_by_offset() => {
+            let alpha = degrees(alpha.abs());
+            format!("with the line of impact at {alpha} to its path")
+        }
+        _ => {
+            let b = millimetres(mm_from_m(collision.offset.abs()));
+            format!("with its path at b = {b} beside the other's centre")
+        }
     };
-    let target = match collision.u2.length() {
-        speed if speed > 0.0 => format!("one that moves at {} m/s", significant(speed)),
-        _ => "one at rest".to_owned(),
+    let target = match collision.u2.length() > 0.0 {
+        true => format!("one that moves at {}", speed(collision.u2)),
+        false => "one at rest".to_owned(),
     };
     format!(
-        "a disc comes at {} m/s to {target}, {place}.",
-        significant(collision.u1.length())
+        "a disc comes at {} to {target}, {place}.",
+        speed(collision.u1)
     )
 }
 
 /// What no picture shows of the two: their masses, and how they push.
 fn weighed(collision: &Collision) -> String {
-    let [m1, m2] = [collision.striker, collision.target].map(|disc| {
-        let mass_g = g_from_kg(disc.mass);
-        format!("{} g", significant(mass_g))
-    });
+    let [m1, m2] = [collision.striker, collision.target]
+        .map(|disc| with_unit(&significant(g_from_kg(disc.mass)), "g"));
     let contact = match collision.bond {
         Bond::Stick => "They stick together.".to_owned(),
         Bond::Slip if collision.restitution < 1.0 => {
@@ -189,13 +185,13 @@ fn weighed(collision: &Collision) -> String {
 
 /// What becomes of it, as the worked solution sums it up.
 fn result(collision: &Collision) -> Vec<String> {
-    let steps = worked::steps(collision, false);
-    steps
-        .into_iter()
-        .next_back()
-        .map(|step| step.why)
-        .into_iter()
-        .collect()
+    let last = worked::steps(collision, false).pop();
+    last.map(|step| step.why).into_iter().collect()
+}
+
+/// A speed in words.
+fn speed(v: DVec2) -> String {
+    with_unit(&significant(v.length()), "m/s")
 }
 
 /// The steps of the worked solution, each in lines.
@@ -214,15 +210,11 @@ fn every_ten(
     collision: &Collision,
     line: impl Fn(u32, &CollisionOutcome) -> String,
 ) -> Vec<String> {
-    (0..9)
-        .map(|tens| {
-            let alpha_deg = 10 * tens;
-            let outcome = collision
-                .with_alpha(rad_from_deg(f64::from(alpha_deg)))
-                .outcome();
-            line(alpha_deg, &outcome)
-        })
-        .collect()
+    let told = |alpha_deg: u32| {
+        let alpha = rad_from_deg(alpha_deg.into());
+        line(alpha_deg, &collision.with_alpha(alpha).outcome())
+    };
+    (0..90).step_by(10).map(told).collect()
 }
 
 /// The lines at the contact, and unless it is these `lines` alone, the two parts of the
@@ -233,7 +225,7 @@ fn split(collision: &Collision, lines: bool) -> Vec<String> {
     let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
         return Vec::new();
     };
-    let part = |axis: glam::DVec2| significant(u1.dot(axis).abs());
+    let [along, across] = [n, t].map(|axis| significant(u1.dot(axis).abs()));
     match lines {
         true => vec![
             "Two lines run through the point where the rims touch: n through both centres, and t \
@@ -241,66 +233,50 @@ fn split(collision: &Collision, lines: bool) -> Vec<String> {
                 .into(),
         ],
         false => vec![format!(
-            "Of the striker's velocity {} m/s lie along the line of impact and {} m/s across it.",
-            part(n),
-            part(t)
+            "Of the striker's velocity {along} m/s lie along the line of impact and {across} m/s \
+             across it."
         )],
     }
 }
 
 fn triangle(collision: &Collision) -> Vec<String> {
     let outcome = collision.outcome();
+    let [m1, m2] = [collision.striker.mass, collision.target.mass];
     let sides = [
-        collision.striker.mass * collision.u1.length(),
-        collision.striker.mass * outcome.v1.length(),
-        collision.target.mass * outcome.v2.length(),
+        m1 * collision.u1.length(),
+        m1 * outcome.v1.length(),
+        m2 * outcome.v2.length(),
     ];
     let [before, striker, target] = sides.map(|momentum| significant(1e3 * momentum));
-    let mut lines = vec![format!(
+    let momenta = format!(
         "The momenta make a triangle: {before} g m/s before, and after it {striker} g m/s of the \
          striker and {target} g m/s of the other disc."
-    )];
-    if let Some(separation) = outcome.separation {
-        lines.push(format!(
-            "The angle between the two paths is {}.",
-            degrees(separation)
-        ));
-    }
-    lines
+    );
+    let apart = outcome.separation.map(degrees);
+    let apart = apart.map(|angle| format!("The angle between the two paths is {angle}."));
+    [momenta].into_iter().chain(apart).collect()
 }
 
 fn in_the_centre(collision: &Collision) -> Vec<String> {
     let centre = Frame::CentreOfMass.view(collision);
     let outcome = centre.outcome();
+    let drift = speed(collision.centre_of_mass_velocity());
+    let [u1, u2, v1, v2] =
+        [centre.u1, centre.u2, outcome.v1, outcome.v2].map(|v| significant(v.length()));
+    let came = format!(
+        "The centre of mass moves at {drift} all the while. Seen from there the discs come with \
+         {u1} and {u2} m/s from opposite sides, and"
+    );
     let mut lines = result(collision);
     if collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit {
-        lines.push(format!(
-            "The centre of mass moves at {} m/s all the while. Seen from there the discs come with \
-             {} and {} m/s from opposite sides, and stay.",
-            significant(collision.centre_of_mass_velocity().length()),
-            significant(centre.u1.length()),
-            significant(centre.u2.length())
-        ));
+        lines.push(format!("{came} stay."));
         return lines;
     }
     lines.push(format!(
-        "The centre of mass moves at {} m/s all the while. Seen from there the discs come with {} \
-         and {} m/s from opposite sides, and leave with {} and {} m/s, back to back.",
-        significant(collision.centre_of_mass_velocity().length()),
-        significant(centre.u1.length()),
-        significant(centre.u2.length()),
-        significant(outcome.v1.length()),
-        significant(outcome.v2.length())
+        "{came} leave with {v1} and {v2} m/s, back to back."
     ));
-    let turn = centre
-        .u1
-        .perp_dot(outcome.v1)
-        .atan2(centre.u1.dot(outcome.v1));
-    if outcome.v1.length() > 1e-9 {
-        lines.push(format!(
-            "Both are turned by Θ = {:.1}°.",
-            deg_from_rad(turn).abs()
-        ));
+    if let Some(turn) = outcome.theta1.filter(|_| outcome.v1.length() > 1e-9) {
+        lines.push(format!("Both are turned by Θ = {}.", degrees(turn.abs())));
     }
     lines
 }

@@ -18,5 +18,6 @@ mod wrap;
 pub use charset::Charset;
 pub use lines::{Lines, Spare};
 pub use look::Look;
+pub(crate) use scroll::rehearsed;
 pub use scroll::{Scroll, overflow, scroll_keys};
 pub use wrap::{ago, clipped, equation, held, width, wrap};

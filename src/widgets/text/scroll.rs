@@ -77,10 +77,17 @@ pub fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
 
 /// Rows of what `write` writes that `area` has no room for.
 pub fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
+    let written = rehearsed(area, look, |lines| {
+        write(lines);
+        lines.written()
+    });
+    written.saturating_sub(area.height)
+}
+
+/// What `write` gives when it writes where nobody sees it.
+pub(crate) fn rehearsed<T>(area: Rect, look: Look, write: impl FnOnce(&mut Lines) -> T) -> T {
     let mut scratch = Buffer::empty(area);
-    let mut lines = Lines::new(area, &mut scratch, look);
-    write(&mut lines);
-    lines.written().saturating_sub(area.height)
+    write(&mut Lines::new(area, &mut scratch, look))
 }
 
 #[cfg(test)]

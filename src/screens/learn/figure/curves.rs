@@ -128,6 +128,7 @@ pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture;
 
 /// Draws curves against α with the points at one angle.
 fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha: f64) {
+    use LabelSide::{Above, Below, BelowLeft, BelowRight, Left, Right};
     let alpha_deg = deg_from_rad(alpha);
     plot.upright(alpha_deg, Pen::new(Role::Aim).dotted());
     for curve in curves {
@@ -142,20 +143,9 @@ fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, 
     for curve in curves {
         // Where it is high, and where the other is not.
         let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
-        let ends = [name_at(8.0), name_at(82.0)];
-        let high = ends
-            .into_iter()
-            .flatten()
-            .max_by(|a, b| a.y.total_cmp(&b.y));
-        if let Some(at) = high {
-            let sides = [
-                LabelSide::Below,
-                LabelSide::BelowLeft,
-                LabelSide::BelowRight,
-                LabelSide::Above,
-                LabelSide::Left,
-                LabelSide::Right,
-            ];
+        let ends = [8.0, 82.0].into_iter().filter_map(name_at);
+        if let Some(at) = ends.max_by(|a, b| a.y.total_cmp(&b.y)) {
+            let sides = [Below, BelowLeft, BelowRight, Above, Left, Right];
             plot.label(curve.name, at, &sides, curve.role);
         }
     }

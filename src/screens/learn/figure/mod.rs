@@ -16,11 +16,11 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
+use crate::numbers::tidy;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
-use crate::screens::foil as foil_screen;
-use crate::screens::foil::FoilFigureAction;
+use crate::screens::foil::{FoilFigure, FoilFigureAction, FoilPage};
 use crate::screens::lab::Setup;
 use crate::widgets::hit::{
     Face, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
@@ -81,7 +81,7 @@ enum FigureState {
     /// The setting that keys change, and the step.
     Solve { field: usize, step: usize },
     /// A page of the foil.
-    Foil(Box<foil_screen::FoilFigure>),
+    Foil(Box<FoilFigure>),
 }
 
 impl LiveFigure {
@@ -109,14 +109,12 @@ impl LiveFigure {
     /// Starts the state anew from the collision.
     fn set_up(&mut self, said: Option<Rays>, reduced: bool) {
         let watch = |reduced| Watch::new(self.collision, said, reduced);
+        let hit = |watch| FigureState::Hit(Box::new(watch));
         self.state = match self.figure.kind {
-            FigureKind::Lab => FigureState::Hit(Box::new(watch(reduced))),
-            FigureKind::Split { .. } if said.is_some() => {
-                FigureState::Hit(Box::new(watch(reduced)))
+            FigureKind::Split { lines } if said.is_none() => {
+                hit(watch(true).with_layers(split_layers(lines)))
             }
-            FigureKind::Split { lines } => {
-                FigureState::Hit(Box::new(watch(true).with_layers(split_layers(lines))))
-            }
+            FigureKind::Lab | FigureKind::Split { .. } => hit(watch(reduced)),
             FigureKind::Frames => {
                 FigureState::Frames(Box::new(frames::watches(&self.collision, reduced)))
             }
@@ -124,9 +122,8 @@ impl LiveFigure {
             FigureKind::Solve => FigureState::Solve { field: 0, step: 0 },
             FigureKind::Foil { levelled, .. } if !self.hidden => {
                 let page = self.foil_page().unwrap_or_default();
-                FigureState::Foil(Box::new(foil_screen::FoilFigure::new(
-                    page, levelled, !reduced,
-                )))
+                let figure = FoilFigure::new(page, levelled, !reduced);
+                FigureState::Foil(Box::new(figure))
             }
             _ => FigureState::Plain,
         };
@@ -159,12 +156,12 @@ impl LiveFigure {
 
     /// The page of the foil that shows more of it, if it is the foil, which has a
     /// screen of its own.
-    pub(super) fn foil_page(&self) -> Option<foil_screen::FoilPage> {
+    pub(super) fn foil_page(&self) -> Option<FoilPage> {
         let FigureKind::Foil { page, .. } = self.figure.kind else {
             return None;
         };
-        let pages = foil_screen::FoilPage::ALL;
-        pages.get(usize::from(page).checked_sub(1)?).copied()
+        let at = usize::from(page).checked_sub(1)?;
+        FoilPage::ALL.get(at).copied()
     }
 
     /// The hit that is watched, for its explanation.
@@ -202,14 +199,10 @@ impl LiveFigure {
 
     /// Whether α is set in it.
     fn has_alpha(&self) -> bool {
-        let kind = self.figure.kind;
+        use FigureKind::{Angles, Curves, Energy, Frames, Triangle};
         let drawn_against_it = matches!(
-            kind,
-            FigureKind::Curves
-                | FigureKind::Angles
-                | FigureKind::Energy
-                | FigureKind::Triangle { .. }
-                | FigureKind::Frames
+            self.figure.kind,
+            Curves | Angles | Energy | Triangle { .. } | Frames
         );
         drawn_against_it && !self.hidden
     }
@@ -240,13 +233,8 @@ impl LiveFigure {
 
     /// Whether an outcome that is hidden is covered by the picture before the hit.
     fn covers_outcome(&self) -> bool {
-        matches!(
-            self.figure.kind,
-            FigureKind::Lab
-                | FigureKind::Split { .. }
-                | FigureKind::Triangle { .. }
-                | FigureKind::Frames
-        )
+        let kind = self.figure.kind;
+        kind.is_hit() || matches!(kind, FigureKind::Triangle { .. } | FigureKind::Frames)
     }
 
     fn step(&self) -> usize {
@@ -265,20 +253,17 @@ impl LiveFigure {
     /// The keys that work it.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
         use FigureAction::{Alpha, AlphaEnd, Choose, Foil, Set, SetByTen, Step};
-        let keys = KeyTable::new("figure");
-        let alpha = KeyTable::new("figure")
+        let (key, keys) = (Key::Char, KeyTable::new("figure"));
+        let alpha = keys
+            .clone()
             .each([(Key::Left, Alpha(-1)), (Key::Right, Alpha(1))], "α")
-            .or([
-                (Key::Char('<'), Alpha(-LEAP)),
-                (Key::Char('>'), Alpha(LEAP)),
-            ])
+            .or([(key('<'), Alpha(-LEAP)), (key('>'), Alpha(LEAP))])
             .each([(Key::Home, AlphaEnd(0)), (Key::End, AlphaEnd(90))], "");
         let watched = |watch: &Watch| {
             use WatchAction::{Again, Frame, Scrub, ToggleLayer};
+            let spare = |action| matches!(action, Frame | Scrub(_) | ToggleLayer(_));
             let keys = watch.keys().renamed("play again", |action| action == Again);
-            keys.renamed("", |action| {
-                matches!(action, Frame | Scrub(_) | ToggleLayer(_))
-            })
+            keys.renamed("", spare)
         };
         match &self.state {
             _ if self.hidden && self.covers_outcome() => keys,
@@ -294,15 +279,9 @@ impl LiveFigure {
             FigureState::Solve { .. } => keys
                 .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
                 .each([(Key::Left, Set(-1)), (Key::Right, Set(1))], "set")
+                .each([(key(','), Step(-1)), (key('.'), Step(1))], "step")
                 .each(
-                    [(Key::Char(','), Step(-1)), (Key::Char('.'), Step(1))],
-                    "step",
-                )
-                .each(
-                    [
-                        (Key::Char('<'), SetByTen(-LEAP)),
-                        (Key::Char('>'), SetByTen(LEAP)),
-                    ],
+                    [(key('<'), SetByTen(-LEAP)), (key('>'), SetByTen(LEAP))],
                     "set by ten",
                 ),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
@@ -346,9 +325,7 @@ impl LiveFigure {
 
     /// The impact angle in degrees.
     pub(super) fn alpha_deg(&self) -> f64 {
-        let noise = 1e9;
-        let alpha = self.collision.alpha().map_or(0.0, deg_from_rad);
-        (alpha * noise).round() / noise
+        tidy(self.collision.alpha().map_or(0.0, deg_from_rad))
     }
 
     fn set_alpha(&mut self, alpha_deg: f64) {
@@ -368,9 +345,8 @@ impl LiveFigure {
         rays: Option<&mut RayInput>,
         look: &Look,
     ) -> bool {
-        let cell = (mouse.column, mouse.row);
+        let (cell, held) = (mouse.cell(), mouse.is_held());
         let pressed = mouse.kind == MouseKind::Down;
-        let held = pressed || mouse.kind == MouseKind::Drag;
         if let Some(rays) = rays {
             if held {
                 point_at(area, &self.collision, rays, cell, pressed);

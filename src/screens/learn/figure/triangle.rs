@@ -8,6 +8,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::LiveFigure;
+use crate::lessons::FigureKind;
+use crate::numbers::fixed;
 use crate::physics::Collision;
 use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role, areas, text};
@@ -50,7 +52,7 @@ fn view(collision: &Collision, step: u8, area: Rect) -> View {
 /// The angle for which the joint would be nearest to a cell, in degrees.
 pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)) -> Option<f64> {
     let collision = shown.collision();
-    let crate::lessons::FigureKind::Triangle { step } = shown.figure.kind else {
+    let FigureKind::Triangle { step } = shown.figure.kind else {
         return None;
     };
     let [picture, _] = rooms(area);
@@ -70,19 +72,19 @@ pub(super) fn lay_out(
     buf: &mut Buffer,
     look: &Look,
 ) -> Picture {
+    use LabelSide::{Above, Below, Over};
     let [area, below] = rooms(area);
     let mut picture = Picture::new(view(collision, step, area));
     let [tail, joint, tip] = corners(collision);
-    let equal = equal_masses(collision);
+    let last = if equal_masses(collision) {
+        "v₂"
+    } else {
+        "(m₂/m₁) v₂"
+    };
     let sides = [
         (tail, tip, "u", Role::Incoming),
         (tail, joint, "v₁", Role::StrikerOut),
-        (
-            joint,
-            tip,
-            if equal { "v₂" } else { "(m₂/m₁) v₂" },
-            Role::CoinOut,
-        ),
+        (joint, tip, last, Role::CoinOut),
     ];
     let middle = (tail + joint + tip) / 3.0;
     if step == 2 {
@@ -113,20 +115,18 @@ pub(super) fn lay_out(
         // In the middle of a square that has room for it, else beyond the square.
         let columns = length / picture.view().per_column();
         let roomy = columns > text::width(&text) as f64 + 2.0;
+        let towards = LabelSide::towards(outwards);
         let (share, sides) = match step {
-            2 if roomy => (
-                0.5,
-                vec![LabelSide::Over, LabelSide::Above, LabelSide::Below],
-            ),
-            2 => (1.0, LabelSide::towards(outwards).to_vec()),
-            _ => (0.0, LabelSide::towards(outwards).to_vec()),
+            2 if roomy => (0.5, &[Over, Above, Below][..]),
+            2 => (1.0, &towards[..]),
+            _ => (0.0, &towards[..]),
         };
-        picture.label(&text, centre + share * length * outwards, &sides, role);
+        picture.label(&text, centre + share * length * outwards, sides, role);
     }
+    let alpha = collision.alpha().map_or(0.0, f64::to_degrees);
     let mut lines = Lines::new(below, buf, *look);
-    for (row, role) in words(collision, step, [a, b]) {
-        lines.line(&row, role);
-    }
+    lines.line(&format!("α = {alpha:.0}°"), Role::Dim);
+    lines.line(&words(collision, step, [a, b]), Role::Text);
     picture
 }
 
@@ -147,26 +147,19 @@ fn square(picture: &mut Picture, from: DVec2, to: DVec2, middle: DVec2, role: Ro
 }
 
 /// What a step says, in the numbers of the shot.
-fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> Vec<(String, Role)> {
+fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     let u = collision.u1.length();
-    let (aa, bb) = (a.length_squared(), b.length_squared());
+    let (uu, aa, bb) = (u * u, a.length_squared(), b.length_squared());
     let both = 2.0 * a.dot(b);
-    let both = if both.abs() < 1e-9 * u * u { 0.0 } else { both };
-    let alpha = collision.alpha().map_or(0.0, f64::to_degrees);
-    let mut rows = vec![(format!("α = {alpha:.0}°"), Role::Dim)];
-    rows.push(match step {
-        1 => ("The arrows close: u = v₁ + v₂.".into(), Role::Text),
-        2 => (
-            format!("{:.2} = {aa:.2} + {bb:.2}{}", u * u, spare(both)),
-            Role::Text,
-        ),
-        _ => (
-            format!("2 v₁·v₂ = {:.2} − {:.2} − {:.2} = {both:.2}", u * u, aa, bb)
-                .replace("-0.00", "0.00"),
-            Role::Text,
-        ),
-    });
-    rows
+    let both = if both.abs() < 1e-9 * uu { 0.0 } else { both };
+    match step {
+        1 => "The arrows close: u = v₁ + v₂.".into(),
+        2 => format!("{uu:.2} = {aa:.2} + {bb:.2}{}", spare(both)),
+        _ => {
+            let both = fixed(both, 2);
+            format!("2 v₁·v₂ = {uu:.2} − {aa:.2} − {bb:.2} = {both}")
+        }
+    }
 }
 
 /// What the squares on the two short sides leave over.

@@ -38,13 +38,9 @@ pub(super) fn draw(
         let setup = shown.setup();
         for (i, field) in FIELDS.into_iter().enumerate() {
             let (mark, role) = Role::Dim.of_choice(i == chosen);
+            let (_, value) = Role::Text.of_choice(i == chosen);
             let field = field.field(&setup);
             let name = format!("{mark} {}", field.name);
-            let value = if i == chosen {
-                Role::Selected
-            } else {
-                Role::Text
-            };
             lines.pair(&name, &field.shown, role, value);
         }
         lines.gap();

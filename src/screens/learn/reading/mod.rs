@@ -14,10 +14,11 @@ use super::question::{CheckpointAction, CheckpointInput};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, ChapterPage, Forget};
 use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
+use crate::physics::Collision;
 use crate::quiz::Response;
 use crate::screens::{Confirmation, Context, Next, Place, Screen};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Outcome, Scroll, SplitLayout, overflow};
+use crate::widgets::{Lines, Look, Outcome, Scroll, SplitLayout, overflow};
 
 /// What keys do in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -134,16 +135,12 @@ impl Reading {
         let Some(page) = self.chapter.pages.get(self.at) else {
             return;
         };
-        let hidden = page.checkpoint.is_some();
-        let figure = page
-            .figure
-            .map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
-        let collision = figure.as_ref().map(|figure| *figure.collision());
-        let question = page.checkpoint.as_ref();
-        let question =
-            question.map(|checkpoint| CheckpointInput::new(checkpoint, collision.as_ref()));
+        let (figure, checkpoint) = (page.figure, page.checkpoint.as_ref());
+        let hidden = checkpoint.is_some();
+        let figure = figure.map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
+        let collision = figure.as_ref().map(LiveFigure::collision);
+        self.question = checkpoint.map(|asked| CheckpointInput::new(asked, collision));
         self.figure = figure;
-        self.question = question;
         self.answer = None;
         self.on_figure = self.is_open_to_figure();
         if let Some(answer) = answer
@@ -160,6 +157,11 @@ impl Reading {
 
     fn page(&self) -> Option<&ChapterPage> {
         self.chapter.pages.get(self.at)
+    }
+
+    /// The collision of the figure.
+    fn collision(&self) -> Option<&Collision> {
+        self.figure.as_ref().map(LiveFigure::collision)
     }
 
     /// Whether a question waits for its answer.
@@ -185,7 +187,7 @@ impl Reading {
         let Some(checkpoint) = &page.checkpoint else {
             return;
         };
-        let figure = self.figure.as_ref().map(LiveFigure::collision);
+        let figure = self.collision();
         let player = &cx.settings.player;
         let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
         let mark = Bookmark::answering(page, checkpoint, answer, attempt.right);
@@ -309,44 +311,40 @@ impl Reading {
         (area.height + more, area.height)
     }
 
+    /// The mouse over the picture.
+    fn point(&mut self, mouse: &Mouse, picture: Rect, look: &Look) -> Next {
+        let question = self.question.as_mut().filter(|_| self.answer.is_none());
+        let rays = question.and_then(CheckpointInput::rays_mut);
+        let figure = self.figure.as_mut();
+        let used = figure.is_some_and(|figure| figure.mouse(mouse, picture, rays, look));
+        if used {
+            self.note_alpha();
+        }
+        Next::after(used)
+    }
+
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let SplitLayout { picture, panel, .. } = view::layout(self, cx.body);
-        let cell = (mouse.column, mouse.row);
-        let look = cx.settings.look();
+        let (cell, look) = (mouse.cell(), cx.settings.look());
         if picture.contains(cell.into()) {
-            let rays = match &mut self.question {
-                Some(question) if self.answer.is_none() => question.rays_mut(),
-                _ => None,
-            };
-            let used = self
-                .figure
-                .as_mut()
-                .is_some_and(|figure| figure.mouse(mouse, picture, rays, &look));
-            if used {
-                self.note_alpha();
-                return Next::Stay;
+            return self.point(mouse, picture, &look);
+        }
+        if !panel.contains(cell.into()) {
+            return Next::Ignored;
+        }
+        if let Some(by) = mouse.wheel() {
+            self.scroll_by(-i16::from(by), cx);
+            return Next::Stay;
+        }
+        if mouse.kind == MouseKind::Down
+            && self.is_asking()
+            && let Some(line) = panel::choice_at(self, panel, cell, look)
+            && let Some(question) = &mut self.question
+        {
+            if question.choose(line) {
+                self.answered(Response::Choice(line), cx);
             }
-        } else if panel.contains(cell.into()) {
-            match mouse.kind {
-                MouseKind::ScrollUp => {
-                    self.scroll_by(-1, cx);
-                    return Next::Stay;
-                }
-                MouseKind::ScrollDown => {
-                    self.scroll_by(1, cx);
-                    return Next::Stay;
-                }
-                MouseKind::Down if self.is_asking() => {
-                    let line = panel::choice_at(self, panel, cell, look);
-                    if let (Some(line), Some(question)) = (line, &mut self.question) {
-                        if question.choose(line) {
-                            self.answered(Response::Choice(line), cx);
-                        }
-                        return Next::Stay;
-                    }
-                }
-                _ => {}
-            }
+            return Next::Stay;
         }
         Next::Ignored
     }
@@ -401,19 +399,14 @@ impl Screen for Reading {
             };
             table = table.with(figure.keys().without_keys(lines), Figure);
         }
-        let full_size = match self.figure.as_ref().map(LiveFigure::foil_page) {
-            Some(Some(_)) => "the foil",
-            _ => "in the lab",
-        };
+        let foil = self.figure.as_ref().and_then(LiveFigure::foil_page);
+        let full_size = foil.map_or("in the lab", |_| "the foil");
+        let other = if self.on_figure { "text" } else { "figure" };
         let rest = keys()
             .on(Key::Char(' '), Next, "")
             .when(!asking)
             .on(Key::Char('b'), Back, "back")
-            .on(
-                Key::Tab,
-                Switch,
-                if self.on_figure { "text" } else { "figure" },
-            )
+            .on(Key::Tab, Switch, other)
             .or([(Key::BackTab, Switch)])
             .when(self.figure.is_some())
             .on(Key::Char('o'), FullSize, full_size)

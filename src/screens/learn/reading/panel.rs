@@ -1,6 +1,5 @@
 //! The text of a page: what is to be read and asked, or what is said to an answer.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Reading;
@@ -14,11 +13,11 @@ use crate::screens::learn::prose;
 use crate::screens::why::of_hit;
 use crate::widgets::hit::Watch;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, rehearsed};
 
 /// Writes it.
 pub(super) fn write(reading: &Reading, lines: &mut Lines) {
-    write_noting(reading, lines, |_, _| {});
+    write_noting(reading, lines, |_| {});
 }
 
 /// The line of a choice at a cell of the panel.
@@ -28,35 +27,38 @@ pub(super) fn choice_at(
     (_, row): (u16, u16),
     look: Look,
 ) -> Option<usize> {
-    let mut scratch = Buffer::empty(area);
-    let mut lines = Lines::new(area, &mut scratch, look);
-    let mut starts = Vec::new();
-    write_noting(reading, &mut lines, |line, row| starts.push((line, row)));
+    let starts = starts(reading, area, look);
     let scrolled = reading
         .scroll
         .rows(area, look, |lines| write(reading, lines));
     let row = row.saturating_sub(area.y) + scrolled;
-    let is_last = starts.last().is_some_and(|(_, start)| row > start + 3);
-    let line = starts.into_iter().rfind(|(_, start)| *start <= row)?;
-    (!is_last).then_some(line.0)
+    let is_last = starts.last().is_some_and(|start| row > start + 3);
+    let line = starts.into_iter().rposition(|start| start <= row)?;
+    (!is_last).then_some(line)
 }
 
 /// The last row of the line of the answer in the making that keys change.
 pub(super) fn row_of_answer(reading: &Reading, area: Rect, look: Look) -> Option<u16> {
-    let mut scratch = Buffer::empty(area);
-    let mut lines = Lines::new(area, &mut scratch, look);
-    let mut starts = Vec::new();
-    write_noting(reading, &mut lines, |_, row| starts.push(row));
+    let starts = starts(reading, area, look);
     let line = reading.question.as_ref()?.line();
     let after = starts.get(line + 1).map(|next| next.saturating_sub(1));
     after.or_else(|| starts.get(line).copied())
 }
 
-fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u16)) {
+/// The first row of each line of the answer in the making.
+fn starts(reading: &Reading, area: Rect, look: Look) -> Vec<u16> {
+    let mut starts = Vec::new();
+    rehearsed(area, look, |lines| {
+        write_noting(reading, lines, |row| starts.push(row));
+    });
+    starts
+}
+
+fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
     let Some(page) = reading.page() else {
         return;
     };
-    let collision = reading.figure.as_ref().map(LiveFigure::collision);
+    let collision = reading.collision();
     let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
     else {
         return prose::write(&page.text, lines, collision);
@@ -101,25 +103,23 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(usize, u1
 
 /// What is said to an answer.
 fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mut Lines) {
-    let collision = reading.figure.as_ref().map(LiveFigure::collision);
-    let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
+    let collision = reading.collision();
+    if answer.rays().is_none() {
+        prose::write(&checkpoint.question, lines, collision);
+        lines.gap();
+    }
     match (&answer, &checkpoint.asked) {
         (Response::Rays(rays), _) => {
-            if let (Some(watch), Some(figure)) = (watch, &reading.figure) {
+            if let Some(figure) = &reading.figure
+                && let Some(watch) = figure.watch()
+            {
                 rays_told(rays, watch, figure, lines);
             }
         }
-        (Response::Number(number), _) => {
-            prose::write(&checkpoint.question, lines, collision);
-            lines.gap();
-            number_told(*number, &answer, checkpoint, collision, lines);
-        }
         (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
-            prose::write(&checkpoint.question, lines, collision);
-            lines.gap();
             choice_told(*chosen, choices, collision, lines);
         }
-        _ => {}
+        _ => number_told(&answer, checkpoint, collision, lines),
     }
     if !checkpoint.after.is_empty() {
         lines.gap();
@@ -133,10 +133,7 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines)
     said_and_true(watch.collision(), rays, names, false, lines);
     lines.gap();
     let (title, text) = match figure.question_by_angle() {
-        Some(question) => {
-            let (title, text) = of_hit(&question, *rays);
-            (title.into(), text)
-        }
+        Some(question) => of_hit(&question, Some(*rays)),
         None => explain(&figure.setup(), watch),
     };
     if !title.is_empty() {
@@ -145,17 +142,20 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines)
     lines.paragraph(&text, Role::Text);
 }
 
+/// A number beside the right one.
 fn number_told(
-    number: f64,
     answer: &Response,
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
     lines: &mut Lines,
 ) {
-    let CheckpointKind::Number {
-        expected,
-        tolerance,
-    } = &checkpoint.asked
+    let (
+        Response::Number(number),
+        CheckpointKind::Number {
+            expected,
+            tolerance,
+        },
+    ) = (answer, &checkpoint.asked)
     else {
         return;
     };
@@ -165,7 +165,7 @@ fn number_told(
     let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
     let shown = |value: f64| true_minus(&with_unit(&fixed(value, decimals), unit));
     let role = if right { Role::Good } else { Role::Warn };
-    lines.pair("you said", &shown(number), Role::Dim, role);
+    lines.pair("you said", &shown(*number), Role::Dim, role);
     if let Some(truth) = expected.value(figure) {
         lines.fact("truth", &shown(truth));
     }
@@ -188,8 +188,10 @@ fn choice_told(
     let Some(choice) = choices.get(chosen) else {
         return;
     };
-    let role = if choice.right { Role::Good } else { Role::Warn };
-    let mark = if choice.right { "✓" } else { "✗" };
+    let (mark, role) = match choice.right {
+        true => ("✓", Role::Good),
+        false => ("✗", Role::Warn),
+    };
     lines.flowing(mark, 2, &prose::runs(&choice.text, role, figure));
     lines.flowing("", 0, &prose::runs(&choice.why, Role::Text, figure));
     if let Some(right) = choices.iter().find(|other| other.right && !choice.right) {

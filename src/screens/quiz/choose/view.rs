@@ -8,7 +8,7 @@ use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::widgets::input::{ListView, TextField};
-use crate::widgets::{Lines, Look, Role, SplitLayout, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, rehearsed, text};
 
 /// Why rounds are mixed.
 const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
@@ -38,8 +38,7 @@ pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Op
 
 /// Rows of a round in the list: one, and an empty one below it where there is room.
 fn rows_of_a_round(choosing: &Choosing, list: Rect, look: Look) -> u16 {
-    let mut scratch = Buffer::empty(list);
-    let why = Lines::new(list, &mut scratch, look).rows_of(WHY_MIXED);
+    let why = rehearsed(list, look, |lines| lines.rows_of(WHY_MIXED));
     let rounds = choosing.choices().len() as u16;
     if list.height > 2 * rounds + why { 2 } else { 1 }
 }
