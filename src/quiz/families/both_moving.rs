@@ -131,7 +131,17 @@ fn frames(
                          and the rule for a coin at rest holds.";
     const BACK_TO_BACK: &str = "With the centre of mass the momentum is zero, so the two part \
                                 back to back: 180°.";
-    const DEPENDS: &str = "At an angle that depends on the offset";
+    const WHO: [&str; 4] = [
+        "One who rides along with the coin as it came",
+        "One who stands still at the edge of the board",
+        "One who rides along with the centre of mass",
+        "Everyone, however they move themselves",
+    ];
+    const ANGLES: [&str; 3] = [
+        "At 90°, wherever they touch",
+        "At 180°, wherever they touch",
+        "At an angle that depends on the offset",
+    ];
     const IT_DEPENDS: &str = "The offset decides where they go. But seen from there, the angle \
                               between them is always the same.";
     let angle_for =
@@ -146,18 +156,15 @@ fn frames(
             draft
                 .named("who", TOPIC)
                 .ask("Who sees them part at exactly 90°?")
-                .right("One who rides along with the coin as it came")
-                .choice(
-                    SquareOnTheGround,
-                    "One who stands still at the edge of the board",
-                )
+                .options(WHO, 0)
+                .chooses(SquareOnTheGround, 1)
                 .says(
                     "You looked for 90° on the board. There it takes a coin at rest, and here \
                      both move.",
                 )
-                .choice(FramesMixed, "One who rides along with the centre of mass")
+                .chooses(FramesMixed, 2)
                 .says(BACK_TO_BACK)
-                .choice(AlwaysSquare, "Everyone, however they move themselves")
+                .chooses(AlwaysSquare, 3)
                 .says(
                     "You took 90° for everyone. But whoever moves along sees other velocities, \
                      and other angles.",
@@ -168,10 +175,10 @@ fn frames(
             draft
                 .named("from-the-coin", TOPIC)
                 .ask(angle_for("the coin as it came"))
-                .right("At 90°, wherever they touch")
-                .choice(FramesMixed, "At 180°, wherever they touch")
+                .options(ANGLES, 0)
+                .chooses(FramesMixed, 1)
                 .says("You took 180°. That is seen from the centre of mass, not from the coin.")
-                .choice(None, DEPENDS)
+                .chooses(None, 2)
                 .says(IT_DEPENDS),
             RIDES,
         ),
@@ -179,10 +186,10 @@ fn frames(
             draft
                 .named("from-the-centre", TOPIC)
                 .ask(angle_for("their centre of mass"))
-                .choice(FramesMixed, "At 90°, wherever they touch")
+                .options(ANGLES, 1)
+                .chooses(FramesMixed, 0)
                 .says("You took 90°. That is seen by one who rides along with the coin as it came.")
-                .right("At 180°, wherever they touch")
-                .choice(None, DEPENDS)
+                .chooses(None, 2)
                 .says(IT_DEPENDS),
             BACK_TO_BACK,
         ),

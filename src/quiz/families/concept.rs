@@ -17,14 +17,16 @@ pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Qu
         Some(collision) => Illustration::before(collision, Markings::default()),
         None => Illustration::Nothing,
     };
+    let choices = concept.choices();
+    let right = choices.iter().position(|(_, wrong)| wrong.is_none());
     let mut draft = Outline::new(&concept.ask, picture)
         .topic(concept.topic())
-        .figure("id", concept.id.as_str());
-    for (text, wrong) in concept.choices() {
-        draft = match wrong {
-            None => draft.right(text),
-            Some(wrong) => draft.choice(wrong.misconception, text).says(&wrong.says),
-        };
+        .figure("id", concept.id.as_str())
+        .options(choices.iter().map(|(text, _)| *text), right?);
+    for (place, (_, wrong)) in choices.iter().enumerate() {
+        if let Some(wrong) = wrong {
+            draft = draft.chooses(wrong.misconception, place).says(&wrong.says);
+        }
     }
     if !concept.ordered {
         draft = draft.shuffled(dice);

@@ -57,15 +57,20 @@ fn turned_most(
         speed: f64::from(2 + dice.below(4)),
         direction_deg: direction_deg(difficulty, dice),
     };
-    let alpha_deg = match most(&hit) {
-        LargestDeflection::Turned { alpha, .. } => deg_from_rad(alpha),
-        LargestDeflection::NearlyRight | LargestDeflection::Reversed => 30.0,
-    };
+    let alpha_deg = turned(&hit).map_or(30.0, |(_, alpha)| deg_from_rad(alpha));
     hit.at_angle(if left { -alpha_deg } else { alpha_deg })
 }
 
 fn most(hit: &Hit) -> LargestDeflection {
     RestingTarget::from(&hit.collision()).largest_deflection()
+}
+
+/// The largest θ₁ and the α that brings it, where a limit lies well below 90°.
+fn turned(hit: &Hit) -> Option<(f64, f64)> {
+    match most(hit) {
+        LargestDeflection::Turned { theta1, alpha } => Some((theta1, alpha)),
+        LargestDeflection::NearlyRight | LargestDeflection::Reversed => None,
+    }
 }
 
 /// The two masses and the loss in words.
@@ -129,13 +134,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
 /// By how many degrees at most.
 fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, e_tenths, difficulty, dice);
-    let LargestDeflection::Turned { theta1, .. } = most(&hit) else {
-        return None;
-    };
-    let most_deg = |hit: &Hit| match most(hit) {
-        LargestDeflection::Turned { theta1, .. } => Some(deg_from_rad(theta1)),
-        LargestDeflection::NearlyRight | LargestDeflection::Reversed => None,
-    };
+    let (theta1, _) = turned(&hit)?;
+    let lossless = turned(&hit.with_restitution(1.0));
     let why = if hit.restitution < 1.0 {
         format!(
             "It gives up k = (1 + e) m₂ / (m₁ + m₂) = {} of its speed along the line. Its velocity \
@@ -164,7 +164,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         .says("You sent it straight on. It is heavier, yet every hit off-centre turns it.")
         .wrong(SineCosine, 90.0 - deg_from_rad(theta1))
         .says("You took a cosine. The lighter the coin, the smaller the turn: a sine.")
-        .wrong(Lossless, most_deg(&hit.with_restitution(1.0)))
+        .wrong(Lossless, lossless.map(|(theta1, _)| deg_from_rad(theta1)))
         .says(here_e("That is the most without loss.", hit.restitution))
         .why(why)
 }
@@ -173,9 +173,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
 /// that brings it, and what is told.
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
-    let LargestDeflection::Turned { theta1, alpha } = most(&hit) else {
-        return None;
-    };
+    let (theta1, alpha) = turned(&hit)?;
     let draft = Outline::told(&hit, setting(&hit), Illustration::Nothing);
     Some((hit, theta1, alpha, draft))
 }

@@ -100,12 +100,14 @@ impl Outline {
         self
     }
 
-    /// One of these texts is asked for, which stand as they are.
-    pub(super) fn options<const N: usize>(mut self, options: [&str; N], right: usize) -> Self {
-        self.question.form = Form::Choice {
-            options: options.map(str::to_owned).into(),
-            right,
-        };
+    /// One of these texts is asked for, and this one is right.
+    pub(super) fn options<T: Into<String>>(
+        mut self,
+        options: impl IntoIterator<Item = T>,
+        right: usize,
+    ) -> Self {
+        let options = options.into_iter().map(Into::into).collect();
+        self.question.form = Form::Choice { options, right };
         self
     }
 
@@ -124,8 +126,8 @@ impl Outline {
         self
     }
 
-    /// Which of the [`options`](Self::options) a misconception chooses. Of those that choose
-    /// alike the first counts.
+    /// Which of the [`options`](Self::options) a misconception chooses, or somebody who follows
+    /// none that is known. Of misconceptions that choose alike the first counts.
     pub(super) fn chooses(
         mut self,
         misconception: impl Into<Option<Misconception>>,
@@ -155,38 +157,7 @@ impl Outline {
         });
     }
 
-    /// Adds a choice, and gives its place.
-    fn add_option(&mut self, text: impl Into<String>) -> usize {
-        match &mut self.question.form {
-            Form::Choice { options, .. } => {
-                options.push(text.into());
-                options.len() - 1
-            }
-            _ => 0,
-        }
-    }
-
-    /// Adds the right choice.
-    pub(super) fn right(mut self, text: impl Into<String>) -> Self {
-        let place = self.add_option(text);
-        if let Form::Choice { right, .. } = &mut self.question.form {
-            *right = place;
-        }
-        self
-    }
-
-    /// Adds a wrong choice, which follows a misconception or none that is known.
-    pub(super) fn choice(
-        mut self,
-        misconception: impl Into<Option<Misconception>>,
-        text: impl Into<String>,
-    ) -> Self {
-        let place = self.add_option(text);
-        self.push(misconception, Some(Response::Choice(place)));
-        self
-    }
-
-    /// Puts the choices added so far into any order.
+    /// Puts the choices into any order.
     pub(super) fn shuffled(mut self, dice: &mut Dice) -> Self {
         if let Form::Choice { options, right } = &mut self.question.form {
             let mut order: Vec<usize> = (0..options.len()).collect();

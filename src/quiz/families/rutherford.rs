@@ -104,15 +104,15 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             in_degrees(there),
             in_degrees(here)
         ))
-        .right(right)
-        .choice(TooGentle, gentle)
+        .options([right, gentle, upside_down, "Just as many".into()], 0)
+        .chooses(TooGentle, 1)
         .says("You took the square of the sine. It is the fourth power that counts.")
-        .choice(UpsideDown, upside_down)
+        .chooses(UpsideDown, 2)
         .says(
             "You had it the other way round. Small angles are the common ones: most pass far from \
              a nucleus.",
         )
-        .choice(EveryAngleAlike, "Just as many")
+        .chooses(EveryAngleAlike, 3)
         .says(
             "You took all angles as alike. But to be turned far, one must pass close by, and few \
              do.",
