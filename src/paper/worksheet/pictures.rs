@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use crate::paper::svg;
 use crate::physics::Collision;
-use crate::quiz::{self, Form, Question, Round};
+use crate::quiz::{Form, Illustration, Question, Round};
 use crate::widgets::hit::{Overlay, Overlays, Watch, protractor_picture, scale_picture};
 use crate::widgets::question_picture;
 use crate::widgets::svg::Svg;
@@ -57,29 +57,24 @@ pub(super) fn all(round: &Round) -> Vec<WorksheetPicture> {
 /// What is seen beside a question, and no more than that; a protractor to draw in where
 /// both ways are asked for, a scale where an offset is.
 pub(super) fn of_question(question: &Question) -> Option<Svg> {
-    let picture = match (&question.picture, &question.form) {
-        (quiz::Illustration::Before { .. }, Form::Shot(aim)) => scale_picture(aim),
-        (quiz::Illustration::Before { collision, shown }, Form::Rays { .. }) => {
-            protractor_picture(collision, *shown)
+    let drawn = || question_picture(AREA, question, None);
+    let (picture, words) = match (&question.picture, &question.form) {
+        (Illustration::Before { .. }, Form::Shot(aim)) => {
+            let words = "A striker on its way to a disc at rest, a scale of offsets across the way, \
+                         and where one of the two is to go, seen from above";
+            (scale_picture(aim), words.into())
         }
-        _ => question_picture(AREA, question, None)?,
-    };
-    let words = match (&question.picture, &question.form) {
-        (quiz::Illustration::Tracks { .. }, _) => {
-            "Two particles pass a nucleus, each turned by an angle".into()
+        (Illustration::Before { collision, shown }, Form::Rays { .. }) => {
+            let words = words(collision, ", with an empty protractor for where both go");
+            (protractor_picture(collision, *shown), words)
         }
-        (_, Form::Shot(_)) => "A striker on its way to a disc at rest, a scale of offsets across \
-             the way, and where one of the two is to go, seen from above"
-            .into(),
-        (quiz::Illustration::Before { collision, .. }, Form::Rays { .. }) => {
-            let protractor = ", with an empty protractor for where both go";
-            words(collision, protractor)
+        (Illustration::Before { collision, .. }, _) => (drawn()?, words(collision, "")),
+        (Illustration::After { collision }, _) => (drawn()?, words(collision, ", and both go on")),
+        (Illustration::Tracks { .. }, _) => {
+            let words = "Two particles pass a nucleus, each turned by an angle";
+            (drawn()?, words.into())
         }
-        (quiz::Illustration::After { collision }, _) => words(collision, ", and both go on"),
-        _ => question
-            .picture
-            .collision()
-            .map_or(String::new(), |collision| words(collision, "")),
+        (Illustration::Nothing, _) => return None,
     };
     Some(svg(&words, &picture))
 }

@@ -67,24 +67,27 @@ impl Concept {
     /// How the right choice is given away by its length alone.
     fn stands_out(&self) -> Option<String> {
         let (by, factor) = STANDING_OUT;
-        let right = letters(&self.right);
-        let others = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
-        let (least, most) = (others.clone().min()?, others.max()?);
+        let [right, least, most] = self.letters();
         let beyond =
             |short: usize, long: usize| long > short + by && long as f64 > factor * short as f64;
-        let gives = |which| {
-            Some(format!(
-                "expected a choice of the length of the others, found the right one {which} by \
-                 far: {right} letters to {least}-{most}"
-            ))
+        let which = if beyond(most, right) {
+            "longest"
+        } else if beyond(right, least) {
+            "shortest"
+        } else {
+            return None;
         };
-        if beyond(most, right) {
-            return gives("longest");
-        }
-        if beyond(right, least) {
-            return gives("shortest");
-        }
-        None
+        Some(format!(
+            "expected a choice of the length of the others, found the right one {which} by far: \
+             {right} letters to {least}-{most}"
+        ))
+    }
+
+    /// Letters of the right choice, the fewest of a wrong one, and the most.
+    fn letters(&self) -> [usize; 3] {
+        let wrongs = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
+        let (least, most) = (wrongs.clone().min(), wrongs.max());
+        [Some(letters(&self.right)), least, most].map(Option::unwrap_or_default)
     }
 }
 
@@ -99,28 +102,20 @@ fn lengths(concepts: &[Concept]) -> Vec<String> {
     let count = concepts.len() as f64;
     let choices = concepts.iter().map(|it| it.choices().len() as f64);
     let fair = choices.map(|all| 1.0 / all).sum::<f64>();
-    let won = |beats: fn(usize, usize) -> bool| {
-        let wins = concepts.iter().filter(|concept| {
-            let right = letters(&concept.right);
-            let mut others = concept.wrongs.iter().map(|wrong| letters(&wrong.choice));
-            others.all(|other| beats(right, other))
-        });
-        wins.count()
-    };
-    let rules = [
-        ("longest", won(|right, other| right > other)),
-        ("shortest", won(|right, other| right < other)),
-    ];
-    let mut faults: Vec<String> = rules
-        .into_iter()
-        .filter(|(_, won)| *won as f64 > fair)
-        .map(|(which, won)| {
-            format!(
+    let won =
+        |wins: fn([usize; 3]) -> bool| concepts.iter().filter(|it| wins(it.letters())).count();
+    let mut faults = Vec::new();
+    for (which, won) in [
+        ("longest", won(|[right, _, most]| right > most)),
+        ("shortest", won(|[right, least, _]| right < least)),
+    ] {
+        if won as f64 > fair {
+            faults.push(format!(
                 "the right choice is the {which} in {won} of {count} questions; guessing \
                  wins {fair:.0}"
-            )
-        })
-        .collect();
+            ));
+        }
+    }
     let mean = |concept: &Concept| {
         let sum: usize = concept.wrongs.iter().map(|it| letters(&it.choice)).sum();
         sum as f64 / concept.wrongs.len() as f64
@@ -168,13 +163,14 @@ fn words(concepts: &[Concept]) -> Vec<String> {
         *right += usize::from(wrong.is_none());
         *of += 1;
     }
-    let mut faults: Vec<String> = begin
-        .into_iter()
-        .filter(|(_, (right, of))| *of >= 4 && 2 * right > *of)
-        .map(|(word, (right, of))| {
-            format!("of {of} choices that begin with \"{word}\" {right} are right")
-        })
-        .collect();
+    let mut faults = Vec::new();
+    for (word, (right, of)) in begin {
+        if of >= 4 && 2 * right > of {
+            faults.push(format!(
+                "of {of} choices that begin with \"{word}\" {right} are right"
+            ));
+        }
+    }
     let broad = |text: &str| BROAD.iter().any(|word| text.to_lowercase().contains(word));
     let wrongs = concepts.iter().flat_map(|concept| &concept.wrongs);
     let told = wrongs.filter(|wrong| broad(&wrong.choice)).count();

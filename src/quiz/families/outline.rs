@@ -205,8 +205,12 @@ impl Outline {
                 continue;
             }
             if let Some(misconception) = wrong.misconception {
-                let wrong = WrongAnswer::new(misconception, response, wrong.says);
-                question.beliefs.push(wrong);
+                question.beliefs.push(WrongAnswer {
+                    misconception,
+                    said: response,
+                    telltale: None,
+                    says: wrong.says,
+                });
             } else if let Response::Choice(choice) = response {
                 question.replies.insert(choice, wrong.says);
             }

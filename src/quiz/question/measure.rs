@@ -58,16 +58,12 @@ impl Measure {
 
     /// A number as printed, with its unit: "63.4°", "25.0 %", "2.12 m/s".
     pub fn print(self, x: f64) -> String {
-        numbers::with_unit(&self.print_bare(x), self.unit())
-    }
-
-    /// The same without its unit.
-    pub fn print_bare(self, x: f64) -> String {
-        match self {
+        let bare = match self {
             Self::Angle => numbers::bare_degrees(x.to_radians()),
             Self::Length => numbers::bare_millimetres(x + 0.0),
             _ => numbers::significant(x + 0.0),
-        }
+        };
+        numbers::with_unit(&bare, self.unit())
     }
 
     /// How far `said` is from `truth`, counted in what still counts as right: 1 is the

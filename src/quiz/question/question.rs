@@ -54,18 +54,6 @@ pub struct WrongAnswer {
     pub says: String,
 }
 
-impl WrongAnswer {
-    /// What a misconception would answer where one thing is asked for.
-    pub fn new(misconception: Misconception, said: Response, says: String) -> Self {
-        Self {
-            misconception,
-            said,
-            telltale: None,
-            says,
-        }
-    }
-}
-
 /// The misconception that an answer fits best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {

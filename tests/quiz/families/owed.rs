@@ -205,7 +205,9 @@ fn assert_can_be_said(question: &Question, said: &Response) {
             let range = quantity.smallest()..=quantity.largest();
             assert!(range.contains(x), "{x}: {question:#?}");
             // As it is printed it means the same.
-            let typed: f64 = quantity.print_bare(*x).parse().unwrap();
+            let printed = quantity.print(*x);
+            let bare = printed.strip_suffix(quantity.unit()).unwrap();
+            let typed: f64 = bare.trim_end().parse().unwrap();
             let off = if *x == 0.0 {
                 typed.abs()
             } else {
