@@ -36,13 +36,8 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
     for concept in &library.concepts {
         let good = found.iter().all(|fault| !concept.is_at(fault));
         let outcome = if good { "good" } else { "NOT GOOD" };
-        writeln!(
-            report,
-            "{}: {outcome}: {}, {}",
-            concept.id,
-            concept.topic(),
-            concept.difficulty.id()
-        )?;
+        let (topic, difficulty) = (concept.topic(), concept.difficulty.id());
+        writeln!(report, "{}: {outcome}: {topic}, {difficulty}", concept.id)?;
     }
     faults.extend(found);
     let found = (library.concepts.len(), "questions");

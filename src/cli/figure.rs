@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::options::Auto;
 use super::{Failure, GlobalOptions, print, written};
 use crate::screens::learn::draw_figure;
-use crate::widgets::{Charset, Depth, Look, Palette, Theme};
+use crate::widgets::{Charset, Depth, Palette};
 
 /// Draw a figure of the lessons as an SVG picture
 #[derive(Debug, clap::Args)]
@@ -39,19 +39,13 @@ const AUTO: Auto = Auto {
 };
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
-    let settings = options.settings(AUTO);
-    let palette = if args.light {
-        Palette::Light
-    } else {
-        settings.palette
-    };
-    let look = Look {
-        charset: settings.charset,
-        theme: Theme::new(palette, settings.depth),
-    };
+    let mut settings = options.settings(AUTO);
+    if args.light {
+        settings.palette = Palette::Light;
+    }
     let words = shlex::try_join(args.words.iter().map(String::as_str));
     let words = words.map_err(Failure::input)?;
-    let picture = draw_figure(&words, &look).map_err(Failure::input)?;
+    let picture = draw_figure(&words, &settings.look()).map_err(Failure::input)?;
     match &args.svg {
         Some(path) => written::write_beside(path, &[(path.clone(), picture)], args.force)?,
         None => print(picture.as_bytes())?,

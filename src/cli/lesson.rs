@@ -32,13 +32,9 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
     let mut faults = library.problems.clone();
     for chapter in &library.chapters {
         let found = crate::screens::learn::check(chapter);
-        let pages = chapter.pages.len();
         let outcome = if found.is_empty() { "good" } else { "NOT GOOD" };
-        writeln!(
-            report,
-            "{}: {outcome}: {}, {pages} pages",
-            chapter.id, chapter.title
-        )?;
+        let (title, pages) = (&chapter.title, chapter.pages.len());
+        writeln!(report, "{}: {outcome}: {title}, {pages} pages", chapter.id)?;
         faults.extend(found);
     }
     let found = (library.chapters.len(), "chapters");

@@ -125,7 +125,7 @@ enum OpenCommand {
     /// Open the quiz and choose a round (with --seed N at once the ten hits of that seed)
     Quiz {
         /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
-        #[arg(long, value_name = "CODE", value_parser = code)]
+        #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
         /// Ask and answer in plain lines, with no screen control: for screen readers,
         /// Braille displays and scripts
@@ -135,10 +135,11 @@ enum OpenCommand {
     /// Open a round for a class: teams, one keyboard, a projector
     Class {
         /// The round to play: its code, such as mixed-7
-        #[arg(long, value_name = "CODE", value_parser = code)]
+        #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
         /// The names of 1 to 8 teams, with commas between them
-        #[arg(long, value_name = "A,B,C", value_parser = teams)]
+        #[arg(long, value_name = "A,B,C", value_parser =
+              |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
     },
     /// Open the table: carrom itself, the whole board
@@ -213,40 +214,23 @@ impl OpenCommand {
             },
             Self::Class { code, teams } => Place::Class {
                 code: filled(code.as_ref(), &data.own)?,
-                teams: teams.clone().unwrap_or_default().0,
+                teams: teams.clone().unwrap_or_default(),
             },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
             Self::Levels { name: None } => Place::Levels,
             Self::Levels { name: Some(name) } => {
-                let number = data.shelf.find(name);
-                let number = number.ok_or_else(|| {
-                    format!(
-                        "expected the id of a level, such as dead-stop, found \"{}\"",
-                        name.escape_debug()
-                    )
-                })?;
+                let what = "the id of a level, such as dead-stop";
+                let number = data.shelf.find(name).ok_or_else(|| unknown(what, name))?;
                 Place::Level { number }
             }
         })
     }
 }
 
-/// The code of a round.
-fn code(text: &str) -> Result<Code, String> {
-    Code::read(text).map_err(|error| error.to_string())
-}
-
 /// The names of the teams of a class.
-#[derive(Debug, Clone, Default)]
-struct Teams(Vec<String>);
-
-/// Names of teams that can play together.
-fn teams(text: &str) -> Result<Teams, String> {
-    let names = team_names(text.split(','));
-    names.map(Teams).map_err(|trouble| trouble.to_string())
-}
+type Teams = Vec<String>;
 
 /// The round that is asked for: by its code, or ten hits by a seed alone.
 ///
@@ -270,12 +254,14 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
 /// # Errors
 /// If there is none, in words.
 fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
-    library.find(name).ok_or_else(|| {
-        format!(
-            "expected the number or the name of a chapter, such as 2 or the-line-of-impact, found \"{}\"",
-            name.escape_debug()
-        )
-    })
+    let what = "the number or the name of a chapter, such as 2 or the-line-of-impact";
+    library.find(name).ok_or_else(|| unknown(what, name))
+}
+
+/// What is said of a name that nothing has.
+fn unknown(what: &str, name: &str) -> String {
+    let name = name.escape_debug();
+    format!("expected {what}, found \"{name}\"")
 }
 
 /// The app as the options have it, at a screen (`None`: the first one).

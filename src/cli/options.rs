@@ -157,11 +157,10 @@ impl GlobalOptions {
     pub(super) fn book(&self) -> Book {
         match self.lessons.as_slice() {
             [] => Book::default(),
-            dirs => Book::new(with_dirs(
-                ChapterLibrary::embedded(),
-                dirs,
-                ChapterLibrary::add_dir,
-            )),
+            dirs => {
+                let chapters = ChapterLibrary::embedded();
+                Book::new(with_dirs(chapters, dirs, ChapterLibrary::add_dir))
+            }
         }
     }
 
@@ -200,13 +199,9 @@ fn with_dirs<L>(mut library: L, dirs: &[PathBuf], add_dir: fn(&mut L, &Path)) ->
 }
 
 /// A folder that is there.
-fn folder(path: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(path);
-    if path.is_dir() {
-        Ok(path)
-    } else {
-        Err("expected a folder that is there".into())
-    }
+fn folder(path: &str) -> Result<PathBuf, &'static str> {
+    let path = Some(PathBuf::from(path)).filter(|path| path.is_dir());
+    path.ok_or("expected a folder that is there")
 }
 
 /// A name that can be shown: not empty, not endless, nothing but visible letters.

@@ -1,7 +1,7 @@
 //! `carrom progress`: opens the screen, or prints what was done.
 
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::anyhow;
 
@@ -39,27 +39,20 @@ pub(super) struct Args {
 
 /// Where a report is written; its ending says what it is written as.
 #[derive(Debug, Clone)]
-enum ReportFile {
-    Html(PathBuf),
-    Markdown(PathBuf),
-}
-
-impl ReportFile {
-    fn path(&self) -> &Path {
-        match self {
-            Self::Html(path) | Self::Markdown(path) => path,
-        }
-    }
+struct ReportFile {
+    path: PathBuf,
+    is_markdown: bool,
 }
 
 fn report_file(path: &str) -> Result<ReportFile, String> {
     let path = PathBuf::from(path);
     let ending = path.extension().and_then(OsStr::to_str);
-    match ending.map(str::to_lowercase).as_deref() {
-        Some("html") => Ok(ReportFile::Html(path)),
-        Some("md") => Ok(ReportFile::Markdown(path)),
-        _ => Err("expected a name that ends in .html or .md".into()),
-    }
+    let is_markdown = match ending.map(str::to_lowercase).as_deref() {
+        Some("html") => false,
+        Some("md") => true,
+        _ => return Err("expected a name that ends in .html or .md".into()),
+    };
+    Ok(ReportFile { path, is_markdown })
 }
 
 impl Args {
@@ -72,10 +65,8 @@ impl Args {
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let mut store = options.store();
     let player = options.player_name();
-    let history = match ask(
-        &mut store,
-        StoreRequest::Recall((!args.everyone).then(|| player.clone())),
-    ) {
+    let whose = (!args.everyone).then(|| player.clone());
+    let history = match ask(&mut store, StoreRequest::Recall(whose)) {
         StoreReply::Recalled(recalled) => recalled.map_err(|reason| anyhow!(reason))?,
         _ => return Err(anyhow!("the answers could not be looked up").into()),
     };
@@ -98,7 +89,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
             lessons: book.library(),
         });
         let documents = documents(&report, file);
-        return Ok(written::write_beside(file.path(), &documents, args.force)?);
+        return Ok(written::write_beside(&file.path, &documents, args.force)?);
     }
     let text = if args.csv {
         csv(&history.attempts).map_err(|reason| anyhow!(reason))?
@@ -120,10 +111,10 @@ fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
 /// The report in its file; the pictures of one in Markdown go into a folder beside it,
 /// which has its name.
 fn documents(report: &Report, file: &ReportFile) -> Vec<Document> {
-    let path = match file {
-        ReportFile::Html(path) => return vec![(path.clone(), report.html())],
-        ReportFile::Markdown(path) => path,
-    };
+    let path = &file.path;
+    if !file.is_markdown {
+        return vec![(path.clone(), report.html())];
+    }
     let stem = path.file_stem().and_then(OsStr::to_str);
     let folder = format!("{}-pictures", stem.unwrap_or("report"));
     let mut documents = vec![(path.clone(), report.markdown(&folder))];

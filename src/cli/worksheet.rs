@@ -30,7 +30,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "K", value_parser = count, allow_negative_numbers = true)]
     count: Option<usize>,
     /// A round by its code, in place of --seed and --count: mixed12-7, speeds-7, exam-7
-    #[arg(long, value_name = "CODE", value_parser = super::code, conflicts_with = "count")]
+    #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with = "count")]
     pub(super) code: Option<Code>,
     /// The folder to write into; made where it is not there
     #[arg(long, value_name = "DIR")]

@@ -34,6 +34,14 @@ impl FileError {
         }
     }
 
+    /// An error at a line.
+    pub(crate) fn on_line(file: &str, line: usize, message: impl Into<String>) -> Self {
+        Self {
+            line: Some(line),
+            ..Self::of_file(file, message)
+        }
+    }
+
     /// What is wrong and where in the file, for those who know which file it is.
     fn without_file(&self) -> String {
         match self.line {

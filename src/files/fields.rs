@@ -293,10 +293,8 @@ impl<'a> Fields<'a> {
 
     /// The tables in this one, whose names are free, each with its name.
     pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
-        let names = self.table.keys().map(|key| key.get_ref().as_ref());
-        all(names
-            .map(|name| Some((name, self.table(name, known)?)))
-            .collect())
+        let table = |name| Some((name, self.table(name, known)?));
+        all(self.names().map(table).collect())
     }
 
     fn inner(&self, name: &str, value: Value<'a>) -> Option<Self> {

@@ -90,18 +90,14 @@ impl<'a> Source<'a> {
     /// The error that `message` describes, at a byte of the text.
     pub(super) fn error_at(&self, at: usize, field: &str, message: impl Into<String>) -> FileError {
         FileError {
-            line: Some(self.line_of(at)),
             field: (!field.is_empty()).then(|| field.into()),
-            ..FileError::of_file(self.name, message)
+            ..self.error_on(self.line_of(at), message)
         }
     }
 
     /// The error that `message` describes, at a line.
     pub(crate) fn error_on(&self, line: usize, message: impl Into<String>) -> FileError {
-        FileError {
-            line: Some(line),
-            ..FileError::of_file(self.name, message)
-        }
+        FileError::on_line(self.name, line, message)
     }
 
     /// Notes what is wrong at a byte of the text.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::checkpoint::{Checkpoint, CheckpointKind};
+use super::{Checkpoint, CheckpointKind};
 use crate::physics::Collision;
 use crate::quiz::{Rays, RaysGrade, Response};
 

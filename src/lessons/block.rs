@@ -1,8 +1,7 @@
 //! The text of a page: paragraphs, lists, formulas, numbers.
 
-use super::SourceLine;
-use super::formula::Formula;
 use super::inline::{self, Meaning};
+use super::{Formula, Quantity, SourceLine};
 use crate::files::{Source, all};
 
 /// A block of text.
@@ -24,7 +23,7 @@ pub enum Inline {
     /// A formula in the line.
     Formula(Formula),
     /// A number that follows the page's figure.
-    Live(super::Quantity),
+    Live(Quantity),
 }
 
 /// How words are said.

@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::bookmark::Bookmark;
-use super::chapter::Chapter;
-use super::library::ChapterLibrary;
+use super::{Bookmark, Chapter, ChapterLibrary};
 
 /// What is to be forgotten of bookmarks. The record of answers stays in any case.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::chapter::Chapter;
-use super::checkpoint::Checkpoint;
-use super::page::ChapterPage;
+use super::{Chapter, ChapterPage, Checkpoint};
 use crate::quiz::Response;
 
 /// How far a chapter has been read.

@@ -1,8 +1,7 @@
 //! A chapter: a header and its pages.
 
-use super::SourceLine;
 use super::header::{self, Shots};
-use super::page::ChapterPage;
+use super::{ChapterPage, SourceLine};
 use crate::files::{self, FileError, FileErrors, Source, all};
 
 /// Most pages of a chapter.
@@ -62,10 +61,7 @@ impl Chapter {
 
     /// A fault at a line of its file.
     pub fn fault(&self, line: usize, message: impl Into<String>) -> FileError {
-        FileError {
-            line: Some(line),
-            ..FileError::of_file(&self.file, message)
-        }
+        FileError::on_line(&self.file, line, message)
     }
 }
 

@@ -1,10 +1,8 @@
 //! Checkpoints: what is asked before it is shown.
 
-use super::block::{self, Inline, TextBlock};
-use super::figure::Figure;
 use super::inline::{self, Meaning};
 use super::words::Words;
-use super::{CollisionSpec, Quantity, SourceLine};
+use super::{CollisionSpec, Figure, Inline, Quantity, SourceLine, TextBlock, block};
 use crate::files::{Source, all};
 use crate::physics::Collision;
 
@@ -203,14 +201,12 @@ fn read_choices(
     let mut right_ones = 0;
     let mut left = lines;
     while let [(number, first), rest @ ..] = left {
-        let (right, text) = if let Some(text) = first.strip_prefix("- [x] ") {
-            (true, text)
-        } else if let Some(text) = first.strip_prefix("- [ ] ") {
-            (false, text)
-        } else if first.trim().is_empty() {
+        if first.trim().is_empty() {
             left = rest;
             continue;
-        } else {
+        }
+        let right = first.strip_prefix("- [x] ");
+        let Some(text) = right.or_else(|| first.strip_prefix("- [ ] ")) else {
             let message =
                 "expected - [ ] or - [x] and a line to choose, and indented lines after it";
             return source.refuse(*number, message);
@@ -227,11 +223,10 @@ fn read_choices(
         }
         let text = inline::read(source, *number, text, meaning);
         let why = inline::read(source, number + 1, &told.join("\n"), meaning);
+        let right = right.is_some();
         right_ones += usize::from(right);
-        choices.push(
-            text.zip(why)
-                .map(|(text, why)| CheckpointChoice { text, why, right }),
-        );
+        let choice = text.zip(why);
+        choices.push(choice.map(|(text, why)| CheckpointChoice { text, why, right }));
         left = after;
     }
     if !CHOICES.contains(&choices.len()) || right_ones != 1 {

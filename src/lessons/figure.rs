@@ -1,11 +1,12 @@
 //! The figure of a page.
 
-use super::CollisionSpec;
-use super::header::Shots;
-use super::words::Words;
+use strum::{EnumString, VariantNames};
+
+use super::{CollisionSpec, header::Shots, words::Words};
 
 /// What a figure shows.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, EnumString, VariantNames)]
+#[strum(serialize_all = "lowercase")]
 pub enum FigureKind {
     /// The hit, as in the lab.
     Lab,
@@ -65,38 +66,6 @@ pub struct Figure {
 }
 
 impl FigureKind {
-    /// Names in a file, each with its figure.
-    const NAMES: [(&'static str, Self); 11] = [
-        ("lab", Self::Lab),
-        ("split", Self::Split { lines: false }),
-        ("triangle", Self::Triangle { step: 3 }),
-        ("frames", Self::Frames),
-        ("curves", Self::Curves),
-        ("angles", Self::Angles),
-        ("energy", Self::Energy),
-        ("worked", Self::Worked { blank: None }),
-        ("solve", Self::Solve),
-        (
-            "foil",
-            Self::Foil {
-                page: 1,
-                levelled: false,
-            },
-        ),
-        (
-            "shots",
-            Self::Shots {
-                space: false,
-                beyond_deg: 60.0,
-            },
-        ),
-    ];
-
-    /// The names of all figures.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        Self::NAMES.into_iter().map(|(name, _)| name)
-    }
-
     /// Whether it shows the very hit, so that rays can be turned in it.
     pub fn is_hit(self) -> bool {
         matches!(self, Self::Lab | Self::Split { .. })
@@ -113,13 +82,9 @@ impl Figure {
         let (text, then) = text.split_once(" then ").unwrap_or((text, ""));
         let mut words = Words::of(text)?;
         let name = words.first().unwrap_or_default();
-        let known = FigureKind::NAMES.iter().find(|(known, _)| *known == name);
-        let Some(&(_, mut kind)) = known else {
-            let names: Vec<_> = FigureKind::names().collect();
-            return Err(format!(
-                "expected a figure ({}), found \"{name}\"",
-                names.join(", ")
-            ));
+        let Ok(mut kind) = name.parse() else {
+            let names = FigureKind::VARIANTS.join(", ");
+            return Err(format!("expected a figure ({names}), found \"{name}\""));
         };
         let own = words.flag("own");
         match &mut kind {

@@ -46,24 +46,9 @@ pub enum Node {
     },
 }
 
-impl Formula {
-    /// Reads a formula.
-    ///
-    /// # Errors
-    /// What was expected, in words.
-    ///
-    /// ```
-    /// use carrom::lessons::Formula;
-    /// let formula = Formula::read("v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n").unwrap();
-    /// assert_eq!(formula.inline(), "v₁ₙ = (m₁ − m₂)/(m₁ + m₂) u₁ₙ");
-    /// ```
-    pub fn read(text: &str) -> Result<Self, String> {
-        parse::read(text)
-    }
-
-    /// The formula in one line of Unicode.
-    pub fn inline(&self) -> String {
-        inline::write(self)
+impl From<Node> for Formula {
+    fn from(node: Node) -> Self {
+        Self(vec![Term { apart: false, node }])
     }
 }
 

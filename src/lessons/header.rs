@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::CollisionSpec;
-use super::words::Words;
+use super::{CollisionSpec, words::Words};
 use crate::files::{Fields, Source, all, is_id};
 use crate::quiz::concepts::read_hit;
 

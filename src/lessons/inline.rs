@@ -2,12 +2,8 @@
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-use super::block::{Inline, Tone};
-use super::formula::Formula;
-use super::header::Shots;
-use super::words::Words;
-use super::written::WrittenFigure;
-use super::{CollisionSpec, Quantity};
+use super::{CollisionSpec, Formula, Inline, Quantity, Tone};
+use super::{header::Shots, words::Words, written::WrittenFigure};
 use crate::files::{Source, all};
 
 /// What names in a text stand for.

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
-use super::chapter::Chapter;
+use super::Chapter;
 use crate::files::{self, FileError};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");

@@ -1,11 +1,7 @@
 //! A page of a chapter.
 
-use super::SourceLine;
-use super::block::{self, TextBlock};
-use super::checkpoint::Checkpoint;
-use super::figure::Figure;
-use super::header::Shots;
-use super::inline::Meaning;
+use super::{Checkpoint, Figure, SourceLine, TextBlock, block};
+use super::{header::Shots, inline::Meaning};
 use crate::files::Source;
 
 /// Most letters of a page's title.

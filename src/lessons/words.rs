@@ -93,12 +93,9 @@ impl Words {
             return Ok(None);
         };
         let number = written.parse().ok();
-        match number.filter(|value| (least..=most).contains(value)) {
-            Some(value) => Ok(Some(value)),
-            None => Err(format!(
-                "{name}: expected {least} to {most}, found {written}"
-            )),
-        }
+        let number = number.filter(|value| (least..=most).contains(value));
+        let expected = || format!("{name}: expected {least} to {most}, found {written}");
+        number.map(Some).ok_or_else(expected)
     }
 
     /// Checks that nothing is left over.
@@ -106,11 +103,8 @@ impl Words {
     /// # Errors
     /// What was found.
     pub(super) fn finish(self) -> Result<(), String> {
-        let left = self
-            .bare
-            .into_iter()
-            .chain(self.fields.into_iter().map(|(name, _)| name));
-        match left.into_iter().next() {
+        let fields = self.fields.into_iter().map(|(name, _)| name);
+        match self.bare.into_iter().chain(fields).next() {
             None => Ok(()),
             Some(word) => Err(format!("expected no more words here, found {word}")),
         }

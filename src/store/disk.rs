@@ -41,35 +41,6 @@ impl Disk {
         FolderLock::alone(&self.folder, LOCK)
     }
 
-    fn add(&self, kind: &str, text: &str) -> io::Result<String> {
-        let turn = self.turn()?;
-        if turn.is_certain() {
-            self.clear_up();
-        }
-        let draft = UnplacedFile::write(&self.folder, text)?;
-        let mut names = self.names()?;
-        loop {
-            let free = free_number(names.iter().map(String::as_str), kind);
-            let name = format!("{kind}-{free}");
-            if draft.place(&self.path(&name))? {
-                fsync_dir(&self.folder)?;
-                return Ok(name);
-            }
-            names.push(name);
-        }
-    }
-
-    fn replace(&self, name: &str, old: &str, text: &str) -> io::Result<bool> {
-        let _turn = self.turn()?;
-        let path = self.path(name);
-        if !holds(&path, old)? {
-            return Ok(false);
-        }
-        UnplacedFile::write(&self.folder, text)?.replace(&path)?;
-        fsync_dir(&self.folder)?;
-        Ok(true)
-    }
-
     /// Removes what those have left who were killed while they wrote; nobody writes
     /// while one has the turn.
     fn clear_up(&self) {
@@ -110,14 +81,15 @@ impl Disk {
         fs::metadata(self.path(name)).ok()?.modified().ok()
     }
 
-    fn told(&self, error: &io::Error) -> String {
-        format!("{}: {error}", self.folder.display())
+    /// What comes of something done in the folder.
+    fn told<T>(&self, act: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
+        act().map_err(|error| format!("{}: {error}", self.folder.display()))
     }
 }
 
 impl TextStore for Disk {
     fn names(&self) -> Result<Vec<String>, String> {
-        let mut names = self.names().map_err(|error| self.told(&error))?;
+        let mut names = self.told(|| self.names())?;
         names.sort_by_cached_key(|name| (self.saved(name), number(name), name.clone()));
         names.reverse();
         Ok(names)
@@ -136,22 +108,46 @@ impl TextStore for Disk {
     }
 
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {
-        Self::add(self, kind, text).map_err(|error| self.told(&error))
+        self.told(|| {
+            let turn = self.turn()?;
+            if turn.is_certain() {
+                self.clear_up();
+            }
+            let draft = UnplacedFile::write(&self.folder, text)?;
+            let mut names = self.names()?;
+            loop {
+                let free = free_number(names.iter().map(String::as_str), kind);
+                let name = format!("{kind}-{free}");
+                if draft.place(&self.path(&name))? {
+                    fsync_dir(&self.folder)?;
+                    return Ok(name);
+                }
+                names.push(name);
+            }
+        })
     }
 
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
-        Self::replace(self, name, old, text).map_err(|error| self.told(&error))
+        self.told(|| {
+            let _turn = self.turn()?;
+            let path = self.path(name);
+            if !holds(&path, old)? {
+                return Ok(false);
+            }
+            UnplacedFile::write(&self.folder, text)?.replace(&path)?;
+            fsync_dir(&self.folder)?;
+            Ok(true)
+        })
     }
 
     fn remove(&mut self, name: &str) -> Result<(), String> {
-        let removed = self.turn().and_then(|_turn| {
-            fs::remove_file(self.path(name))?;
-            fsync_dir(&self.folder)
-        });
-        match removed {
-            Err(error) if error.kind() != ErrorKind::NotFound => Err(self.told(&error)),
-            _ => Ok(()),
-        }
+        self.told(|| {
+            let _turn = self.turn()?;
+            match fs::remove_file(self.path(name)) {
+                Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+                removed => removed.and_then(|()| fsync_dir(&self.folder)),
+            }
+        })
     }
 }
 

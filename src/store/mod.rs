@@ -148,10 +148,17 @@ impl Store {
         let done = match &request.wish {
             StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
             StoreRequest::List => StoreReply::Listed(self.games.list(self.knows_age())),
-            StoreRequest::Load(name) => StoreReply::Loaded(self.load(ticket, name)),
+            StoreRequest::Load(name) => {
+                let loaded = self.games.load(ticket, name);
+                StoreReply::Loaded(loaded.map(|(game, _)| Box::new(game)))
+            }
             StoreRequest::Remove(name) => StoreReply::Removed(self.games.remove(name)),
             StoreRequest::Export(game) => StoreReply::Exported(self.export(game)),
-            StoreRequest::SaveClass(round) => StoreReply::Saved(self.save_class(ticket, round)),
+            StoreRequest::SaveClass(round) => StoreReply::Saved(
+                round
+                    .text()
+                    .and_then(|text| self.classes.save(ticket, text)),
+            ),
             StoreRequest::ListClasses => StoreReply::Classes(self.classes.list(self.knows_age())),
             StoreRequest::LoadClass(name) => {
                 StoreReply::Class(self.classes.load(ticket, name).map(Box::new))
@@ -188,19 +195,10 @@ impl Store {
         self.games.save(ticket, text)
     }
 
-    fn load(&mut self, ticket: u64, name: &str) -> Result<Box<SavedGame>, String> {
-        let (game, _) = self.games.load(ticket, name)?;
-        Ok(Box::new(game))
-    }
-
     fn export(&mut self, game: &SavedGame) -> Result<String, String> {
         let text = game.text().map_err(|error| error.to_string())?;
         let name = self.exports.add("carrom-game", &text)?;
         Ok(self.exports.place(&name))
-    }
-
-    fn save_class(&mut self, ticket: u64, round: &ClassRound) -> Result<(), String> {
-        self.classes.save(ticket, round.text()?)
     }
 
     /// Writes both tables of a class's round.

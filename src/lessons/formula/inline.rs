@@ -2,24 +2,27 @@
 
 use super::{Formula, Node, subscript, superscript};
 
-pub(super) fn write(formula: &Formula) -> String {
-    let mut line = String::new();
-    for term in &formula.0 {
-        if term.apart {
-            line.push(' ');
+impl Formula {
+    /// The formula in one line of Unicode.
+    pub fn inline(&self) -> String {
+        let mut line = String::new();
+        for term in &self.0 {
+            if term.apart {
+                line.push(' ');
+            }
+            line += &of_node(&term.node);
         }
-        line += &of_node(&term.node);
+        line
     }
-    line
 }
 
 fn of_node(node: &Node) -> String {
     match node {
         Node::Word(word) => word.clone(),
-        Node::Group(inside) => format!("({})", write(inside)),
+        Node::Group(inside) => format!("({})", inside.inline()),
         Node::Fraction(over, under) => format!("{}/{}", tight(over), tight(under)),
         Node::Root(inside) => format!("√{}", tight(inside)),
-        Node::Vector(inside) => write(inside),
+        Node::Vector(inside) => inside.inline(),
         Node::Scripts { base, below, above } => {
             let mut line = of_node(base);
             if let Some(below) = below {
@@ -35,7 +38,7 @@ fn of_node(node: &Node) -> String {
 
 /// In brackets, unless it is a single thing.
 fn tight(formula: &Formula) -> String {
-    let line = write(formula);
+    let line = formula.inline();
     if formula.0.len() == 1 {
         line
     } else {
@@ -44,7 +47,7 @@ fn tight(formula: &Formula) -> String {
 }
 
 fn script(mark: char, formula: &Formula, set: fn(&str) -> Option<String>) -> String {
-    let line = write(formula);
+    let line = formula.inline();
     match set(&line) {
         Some(set) => set,
         None if formula.0.len() == 1 => format!("{mark}{line}"),

@@ -7,25 +7,37 @@ const LONGEST: usize = 300;
 /// How deep brackets may lie within brackets.
 const DEEPEST: usize = 12;
 
-pub(super) fn read(text: &str) -> Result<Formula, String> {
-    let letters: Vec<char> = text.trim().chars().collect();
-    if letters.is_empty() {
-        return Err("expected a formula, found nothing".into());
-    }
-    if letters.len() > LONGEST {
-        return Err(format!(
-            "expected a formula of at most {LONGEST} characters"
-        ));
-    }
-    let mut reader = FormulaReader {
-        letters: &letters,
-        at: 0,
-        depth: 0,
-    };
-    let formula = reader.row()?;
-    match reader.peek() {
-        None => Ok(formula),
-        Some(other) => Err(format!("expected the end of the formula, found {other}")),
+impl Formula {
+    /// Reads a formula.
+    ///
+    /// # Errors
+    /// What was expected, in words.
+    ///
+    /// ```
+    /// use carrom::lessons::Formula;
+    /// let formula = Formula::read("v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n").unwrap();
+    /// assert_eq!(formula.inline(), "v₁ₙ = (m₁ − m₂)/(m₁ + m₂) u₁ₙ");
+    /// ```
+    pub fn read(text: &str) -> Result<Self, String> {
+        let letters: Vec<char> = text.trim().chars().collect();
+        if letters.is_empty() {
+            return Err("expected a formula, found nothing".into());
+        }
+        if letters.len() > LONGEST {
+            return Err(format!(
+                "expected a formula of at most {LONGEST} characters"
+            ));
+        }
+        let mut reader = FormulaReader {
+            letters: &letters,
+            at: 0,
+            depth: 0,
+        };
+        let formula = reader.row()?;
+        match reader.peek() {
+            None => Ok(formula),
+            Some(other) => Err(format!("expected the end of the formula, found {other}")),
+        }
     }
 }
 
@@ -115,7 +127,7 @@ impl FormulaReader<'_> {
             return Err("expected letters, digits or a bracket after _ or ^".into());
         }
         let text = letter(&text).map_or(text.clone(), Into::into);
-        Ok(Formula(vec![word(text)]))
+        Ok(Node::Word(text).into())
     }
 
     fn atom(&mut self) -> Result<Node, String> {
@@ -152,12 +164,9 @@ impl FormulaReader<'_> {
     /// What a root or an arrow goes over: a bracket, which goes, or one atom.
     fn argument(&mut self) -> Result<Formula, String> {
         self.take_while(|c| c == ' ');
-        self.deeper(|reader| {
-            let node = match reader.peek() {
-                Some('(') => return reader.bracketed(),
-                _ => reader.scripted()?,
-            };
-            Ok(Formula(vec![Term { apart: false, node }]))
+        self.deeper(|reader| match reader.peek() {
+            Some('(') => reader.bracketed(),
+            _ => Ok(reader.scripted()?.into()),
         })
     }
 
@@ -188,30 +197,17 @@ impl FormulaReader<'_> {
     }
 
     fn sign(&mut self, first: char) -> Result<Node, String> {
-        let pair = [Some(first), self.peek_after()];
-        let (sign, length) = match pair {
-            [Some('<'), Some('=')] => ("≤", 2),
-            [Some('>'), Some('=')] => ("≥", 2),
-            [Some('!'), Some('=')] => ("≠", 2),
-            [Some('='), Some('>')] => ("⇒", 2),
-            [Some('-'), Some('>')] => ("→", 2),
-            [Some('+'), Some('-')] => ("±", 2),
-            [Some('-' | '−'), _] => ("−", 1),
-            [Some('*'), _] => ("·", 1),
-            [Some('+'), _] => ("+", 1),
-            [Some('='), _] => ("=", 1),
-            [Some('<'), _] => ("<", 1),
-            [Some('>'), _] => (">", 1),
-            [Some('/'), _] => ("/", 1),
-            [Some('|'), _] => ("|", 1),
-            [Some(','), _] => (",", 1),
-            [Some(';'), _] => (";", 1),
-            [Some(':'), _] => (":", 1),
-            [Some('%'), _] => ("%", 1),
-            [Some('.'), _] => (".", 1),
-            [Some('\''), _] => ("′", 1),
-            [Some('°'), _] => ("°", 1),
-            [Some('½'), _] => ("½", 1),
+        let (sign, length) = match (first, self.peek_after()) {
+            ('<', Some('=')) => ('≤', 2),
+            ('>', Some('=')) => ('≥', 2),
+            ('!', Some('=')) => ('≠', 2),
+            ('=', Some('>')) => ('⇒', 2),
+            ('-', Some('>')) => ('→', 2),
+            ('+', Some('-')) => ('±', 2),
+            ('-', _) => ('−', 1),
+            ('*', _) => ('·', 1),
+            ('\'', _) => ('′', 1),
+            (sign, _) if "−+=<>/|,;:%.°½".contains(sign) => (sign, 1),
             _ => {
                 return Err(format!(
                     "expected a letter, a number or a sign, found {first}"
@@ -223,18 +219,11 @@ impl FormulaReader<'_> {
     }
 }
 
-fn word(text: String) -> Term {
-    Term {
-        apart: false,
-        node: Node::Word(text),
-    }
-}
-
 /// A node by itself; of a bracket what is in it.
 fn unbracketed(node: Node) -> Formula {
     match node {
         Node::Group(inside) => inside,
-        node => Formula(vec![Term { apart: false, node }]),
+        node => node.into(),
     }
 }
 
@@ -244,7 +233,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn inline(text: &str) -> String {
-        read(text).unwrap().inline()
+        Formula::read(text).unwrap().inline()
     }
 
     #[test]
@@ -281,16 +270,16 @@ mod tests {
             ("\"m/s", "expected a closing double quote"),
             ("()", "expected something between the brackets"),
         ] {
-            assert_eq!(read(text), Err(message.to_owned()));
+            assert_eq!(Formula::read(text), Err(message.to_owned()));
         }
-        assert!(read(&"(".repeat(200)).is_err());
-        assert!(read(&"sqrt ".repeat(50)).is_err());
+        assert!(Formula::read(&"(".repeat(200)).is_err());
+        assert!(Formula::read(&"sqrt ".repeat(50)).is_err());
     }
 
     proptest! {
         #[test]
         fn any_text_is_a_formula_or_a_message(text in "[-a-z0-9_^()/ \"=+.√αµ{}]{0,60}") {
-            if let Ok(formula) = read(&text) {
+            if let Ok(formula) = Formula::read(&text) {
                 prop_assert!(!formula.inline().is_empty() || text.contains("\"\""));
             }
         }

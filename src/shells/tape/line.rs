@@ -11,6 +11,16 @@ pub(super) enum Part {
     Text(String),
 }
 
+impl Part {
+    /// The word, unless it is a text.
+    pub(super) fn word(&self) -> Option<&str> {
+        match self {
+            Self::Word(word) => Some(word),
+            Self::Text(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

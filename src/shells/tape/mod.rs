@@ -45,13 +45,3 @@ pub struct Tape {
     run: Option<(usize, String)>,
     steps: Vec<(usize, Instruction)>,
 }
-
-impl Tape {
-    /// Reads a tape.
-    ///
-    /// # Errors
-    /// The first line that cannot be read, with what was expected there.
-    pub fn parse(text: &str) -> Result<Self, ParseError> {
-        parse::parse(text)
-    }
-}

@@ -29,43 +29,56 @@ pub struct ParseError {
     pub message: String,
 }
 
-pub(super) fn parse(text: &str) -> Result<Tape, ParseError> {
-    let mut tape = Tape {
-        run: None,
-        steps: Vec::new(),
-    };
-    let mut names = HashMap::new();
-    for (i, text) in text.lines().enumerate() {
-        let line = i + 1;
-        let fail = |message| ParseError { line, message };
-        let parts = parts(text).map_err(fail)?;
+impl Tape {
+    /// Reads a tape.
+    ///
+    /// # Errors
+    /// The first line that cannot be read, with what was expected there.
+    pub fn parse(text: &str) -> Result<Self, ParseError> {
+        let mut tape = Self {
+            run: None,
+            steps: Vec::new(),
+        };
+        let mut names = HashMap::new();
+        for (line, text) in (1..).zip(text.lines()) {
+            let added = tape.add(line, text, &mut names);
+            added.map_err(|message| ParseError { line, message })?;
+        }
+        Ok(tape)
+    }
+
+    /// Adds a line. Each screenshot has a name of its own, which `names` has with its line.
+    fn add(
+        &mut self,
+        line: usize,
+        text: &str,
+        names: &mut HashMap<String, usize>,
+    ) -> Result<(), String> {
+        let parts = parts(text)?;
         let Some((first, rest)) = parts.split_first() else {
-            continue;
+            return Ok(());
         };
         let arguments = Arguments { of: first, rest };
         if *first == Part::Word("Run".into()) {
-            if tape.run.is_some() || !tape.steps.is_empty() {
-                return Err(fail(
-                    "Run must be the first instruction, and only once".into(),
-                ));
+            if self.run.is_some() || !self.steps.is_empty() {
+                return Err("Run must be the first instruction, and only once".into());
             }
-            let [run] = arguments
-                .exactly("the arguments after carrom in quotes")
-                .map_err(fail)?;
-            tape.run = Some((line, quoted(run, "the arguments in quotes").map_err(fail)?));
-            continue;
+            let [run] = arguments.exactly("the arguments after carrom in quotes")?;
+            self.run = Some((line, quoted(run, "the arguments in quotes")?));
+            return Ok(());
         }
-        let instruction = instruction(&arguments).map_err(fail)?;
+        let instruction = instruction(&arguments)?;
         if let Instruction::Screenshot(name) = &instruction {
             // Some file systems do not tell capitals from small letters.
             if let Some(before) = names.insert(name.to_lowercase(), line) {
-                let message = format!("Screenshot: the name {name} is taken by line {before}");
-                return Err(fail(message));
+                return Err(format!(
+                    "Screenshot: the name {name} is taken by line {before}"
+                ));
             }
         }
-        tape.steps.push((line, instruction));
+        self.steps.push((line, instruction));
+        Ok(())
     }
-    Ok(tape)
 }
 
 /// What stands after the first word of a line.
@@ -82,10 +95,9 @@ impl<'a> Arguments<'a> {
 
     fn not(&self, expected: &str) -> String {
         let found: Vec<_> = self.rest.iter().map(ToString::to_string).collect();
-        let found = if found.is_empty() {
-            "nothing".into()
-        } else {
-            found.join(" ")
+        let found = match found.as_slice() {
+            [] => "nothing".into(),
+            found => found.join(" "),
         };
         format!("{}: expected {expected}, found {found}", self.of)
     }
@@ -149,11 +161,8 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     let wrong = |expected| format!("Set {what}: expected {expected}, found {value}");
     Ok(match what.as_str() {
         "Size" => {
-            let size = value.split_once('x').and_then(|(columns, rows)| {
-                Some((within(columns, WIDEST)?, within(rows, WIDEST)?))
-            });
-            let (columns, rows) =
-                size.ok_or_else(|| wrong("columns x rows, each up to 1000, such as 80x24"))?;
+            let expected = "columns x rows, each up to 1000, such as 80x24";
+            let (columns, rows) = two(value, 'x').ok_or_else(|| wrong(expected))?;
             ScreenSetting::Size(columns, rows)
         }
         "Charset" => ScreenSetting::Charset(value.parse().map_err(|_| wrong("ascii or unicode"))?),
@@ -178,7 +187,7 @@ fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
     let expected = "up or down, then perhaps how far and over which cell";
     let (way, rest) = match arguments.rest {
         [Part::Word(way), rest @ ..] if rest.len() <= 2 => (way.as_str(), rest),
-        _ => return Err(arguments.not(expected)),
+        rest => ("", rest),
     };
     let way = match way {
         "up" => MouseKind::ScrollUp,
@@ -207,31 +216,27 @@ fn within<N: FromStr + PartialOrd + Copy>(digits: &str, most: N) -> Option<N> {
 }
 
 fn count(part: &Part) -> Result<u32, String> {
-    let number = match part {
-        Part::Word(word) => within(word, MOST).filter(|times| *times > 0),
-        Part::Text(_) => None,
-    };
+    let number = part.word().and_then(|word| within(word, MOST));
+    let number = number.filter(|times| *times > 0);
     number.ok_or_else(|| format!("expected a count from 1 to {MOST}, found {part}"))
 }
 
+/// Two columns or rows, with a letter between them.
+fn two(text: &str, between: char) -> Option<(u16, u16)> {
+    let (first, second) = text.split_once(between)?;
+    Some((within(first, WIDEST)?, within(second, WIDEST)?))
+}
+
 fn cell(part: &Part) -> Result<(u16, u16), String> {
-    let cell = match part {
-        Part::Word(word) => word
-            .split_once(',')
-            .and_then(|(column, row)| Some((within(column, WIDEST)?, within(row, WIDEST)?))),
-        Part::Text(_) => None,
-    };
+    let cell = part.word().and_then(|word| two(word, ','));
     cell.ok_or_else(|| format!("expected a cell as column,row such as 40,12, found {part}"))
 }
 
 fn duration(part: &Part) -> Result<Duration, String> {
-    let seconds = match part {
-        Part::Word(word) => match word.strip_suffix("ms") {
-            Some(number) => decimal(number).map(|ms| ms / 1000.0),
-            None => word.strip_suffix('s').and_then(decimal),
-        },
-        Part::Text(_) => None,
-    };
+    let seconds = part.word().and_then(|word| match word.strip_suffix("ms") {
+        Some(number) => decimal(number).map(|ms| ms / 1000.0),
+        None => word.strip_suffix('s').and_then(decimal),
+    });
     seconds
         .filter(|seconds| *seconds <= HOUR)
         .map(Duration::from_secs_f64)

@@ -21,6 +21,7 @@ mod surroundings;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread::{self, JoinHandle};
 use std::time::Instant;
 
 use crossterm::queue;
@@ -80,6 +81,11 @@ fn drawn(columns: u16, rows: u16) -> Rect {
     Rect::new(0, 0, columns.min(LARGEST.0), rows.min(LARGEST.1))
 }
 
+/// Starts a thread of this name.
+fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
+    thread::Builder::new().name(name.into()).spawn(work)
+}
+
 /// Runs `app` in the terminal until it is left, and keeps its games in `store`. The
 /// terminal is afterwards as it was before, however the run ends.
 ///
@@ -129,8 +135,7 @@ type Flow = std::ops::ControlFlow<Ending>;
 
 impl TerminalRun {
     fn play(mut self) -> Result<Ending, TerminalError> {
-        let size = self.screen.size().map_err(TerminalError::SetUp)?;
-        if let Flow::Break(ending) = self.fit(size.width, size.height)? {
+        if let Flow::Break(ending) = self.fit_again()? {
             return Ok(ending);
         }
         loop {
@@ -195,12 +200,17 @@ impl TerminalRun {
             #[cfg(unix)]
             Message::Continue => {
                 self.guard.take_again().map_err(TerminalError::SetUp)?;
-                let size = self.screen.size().map_err(TerminalError::SetUp)?;
                 self.pace = Pace::new(Instant::now());
-                return self.fit(size.width, size.height);
+                return self.fit_again();
             }
         }
         Ok(Flow::Continue(()))
+    }
+
+    /// Fits the picture to the terminal as it is now.
+    fn fit_again(&mut self) -> Result<Flow, TerminalError> {
+        let size = self.screen.size().map_err(TerminalError::SetUp)?;
+        self.fit(size.width, size.height)
     }
 
     /// Fits the picture to a terminal of this size, to be drawn afresh.

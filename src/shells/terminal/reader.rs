@@ -2,14 +2,13 @@
 
 use std::io;
 use std::sync::mpsc::Sender;
-use std::thread;
 
 use crossterm::event::{
     self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent,
     MouseEventKind,
 };
 
-use super::message::Message;
+use super::{message::Message, spawn};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 
 /// Starts the thread that reads. It ends with the process, or with the terminal.
@@ -17,25 +16,17 @@ pub(super) fn start(sender: Sender<Message>) -> io::Result<()> {
     let read = move || {
         loop {
             let message = match event::read() {
-                Ok(event) => match message(&event) {
-                    Some(message) => message,
-                    None => continue,
-                },
-                Err(error) => {
-                    // Nobody listens any more only when carrom is leaving anyway.
-                    let _ = sender.send(Message::Lost(error));
-                    return;
-                }
+                Ok(event) => message(&event),
+                Err(error) => Some(Message::Lost(error)),
             };
-            if sender.send(message).is_err() {
+            let is_last = matches!(message, Some(Message::Lost(_)));
+            // Nobody listens any more only when carrom is leaving anyway.
+            if message.is_some_and(|it| sender.send(it).is_err()) || is_last {
                 return;
             }
         }
     };
-    thread::Builder::new()
-        .name("reader".into())
-        .spawn(read)
-        .map(drop)
+    spawn("reader", read).map(drop)
 }
 
 /// What an event means, if it means anything.

@@ -2,9 +2,8 @@
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::mpsc::Sender;
-use std::thread;
 
-use super::message::Message;
+use super::{message::Message, spawn};
 use crate::messages::{Input, SearchResult, SearchTask};
 use crate::shells::search::search;
 
@@ -12,9 +11,8 @@ use crate::shells::search::search;
 /// threads it is done on the spot.
 pub(super) fn start(task: &SearchTask, sender: &Sender<Message>) {
     let (own_task, own_sender) = (task.clone(), sender.clone());
-    let worker = thread::Builder::new().name("search".into());
     let run = move || send(or_failed(&own_task, search), &own_sender);
-    if worker.spawn(run).is_err() {
+    if spawn("search", run).is_err() {
         send(search(task), sender);
     }
 }

@@ -11,8 +11,7 @@ use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
-use super::guard;
-use super::message::Message;
+use super::{guard, message::Message, spawn};
 use crate::messages::Input;
 
 /// How long the thread that draws may take to leave.
@@ -47,10 +46,7 @@ pub(super) fn watch(sender: Sender<Message>) -> io::Result<()> {
             }
         }
     };
-    thread::Builder::new()
-        .name("signals".into())
-        .spawn(wait)
-        .map(drop)
+    spawn("signals", wait).map(drop)
 }
 
 /// Ends the process as one that a signal ended.

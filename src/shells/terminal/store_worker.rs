@@ -6,7 +6,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use super::message::Message;
+use super::{message::Message, spawn};
 use crate::files::escape_control;
 use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::store::Store;
@@ -45,10 +45,9 @@ impl StoreWorker {
                 let _ = job.done.send(());
             }
         };
-        let thread = thread::Builder::new().name("store".into()).spawn(keep)?;
         Ok(Self {
             jobs: Some(jobs),
-            thread: Some(thread),
+            thread: Some(spawn("store", keep)?),
             late: None,
         })
     }
