@@ -138,8 +138,8 @@ enum OpenCommand {
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
         /// The names of 1 to 8 teams, with commas between them
-        #[arg(long, value_name = "A,B,C", value_parser =
-              |names: &str| team_names(names.split(',')))]
+        #[arg(long, value_name = "A,B,C")]
+        #[arg(value_parser = |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
     },
     /// Open the table: carrom itself, the whole board
