@@ -10,20 +10,16 @@ use crate::physics::units::deg_from_rad;
 use crate::quiz::Misconception;
 use crate::widgets::{Lines, Role, text};
 
-/// The words of a page that has some.
-pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect) -> Option<Text<'a>> {
+/// The words of a page beside the scoreboard.
+pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect) -> Text<'a> {
     let write = match page {
-        EndPage::Board => return None,
-        EndPage::Held => write_held,
         EndPage::Items => write_items,
+        _ => write_held,
     };
-    let place = column(area);
+    let mut place = column(area);
     // The last row is for the word that there is more.
-    let place = Rect {
-        height: place.height.saturating_sub(1),
-        ..place
-    };
-    Some((place, Box::new(move |lines| write(&play.round, lines))))
+    place.height = place.height.saturating_sub(1);
+    (place, Box::new(move |lines| write(&play.round, lines)))
 }
 
 /// What the class believed, the commonest first: each misconception with how many first

@@ -11,49 +11,43 @@ use crate::quiz::{Form, Illustration, Question, letter};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question, rehearsed};
 
-/// The place of the question's words, and of its picture if it is to be seen.
-fn layout(play: &ClassPlay, question: &Question, area: Rect) -> (Rect, Option<SplitLayout>) {
-    if play.words_alone {
-        return (area, None);
-    }
-    if question.picture == Illustration::Nothing {
-        return (column(area), None);
-    }
-    let beside = SplitLayout::square(area);
-    (beside.panel, Some(beside))
-}
-
-/// Draws the question: its picture, and its words where there is room for large type.
-pub(super) fn draw(
+/// Draws the question: its picture, and its words where there is room for large type;
+/// gives the words that are in plain type.
+pub(super) fn draw<'a>(
     play: &ClassPlay,
-    question: &Question,
+    question: &'a Question,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
-) {
-    let (words, beside) = layout(play, question, area);
-    if let Some(beside) = beside {
+) -> Option<Text<'a>> {
+    let words = if play.words_alone {
+        area
+    } else if question.picture == Illustration::Nothing {
+        column(area)
+    } else {
+        let beside = SplitLayout::square(area);
         let aside = match play.step() {
             ClassStep::Predict => "what will happen?",
             _ => "the question",
         };
         beside.draw(buf, look, question.family.name(), aside);
         draw_question(beside.picture, buf, look, question, None);
-    }
-    let mut place = inner(words);
-    for block in large(question, place, look).0 {
+        beside.panel
+    };
+    // A column of margin on both sides.
+    let mut place = words.inner(Margin::new(1, 0));
+    let (blocks, plain) = large(question, place, look);
+    for block in &blocks {
         block.draw(place, buf, look, Role::Title, Align::Left);
         place = below(place, block.rows() + GAP);
     }
+    let plain = plain?;
+    let place = if blocks.is_empty() { words } else { place };
+    Some((place, Box::new(move |lines| plain(question, lines))))
 }
 
 /// Empty rows between the question and its choices in large type.
 const GAP: u16 = 1;
-
-/// A column of margin on both sides.
-fn inner(area: Rect) -> Rect {
-    area.inner(Margin::new(1, 0))
-}
 
 /// What writes those words of a question that are in plain type.
 type Plain = fn(&Question, &mut Lines);
@@ -91,23 +85,6 @@ fn rows_of_choices(question: &Question, place: Rect, look: &Look) -> u16 {
         write_choices(question, lines);
         lines.written()
     })
-}
-
-/// The words that are not in large type.
-pub(super) fn text<'a>(
-    play: &ClassPlay,
-    question: &'a Question,
-    area: Rect,
-    look: &Look,
-) -> Option<Text<'a>> {
-    let (words, _) = layout(play, question, area);
-    let (blocks, plain) = large(question, inner(words), look);
-    let plain = plain?;
-    let place = match blocks.first() {
-        Some(text) => below(inner(words), text.rows() + GAP),
-        None => words,
-    };
-    Some((place, Box::new(move |lines| plain(question, lines))))
 }
 
 /// Writes a question with its choices.

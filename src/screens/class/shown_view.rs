@@ -8,51 +8,35 @@ use super::shown::ClassReveal;
 use super::view::{Text, teams};
 use crate::class::Vote;
 use crate::quiz::{Illustration, Question, Response, letter};
+use crate::widgets::hit::Watch;
 use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
 
-/// Where picture and panel are.
-fn layout(question: &Question, shown: &ClassReveal, area: Rect) -> SplitLayout {
-    if shown.telling.watch().is_some() || question.picture != Illustration::Nothing {
-        SplitLayout::square(area)
-    } else {
-        SplitLayout::text_alone(area)
-    }
-}
-
-/// Draws the hit.
-pub(super) fn draw(
-    question: &Question,
-    shown: &ClassReveal,
+/// Draws the hit; gives the truth and why it is true.
+pub(super) fn draw<'a>(
+    play: &'a ClassPlay,
+    question: &'a Question,
+    shown: &'a ClassReveal,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
-) {
-    let layout = layout(question, shown, area);
-    let title = match shown.telling.watch() {
-        Some(watch) => watch.title(),
-        None => question.family.name().into(),
+) -> Text<'a> {
+    let watch = shown.telling.watch();
+    let layout = match question.picture {
+        Illustration::Nothing if watch.is_none() => SplitLayout::text_alone(area),
+        _ => SplitLayout::square(area),
     };
+    let title = watch.map_or_else(|| question.family.name().into(), Watch::title);
     let aside = match shown.telling.is_told() {
         true => "and why",
         false => "watch",
     };
     layout.draw(buf, look, &title, aside);
-    match shown.telling.watch() {
+    match watch {
         Some(watch) => watch.picture(layout.picture).draw(buf, look),
         None => draw_question(layout.picture, buf, look, question, None),
     }
-}
-
-/// The truth and why it is true.
-pub(super) fn text<'a>(
-    play: &'a ClassPlay,
-    question: &'a Question,
-    shown: &'a ClassReveal,
-    area: Rect,
-) -> Text<'a> {
-    let place = layout(question, shown, area).panel;
     let write = move |lines: &mut Lines| write(play, question, shown, lines);
-    (place, Box::new(write))
+    (layout.panel, Box::new(write))
 }
 
 fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut Lines) {

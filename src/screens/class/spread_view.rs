@@ -19,23 +19,18 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role, SplitLayout, brief, draw_question};
 
-/// The first votes that were given on the question at hand.
-fn votes(play: &ClassPlay) -> Vec<Response> {
-    play.round.said(play.number(), Vote::First).collect()
-}
-
-/// Draws the spread.
-pub(super) fn draw(
-    play: &ClassPlay,
-    question: &Question,
+/// Draws the spread; gives the list of rays beside their picture.
+pub(super) fn draw<'a>(
+    play: &'a ClassPlay,
+    question: &'a Question,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
-) {
-    let votes = votes(play);
+) -> Option<Text<'a>> {
+    let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
     match &question.form {
         Form::Choice { options, .. } => draw_bars(options, &votes, column(area), buf, look),
-        Form::Rays { .. } => {
+        Form::Rays { target, .. } => {
             let beside = SplitLayout::square(area);
             beside.draw(buf, look, "all who voted", "the votes");
             // The question's own labels stay whole.
@@ -43,6 +38,8 @@ pub(super) fn draw(
                 draw_fan(collision, &votes, beside.picture, buf, look);
             }
             draw_question(beside.picture, buf, look, question, None);
+            let write = move |lines: &mut Lines| write_rays(play, question, target, &votes, lines);
+            return Some((beside.panel, Box::new(write)));
         }
         Form::Number { quantity, .. } => draw_line(quantity.unit(), &votes, area, buf, look),
         Form::Shot(_) => {
@@ -50,29 +47,21 @@ pub(super) fn draw(
             draw_line(unit, &votes, area, buf, look);
         }
     }
+    None
 }
 
-/// The list of rays beside their picture.
-pub(super) fn text<'a>(
-    play: &'a ClassPlay,
-    question: &'a Question,
-    area: Rect,
-) -> Option<Text<'a>> {
-    let Form::Rays { target, .. } = &question.form else {
-        return None;
-    };
-    let panel = SplitLayout::square(area).panel;
-    let write = move |lines: &mut Lines| write_rays(play, question, target, lines);
-    Some((panel, Box::new(write)))
-}
-
-fn write_rays(play: &ClassPlay, question: &Question, target: &str, lines: &mut Lines) {
-    let votes = votes(play);
+fn write_rays(
+    play: &ClassPlay,
+    question: &Question,
+    target: &str,
+    votes: &[Response],
+    lines: &mut Lines,
+) {
     lines.paragraph(&question.text, Role::Text);
     for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
         lines.gap();
         lines.line(&format!("{name}, degrees"), Role::Dim);
-        lines.paragraph(&listed(question, &votes, ray), Role::Title);
+        lines.paragraph(&listed(question, votes, ray), Role::Title);
     }
     let missing = play.round.teams().len() - votes.len();
     if missing > 0 {

@@ -6,8 +6,7 @@ use ratatui::layout::Rect;
 use super::heading::{Heading, below, centred};
 use super::play::{ClassPhase, ClassPlay, EndPage};
 use super::{ending_view, question_view, scores_view, shown_view, spread_view, vote_view};
-use crate::class::{ClassStep, Vote};
-use crate::quiz::Question;
+use crate::class::ClassStep;
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, areas};
 
@@ -60,59 +59,46 @@ pub(super) fn rest(play: &ClassPlay, area: Rect, look: &Look) -> Rect {
     heading(play, area).map_or(area, |heading| heading.rest(area, look))
 }
 
-/// Draws a round.
-pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
+/// Draws a round but for the text of its step, which can be scrolled and is given.
+fn draw_around<'a>(
+    play: &'a ClassPlay,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) -> Option<Text<'a>> {
     if let Some(heading) = heading(play, area) {
         heading.draw(area, buf, look);
     }
-    let Some(question) = play.question() else {
-        return;
-    };
+    let question = play.question()?;
     let rest = rest(play, area, look);
     match (&play.phase, play.step()) {
         (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores) => {
             scores_view::draw(&play.round, play.asked(), rest, buf, look);
+            None
         }
-        (ClassPhase::End(_), _) => {}
-        (ClassPhase::Vote(entry), _) => match &entry.input {
-            Some(input) => vote_view::draw_entry(entry.vote, question, input, rest, buf, look),
-            None => vote_view::draw_teams(play, entry, rest, buf, look),
-        },
-        (ClassPhase::Shot(shown), _) => shown_view::draw(question, shown, rest, buf, look),
+        (ClassPhase::End(page), _) => Some(ending_view::text(play, *page, rest)),
+        (ClassPhase::Vote(entry), _) => vote_view::draw(play, question, entry, rest, buf, look),
+        (ClassPhase::Shot(shown), _) => {
+            Some(shown_view::draw(play, question, shown, rest, buf, look))
+        }
         (ClassPhase::Look, ClassStep::Talk) => spread_view::draw(play, question, rest, buf, look),
         (ClassPhase::Look, _) => question_view::draw(play, question, rest, buf, look),
     }
-    if let Some((place, write)) = text(play, question, rest, look) {
-        play.scroll.draw(place, buf, *look, write);
-    }
 }
 
-/// The text of a step that can be scrolled, in what is left below the heading.
-fn text<'a>(
-    play: &'a ClassPlay,
-    question: &'a Question,
-    rest: Rect,
-    look: &Look,
-) -> Option<Text<'a>> {
-    match (&play.phase, play.step()) {
-        (ClassPhase::End(page), _) => ending_view::text(play, *page, rest),
-        (ClassPhase::Vote(entry), _) => vote_view::text(play, question, entry, rest),
-        (ClassPhase::Shot(shown), _) => Some(shown_view::text(play, question, shown, rest)),
-        (ClassPhase::Look, ClassStep::Talk) => spread_view::text(play, question, rest),
-        (ClassPhase::Look, ClassStep::Scores) => None,
-        (ClassPhase::Look, _) => question_view::text(play, question, rest, look),
+/// Draws a round.
+pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
+    if let Some((place, write)) = draw_around(play, area, buf, look) {
+        play.scroll.draw(place, buf, *look, write);
     }
 }
 
 /// Scrolls what can be scrolled.
 pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
-    let mut scroll = play.scroll;
-    if let Some(question) = play.question()
-        && let Some((place, write)) = text(play, question, rest(play, area, look), look)
-    {
-        scroll = scroll.by(rows, place, *look, write);
+    let text = draw_around(play, area, &mut Buffer::empty(area), look);
+    if let Some(scroll) = text.map(|(place, write)| play.scroll.by(rows, place, *look, write)) {
+        play.scroll = scroll;
     }
-    play.scroll = scroll;
 }
 
 /// The calm screen of a pause.
@@ -150,13 +136,5 @@ pub(super) fn teams(count: usize) -> String {
     match count {
         1 => "one team".into(),
         count => format!("{count} teams"),
-    }
-}
-
-/// Which of both votes, as a heading.
-pub(super) const fn vote_name(vote: Vote) -> &'static str {
-    match vote {
-        Vote::First => "First vote",
-        Vote::Second => "Second vote",
     }
 }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use super::view::{Text, column, middle, slot, teams, vote_name};
+use super::view::{Text, column, middle, slot, teams};
 use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Illustration, Question};
@@ -58,13 +58,7 @@ pub(super) fn row_at(
 }
 
 /// Draws who has voted, and not what.
-pub(super) fn draw_teams(
-    play: &ClassPlay,
-    entry: &VoteEntry,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
+fn draw_teams(play: &ClassPlay, entry: &VoteEntry, area: Rect, buf: &mut Buffer, look: &Look) {
     let round = &play.round;
     let rows = rows(round, area, look);
     let place = |row: usize| slot(rows.place, row, rows.height);
@@ -131,29 +125,26 @@ pub(super) fn entry_layout(question: &Question, area: Rect) -> SplitLayout {
     }
 }
 
-/// Draws what a team is about to say.
-pub(super) fn draw_entry(
-    vote: Vote,
-    question: &Question,
-    input: &AnswerInput,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
-    let layout = entry_layout(question, area);
-    layout.draw(buf, look, vote_name(vote), "what they say");
-    draw_question(layout.picture, buf, look, question, Some(input));
-}
-
-/// The words beside a team's vote.
-pub(super) fn text<'a>(
+/// Draws who has voted, or the team that is just doing so, and gives the words beside it.
+pub(super) fn draw<'a>(
     play: &'a ClassPlay,
     question: &'a Question,
     entry: &'a VoteEntry,
     area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
 ) -> Option<Text<'a>> {
-    let input = entry.input.as_ref()?;
+    let Some(input) = &entry.input else {
+        draw_teams(play, entry, area, buf, look);
+        return None;
+    };
     let layout = entry_layout(question, area);
+    let title = match entry.vote {
+        Vote::First => "First vote",
+        Vote::Second => "Second vote",
+    };
+    layout.draw(buf, look, title, "what they say");
+    draw_question(layout.picture, buf, look, question, Some(input));
     let write = move |lines: &mut Lines| {
         if let Some(name) = play.round.teams().get(entry.at(&play.round)) {
             lines.paragraph(name, Role::Title);

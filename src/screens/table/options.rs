@@ -1,8 +1,10 @@
 //! What is agreed at the table before the first break.
 
+use super::words;
 use crate::game::opponent::Strength;
 pub use crate::game::{Aids, Player};
 use crate::game::{Company, Game, GameSetup, Hands, PieceSet, Rules, SavedGame, Seat, Team};
+use crate::numbers::capital;
 
 /// Everything that can be chosen for a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -131,6 +133,12 @@ impl Options {
         });
         let [first, second] = Team::BOTH.map(|team| self.team_name(team));
         format!("{first} {a} : {b} {second}")
+    }
+
+    /// "You win the match".
+    pub(super) fn wins(&self, team: Team, what: &str) -> String {
+        let wins = words::does(self.team_name(team), "wins");
+        capital(&format!("{wins} the {what}"))
     }
 
     /// What a team is called.

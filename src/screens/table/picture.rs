@@ -132,11 +132,8 @@ fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
 fn own_side(picture: &mut Picture, seat: Seat) {
     let half = Board::default().side / 2.0;
     let end = |along: f64| seat.turn(DVec2::new(along, -half));
-    picture.line(
-        end(-0.2),
-        end(0.2),
-        Pen::new(Role::Striker).on(DrawLayer::Trail),
-    );
+    let pen = Pen::new(Role::Striker).on(DrawLayer::Trail);
+    picture.line(end(-0.2), end(0.2), pen);
 }
 
 /// A stroke at the time its clock shows.
@@ -146,8 +143,7 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
         trail(&mut picture, replay, disc);
     }
     let discs = replay.discs();
-    let bodies = discs.map(|(_, piece, at)| body(active.set(), piece, at));
-    picture.discs(bodies);
+    picture.discs(discs.map(|(piece, at)| body(active.set(), piece, at)));
     if let Some((number, impact)) = replay.player.chosen() {
         let [a, b] = impact
             .discs
@@ -163,25 +159,19 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
 /// Where a disc has been: fading while time runs; at the end the whole way of the
 /// striker, of the coin it met first and of what fell.
 fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
-    let now = replay.player.clock().time();
-    let told = replay.player.clock().is_over();
-    let first = replay
-        .player
-        .impacts()
-        .first()
-        .map(|impact| impact.discs[1]);
-    let fell = || replay.player.shot().at(disc, now).state == DiscState::Pocketed;
+    let (player, shot) = (&replay.player, replay.player.shot());
+    let (now, told) = (player.clock().time(), player.clock().is_over());
+    let first = player.impacts().first().map(|impact| impact.discs[1]);
+    let fell = || shot.at(disc, now).state == DiscState::Pocketed;
     if told && disc != 0 && first != Some(disc) && !fell() {
         return;
     }
 
-    let role = replay
-        .pieces
-        .get(disc)
-        .map_or(Role::Trail, |piece| words::role(*piece));
+    let piece = replay.pieces.get(disc);
+    let role = piece.map_or(Role::Trail, |piece| words::role(*piece));
     let pen = Pen::new(role).on(DrawLayer::Trail);
     let since = if told { 0.0 } else { now - FADE };
-    for leg in replay.player.shot().path(disc) {
+    for leg in shot.path(disc) {
         let (start, end) = (leg.start.max(since), leg.end.min(now));
         if start >= end {
             continue;
@@ -197,7 +187,7 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
             match share {
                 0.0 => leg.from,
                 _ if time(i) >= leg.end => leg.to,
-                _ => replay.player.shot().at(disc, time(i)).position,
+                _ => shot.at(disc, time(i)).position,
             }
         };
         for i in 0..SHADES {

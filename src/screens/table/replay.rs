@@ -49,8 +49,8 @@ impl StrokeReplay {
     }
 
     /// The discs on the board now, with where they are.
-    pub(super) fn discs(&self) -> impl Iterator<Item = (usize, Piece, DVec2)> + '_ {
+    pub(super) fn discs(&self) -> impl Iterator<Item = (Piece, DVec2)> {
         let discs = self.player.discs();
-        discs.filter_map(|(disc, at)| Some((disc, *self.pieces.get(disc)?, at)))
+        discs.filter_map(|(disc, at)| Some((*self.pieces.get(disc)?, at)))
     }
 }

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::active_game::ActiveGame;
 use super::keys::TableAction;
 use super::options::Options;
-use super::{picture, words};
+use super::picture;
 use crate::game::{Game, GameStage, Rules, SavedGame};
 use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
@@ -169,14 +169,8 @@ fn about(saved: &SavedGame, game: &Game) -> String {
             let winner = options.team_name(won.winner);
             format!(" The board went to {winner}.")
         }
-        GameStage::GameOver(team) => {
-            let winner = words::does(options.team_name(team), "wins");
-            format!(" {} the game.", capital(&winner))
-        }
-        GameStage::MatchOver(team) => {
-            let winner = words::does(options.team_name(team), "wins");
-            format!(" {} the match.", capital(&winner))
-        }
+        GameStage::GameOver(team) => format!(" {}.", options.wins(team, "game")),
+        GameStage::MatchOver(team) => format!(" {}.", options.wins(team, "match")),
     };
     let whose = match saved.player.as_str() {
         // Whoever said no name has none to show.

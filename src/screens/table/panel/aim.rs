@@ -55,10 +55,9 @@ fn turn(active: &ActiveGame, lines: &mut Lines) {
     let game = active.game();
     let colour = game.colour(game.team(active.seat()));
     let name = active.options.seat_name(active.seat());
-    let does = if game.play().is_unbroken() {
-        "breaks"
-    } else {
-        "plays"
+    let does = match game.play().is_unbroken() {
+        true => "breaks",
+        false => "plays",
     };
     let turn = format!("{}, {}", words::does(name, does), colour.adjective());
     lines.line(&capital(&turn), Role::Title);
@@ -68,17 +67,13 @@ fn turn(active: &ActiveGame, lines: &mut Lines) {
 fn hint(hinted: &Hinted, lines: &mut Lines) {
     match hinted {
         Hinted::Asked { .. } => lines.line("looking for a stroke …", Role::Dim),
-        Hinted::Told {
-            hint, whole: false, ..
-        } => {
-            lines.paragraph(&hint.which(), Role::Good);
-            lines.line("h: tell me more", Role::Key);
-        }
-        Hinted::Told {
-            hint, whole: true, ..
-        } => {
-            lines.paragraph(&hint.how(), Role::Good);
-            lines.line("h: set it so", Role::Key);
+        Hinted::Told { hint, whole, .. } => {
+            let (words, key) = match whole {
+                false => (hint.which(), "h: tell me more"),
+                true => (hint.how(), "h: set it so"),
+            };
+            lines.paragraph(&words, Role::Good);
+            lines.line(key, Role::Key);
         }
     }
 }

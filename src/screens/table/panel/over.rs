@@ -12,13 +12,13 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     let game = active.game();
     let name = |team: Team| active.options.team_name(team);
     let headline = match game.stage() {
-        GameStage::MatchOver(team) => format!("{} the match!", words::does(name(team), "wins")),
-        GameStage::GameOver(team) => format!("{} the game!", words::does(name(team), "wins")),
+        GameStage::MatchOver(team) => format!("{}!", active.options.wins(team, "match")),
+        GameStage::GameOver(team) => format!("{}!", active.options.wins(team, "game")),
         GameStage::BoardOver(_) if active.is_practice() => "The board is empty.".into(),
         GameStage::BoardOver(won) => format!("The board goes to {}.", name(won.winner)),
         GameStage::Playing => String::new(),
     };
-    lines.line(&capital(&headline), Role::Title);
+    lines.line(&headline, Role::Title);
     lines.gap();
     if let Some(last) = active.history.last() {
         rulings(last, lines);

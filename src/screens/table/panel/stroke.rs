@@ -63,7 +63,7 @@ fn left(replay: &StrokeReplay, lines: &mut Lines) {
     for piece in [Piece::White, Piece::Black, Piece::Queen] {
         let sign = token(words::role(piece), lines.charset());
         let name = format!("{} {sign}", <&str>::from(piece));
-        let there = replay.discs().filter(|(_, other, _)| *other == piece);
+        let there = replay.discs().filter(|(other, _)| *other == piece);
         lines.pair(&name, &there.count().to_string(), Role::Text, Role::Text);
     }
 }
