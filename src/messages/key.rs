@@ -61,8 +61,6 @@ impl From<char> for Key {
 impl Key {
     /// The four arrows: up, down, left, right.
     pub const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
-    /// The keys of pages: up, down.
-    pub const PAGES: [Self; 2] = [Self::PageUp, Self::PageDown];
 
     /// The key of a text: a character stands for itself, a name for what a tape calls so.
     pub fn parse(text: &str) -> Option<Self> {

@@ -110,10 +110,11 @@ impl ClassPlay {
         self.round.is_begun() && (self.unsaved || !self.is_over())
     }
 
-    /// How many questions have their points: those before this one, and this one once
-    /// the truth is told.
+    /// How many questions have their points: those before this one, this one once the
+    /// truth is told, and at the end all.
     pub(super) fn asked(&self) -> usize {
         match self.step() {
+            _ if self.is_over() => self.round.questions().len(),
             ClassStep::Scores => self.number() + 1,
             _ => self.number(),
         }
@@ -244,6 +245,7 @@ impl ClassPlay {
             keys.or([(' ', Forward)])
         };
         let read = |name| forward(name).on('z', WordsAlone, "words alone");
+        let is_last = self.number() + 1 == self.round.questions().len();
         let step =
             match (&self.phase, self.step()) {
                 (ClassPhase::Vote(entry), _) => match &entry.input {
@@ -286,10 +288,8 @@ impl ClassPlay {
                 (_, ClassStep::Describe) => read("predict"),
                 (_, ClassStep::Predict) => read("first vote"),
                 (_, ClassStep::Talk) => forward("second vote"),
-                (_, ClassStep::Scores) if self.number() + 1 < self.round.questions().len() => {
-                    forward("next question")
-                }
-                (_, ClassStep::Scores) => forward("the end"),
+                (_, ClassStep::Scores) if is_last => forward("the end"),
+                (_, ClassStep::Scores) => forward("next question"),
                 _ => forward("go on"),
             };
         let tables = match self.is_over() {

@@ -65,10 +65,7 @@ fn draw_teams(play: &ClassPlay, entry: &VoteEntry, area: Rect, buf: &mut Buffer,
     let at = entry.at(round);
     for (team, name) in round.teams().iter().enumerate() {
         let place = place(team);
-        let (mark, role) = match team == at {
-            true => ('>', Role::Selected),
-            false => (' ', Role::Title),
-        };
+        let (mark, role) = Role::Title.of_choice(team == at);
         let number = format!("{mark} {}", team + 1);
         let (state, state_role) = match state(round, play.number(), team, entry.vote) {
             Some(done) => (format!("[x] {done}"), Role::Title),

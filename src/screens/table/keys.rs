@@ -9,6 +9,7 @@ use crate::messages::Key;
 use crate::screens::kept_files::KeptAction;
 use crate::widgets::input::{EntryAction, FormAction, KeyTable, RayAction};
 use crate::widgets::replay::ShotAction;
+use crate::widgets::scroll_keys;
 
 /// What keys do at the table.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -163,7 +164,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         .when(board && !arranges)
         .on('e', Do::Export, named("export"))
         .when(board)
-        .by(Key::PAGES, Do::Scroll, [-8, 8], "")
+        .each(scroll_keys(Do::Scroll), "")
         .on(Key::Escape, Do::Back, "leave")
         .when(over)
 }
@@ -205,9 +206,9 @@ fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableActi
         .on('e', Do::Export, "export")
         .by(['w', 's'], Do::PlaceUp, [1, -1], "")
         .when(practice)
-        .by(Key::PAGES, Do::Scroll, [-8, 8], "")
+        .each(scroll_keys(Do::Scroll), "")
         .when(reads)
-        .by(Key::PAGES, Do::TurnFar, [-1, 1], "")
+        .by([Key::PageUp, Key::PageDown], Do::TurnFar, [-1, 1], "")
         .when(!reads)
         .on(Key::Escape, Do::Back, "")
         .when(!typing)

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{ActiveGame, Calling, Grip, TablePhase};
+use super::{ActiveGame, Calling, TablePhase};
 use crate::game::Move;
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
 use crate::messages::{Mouse, MouseKind};
@@ -140,11 +140,7 @@ impl ActiveGame {
             MouseKind::ScrollDown => self.aim.set_speed(self.aim.speed - SPEED_STEP),
             MouseKind::Down if inside => {
                 let reach = HOLD * self.game().setup().set.striker_radius();
-                self.grip = if self.aim.place.distance(at) < reach {
-                    Grip::Striker
-                } else {
-                    Grip::Aim
-                };
+                self.holds_striker = self.aim.place.distance(at) < reach;
                 self.lead(at);
             }
             MouseKind::Drag => self.lead(at),
@@ -158,9 +154,9 @@ impl ActiveGame {
     fn lead(&mut self, at: DVec2) {
         self.entry.take();
         self.notice = None;
-        match self.grip {
-            Grip::Striker => self.aim.put(at, self.history.game()),
-            Grip::Aim => self.aim.point_at(at, self.history.game().seat()),
+        match self.holds_striker {
+            true => self.aim.put(at, self.history.game()),
+            false => self.aim.point_at(at, self.history.game().seat()),
         }
     }
 }

@@ -52,8 +52,8 @@ pub(super) struct ActiveGame {
     pub(super) scroll: Scroll,
     /// How it is kept.
     pub(super) keeping: Keeping,
-    /// What the mouse holds while its button is down.
-    grip: Grip,
+    /// Whether the mouse holds the striker while its button is down, or else the aim.
+    holds_striker: bool,
 }
 
 /// What is being done at the table.
@@ -101,15 +101,6 @@ pub(super) struct Calling {
     pub(super) rays: RayInput,
 }
 
-/// What the mouse holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Grip {
-    /// The direction of the aim.
-    Aim,
-    /// The striker.
-    Striker,
-}
-
 impl ActiveGame {
     /// Sits down to a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
@@ -128,7 +119,7 @@ impl ActiveGame {
             hint: None,
             scroll: Scroll::default(),
             keeping: Keeping::default(),
-            grip: Grip::Aim,
+            holds_striker: false,
         };
         active.look_ahead();
         active
@@ -280,9 +271,10 @@ impl ActiveGame {
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let area = view::layout(self, cx.body).panel;
-        self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
-            panel::write(self, lines);
-        });
+        let look = cx.settings.look();
+        self.scroll = self
+            .scroll
+            .by(rows, area, look, |lines| panel::write(self, lines));
     }
 
     /// Lets time pass on the screen.
