@@ -45,6 +45,13 @@ pub struct Markings {
 }
 
 impl Markings {
+    /// Everything.
+    pub const ALL: Self = Self {
+        offset: true,
+        angle: true,
+        figures: true,
+    };
+
     /// All figures, and nothing of where the two will meet.
     pub const FIGURES: Self = Self {
         offset: false,

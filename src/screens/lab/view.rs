@@ -22,11 +22,7 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     };
     layout.draw(buf, &look, &title, side_title);
     let collision = lab.settings.setup.collision();
-    let given = Markings {
-        offset: true,
-        angle: true,
-        figures: true,
-    };
+    let given = Markings::ALL;
     let faces = Face::STRIKER_AND_COIN;
     let setup = |rays| setup_picture(layout.picture, faces, &collision, given, rays);
     match &lab.phase {

@@ -70,7 +70,10 @@ impl Table {
 
 /// The page of a new game, with what was agreed last time.
 fn agreeing(options: Options) -> TablePage {
-    TablePage::NewGame(NewGame::with(options))
+    TablePage::NewGame(NewGame {
+        options,
+        ..NewGame::default()
+    })
 }
 
 impl Screen for Table {

@@ -51,14 +51,6 @@ impl Agreement {
 }
 
 impl NewGame {
-    /// The page with what was agreed last time.
-    pub(super) fn with(options: Options) -> Self {
-        Self {
-            options,
-            form: SettingsForm::default(),
-        }
-    }
-
     /// Does what a key of the form stands for.
     pub(super) fn act(&mut self, action: FormAction) {
         self.form.act(action, &mut self.options);

@@ -46,11 +46,6 @@ pub(super) fn of_pack(coins: &[Coin], set: PieceSet, area: Rect) -> Picture {
     picture
 }
 
-/// The board as it lies.
-pub(super) fn of_coins(active: &ActiveGame, area: Rect) -> Picture {
-    of_pack(active.game().coins(), active.set(), area)
-}
-
 /// The board with the striker, its aim and what helps to aim.
 pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let mut picture = ground(area);
@@ -85,7 +80,10 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     discs.push(striker);
     picture.discs(discs);
     if let Some(hit) = &hit {
-        let ghost = hit.at - hit.impact.collision.contact_distance() * normal(hit);
+        let collision = &hit.impact.collision;
+        // It has a line of impact, or it would be no hit.
+        let normal = collision.normal().unwrap_or(DVec2::ZERO);
+        let ghost = hit.at - collision.contact_distance() * normal;
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
@@ -103,11 +101,6 @@ fn point_out(picture: &mut Picture, pointer: &Pointer) {
     if let Some(pocket) = pointer.pocket {
         picture.circle(pocket, Board::default().pocket_radius(), pen);
     }
-}
-
-/// The line of impact of a first hit; it has one, or it would be none.
-fn normal(hit: &FirstHit) -> DVec2 {
-    hit.impact.collision.normal().unwrap_or(DVec2::ZERO)
 }
 
 /// Where both leave the first hit: as far as each would slide if it met nothing.

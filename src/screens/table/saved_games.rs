@@ -88,8 +88,8 @@ impl SavedGames {
         match &answer.done {
             StoreReply::Listed(games) => self.files.listed(games.clone()),
             StoreReply::Loaded(loaded) if self.files.take_loaded(answer.ticket) => {
-                let active = loaded.as_ref().map_err(Clone::clone).and_then(|saved| {
-                    let active = ActiveGame::resume_saved(saved, answer.ticket);
+                let active = loaded.clone().and_then(|saved| {
+                    let active = ActiveGame::resume_saved(&saved, answer.ticket);
                     active.map_err(|error| error.to_string())
                 });
                 match active {

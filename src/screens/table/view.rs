@@ -29,14 +29,9 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
     let area = layout.picture;
     let picture = match &active.phase {
         TablePhase::Call(calling) => {
-            let given = Markings {
-                offset: true,
-                angle: true,
-                figures: true,
-            };
             let collision = &calling.hit.impact.collision;
             let rays = Some(&calling.rays);
-            setup_picture(area, Face::STRIKER_AND_COIN, collision, given, rays)
+            setup_picture(area, Face::STRIKER_AND_COIN, collision, Markings::ALL, rays)
         }
         TablePhase::Aim => picture::of_aim(active, area),
         TablePhase::Watch(replay) => match replay.player.zoom() {
@@ -44,7 +39,9 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
             None => picture::of_replay(active, replay, area),
         },
         TablePhase::Arrange(arrange) => picture::of_arrange(active, arrange, area),
-        TablePhase::Think { .. } | TablePhase::Over => picture::of_coins(active, area),
+        TablePhase::Think { .. } | TablePhase::Over => {
+            picture::of_pack(active.game().coins(), active.set(), area)
+        }
     };
     picture.draw(buf, &look);
     panel::draw(active, layout.panel, buf, cx);
