@@ -49,20 +49,13 @@ pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 
     let view = View::fit(area, dvec2(-half, -half), dvec2(half, half));
     let mut picture = Picture::new(view);
     // To the corners of the picture, however wide it is.
-    let reach = 1.2
-        * view
-            .to_world(dvec2(f64::from(area.right()), 0.0))
-            .x
-            .hypot(half);
+    let right = view.to_world(dvec2(f64::from(area.right()), 0.0)).x;
+    let reach = 1.2 * right.hypot(half);
     let axis = Pen::new(Role::Axis).dotted();
     picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
     picture.disc(DVec2::ZERO, 1e-3 * half, Role::Marble, ' ');
-    picture.label(
-        "nucleus",
-        DVec2::ZERO,
-        &[LabelSide::Right, LabelSide::BelowRight],
-        Role::Dim,
-    );
+    let beside = [LabelSide::Right, LabelSide::BelowRight];
+    picture.label("nucleus", DVec2::ZERO, &beside, Role::Dim);
     let roles = [Role::StrikerOut, Role::CoinOut];
     for (i, side) in [1.0, -1.0].into_iter().enumerate() {
         let offset = side * offsets[i];

@@ -1,7 +1,6 @@
 //! The picture of a question before it is answered.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::AnswerInput;
 use crate::quiz::{Form, Illustration, Question, Response};

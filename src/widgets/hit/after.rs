@@ -5,8 +5,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::sketch::{ArrowScale, Sketch};
-use super::stage::HitLayout;
-use super::watch::Face;
+use super::{Face, HitLayout};
 use crate::physics::Collision;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};

@@ -2,13 +2,10 @@
 
 use glam::DVec2;
 
-use super::layers::Overlay;
 use super::sketch::{ArrowScale, Sketch};
-use super::stage::HitLayout;
-use super::watch::{Face, Watch};
+use super::{Face, HitLayout, Overlay, Watch};
 use crate::numbers::significant;
-use crate::physics::units::g_from_kg;
-use crate::physics::{Bond, Frame};
+use crate::physics::{Bond, Frame, units::g_from_kg};
 use crate::quiz::Ray;
 use crate::widgets::Role;
 use crate::widgets::picture::{self, Pen, Picture};
@@ -199,11 +196,12 @@ impl Moment<'_> {
 
     /// Where the discs came from and, after the contact, have gone.
     fn trails(&self, picture: &mut Picture, time: f64) {
+        let contact = self.watch.clock.contact;
         for body in 0..2 {
-            let until = time.min(self.watch.clock.contact);
+            let until = time.min(contact);
             let old = Pen::new(Role::Trail).dotted().aged(0.6);
             picture.line(self.place(body, 0.0), self.place(body, until), old);
-            if time <= self.watch.clock.contact {
+            if time <= contact {
                 continue;
             }
             let fresh = Pen::new(Role::Trail);
@@ -211,10 +209,7 @@ impl Moment<'_> {
             let pieces = if self.sticks() { 48 } else { 1 };
             let point = |i: usize| {
                 let share = i as f64 / f64::from(pieces);
-                self.place(
-                    body,
-                    self.watch.clock.contact + share * (time - self.watch.clock.contact),
-                )
+                self.place(body, contact + share * (time - contact))
             };
             picture.curve((0..=pieces as usize).map(point), fresh);
             let ghost = Pen::new(Role::Trail).dotted();
@@ -254,12 +249,11 @@ impl Moment<'_> {
         before: [DVec2; 2],
         at: [DVec2; 2],
     ) {
-        let names =
-            if self.stage.collision.u2 == DVec2::ZERO && self.watch.frame == Frame::Laboratory {
-                ["u", "u₂"]
-            } else {
-                ["u₁", "u₂"]
-            };
+        let stands = self.stage.collision.u2 == DVec2::ZERO;
+        let names = match self.watch.frame {
+            Frame::Laboratory if stands => ["u", "u₂"],
+            _ => ["u₁", "u₂"],
+        };
         for body in 0..2 {
             let disc = (at[body], self.stage.radius(body));
             sketch.incoming(scale, names[body], disc, before[body]);

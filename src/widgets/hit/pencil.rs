@@ -3,13 +3,10 @@
 
 use glam::DVec2;
 
-use super::Markings;
 use super::setup::{about_to_meet, moving};
 use super::sketch::Sketch;
-use super::stage::HitLayout;
-use super::watch::Face;
-use crate::physics::Collision;
-use crate::physics::units::m_from_mm;
+use super::{Face, HitLayout, Markings};
+use crate::physics::{Collision, units::m_from_mm};
 use crate::quiz::{AimTask, Ray};
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
@@ -58,14 +55,12 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
     };
     let along = along(collision);
     let far = radius + 1.2 * unit;
+    let offset_room = if given.offset { 1.4 * unit } else { 0.0 };
     let corners = around([
         (c1, radius + 0.9 * unit),
         (places[0], 1.4 * unit),
         (places[1], 1.4 * unit),
-        (
-            c1 + far * along,
-            if given.offset { 1.4 * unit } else { 0.0 },
-        ),
+        (c1 + far * along, offset_room),
     ]);
     let mut sketch = Sketch::new(HitLayout::between(collision, corners, COLUMNS));
     let stage = sketch.stage;
@@ -89,13 +84,8 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
     }
     picture.dot(c1, Role::Contact);
     let ahead = far - (c2 - c1).dot(along);
-    about_to_meet(
-        &mut sketch,
-        Face::STRIKER_AND_COIN,
-        places,
-        given,
-        [ahead, 0.0],
-    );
+    let faces = Face::STRIKER_AND_COIN;
+    about_to_meet(&mut sketch, faces, places, given, [ahead, 0.0]);
     sketch.picture
 }
 
@@ -128,13 +118,8 @@ pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let dotted = Pen::new(Role::Trail).dotted();
     picture.line(start, zero + (ARC + 0.6) * unit * heading, dotted);
     picture.circle(zero, collision.target.radius, dotted);
-    let [striker, _] = Face::STRIKER_AND_COIN;
-    picture.disc(
-        start,
-        collision.striker.radius,
-        striker.role,
-        striker.letter,
-    );
+    let ([face, _], radius) = (Face::STRIKER_AND_COIN, collision.striker.radius);
+    picture.disc(start, radius, face.role, face.letter);
     picture.line(zero - reach * right, zero + reach * right, Role::Text);
     let last = (1e3 * reach / f64::from(TICK_MM)).floor() as i32;
     // Every second number where there is no room for each.

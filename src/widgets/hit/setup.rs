@@ -4,8 +4,7 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::sketch::Sketch;
-use super::stage::HitLayout;
-use super::watch::Face;
+use super::{Face, HitLayout};
 use crate::physics::Collision;
 use crate::quiz::{AimTask, Ray};
 use crate::widgets::picture::{Pen, Picture};

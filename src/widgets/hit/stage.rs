@@ -5,8 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::physics::Collision;
 use crate::quiz::Ray;
-use crate::widgets::input::side;
-use crate::widgets::picture::View;
+use crate::widgets::{input::side, picture::View};
 
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;

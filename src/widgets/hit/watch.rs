@@ -6,16 +6,12 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::layers::{Overlay, Overlays};
-use super::moment::Moment;
-use super::playback::{FRAME, Playback};
-use super::stage::{HitLayout, time_in_sight};
+use super::playback::{BEATS, FRAME, Playback};
+use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::{AimTask, Rays};
-use crate::widgets::Role;
-use crate::widgets::input::KeyTable;
-use crate::widgets::picture::Picture;
+use crate::widgets::{Role, input::KeyTable, picture::Picture};
 
 /// Share of the whole that `,` and `.` step by.
 const STEP: f64 = 1.0 / 96.0;
@@ -106,16 +102,16 @@ impl Watch {
 
     /// The same with the way that one of the two was to be sent.
     #[must_use]
-    pub(crate) fn with_wanted(self, aim: AimTask) -> Self {
-        let wanted = Some(aim);
-        Self { wanted, ..self }
+    pub(crate) fn with_wanted(mut self, aim: AimTask) -> Self {
+        self.wanted = Some(aim);
+        self
     }
 
     /// The same with the masses and the impact angle written beside it.
     #[must_use]
-    pub(crate) fn with_measures(self) -> Self {
-        let measured = true;
-        Self { measured, ..self }
+    pub(crate) fn with_measures(mut self) -> Self {
+        self.measured = true;
+        self
     }
 
     /// The same with these layers.
@@ -157,7 +153,7 @@ impl Watch {
     /// Whether it may be told what happened: once the contact is reached and the
     /// departures are drawn.
     pub(crate) fn is_told(&self) -> bool {
-        self.clock.beats() == super::playback::BEATS
+        self.clock.beats() == BEATS
     }
 
     /// What the picture shows, and how: its title.

@@ -3,8 +3,7 @@
 use glam::DVec2;
 
 use super::{canvas::Canvas, cell::Glyph};
-use crate::widgets::Charset;
-use crate::widgets::picture::Pen;
+use crate::widgets::{Charset, picture::Pen};
 
 /// Length of a head in columns; a shorter arrow has a shorter head.
 const HEAD_LENGTH: f64 = 3.0;

@@ -1,5 +1,7 @@
 //! The cells that a picture is drawn on.
 
+use std::f64::consts::TAU;
+
 use glam::{DVec2, dvec2};
 use ratatui::{
     buffer::Buffer,
@@ -41,10 +43,8 @@ pub(in crate::widgets) struct Canvas {
 impl Canvas {
     /// An empty canvas over the area of `view`.
     pub(super) fn new(view: View, charset: Charset) -> Self {
-        let size = (
-            usize::from(view.area().width),
-            usize::from(view.area().height),
-        );
+        let area = view.area();
+        let size: (usize, usize) = (area.width.into(), area.height.into());
         Self {
             view,
             charset,
@@ -69,13 +69,7 @@ impl Canvas {
         match mark {
             Mark::Line { from, to, pen } => self.line(*from, *to, *pen),
             Mark::Curve { points, pen } => self.through(points.iter().copied(), *pen, true),
-            Mark::Arc {
-                centre,
-                radius,
-                from,
-                to,
-                pen,
-            } => self.arc(*centre, *radius, *from, *to, *pen),
+            Mark::Arc { circle, turn, pen } => self.arc(*circle, *turn, *pen),
             Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
             Mark::Dot { at, pen } => self.dot(*at, *pen),
             Mark::Disc(body) => self.disc(body),
@@ -136,16 +130,8 @@ impl Canvas {
 
     /// Part of a circle, from one angle to another (radians, anticlockwise from
     /// +x; to < from goes clockwise). A whole turn or more is a circle.
-    pub(super) fn arc(
-        &mut self,
-        centre: DVec2,
-        radius: f64,
-        from: f64,
-        to: f64,
-        pen: impl Into<Pen>,
-    ) {
-        let pen = pen.into();
-        let turn = (to - from).clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
+    fn arc(&mut self, (centre, radius): (DVec2, f64), [from, to]: [f64; 2], pen: Pen) {
+        let turn = (to - from).clamp(-TAU, TAU);
         let reach = radius.abs() / self.view.per_column();
         if !(turn.is_finite() && reach.is_finite()) {
             return;
@@ -159,12 +145,12 @@ impl Canvas {
             arm = step.rotate(arm);
             point
         });
-        self.through(points, pen, turn.abs() < std::f64::consts::TAU);
+        self.through(points, pen, turn.abs() < TAU);
     }
 
     /// A circle.
     pub(super) fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
-        self.arc(centre, radius, 0.0, std::f64::consts::TAU, pen);
+        self.arc((centre, radius), [0.0, TAU], pen.into());
     }
 
     /// Keeps labels off the cell at a point of the world.

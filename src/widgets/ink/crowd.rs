@@ -4,8 +4,7 @@ use glam::{DVec2, dvec2};
 
 use super::canvas::{Canvas, CellPlace, cell_of};
 use super::disc::{token, token_rows};
-use crate::widgets::picture::Body;
-use crate::widgets::{Charset, Role};
+use crate::widgets::{Charset, Role, picture::Body};
 
 /// How far from its own cell a token may have to go, in cells.
 const FARTHEST: i32 = 4;

@@ -40,15 +40,9 @@ impl Canvas {
 
     /// A disc in its own shape, however small it is.
     pub(super) fn round(&mut self, body: &Body) {
-        let Body {
-            at: centre,
-            radius,
-            role,
-            letter,
-            ..
-        } = *body;
-        let mut place = self.paper(centre);
-        let reach = radius / self.view().per_column();
+        let (role, letter) = (body.role, body.letter);
+        let mut place = self.paper(body.at);
+        let reach = body.radius / self.view().per_column();
         if reach < SMALL {
             // On halves of cells it is as round to the left as to the right; a
             // letter stands in the middle of a cell.
@@ -61,7 +55,8 @@ impl Canvas {
         }
         self.cover(place, reach, role);
         if self.charset == Charset::Ascii {
-            self.circle(centre, radius, Pen::new(role).on(DrawLayer::Disc));
+            let rim = Pen::new(role).on(DrawLayer::Disc);
+            self.circle(body.at, body.radius, rim);
         }
         if letter != ' ' {
             let letter = letter.to_string();
@@ -74,11 +69,8 @@ impl Canvas {
         if self.is_token(body) {
             return self.disc(body);
         }
-        self.circle(
-            body.at,
-            body.radius,
-            Pen::new(body.role).on(DrawLayer::Disc),
-        );
+        let rim = Pen::new(body.role).on(DrawLayer::Disc);
+        self.circle(body.at, body.radius, rim);
         let place = self.paper(letter);
         let upon = self.charset == Charset::Ascii;
         let sign = body.letter.to_string();
@@ -121,10 +113,8 @@ impl Canvas {
     /// takes the place of a token: without it the disc would be gone.
     pub(super) fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
         let width = text.chars().count() as f64;
-        let mut at = dvec2(
-            centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor(),
-            centre.y,
-        );
+        let left = centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor();
+        let mut at = dvec2(left, centre.y);
         let layer = match upon {
             true => DrawLayer::Disc,
             false => DrawLayer::Mark,

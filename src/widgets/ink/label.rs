@@ -103,10 +103,8 @@ impl Canvas {
     /// A cell counted from the corner of the area.
     fn counted(&self, cell: DVec2) -> (i32, i32) {
         let area = self.view().area();
-        (
-            cell.x.floor() as i32 - i32::from(area.x),
-            cell.y.floor() as i32 - i32::from(area.y),
-        )
+        let (column, row) = (cell.x.floor() as i32, cell.y.floor() as i32);
+        (column - i32::from(area.x), row - i32::from(area.y))
     }
 
     /// Writes a label at the first free place: up to so many rows away, beside its own
@@ -155,12 +153,8 @@ impl Canvas {
         let Some((side, x, y)) = place else {
             return false;
         };
-        let place = Rect::new(
-            (i32::from(area.x) + x) as u16,
-            (i32::from(area.y) + y) as u16,
-            width as u16,
-            1,
-        );
+        let (left, top) = (i32::from(area.x) + x, i32::from(area.y) + y);
+        let place = Rect::new(left as u16, top as u16, width as u16, 1);
         self.labels.push(PlacedLabel {
             text,
             role,

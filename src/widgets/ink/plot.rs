@@ -1,8 +1,7 @@
 //! What stands in whole cells: axes, bars and signs.
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
-use ratatui::style::Style;
+use ratatui::{buffer::Buffer, style::Style};
 
 use super::canvas::Canvas;
 use crate::widgets::picture::{Axes, Mark, Picture};

@@ -53,6 +53,12 @@ impl StrokeSamples {
         dvec2(1.0 / self.grid.0 as f64, 2.0 / self.grid.1 as f64)
     }
 
+    /// Samples in the whole area, along and down.
+    fn samples(&self) -> DVec2 {
+        let [(columns, rows), (along, down)] = [self.size, self.grid];
+        dvec2((columns * along) as f64, (rows * down) as f64)
+    }
+
     /// A straight piece from `from` up to, but without, `to`: pieces that meet
     /// share no sample, and each sample of the longer direction is hit once.
     pub(super) fn piece(&mut self, from: DVec2, to: DVec2, pen: Pen) {
@@ -60,10 +66,7 @@ impl StrokeSamples {
         if !(a.is_finite() && b.is_finite()) {
             return;
         }
-        let size = dvec2(
-            (self.size.0 * self.grid.0) as f64,
-            (self.size.1 * self.grid.1) as f64,
-        );
+        let size = self.samples();
         let along = b - a;
         if along.x.abs() >= along.y.abs() {
             for x in steps(a.x, b.x, size.x) {
@@ -96,17 +99,13 @@ impl StrokeSamples {
         let low = a.min(b).min(c).floor().max(DVec2::ZERO);
         let high = a.max(b).max(c).ceil();
         let left_of = |p: DVec2, q: DVec2, at: DVec2| (q - p).perp_dot(at - p) * turn >= -1e-9;
-        let mut y = low.y + 0.5;
-        while y < high.y.min((self.size.1 * self.grid.1) as f64) {
-            let mut x = low.x + 0.5;
-            while x < high.x.min((self.size.0 * self.grid.0) as f64) {
-                let at = dvec2(x, y);
+        let all = self.samples();
+        for y in steps(low.y, high.y, all.y) {
+            for at in steps(low.x, high.x, all.x).map(|x| dvec2(x, y)) {
                 if left_of(a, b, at) && left_of(b, c, at) && left_of(c, a, at) {
                     self.mark(at);
                 }
-                x += 1.0;
             }
-            y += 1.0;
         }
     }
 

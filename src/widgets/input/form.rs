@@ -223,10 +223,8 @@ impl SettingsForm {
         form: &mut impl FormFields,
     ) -> Outcome {
         let fields = form.fields();
-        match (
-            mouse.kind,
-            row.and_then(|row| Some((row, fields.get(row)?))),
-        ) {
+        let pointed = row.and_then(|row| Some((row, fields.get(row)?)));
+        match (mouse.kind, pointed) {
             (MouseKind::ScrollUp, _) => self.go(-1, form),
             (MouseKind::ScrollDown, _) => self.go(1, form),
             (MouseKind::Down, Some((row, field))) => {

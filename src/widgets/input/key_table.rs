@@ -86,22 +86,10 @@ pub struct KeyTable<A> {
     added: bool,
 }
 
-impl<A: Copy> KeyTable<A> {
-    /// An empty table, whose rows are called "group.action" in `keys.toml`.
-    pub fn new(group: &'static str) -> Self {
-        Self {
-            group,
-            rows: Vec::new(),
-            added: false,
-        }
-    }
-
+impl<A: KeyAction> KeyTable<A> {
     /// Adds a key.
     #[must_use]
-    pub fn on(self, key: impl Into<Key>, action: A, name: &'static str) -> Self
-    where
-        A: KeyAction,
-    {
+    pub fn on(self, key: impl Into<Key>, action: A, name: &'static str) -> Self {
         self.each([(key, action)], name)
     }
 
@@ -112,10 +100,7 @@ impl<A: Copy> KeyTable<A> {
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
         name: &'static str,
-    ) -> Self
-    where
-        A: KeyAction,
-    {
+    ) -> Self {
         let keys: Vec<_> = keys.into_iter().map(|(key, a)| (key.into(), a)).collect();
         self.added = !keys.is_empty();
         if let Some((_, first)) = keys.first() {
@@ -138,11 +123,19 @@ impl<A: Copy> KeyTable<A> {
         action: impl Fn(T) -> A,
         amounts: [T; N],
         name: &'static str,
-    ) -> Self
-    where
-        A: KeyAction,
-    {
+    ) -> Self {
         self.each(keys.into_iter().zip(amounts.map(action)), name)
+    }
+}
+
+impl<A: Copy> KeyTable<A> {
+    /// An empty table, whose rows are called "group.action" in `keys.toml`.
+    pub fn new(group: &'static str) -> Self {
+        Self {
+            group,
+            rows: Vec::new(),
+            added: false,
+        }
     }
 
     /// Other keys for what the last row does, which are not shown.

@@ -139,8 +139,7 @@ const fn steps(quantity: Measure) -> (f64, f64) {
     match quantity {
         Measure::Angle | Measure::Share => (1.0, 5.0),
         Measure::Speed | Measure::Restitution => (0.05, 0.5),
-        Measure::Mass | Measure::Length => (0.5, 5.0),
-        Measure::Times => (0.5, 5.0),
+        Measure::Mass | Measure::Length | Measure::Times => (0.5, 5.0),
     }
 }
 

@@ -72,12 +72,10 @@ impl RayInput {
     /// The same with one ray alone to be said. The other one reads as a disc that
     /// stays still.
     #[must_use]
-    pub fn only(self, ray: Ray) -> Self {
-        Self {
-            turning: ray,
-            only: Some(ray),
-            ..self
-        }
+    pub fn only(mut self, ray: Ray) -> Self {
+        self.turning = ray;
+        self.only = Some(ray);
+        self
     }
 
     /// Whether a ray is to be said.

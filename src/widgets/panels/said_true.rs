@@ -3,8 +3,7 @@
 use crate::numbers;
 use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{Ray, Rays};
-use crate::widgets::input::degrees;
-use crate::widgets::{Lines, Role, brief};
+use crate::widgets::{Lines, Role, brief, input::degrees};
 
 /// Writes the angles that were said beside the true ones, in the degrees of the screen, a
 /// row for each disc of a hit; a ray that was not asked for has no name and no row.

@@ -1,7 +1,6 @@
 //! A picture with a panel of text beside it, each in its frame.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::draw_panel;
 use crate::widgets::{Look, areas};

@@ -42,13 +42,12 @@ pub(crate) enum Mark {
     Line { from: DVec2, to: DVec2, pen: Pen },
     /// A line through many points. It breaks at points that are not finite.
     Curve { points: Vec<DVec2>, pen: Pen },
-    /// Part of a circle, from one angle to another (radians, anticlockwise from +x;
-    /// to < from goes clockwise). A whole turn or more is a circle.
+    /// Part of a circle, given by its centre and radius, from one angle to another
+    /// (radians, anticlockwise from +x; to < from goes clockwise). A whole turn or more is
+    /// a circle.
     Arc {
-        centre: DVec2,
-        radius: f64,
-        from: f64,
-        to: f64,
+        circle: (DVec2, f64),
+        turn: [f64; 2],
         pen: Pen,
     },
     /// An arrow with its tip at `to`. Labels keep off the tip.
@@ -158,14 +157,8 @@ impl Picture {
 
     /// Part of a circle, see `Mark::Arc`.
     pub fn arc(&mut self, centre: DVec2, radius: f64, from: f64, to: f64, pen: impl Into<Pen>) {
-        let pen = pen.into();
-        self.marks.push(Mark::Arc {
-            centre,
-            radius,
-            from,
-            to,
-            pen,
-        });
+        let (circle, turn, pen) = ((centre, radius), [from, to], pen.into());
+        self.marks.push(Mark::Arc { circle, turn, pen });
     }
 
     /// A circle.

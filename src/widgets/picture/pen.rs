@@ -68,20 +68,16 @@ impl Pen {
 
     /// The same pen, drawing dashes.
     #[must_use]
-    pub const fn dashed(self) -> Self {
-        Self {
-            dash: Dash::Dashed,
-            ..self
-        }
+    pub const fn dashed(mut self) -> Self {
+        self.dash = Dash::Dashed;
+        self
     }
 
     /// The same pen, drawing dots.
     #[must_use]
-    pub const fn dotted(self) -> Self {
-        Self {
-            dash: Dash::Dotted,
-            ..self
-        }
+    pub const fn dotted(mut self) -> Self {
+        self.dash = Dash::Dotted;
+        self
     }
 
     /// The same pen, twice as broad.

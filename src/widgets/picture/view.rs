@@ -127,11 +127,8 @@ impl View {
 }
 
 fn positive(scale: f64) -> f64 {
-    if scale > 0.0 && scale.is_finite() {
-        scale
-    } else {
-        1.0
-    }
+    let is_scale = scale > 0.0 && scale.is_finite();
+    if is_scale { scale } else { 1.0 }
 }
 
 fn top_left(area: Rect) -> DVec2 {

@@ -47,11 +47,9 @@ impl Axis {
     /// The same axis with ticks at the multiples of `step`, where they find room; has
     /// no meaning on a logarithmic axis.
     #[must_use]
-    pub(crate) fn every(self, step: f64) -> Self {
-        Self {
-            step: Some(step),
-            ..self
-        }
+    pub(crate) fn every(mut self, step: f64) -> Self {
+        self.step = Some(step);
+        self
     }
 
     /// What it measures.

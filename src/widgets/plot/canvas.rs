@@ -1,11 +1,9 @@
 //! The plot itself.
 
 use glam::{DVec2, dvec2};
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::{buffer::Buffer, layout::Rect};
 
-use super::axis::Axis;
-use super::ticks::Tick;
+use super::{Axis, ticks::Tick};
 use crate::widgets::picture::{Axes, Label, LabelSide, Mark, Pen, Picture, View};
 use crate::widgets::{Look, Role, text};
 

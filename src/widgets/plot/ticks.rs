@@ -66,17 +66,15 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
     let decade = from.floor() as i32;
     (decade..=decade.saturating_add(2))
         .flat_map(|decade| [1.0, 2.0, 5.0].map(|digit| (digit, decade)))
-        .map(|(digit, decade)| Tick {
-            place: f64::from(decade) + f64::log10(digit),
-            text: match decade {
-                0..=3 => format!("{}", digit * 10_f64.powi(decade)),
-                -3..0 => format!(
-                    "{:.*}",
-                    decade.unsigned_abs() as usize,
-                    digit * 10_f64.powi(decade)
-                ),
+        .map(|(digit, decade)| {
+            let value = digit * 10_f64.powi(decade);
+            let text = match decade {
+                0..=3 => value.to_string(),
+                -3..0 => fixed(value, decade.unsigned_abs() as usize),
                 _ => format!("{digit}·{}", power_of_ten(decade)),
-            },
+            };
+            let place = f64::from(decade) + f64::log10(digit);
+            Tick { place, text }
         })
         .filter(|tick| (from - 1e-9..=to + 1e-9).contains(&tick.place))
         .collect()

@@ -107,11 +107,9 @@ impl ShotPlayer {
 
     /// The same with a list of its impacts, of which one is chosen before it is enlarged.
     #[must_use]
-    pub(crate) fn with_list(self) -> Self {
-        Self {
-            lists: true,
-            ..self
-        }
+    pub(crate) fn with_list(mut self) -> Self {
+        self.lists = true;
+        self
     }
 
     /// The shot.
@@ -165,11 +163,9 @@ impl ShotPlayer {
         use ShotAction::{Again, GoOn, Impacts, Leave, NextImpact, Scrub, Seek, Speed, Step};
         let table = KeyTable::new("shot");
         let (over, many) = (self.clock.is_over(), self.impacts.len() > 1);
-        let (go_on, speed) = match (self.clock.is_running(), over) {
-            (true, _) => ("skip", "speed"),
-            (false, false) => ("go on", "speed"),
-            (false, true) => ("", ""),
-        };
+        let running = self.clock.is_running();
+        let go_on = if running { "skip" } else { "go on" };
+        let speed = if over { "" } else { "speed" };
         let impacts = if self.lists { "impacts" } else { "impact" };
         match &self.showing {
             Showing::Board => table

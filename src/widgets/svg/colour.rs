@@ -30,20 +30,10 @@ const SIXTEEN: [(Color, u32); 16] = [
     (Color::White, 0xffffff),
 ];
 
-/// One of the 256 colours: sixteen, a cube of six by six by six, and greys.
+/// One of the 256 colours: sixteen, and those that are fixed.
 fn indexed(index: u8) -> Rgb {
-    match index {
-        0..16 => Rgb::hex(SIXTEEN[usize::from(index)].1),
-        16..232 => {
-            let level = |step: u8| if step == 0 { 0 } else { 55 + 40 * step };
-            let i = index - 16;
-            Rgb(level(i / 36), level(i / 6 % 6), level(i % 6))
-        }
-        232.. => {
-            let grey = 8 + 10 * (index - 232);
-            Rgb(grey, grey, grey)
-        }
-    }
+    let named = SIXTEEN.get(usize::from(index));
+    named.map_or_else(|| Rgb::fixed(index), |(_, code)| Rgb::hex(*code))
 }
 
 /// The colour a cell names; `otherwise` where it names none.

@@ -18,11 +18,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use unicode_width::UnicodeWidthStr;
 
-use super::Look;
 use super::cells::{rows, symbols};
-use super::panels::draw_panel;
-use super::picture::Picture;
 use super::theme::{Rgb, Role};
+use super::{Look, panels::draw_panel, picture::Picture};
 use colour::{CellColours, PAPER};
 
 /// Width and height of a cell, in units of the picture.
@@ -53,11 +51,14 @@ pub(crate) fn of_panel(
     screen(&cells, &pictures.iter().map(draw).collect::<String>())
 }
 
+/// Width and height of an area, in units of the picture.
+fn size(area: Rect) -> [usize; 2] {
+    let (columns, rows) = (usize::from(area.width), usize::from(area.height));
+    [columns * CELL.0, rows * CELL.1]
+}
+
 fn screen(cells: &Buffer, vectors: &str) -> String {
-    let (width, height) = (
-        usize::from(cells.area.width) * CELL.0,
-        usize::from(cells.area.height) * CELL.1,
-    );
+    let [width, height] = size(cells.area);
     let mut grounds = Paths::default();
     let mut shapes = Paths::default();
     let mut dots = Paths::default();
@@ -116,13 +117,9 @@ impl Svg {
     /// seen, to whoever cannot see it. At a `scale` of 1, letters are 14 CSS pixels high.
     #[must_use]
     pub fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
-        let area = picture.area();
         Self {
             words: words.to_owned(),
-            size: [
-                (usize::from(area.width) * CELL.0) as f64,
-                (usize::from(area.height) * CELL.1) as f64,
-            ],
+            size: size(picture.area()).map(|length| length as f64),
             scale,
             paper: look.theme.rgb(Role::Background),
             body: vector::draw(picture, look),

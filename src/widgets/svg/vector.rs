@@ -77,7 +77,7 @@ fn layer(mark: &Mark) -> DrawLayer {
 }
 
 /// Which end of a text stands at its place.
-#[derive(strum::Display)]
+#[derive(Clone, Copy, strum::Display)]
 #[strum(serialize_all = "lowercase")]
 enum Anchor {
     Start,
@@ -149,13 +149,7 @@ impl Vectors<'_> {
         match mark {
             Mark::Line { from, to, pen } => self.curve(&[*from, *to], *pen),
             Mark::Curve { points, pen } => self.curve(points, *pen),
-            Mark::Arc {
-                centre,
-                radius,
-                from,
-                to,
-                pen,
-            } => self.arc((*centre, *radius), *from, *to, *pen),
+            Mark::Arc { circle, turn, pen } => self.arc(*circle, *turn, *pen),
             Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
             Mark::Dot { at, pen } => self.circle(*at, 1.2, self.inked(*pen), ""),
             Mark::Disc(body) => self.disc(body),
@@ -248,7 +242,7 @@ impl Vectors<'_> {
         ]
     }
 
-    fn arc(&mut self, (centre, radius): (DVec2, f64), from: f64, to: f64, pen: Pen) {
+    fn arc(&mut self, (centre, radius): (DVec2, f64), [from, to]: [f64; 2], pen: Pen) {
         let r = self.length(radius);
         let (middle, [low, high]) = (self.at(centre), self.corners());
         let is_inside = (middle - r).cmpge(low).all() && (middle + r).cmple(high).all();
@@ -279,10 +273,8 @@ impl Vectors<'_> {
         let neck = tip - size * HEAD.0 * along;
         let across = size * HEAD.1 * along.perp();
         // The line ends within the head, so that it does not blunt the tip.
-        let end = self
-            .view
-            .to_world((tip - 0.8 * size * HEAD.0 * along) / cell());
-        self.curve(&[from, end], pen);
+        let end = tip - 0.8 * size * HEAD.0 * along;
+        self.curve(&[from, self.view.to_world(end / cell())], pen);
         let [tip, left, right] = [tip, neck + across, neck - across].map(Point);
         let path = format!("M{tip}L{left}L{right}Z");
         self.path(&path, self.inked(pen), "");

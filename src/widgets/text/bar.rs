@@ -1,7 +1,6 @@
 //! Bars that show a share of a whole.
 
-use super::Charset;
-use super::blocks::LEFT;
+use super::{Charset, blocks::LEFT};
 
 /// A bar `width` cells wide, filled to `share` (0 to 1; what lies outside counts
 /// as the nearer end, what is no number as nothing).

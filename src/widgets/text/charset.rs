@@ -102,12 +102,11 @@ fn is_difference(before: &str, after: &str) -> bool {
     let term = |last: char| last.is_numeric() || matches!(last, '°' | ')' | ']');
     let next = |first: char| first.is_numeric() || matches!(first, '(' | '[' | '√' | 'α'..='ω');
     let blank = [' ', '\u{a0}'];
-    before
-        .strip_suffix(blank)
-        .is_some_and(|rest| rest.ends_with(term))
+    let ends = |before: &str| before.ends_with(term);
+    before.strip_suffix(blank).is_some_and(ends)
         && after
             .strip_prefix(blank)
-            .is_some_and(|rest| rest.starts_with(next))
+            .is_some_and(|after| after.starts_with(next))
 }
 
 /// Whether a byte may stand in an ASCII text: printable, or a line break.

@@ -1,7 +1,6 @@
 //! Lines of text one below the other, as the panels beside a picture have them.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::flow::{Run, flow};
 use crate::widgets::{Charset, Look, Role, areas, text};
@@ -46,11 +45,9 @@ impl<'a> Lines<'a> {
 
     /// Leaves the first `rows` out, so that those after them are seen.
     #[must_use]
-    pub fn scrolled(self, rows: u16) -> Self {
-        Self {
-            scrolled: rows,
-            ..self
-        }
+    pub fn scrolled(mut self, rows: u16) -> Self {
+        self.scrolled = rows;
+        self
     }
 
     /// Columns of a row.

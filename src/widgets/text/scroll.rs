@@ -1,7 +1,6 @@
 //! Text that may be longer than its place.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::{buffer::Buffer, layout::Rect};
 
 use crate::messages::Key;
 use crate::widgets::{Lines, Look, Role, text};

@@ -4,6 +4,9 @@ use std::fmt;
 
 use ratatui::style::Color;
 
+/// The levels of a channel in the cube of indexed colours.
+const STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
+
 /// A colour in sRGB: red, green and blue. It prints as CSS has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::widgets) struct Rgb(
@@ -60,26 +63,30 @@ impl Rgb {
         }
     }
 
-    /// The nearest of the 240 fixed indexed colours.
-    pub(super) fn indexed(self) -> u8 {
-        const STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
-        let step = |channel: u8| {
-            (0u8..6)
-                .min_by_key(|&i| STEPS[usize::from(i)].abs_diff(channel))
-                .unwrap_or(0)
-        };
-        let (r, g, b) = (step(self.0), step(self.1), step(self.2));
-        let at = |i: u8| STEPS[usize::from(i)];
-        let cube = (Self(at(r), at(g), at(b)), 16 + 36 * r + 6 * g + b);
-        let mean = (u16::from(self.0) + u16::from(self.1) + u16::from(self.2)) / 3;
-        let grey_step = (mean.saturating_sub(3) / 10).min(23) as u8;
-        let level = 8 + 10 * grey_step;
-        let grey = (Self(level, level, level), 232 + grey_step);
-        if self.distance(grey.0) < self.distance(cube.0) {
-            grey.1
-        } else {
-            cube.1
+    /// One of the 240 fixed indexed colours, from 16 on: a cube of six by six by six, and
+    /// greys.
+    pub(in crate::widgets) fn fixed(index: u8) -> Self {
+        if let Some(grey) = index.checked_sub(232) {
+            let level = 8 + 10 * grey;
+            return Self(level, level, level);
         }
+        let i = index.saturating_sub(16);
+        let [red, green, blue] = [i / 36, i / 6 % 6, i % 6].map(|i| STEPS[usize::from(i)]);
+        Self(red, green, blue)
+    }
+
+    /// The nearest of the fixed indexed colours.
+    pub(super) fn indexed(self) -> u8 {
+        let step = |channel: u8| {
+            let steps = (0..).zip(STEPS);
+            let nearest = steps.min_by_key(|(_, level)| level.abs_diff(channel));
+            nearest.map_or(0, |(i, _)| i)
+        };
+        let cube: u8 = 16 + 36 * step(self.0) + 6 * step(self.1) + step(self.2);
+        let mean = (u16::from(self.0) + u16::from(self.1) + u16::from(self.2)) / 3;
+        let grey = 232 + (mean.saturating_sub(3) / 10).min(23) as u8;
+        let off = |index| self.distance(Self::fixed(index));
+        if off(grey) < off(cube) { grey } else { cube }
     }
 
     fn distance(self, other: Self) -> u32 {

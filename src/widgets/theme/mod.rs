@@ -134,12 +134,8 @@ impl Theme {
             return self.style(role);
         }
         if self.is_mono() {
-            let weight = if age > 0.4 {
-                Modifier::DIM
-            } else {
-                Modifier::empty()
-            };
-            return Style::new().add_modifier(weight);
+            let plain = Style::new();
+            return if age > 0.4 { plain.dim() } else { plain };
         }
         if self.depth == Depth::Ansi16 {
             return self.style(if age > 0.5 { Role::Dim } else { role });

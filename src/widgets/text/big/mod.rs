@@ -8,11 +8,9 @@
 mod strokes;
 
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::{buffer::Buffer, layout::Rect};
 
-use crate::widgets::text::blocks::QUARTERS;
-use crate::widgets::{Charset, Look, Role};
+use crate::widgets::{Charset, Look, Role, text::blocks::QUARTERS};
 
 /// Pixels between two letters.
 const GAP: usize = 1;

@@ -85,10 +85,8 @@ impl Setter {
                 i if i == last => bottom,
                 _ => middle,
             };
-            FormulaBlock::of(
-                (0..inside.height()).map(|i| row(i).to_owned()),
-                inside.base(),
-            )
+            let rows = (0..inside.height()).map(|i| row(i).to_owned());
+            FormulaBlock::of(rows, inside.base())
         });
         left.beside(inside).beside(&right)
     }
