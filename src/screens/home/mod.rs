@@ -107,8 +107,8 @@ impl Screen for Home {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<HomeAction> {
-        let letters = (0..).zip(ENTRIES.iter().map(|entry| entry.key));
-        let letters = letters.map(|(i, key)| (Key::Char(key), HomeAction::Open(i)));
+        let letters = ENTRIES.iter().map(|entry| entry.key);
+        let letters = letters.zip((0..).map(HomeAction::Open));
         KeyTable::new("home")
             .with(ListView::keys("open"), HomeAction::List)
             .on(Key::Char('q'), HomeAction::Quit, "quit")

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{ENTRIES, Home};
 use crate::screens::Context;
+use crate::widgets::input::ListView;
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Role, areas};
 
@@ -21,9 +22,9 @@ fn layout(area: Rect) -> [Rect; 2] {
 /// Which line of the menu stands at this cell.
 pub(super) fn choice_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
     let [_, menu] = layout(area);
-    let row = cell.1.checked_sub(menu.y + HEAD_ROWS)?;
-    let choice = usize::from(row / rows_of_a_choice(menu));
-    (menu.contains(cell.into()) && choice < ENTRIES.len()).then_some(choice)
+    let row = ListView::row_at(menu, cell)?.checked_sub(HEAD_ROWS.into())?;
+    let choice = row / usize::from(rows_of_a_choice(menu));
+    (choice < ENTRIES.len()).then_some(choice)
 }
 
 /// A choice takes a row for its name, one for what it is about and an empty one, as

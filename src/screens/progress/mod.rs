@@ -133,17 +133,16 @@ impl Progress {
 
     fn draw_picture(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        match self.history() {
-            Some(history) if self.page == ProgressPage::OverTime => {
-                over_time::plot(history, area, buf, look);
-            }
-            Some(history) if self.page == ProgressPage::SureOverTime => {
-                sure_over_time::plot(history, area, buf, look);
-            }
-            _ => self
-                .scroll
-                .picture
-                .draw(area, buf, look, |lines| self.table(&cx.book, lines)),
+        let plot = self.history().and_then(|history| match self.page {
+            ProgressPage::OverTime => Some(over_time::plot(history, area, look)),
+            ProgressPage::SureOverTime => Some(sure_over_time::plot(history, area, look)),
+            _ => None,
+        });
+        let table = |lines: &mut Lines| self.table(&cx.book, lines);
+        match plot {
+            Some(Ok(picture)) => picture.draw(buf, &look),
+            Some(Err(why)) => Lines::new(area, buf, look).paragraph(why, Role::Text),
+            None => self.scroll.picture.draw(area, buf, look, table),
         }
     }
 }
@@ -185,7 +184,7 @@ impl Screen for Progress {
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
         use ProgressAction::{Back, Quiz, Scroll, Turn, TurnTo};
-        let pages = ('1'..).zip(0..ProgressPage::ALL.len());
+        let pages = ('1'..).zip((0..ProgressPage::ALL.len()).map(TurnTo));
         let some = self.history().is_some();
         KeyTable::new("progress")
             .on(Key::Tab, Turn(1), "next page")
@@ -195,10 +194,7 @@ impl Screen for Progress {
                 (Key::Left, Turn(-1)),
             ])
             .when(some)
-            .each(
-                pages.map(|(digit, page)| (Key::Char(digit), TurnTo(page))),
-                "page",
-            )
+            .each(pages, "page")
             .when(some)
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
             .or(scroll_keys(Scroll))

@@ -1,6 +1,5 @@
 //! How far off the answers were as time went by.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::words::{degrees, percent};
@@ -8,21 +7,18 @@ use crate::lessons::Book;
 use crate::messages::History;
 use crate::progress::{Tally, advice, ends_deg};
 use crate::quiz::RIGHT_DEG;
+use crate::widgets::picture::Picture;
 use crate::widgets::plot::errors_picture;
 use crate::widgets::{Lines, Look, Role};
 
 /// How many of the last answers are shown.
 const SHOWN: usize = 100;
 
-/// Draws the error of each answer, and the mean of the last few.
-pub(super) fn plot(history: &History, area: Rect, buf: &mut Buffer, look: Look) {
-    match errors_picture(&history.attempts, SHOWN, area, look) {
-        Some((picture, _)) => picture.draw(buf, &look),
-        None => {
-            let said = "None of your answers so far had an angle to be off.";
-            Lines::new(area, buf, look).paragraph(said, Role::Text);
-        }
-    }
+/// The error of each answer, and the mean of the last few; or why there is nothing to draw.
+pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture, &'static str> {
+    let picture = errors_picture(&history.attempts, SHOWN, area, look);
+    let picture = picture.map(|(picture, _)| picture);
+    picture.ok_or("None of your answers so far had an angle to be off.")
 }
 
 /// The figures of all, how the ends compare, and what to do next.

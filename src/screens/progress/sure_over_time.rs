@@ -1,12 +1,12 @@
 //! Whether confidence and answers go together as time goes by.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::words::percent;
 use crate::messages::History;
 use crate::progress::calibration_over_time;
 use crate::quiz::Confidence;
+use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Lines, Look, Role};
 
@@ -15,15 +15,11 @@ const REACH: usize = 10;
 /// How many of the last answers are shown.
 const SHOWN: usize = 200;
 
-/// Draws of each confidence the share that was right among the last few.
-pub(super) fn plot(history: &History, area: Rect, buf: &mut Buffer, look: Look) {
-    match sureness_picture(&history.attempts, SHOWN, REACH, area, look) {
-        Some(picture) => picture.draw(buf, &look),
-        None => {
-            let said = "Three answers of one confidence, and its line begins here.";
-            Lines::new(area, buf, look).paragraph(said, Role::Text);
-        }
-    }
+/// Of each confidence the share that was right among the last few; or why there is nothing
+/// to draw.
+pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture, &'static str> {
+    let picture = sureness_picture(&history.attempts, SHOWN, REACH, area, look);
+    picture.ok_or("Three answers of one confidence, and its line begins here.")
 }
 
 /// Where each line should be, and where it ended.

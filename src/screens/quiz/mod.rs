@@ -394,19 +394,14 @@ impl Screen for Quiz {
                     .each(pages, "")
             }
             QuizPhase::Asked(asked) => {
-                let sure = ('1'..)
-                    .map(Key::Char)
-                    .zip((0..Confidence::ALL.len()).map(Sure));
+                let sure = ('1'..).zip((0..Confidence::ALL.len()).map(Sure));
                 let next = match asked.question.picture.collision() {
                     _ if self.tells_at_end() => "next",
                     Some(_) => "watch",
                     None => "see",
                 };
                 keys.each(sure, "how sure")
-                    .each(
-                        [(Key::Up, MoreSure(-1)), (Key::Down, MoreSure(1))],
-                        "choose",
-                    )
+                    .by([Key::Up, Key::Down], MoreSure, [-1, 1], "choose")
                     .or([(Key::Left, MoreSure(-1)), (Key::Right, MoreSure(1))])
                     .or([(Key::BackTab, MoreSure(-1)), (Key::Tab, MoreSure(1))])
                     .on(Key::Enter, Take, next)

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::{AnsweredQuestion, OpenQuestion};
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::widgets::bar::bar;
+use crate::widgets::input::ListView;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{AnswerInput, Charset, Lines, Look, Role, rehearsed};
 
@@ -46,22 +47,20 @@ pub(super) fn choice_at(
     asked: &OpenQuestion,
     panel: Rect,
     scrolled: u16,
-    (column, row): (u16, u16),
+    cell: (u16, u16),
     look: Look,
 ) -> Option<usize> {
-    if !panel.contains((column, row).into()) {
-        return None;
-    }
+    let row = ListView::row_at(panel, cell)? as u16 + scrolled;
     rehearsed(panel, look, |lines| {
         let head = head_rows(asked, lines);
-        let row = (row - panel.y + scrolled).checked_sub(head)?;
+        let row = row.checked_sub(head)?;
         let left = panel.height.saturating_sub(head);
         AnswerInput::choice_at(&asked.question.form, lines, left, row)
     })
 }
 
 /// Row of the first confidence, from the top of the text.
-const FIRST_CONFIDENCE: u16 = 2;
+const FIRST_CONFIDENCE: usize = 2;
 
 /// How sure one is, what that may bring, and what one is to be sure of.
 pub(super) fn confidence(
@@ -128,12 +127,9 @@ fn lettered(form: &Form, said: &Response) -> String {
 
 /// The confidence whose row is at this cell of the panel. They stand at the top and
 /// are never scrolled away: their text is short enough for the smallest screen.
-pub(super) fn confidence_at(panel: Rect, (column, row): (u16, u16)) -> Option<Confidence> {
-    if !panel.contains((column, row).into()) {
-        return None;
-    }
-    let row = (row - panel.y).checked_sub(FIRST_CONFIDENCE)?;
-    Confidence::ALL.get(usize::from(row)).copied()
+pub(super) fn confidence_at(panel: Rect, cell: (u16, u16)) -> Option<Confidence> {
+    let at = ListView::row_at(panel, cell)?.checked_sub(FIRST_CONFIDENCE)?;
+    Confidence::ALL.get(at).copied()
 }
 
 /// What the picture is just showing.

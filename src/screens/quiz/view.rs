@@ -7,6 +7,7 @@ use super::{AnsweredQuestion, Quiz, QuizPhase, panel, summary};
 use crate::physics::Frame;
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
+use crate::widgets::input::ListView;
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Look, SplitLayout, areas, draw_question, rehearsed};
 
@@ -111,14 +112,12 @@ fn draw_frames(layout: &SplitLayout, buf: &mut Buffer, look: &Look, picture: &st
 /// The line of the look back at a cell.
 pub(super) fn line_at(quiz: &Quiz, area: Rect, look: Look, cell: (u16, u16)) -> Option<usize> {
     let text = text_area(quiz, area);
-    if !text.contains(cell.into()) {
-        return None;
-    }
+    let row = ListView::row_at(text, cell)?;
     let scrolled = quiz
         .scroll
         .rows(text, look, |lines| write(quiz, lines, look));
-    let row = cell.1 - text.y + scrolled;
-    let line = usize::from(row.checked_sub(first_line(quiz, text, look))?);
+    let first = usize::from(first_line(quiz, text, look));
+    let line = (row + usize::from(scrolled)).checked_sub(first)?;
     (line < quiz.answers.len()).then_some(line)
 }
 

@@ -96,6 +96,13 @@ impl ListView {
         inside.then(|| usize::from(cell.1 - area.y))
     }
 
+    /// The one of so many lines, a row each, at a cell of an area, the mark being at `at`.
+    pub fn line_at(area: Rect, cell: (u16, u16), at: usize, lines: usize) -> Option<usize> {
+        let first = Self::first_shown(at, lines, area.height);
+        let line = first + Self::row_at(area, cell)?;
+        (line < lines).then_some(line)
+    }
+
     /// The first of so many rows that is shown in a place of this height: `row`, where
     /// the mark is, stands in the middle where there are more rows than that.
     pub fn first_shown(row: usize, rows: usize, height: u16) -> usize {

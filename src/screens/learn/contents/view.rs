@@ -12,10 +12,7 @@ use crate::widgets::{Lines, Role, SplitLayout};
 /// The line at a cell.
 pub(super) fn line_at(book: &Book, area: Rect, cell: (u16, u16)) -> Option<usize> {
     let list = SplitLayout::new(area).picture;
-    let rows = lines(book).len();
-    let first = ListView::first_shown(book.at, rows, list.height);
-    let at = first + usize::from(cell.1.checked_sub(list.y)?);
-    (list.contains(cell.into()) && at < rows).then_some(at)
+    ListView::line_at(list, cell, book.at, lines(book).len())
 }
 
 /// Draws the contents, and what the chosen line is about.

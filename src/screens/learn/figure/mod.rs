@@ -253,12 +253,11 @@ impl LiveFigure {
     /// The keys that work it.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
         use FigureAction::{Alpha, AlphaEnd, Choose, Foil, Set, SetByTen, Step};
-        let (key, keys) = (Key::Char, KeyTable::new("figure"));
-        let alpha = keys
-            .clone()
-            .each([(Key::Left, Alpha(-1)), (Key::Right, Alpha(1))], "α")
-            .or([(key('<'), Alpha(-LEAP)), (key('>'), Alpha(LEAP))])
-            .each([(Key::Home, AlphaEnd(0)), (Key::End, AlphaEnd(90))], "");
+        let keys = KeyTable::new("figure");
+        let alpha = (keys.clone())
+            .by([Key::Left, Key::Right], Alpha, [-1, 1], "α")
+            .or([('<', Alpha(-LEAP)), ('>', Alpha(LEAP))])
+            .by([Key::Home, Key::End], AlphaEnd, [0, 90], "");
         let watched = |watch: &Watch| {
             use WatchAction::{Again, Frame, Scrub, ToggleLayer};
             let spare = |action| matches!(action, Frame | Scrub(_) | ToggleLayer(_));
@@ -273,17 +272,12 @@ impl LiveFigure {
                 watched(&hits[0]).without_keys(&[Key::Char('f')]),
                 FigureAction::Watch,
             ),
-            FigureState::Step(_) => {
-                keys.each([(Key::Left, Step(-1)), (Key::Right, Step(1))], "step")
-            }
+            FigureState::Step(_) => keys.by([Key::Left, Key::Right], Step, [-1, 1], "step"),
             FigureState::Solve { .. } => keys
-                .each([(Key::Up, Choose(-1)), (Key::Down, Choose(1))], "choose")
-                .each([(Key::Left, Set(-1)), (Key::Right, Set(1))], "set")
-                .each([(key(','), Step(-1)), (key('.'), Step(1))], "step")
-                .each(
-                    [(key('<'), SetByTen(-LEAP)), (key('>'), SetByTen(LEAP))],
-                    "set by ten",
-                ),
+                .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
+                .by([Key::Left, Key::Right], Set, [-1, 1], "set")
+                .by([',', '.'], Step, [-1, 1], "step")
+                .by(['<', '>'], SetByTen, [-LEAP, LEAP], "set by ten"),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
             FigureState::Plain if self.has_alpha() => alpha,
             FigureState::Plain => keys,

@@ -37,13 +37,9 @@ pub(super) fn draw(reading: &Reading, area: Rect, buf: &mut Buffer, cx: &Context
         None => String::new(),
     };
     let page_title = reading.page().map_or("", |page| &page.title);
-    let marked = |title: &str, here: bool| {
-        let mark = if here && reading.figure.is_some() {
-            "> "
-        } else {
-            ""
-        };
-        format!("{mark}{title}")
+    let marked = |title: &str, here: bool| match here && reading.figure.is_some() {
+        true => format!("> {title}"),
+        false => title.to_owned(),
     };
     let picture = marked(&figure_title, reading.on_figure);
     let text = marked(page_title, !reading.on_figure);

@@ -218,11 +218,9 @@ impl Screen for Choosing {
         let list = ListView::keys("begin");
         match self.page {
             ChoosingPage::Rounds => {
-                let numbers = ('1'..)
-                    .map(Key::Char)
-                    .zip((0..self.choices().len()).map(Begin));
-                let letters = (0..).zip(self.choices());
-                let letters = letters.map(|(at, (key, _))| (Key::Char(*key), BeginByLetter(at)));
+                let numbers = ('1'..).zip((0..self.choices().len()).map(Begin));
+                let letters = self.choices().iter().map(|(letter, _)| *letter);
+                let letters = letters.zip((0..).map(BeginByLetter));
                 keys.with(list, List)
                     .each(numbers, "at once")
                     .each(letters, "")

@@ -18,19 +18,16 @@ const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a 
 /// The line of the page at a cell.
 pub(super) fn line_at(choosing: &Choosing, cx: &Context, cell: (u16, u16)) -> Option<usize> {
     let list = SplitLayout::new(cx.body).picture;
-    if !list.contains(cell.into()) {
-        return None;
-    }
-    let row = usize::from(cell.1 - list.y);
     match choosing.page {
         ChoosingPage::Rounds => {
+            let row = ListView::row_at(list, cell)?;
             let each = usize::from(rows_of_a_round(choosing, list, cx.settings.look()));
             let at = row / each;
             (row % each == 0 && at < choosing.choices().len()).then_some(at)
         }
         ChoosingPage::Topics => {
-            let at = first_topic(choosing, list) + row;
-            (at < CourseKind::topics().count()).then_some(at)
+            let count = CourseKind::topics().count();
+            ListView::line_at(list, cell, choosing.topics.chosen(count), count)
         }
         ChoosingPage::Code { .. } => None,
     }
@@ -41,12 +38,6 @@ fn rows_of_a_round(choosing: &Choosing, list: Rect, look: Look) -> u16 {
     let why = rehearsed(list, look, |lines| lines.rows_of(WHY_MIXED));
     let rounds = choosing.choices().len() as u16;
     if list.height > 2 * rounds + why { 2 } else { 1 }
-}
-
-/// The first topic shown.
-fn first_topic(choosing: &Choosing, list: Rect) -> usize {
-    let count = CourseKind::topics().count();
-    ListView::first_shown(choosing.topics.chosen(count), count, list.height)
 }
 
 /// Draws the page.
@@ -60,11 +51,10 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
     };
     layout.draw(buf, &look, list, about);
     let each = rows_of_a_round(choosing, layout.picture, look);
-    let first = first_topic(choosing, layout.picture);
     let mut lines = Lines::new(layout.picture, buf, look);
     match &choosing.page {
         ChoosingPage::Rounds => rounds(choosing, each, &mut lines),
-        ChoosingPage::Topics => topics(choosing, first, &mut lines),
+        ChoosingPage::Topics => topics(choosing, &mut lines),
         ChoosingPage::Code { typed, refused } => code(choosing, typed, *refused, &mut lines),
     }
     let mut lines = Lines::new(layout.panel, buf, look);
@@ -235,8 +225,10 @@ fn known(choosing: &Choosing, family: Family) -> Option<TopicStanding> {
     (topic.all.attempts > 0).then_some(topic)
 }
 
-fn topics(choosing: &Choosing, first: usize, lines: &mut Lines) {
-    let chosen = choosing.topics.chosen(CourseKind::topics().count());
+fn topics(choosing: &Choosing, lines: &mut Lines) {
+    let count = CourseKind::topics().count();
+    let chosen = choosing.topics.chosen(count);
+    let first = ListView::first_shown(chosen, count, lines.left());
     for (i, family) in CourseKind::topics().enumerate().skip(first) {
         let mastery = known(choosing, family).map_or(Mastery::New, |topic| topic.mastery());
         let role = match mastery {
