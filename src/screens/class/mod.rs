@@ -90,7 +90,7 @@ pub(crate) struct Class {
 #[derive(Debug, Clone)]
 enum ClassScene {
     SetUp(SetUp),
-    Earlier(EarlierRounds),
+    Earlier(Box<EarlierRounds>),
     Play(Box<ClassPlay>),
 }
 
@@ -111,7 +111,7 @@ impl Class {
             Outcome::Done(SetUpEnd::Earlier) => {
                 if let ClassScene::SetUp(set_up) = &self.scene {
                     let earlier = EarlierRounds::ask(set_up.clone(), cx);
-                    self.scene = ClassScene::Earlier(earlier);
+                    self.scene = ClassScene::Earlier(Box::new(earlier));
                 }
             }
         }

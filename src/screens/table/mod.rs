@@ -44,7 +44,7 @@ enum TablePage {
     /// A new game is agreed.
     NewGame(NewGame),
     /// One is looked for among those that were saved.
-    SavedGames(SavedGames),
+    SavedGames(Box<SavedGames>),
     /// One is played.
     Playing(Box<ActiveGame>),
 }
@@ -112,7 +112,7 @@ impl Screen for Table {
                 TableAction::Play => *self = Self::playing(page.options, cx.next_seed()),
                 TableAction::SavedGames => {
                     let saved = SavedGames::ask(page.options, cx);
-                    self.page = TablePage::SavedGames(saved);
+                    self.page = TablePage::SavedGames(Box::new(saved));
                 }
                 TableAction::Back => return Next::Back,
                 _ => {}
