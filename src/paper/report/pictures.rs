@@ -101,7 +101,7 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
         picture.line(dvec2(0.0, y), end, pen);
         picture.text(end, "●", Role::StrikerOut);
         let counted = format!("{} of {}", it.tally.right, it.tally.attempts);
-        // SplitLayout the dot, where there is room.
+        // Beside the dot, where there is room.
         let aside = (0.5 * counted.len() as f64 + 1.0) * view.per_column();
         let x = end.x + if share > 0.6 { -aside } else { aside };
         picture.text(dvec2(x, y + 0.2), counted, Role::Text);

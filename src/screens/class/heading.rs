@@ -48,7 +48,7 @@ impl Heading {
         below(area, heading + line)
     }
 
-    /// Draws it.
+    /// Draws it in large letters where there is room, with the line below it.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
         let air = u16::from(area.height >= AIRY_FROM);
         let rows = match self.big(area, look) {

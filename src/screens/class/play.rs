@@ -271,16 +271,16 @@ impl ClassPlay {
                     }
                 },
                 (ClassPhase::Shot(shown), _) => {
-                    let next = match shown.telling.is_told() {
+                    let next = match shown.reveal.is_revealed() {
                         true => "the scores",
                         false => "show it",
                     };
                     // What is watched has the space bar.
-                    let keys = match shown.telling.watch() {
+                    let keys = match shown.reveal.watch() {
                         Some(_) => keys.on(Key::Enter, Forward, next),
                         None => forward(next),
                     };
-                    keys.with(shown.telling.keys(), Watch)
+                    keys.with(shown.reveal.keys(), Watch)
                 }
                 (ClassPhase::End(page), _) => forward("next page")
                     .when(*page != EndPage::Items)
@@ -310,9 +310,9 @@ impl ClassPlay {
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) {
         match (action, &mut self.phase) {
-            (ClassAction::Forward, ClassPhase::Shot(shown)) if !shown.telling.is_told() => {
+            (ClassAction::Forward, ClassPhase::Shot(shown)) if !shown.reveal.is_revealed() => {
                 // Nobody skips what happened by a key too many.
-                shown.telling.tell();
+                shown.reveal.at_once();
             }
             (ClassAction::Forward, _) => self.forward(cx),
             (ClassAction::Scroll(rows), _) => {
@@ -324,7 +324,7 @@ impl ClassPlay {
                 let page = *page;
                 self.turn_page(page, by);
             }
-            (ClassAction::Watch(action), ClassPhase::Shot(shown)) => shown.telling.act(action),
+            (ClassAction::Watch(action), ClassPhase::Shot(shown)) => shown.reveal.act(action),
             (ClassAction::WordsAlone, _) => self.words_alone = !self.words_alone,
             (ClassAction::Tables, _) => {
                 cx.ask(StoreRequest::ExportClass(Box::new(self.round.clone())));
@@ -392,14 +392,14 @@ impl ClassPlay {
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration) {
         if let ClassPhase::Shot(shown) = &mut self.phase {
-            shown.telling.advance(passed);
+            shown.reveal.advance(passed);
         }
     }
 
     /// When it next needs time.
     pub(super) fn wake(&self) -> Option<Duration> {
         match &self.phase {
-            ClassPhase::Shot(shown) => shown.telling.wake(),
+            ClassPhase::Shot(shown) => shown.reveal.wake(),
             _ => None,
         }
     }

@@ -3,13 +3,13 @@
 use crate::class::{ClassRound, Vote};
 use crate::quiz::misconceptions::most_held;
 use crate::quiz::{Answer, Confidence, Form, Misconception, Question, Response, explain};
-use crate::widgets::hit::{Telling, Watch};
+use crate::widgets::hit::{Reveal, Watch};
 
 /// What really happens, and why.
 #[derive(Debug, Clone)]
 pub(super) struct ClassReveal {
     /// The hit, where the question is about one.
-    pub(super) telling: Telling,
+    pub(super) reveal: Reveal,
     /// What most teams that were wrong alike believed, and how many of them.
     pub(super) held: Option<(Misconception, usize)>,
     /// Why it is as it is.
@@ -32,7 +32,7 @@ impl ClassReveal {
             None => question.why.clone(),
         };
         Some(Self {
-            telling: Telling::new(watch(question, said, reduced)),
+            reveal: Reveal::new(watch(question, said, reduced)),
             held: held.map(|(misconception, count, _)| (misconception, count)),
             why,
         })

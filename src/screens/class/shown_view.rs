@@ -20,13 +20,13 @@ pub(super) fn draw<'a>(
     buf: &mut Buffer,
     look: &Look,
 ) -> Text<'a> {
-    let watch = shown.telling.watch();
+    let watch = shown.reveal.watch();
     let layout = match question.picture {
         Illustration::Nothing if watch.is_none() => SplitLayout::text_alone(area),
         _ => SplitLayout::square(area),
     };
     let title = watch.map_or_else(|| question.family.name().into(), Watch::title);
-    let aside = match shown.telling.is_told() {
+    let aside = match shown.reveal.is_revealed() {
         true => "and why",
         false => "watch",
     };
@@ -40,9 +40,9 @@ pub(super) fn draw<'a>(
 }
 
 fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut Lines) {
-    if !shown.telling.is_told() {
+    if !shown.reveal.is_revealed() {
         lines.paragraph(&question.text, Role::Dim);
-        if let Some(watch) = shown.telling.watch() {
+        if let Some(watch) = shown.reveal.watch() {
             lines.gap();
             lines.paragraph(watch.telling(), Role::Text);
         }

@@ -112,9 +112,9 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let percent = |excess: f64| 100.0 * excess;
     if name == "gold" {
         let (low, high) = series.band();
-        plot.level(0.0, Pen::new(Role::Dim));
+        plot.hline(0.0, Pen::new(Role::Dim));
         for edge in [low, high] {
-            plot.level(percent(edge), Pen::new(Role::Arc).dashed());
+            plot.hline(percent(edge), Pen::new(Role::Arc).dashed());
         }
     }
     for point in &series.points {

@@ -24,7 +24,7 @@ use crate::progress::Attempt;
 use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
 };
-use crate::widgets::hit::{Overlays, Telling, Watch, WatchAction};
+use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Lines, Outcome, Scroll, scroll_keys};
 
@@ -95,7 +95,7 @@ struct AnsweredQuestion {
     question: Question,
     answer: Answer,
     /// The hit, where the question is about one.
-    telling: Telling,
+    reveal: Reveal,
     /// The right shot, still to be seen, where the player's own was not it.
     remedy: Option<Watch>,
     /// Its number, from 0, where it was opened from the look back.
@@ -188,7 +188,7 @@ impl Quiz {
         };
         let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
         watched.opened = Some(at);
-        watched.telling.tell();
+        watched.reveal.at_once();
         self.enter(QuizPhase::Watch(Box::new(watched)));
     }
 
@@ -254,7 +254,7 @@ impl Quiz {
     fn summary(&self) -> Summary {
         let untold = match &self.phase {
             QuizPhase::Watch(watched) => {
-                usize::from(!watched.telling.is_told() && watched.opened.is_none())
+                usize::from(!watched.reveal.is_revealed() && watched.opened.is_none())
             }
             _ => 0,
         };
@@ -268,13 +268,13 @@ impl Quiz {
             return;
         };
         // Nobody skips what happened by a key too many.
-        if !watched.telling.is_told() {
-            return watched.telling.tell();
+        if !watched.reveal.is_revealed() {
+            return watched.reveal.at_once();
         }
         if let Some(remedy) = watched.remedy.take() {
-            return watched.telling.show(remedy);
+            return watched.reveal.show(remedy);
         }
-        self.layers = watched.telling.layers().unwrap_or(self.layers);
+        self.layers = watched.reveal.layers().unwrap_or(self.layers);
         match watched.opened {
             Some(at) => self.close(at, cx),
             None => self.ask(),
@@ -292,7 +292,7 @@ impl Quiz {
         }
         match &self.phase {
             QuizPhase::Watch(watched) if watched.opened.is_some() => {
-                self.layers = watched.telling.layers().unwrap_or(self.layers);
+                self.layers = watched.reveal.layers().unwrap_or(self.layers);
                 self.close(watched.opened.unwrap_or(0), cx);
                 Next::Stay
             }
@@ -338,7 +338,7 @@ impl AnsweredQuestion {
         Self {
             question,
             answer,
-            telling: Telling::new(watch),
+            reveal: Reveal::new(watch),
             remedy,
             opened: None,
         }
@@ -411,7 +411,7 @@ impl Screen for Quiz {
             }
             QuizPhase::Watch(watched) => {
                 let next = match watched.opened {
-                    _ if !watched.telling.is_told() => "show it",
+                    _ if !watched.reveal.is_revealed() => "show it",
                     _ if watched.remedy.is_some() => "the right shot",
                     Some(_) => "back to the list",
                     None if !self.is_over() => "next question",
@@ -421,12 +421,12 @@ impl Screen for Quiz {
                     Some(_) => "back",
                     None => "leave",
                 };
-                let scroll = match watched.telling.watch() {
+                let scroll = match watched.reveal.watch() {
                     Some(_) => "",
                     None => "scroll",
                 };
                 keys.on(Key::Enter, GoOn, next)
-                    .with(watched.telling.keys(), Watch)
+                    .with(watched.reveal.keys(), Watch)
                     .each(lines, scroll)
                     .or(pages)
                     .on(Key::Escape, Leave, away)
@@ -466,7 +466,7 @@ impl Screen for Quiz {
                     self.answer(chosen, cx);
                 }
             }
-            (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.telling.act(action),
+            (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.reveal.act(action),
             (QuizAction::GoOn, _) => self.go_on(cx),
             (QuizAction::LookBack(action), _) => self.look_back(action, cx),
             (QuizAction::Another, _) => return self.again(cx),
@@ -507,7 +507,7 @@ impl Screen for Quiz {
                 }
             }
             (QuizPhase::Watch(watched), Some(by)) if on_picture => {
-                watched.telling.act(WatchAction::Step(by));
+                watched.reveal.act(WatchAction::Step(by));
             }
             (_, Some(by)) => self.scroll_by(-i16::from(by), cx),
             (QuizPhase::Asked(asked), None) if asked.sure.is_some() => {
@@ -534,8 +534,8 @@ impl Screen for Quiz {
                 asked.input.act(AnswerAction::Choose(choice));
             }
             (QuizPhase::Watch(watched), None) if pressed && on_picture => {
-                if let Some(action) = watched.telling.keys().find(Key::Char(' ')) {
-                    watched.telling.act(action);
+                if let Some(action) = watched.reveal.keys().find(Key::Char(' ')) {
+                    watched.reveal.act(action);
                 }
             }
             _ => return Next::Ignored,
@@ -545,13 +545,13 @@ impl Screen for Quiz {
 
     fn advance(&mut self, passed: Duration, _cx: &mut Context) {
         if let QuizPhase::Watch(watched) = &mut self.phase {
-            watched.telling.advance(passed);
+            watched.reveal.advance(passed);
         }
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         match &self.phase {
-            QuizPhase::Watch(watched) => watched.telling.wake(),
+            QuizPhase::Watch(watched) => watched.reveal.wake(),
             _ => None,
         }
     }

@@ -136,7 +136,7 @@ pub(super) fn confidence_at(panel: Rect, cell: (u16, u16)) -> Option<Confidence>
 pub(super) fn untold(watched: &AnsweredQuestion, lines: &mut Lines) {
     lines.paragraph(&watched.question.text, Role::Dim);
     lines.gap();
-    if let Some(watch) = watched.telling.watch() {
+    if let Some(watch) = watched.reveal.watch() {
         lines.paragraph(watch.telling(), Role::Text);
     }
 }
@@ -212,7 +212,7 @@ fn said_and_truth(watched: &AnsweredQuestion) -> Option<[String; 2]> {
     let form = &watched.question.form;
     let both = [watched.answer.said, form.truth()];
     // Without a hit to be seen, rays have no sides to count from.
-    let table = matches!(form, Form::Rays { .. }) && watched.telling.watch().is_some();
+    let table = matches!(form, Form::Rays { .. }) && watched.reveal.watch().is_some();
     (!table).then(|| both.map(|said| lettered(form, &said)))
 }
 
@@ -221,7 +221,7 @@ fn write_answers(watched: &AnsweredQuestion, lines: &mut Lines) {
         lines.hanging(YOU, &said, Role::Predicted);
         lines.hanging(TRUTH, &truth, Role::Good);
     } else if let (Some(watch), Form::Rays { target, .. }, Response::Rays(said)) = (
-        watched.telling.watch(),
+        watched.reveal.watch(),
         &watched.question.form,
         &watched.answer.said,
     ) {

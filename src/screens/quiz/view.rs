@@ -51,7 +51,7 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
             None => panel::asked(asked, lines),
             Some(chosen) => panel::confidence(asked, chosen, quiz.tells_at_end(), lines),
         },
-        QuizPhase::Watch(watched) if watched.telling.is_told() => {
+        QuizPhase::Watch(watched) if watched.reveal.is_revealed() => {
             panel::told(watched, lines, look.charset);
         }
         QuizPhase::Watch(watched) => panel::untold(watched, lines),
@@ -78,13 +78,13 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             );
         }
         QuizPhase::Watch(watched) => {
-            let side = if watched.telling.is_told() {
+            let side = if watched.reveal.is_revealed() {
                 "and why"
             } else {
                 "watch"
             };
             draw_frames(&layout, buf, &look, &title(watched), side);
-            match watched.telling.watch() {
+            match watched.reveal.watch() {
                 Some(watch) => watch.picture(layout.picture).draw(buf, &look),
                 None => draw_question(layout.picture, buf, &look, &watched.question, None),
             }
@@ -127,11 +127,11 @@ pub(super) fn first_line(quiz: &Quiz, text: Rect, look: Look) -> u16 {
 }
 
 fn title(watched: &AnsweredQuestion) -> String {
-    let Some(watch) = watched.telling.watch() else {
+    let Some(watch) = watched.reveal.watch() else {
         return watched.question.family.name().into();
     };
     if let Form::Shot(aim) = &watched.question.form
-        && watched.telling.is_told()
+        && watched.reveal.is_revealed()
         && watch.frame() == Frame::Laboratory
     {
         let does_it = watch.collision().offset == aim.offset;

@@ -106,13 +106,13 @@ fn point_out(picture: &mut Picture, pointer: &Pointer) {
 /// Where both leave the first hit: as far as each would slide if it met nothing.
 fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
     let outcome = hit.impact.collision.outcome();
-    let slowing = Board::default().deceleration();
+    let deceleration = Board::default().deceleration();
     let bodies = [
         (ghost, outcome.v1, Role::StrikerOut),
         (hit.at, outcome.v2, Role::CoinOut),
     ];
     for (from, v, role) in bodies {
-        let way = stopping_distance(v.length(), slowing).min(LONGEST_RAY);
+        let way = stopping_distance(v.length(), deceleration).min(LONGEST_RAY);
         if way > 1.5 * picture.view().per_column() {
             // Discs run over it: none may be hidden by what is to come.
             let pen = Pen::new(role).on(DrawLayer::Trail);

@@ -24,7 +24,7 @@ pub(super) struct StoreWorker {
     /// Gone once nothing will be asked any more.
     jobs: Option<Sender<Job>>,
     thread: Option<JoinHandle<()>>,
-    /// Tells when that is done which was waited for in vain.
+    /// Tells when the save that was overdue is done.
     late: Option<Receiver<()>>,
 }
 

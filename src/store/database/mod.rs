@@ -34,7 +34,7 @@ use error::DatabaseError;
 const WAIT: Duration = Duration::from_secs(2);
 /// For how long what is busy is tried again.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// The same once that was in vain: whoever does not let go for so long will not soon, and
+/// The same once that did not help: whoever does not let go for so long will not soon, and
 /// a player is not to wait for it at every answer.
 const LITTLE: Duration = Duration::from_millis(500);
 /// The file that stands for the right to use the database, or to set it aside.

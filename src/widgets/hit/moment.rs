@@ -99,7 +99,7 @@ impl Moment<'_> {
         self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
     }
 
-    /// Draws it.
+    /// All of it as it stands: ways, discs, and what the layers add.
     pub(super) fn picture(&self) -> Picture {
         let mut sketch = Sketch::new(self.stage);
         let time = self.watch.clock.time();

@@ -209,7 +209,7 @@ impl Sketch {
                 DVec2::NEG_Y,
             ),
         };
-        // SplitLayout the disc, as after a head-on hit the arrow may be on the other disc.
+        // Beside the disc, as after a head-on hit the arrow may be on the other disc.
         let across = v.perp().normalize_or_zero();
         let across = across * 1.0_f64.copysign(across.y);
         self.picture

@@ -47,7 +47,7 @@ pub(crate) fn errors_picture(
     let to = last.max(from + 9.0);
     let numbers = Axis::linear("answer", from - 0.5, to + 0.5);
     let mut plot = Plot::new(area, look, numbers, Axis::linear("off by (°)", 0.0, top));
-    plot.level(RIGHT_DEG, Pen::new(Role::Good).dashed());
+    plot.hline(RIGHT_DEG, Pen::new(Role::Good).dashed());
     plot.curve(line, Pen::new(Role::StrikerOut).bold());
     for (number, error, _) in shown.iter().filter(|_| group == 1) {
         let right = attempts.get(number - 1).is_some_and(|it| it.right);
@@ -84,7 +84,7 @@ pub(crate) fn sureness_picture(
     let mut plot = Plot::new(area, look, numbers, shares);
     for limit in [Confidence::Guess, Confidence::ThinkSo] {
         let (_, limit) = Calibrated::honest(limit);
-        plot.level(100.0 * limit, Pen::new(Role::Dim).dotted());
+        plot.hline(100.0 * limit, Pen::new(Role::Dim).dotted());
     }
     for (confidence, line) in Confidence::ALL.into_iter().zip(&lines) {
         let (pen, sign) = match confidence {

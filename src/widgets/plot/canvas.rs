@@ -103,8 +103,8 @@ impl Plot {
         self.curve(points, pen);
     }
 
-    /// An upright line over the whole height at `x`, down to the axis.
-    pub(crate) fn upright(&mut self, x: f64, pen: impl Into<Pen>) {
+    /// A vertical line over the whole height at `x`, down to the axis.
+    pub(crate) fn vline(&mut self, x: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[1].ends();
         if let Some(x) = self.axes[0].place(x) {
             let foot = low + self.picture.view().per_row();
@@ -112,8 +112,8 @@ impl Plot {
         }
     }
 
-    /// A level line over the whole width at `y`, up to the axis.
-    pub(crate) fn level(&mut self, y: f64, pen: impl Into<Pen>) {
+    /// A horizontal line over the whole width at `y`, up to the axis.
+    pub(crate) fn hline(&mut self, y: f64, pen: impl Into<Pen>) {
         let (low, high) = self.axes[0].ends();
         if let Some(y) = self.axes[1].place(y) {
             let start = low + self.picture.view().per_column();
@@ -299,8 +299,8 @@ mod tests {
                         let y = Axis::log("y", from, to);
                         let mut plot = Plot::new(area, look(charset), x, y);
                         plot.bar(from, to, 1.0, Role::Trail);
-                        plot.level(0.5, Role::Aim);
-                        plot.upright(0.5, Role::Aim);
+                        plot.hline(0.5, Role::Aim);
+                        plot.vline(0.5, Role::Aim);
                         plot.function(Some, Role::CoinOut);
                         plot.label("label", dvec2(0.5, 0.5), &LabelSide::ALL, Role::Text);
                         let mut buf = Buffer::empty(Rect::new(0, 0, 14, 9));

@@ -130,7 +130,7 @@ pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture;
 fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, alpha: f64) {
     use LabelSide::{Above, Below, BelowLeft, BelowRight, Left, Right};
     let alpha_deg = deg_from_rad(alpha);
-    plot.upright(alpha_deg, Pen::new(Role::Aim).dotted());
+    plot.vline(alpha_deg, Pen::new(Role::Aim).dotted());
     for curve in curves {
         let value = |deg: f64| (curve.at)(pair, rad_from_deg(deg));
         plot.function(value, Pen::new(curve.role));

@@ -1,4 +1,4 @@
-//! A hit that is watched before its outcome is told.
+//! A hit that is watched before its outcome is revealed.
 
 use std::time::Duration;
 
@@ -6,19 +6,19 @@ use super::{Overlays, Watch, WatchAction};
 use crate::messages::Key;
 use crate::widgets::input::KeyTable;
 
-/// What is to be watched, if anything, and whether its outcome has been told.
+/// What is to be watched, if anything, and whether its outcome has been revealed.
 #[derive(Debug, Clone)]
-pub(crate) struct Telling {
+pub(crate) struct Reveal {
     watch: Option<Watch>,
-    told: bool,
+    revealed: bool,
 }
 
-impl Telling {
+impl Reveal {
     /// Before it is watched; where there is nothing to be watched, or no motion is wanted,
-    /// it is told already.
+    /// it is revealed already.
     pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
-            told: watch.as_ref().is_none_or(Watch::is_told),
+            revealed: watch.as_ref().is_none_or(Watch::is_told),
             watch,
         }
     }
@@ -28,12 +28,12 @@ impl Telling {
         self.watch.as_ref()
     }
 
-    /// Whether the outcome has been told; it stays so while the hit is seen again.
-    pub(crate) fn is_told(&self) -> bool {
-        self.told
+    /// Whether the outcome has been revealed; it stays so while the hit is seen again.
+    pub(crate) fn is_revealed(&self) -> bool {
+        self.revealed
     }
 
-    /// Shows another hit; what has been told stays told.
+    /// Shows another hit; what has been revealed stays so.
     pub(crate) fn show(&mut self, watch: Watch) {
         self.watch = Some(watch);
     }
@@ -53,7 +53,7 @@ impl Telling {
     pub(crate) fn act(&mut self, action: WatchAction) {
         if let Some(watch) = &mut self.watch {
             watch.act(action);
-            self.told |= watch.is_told();
+            self.revealed |= watch.is_told();
         }
     }
 
@@ -61,7 +61,7 @@ impl Telling {
     pub(crate) fn advance(&mut self, passed: Duration) {
         if let Some(watch) = &mut self.watch {
             watch.advance(passed);
-            self.told |= watch.is_told();
+            self.revealed |= watch.is_told();
         }
     }
 
@@ -70,12 +70,12 @@ impl Telling {
         self.watch.as_ref().and_then(Watch::wake)
     }
 
-    /// Tells what happened at once.
-    pub(crate) fn tell(&mut self) {
+    /// Reveals what happened at once.
+    pub(crate) fn at_once(&mut self) {
         if let Some(watch) = &mut self.watch {
             watch.tell();
         }
-        self.told = true;
+        self.revealed = true;
     }
 
     /// What is drawn on top of the hit, where there is one.
