@@ -3,7 +3,7 @@
 use super::quantity as q;
 use crate::files::{Fields, NumberSpec, Range, all};
 
-/// Something a player may be free to set.
+/// Something a player may be free to set, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dial {
     /// Direction of the shot, in degrees from +x, anticlockwise.
@@ -28,84 +28,64 @@ impl Dial {
         Self::Restitution,
     ];
 
-    /// Its name in a file.
-    pub const fn field(self) -> &'static str {
+    /// Its name in a file, what one press of a key changes, and what it may be.
+    const fn facts(self) -> (&'static str, f64, &'static NumberSpec) {
         match self {
-            Self::Direction => "direction_deg",
-            Self::Speed => "speed",
-            Self::Place => "place_mm",
-            Self::Mass => "mass_g",
-            Self::Restitution => "restitution",
+            Self::Direction => ("direction_deg", 0.5, &q::DIRECTION),
+            Self::Speed => ("speed", 0.05, &q::SPEED),
+            Self::Place => ("place_mm", 1.0, &q::COORDINATE),
+            Self::Mass => ("mass_g", 0.5, &q::MASS),
+            Self::Restitution => ("restitution", 0.05, &q::RESTITUTION),
         }
     }
 
+    /// Its name in a file.
+    pub const fn field(self) -> &'static str {
+        self.facts().0
+    }
+
     /// The names of all dials in a file.
-    pub(super) const FIELDS: [&str; 5] = [
-        Self::Direction.field(),
-        Self::Speed.field(),
-        Self::Place.field(),
-        Self::Mass.field(),
-        Self::Restitution.field(),
-    ];
+    pub(super) fn fields() -> [&'static str; 5] {
+        Self::ALL.map(Self::field)
+    }
 
     /// What one press of a key changes; every solution in the packs that come with
     /// carrom is a whole number of these away from where the level starts.
     pub const fn step(self) -> f64 {
-        match self {
-            Self::Direction | Self::Mass => 0.5,
-            Self::Speed | Self::Restitution => 0.05,
-            Self::Place => 1.0,
-        }
+        self.facts().1
     }
 
     const fn quantity(self) -> &'static NumberSpec {
-        match self {
-            Self::Direction => &q::DIRECTION,
-            Self::Speed => &q::SPEED,
-            Self::Place => &q::COORDINATE,
-            Self::Mass => &q::MASS,
-            Self::Restitution => &q::RESTITUTION,
-        }
+        self.facts().2
+    }
+
+    /// The dials that a table of a file names.
+    fn named_in(fields: &Fields) -> impl Iterator<Item = Self> {
+        Self::ALL
+            .into_iter()
+            .filter(|dial| fields.has(dial.field()))
     }
 }
 
 /// The setting of every dial, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LevelAim {
-    /// Direction of the shot, in degrees from +x, anticlockwise.
-    pub direction_deg: f64,
-    /// Speed of the shot, in m/s.
-    pub speed: f64,
-    /// Where the disc that is set off starts: its x in mm.
-    pub place_mm: f64,
-    /// Mass of the disc that is set off, in grams.
-    pub mass_g: f64,
-    /// Restitution of disc on disc.
-    pub restitution: f64,
-}
+pub struct LevelAim([f64; 5]);
 
 impl LevelAim {
+    /// Every dial as `setting` says.
+    pub(super) fn new(setting: impl FnMut(Dial) -> f64) -> Self {
+        Self(Dial::ALL.map(setting))
+    }
+
     /// The setting of a dial.
     pub const fn get(&self, dial: Dial) -> f64 {
-        match dial {
-            Dial::Direction => self.direction_deg,
-            Dial::Speed => self.speed,
-            Dial::Place => self.place_mm,
-            Dial::Mass => self.mass_g,
-            Dial::Restitution => self.restitution,
-        }
+        self.0[dial as usize]
     }
 
     /// The same aim with one dial set anew.
     #[must_use]
     pub const fn with(mut self, dial: Dial, setting: f64) -> Self {
-        match dial {
-            Dial::Direction => self.direction_deg = setting,
-            Dial::Speed => self.speed = setting,
-            Dial::Place => self.place_mm = setting,
-            Dial::Mass => self.mass_g = setting,
-            Dial::Restitution => self.restitution = setting,
-        }
+        self.0[dial as usize] = setting;
         self
     }
 }
@@ -127,13 +107,11 @@ impl Adjust {
     }
 
     pub(super) fn from_fields(fields: &Fields) -> Option<Self> {
-        let there = Dial::ALL
-            .into_iter()
-            .filter(|dial| fields.has(dial.field()));
-        let dials = there.map(|dial| Some((dial, fields.range(dial.field(), dial.quantity())?)));
+        let range = |dial: Dial| fields.range(dial.field(), dial.quantity());
+        let dials = Dial::named_in(fields).map(|dial| Some((dial, range(dial)?)));
         let dials = all(dials.collect())?;
         if dials.is_empty() {
-            let any = Dial::FIELDS.join(", ");
+            let any = Dial::fields().join(", ");
             return fields.refuse_table(format!("expected at least one of {any}, found nothing"));
         }
         Some(Self(dials))
@@ -141,10 +119,7 @@ impl Adjust {
 
     /// Reads a setting of the dials; those that are left out stay as in `start`.
     pub(super) fn read_setting(&self, fields: &Fields, start: LevelAim) -> Option<LevelAim> {
-        let there = Dial::ALL
-            .into_iter()
-            .filter(|dial| fields.has(dial.field()));
-        let settings = there.map(|dial| {
+        let settings = Dial::named_in(fields).map(|dial| {
             let name = dial.field();
             let setting = fields.number(name, dial.quantity())?;
             let Some(range) = self.range(dial) else {

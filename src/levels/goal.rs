@@ -69,52 +69,54 @@ pub enum Goal {
         /// How many times at least.
         least: usize,
     },
-    /// The speed of a disc right after the first hit.
-    Speed {
-        /// The disc.
-        disc: usize,
-        /// Bounds in m/s.
+    /// What the first hit shows lies between bounds.
+    FirstHit {
+        /// What is measured.
+        measure: HitMeasure,
+        /// Bounds, in the unit of what is measured.
         range: Range,
     },
-    /// The angle between the line along which body 1 came and the velocity of a disc
-    /// right after the first hit, to either side.
-    Turn {
-        /// The disc.
-        disc: usize,
-        /// Bounds in radians.
-        range: Range,
-    },
-    /// The angle between the velocities of the two right after the first hit.
-    Separation {
-        /// Bounds in radians.
-        range: Range,
-    },
-    /// The part of the energy body 1 brought to the first hit that a disc takes away.
-    Energy {
-        /// The disc.
-        disc: usize,
-        /// Bounds, as fractions of one.
-        range: Range,
-    },
+}
+
+/// What the first hit shows right after it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HitMeasure {
+    /// The speed of a disc, in m/s.
+    Speed(usize),
+    /// The angle between the line along which body 1 came and the velocity of a disc, to
+    /// either side, in radians.
+    Turn(usize),
+    /// The angle between the velocities of the two, in radians.
+    Separation,
+    /// The part of the energy body 1 brought that a disc takes away, as a fraction of one.
+    Energy(usize),
+}
+
+impl HitMeasure {
+    /// The disc that it is measured of; `None` where it is of both.
+    pub(super) const fn disc(self) -> Option<usize> {
+        match self {
+            Self::Speed(disc) | Self::Turn(disc) | Self::Energy(disc) => Some(disc),
+            Self::Separation => None,
+        }
+    }
+
+    /// A range of it in words.
+    pub(super) fn between(self, range: &Range) -> String {
+        let (factor, unit) = match self {
+            Self::Speed(_) => (1.0, " m/s"),
+            Self::Turn(_) | Self::Separation => (deg_from_rad(1.0), "°"),
+            Self::Energy(_) => (100.0, " %"),
+        };
+        let Range { from, to } = range.scaled(factor);
+        format!("{} to {}{unit}", tidy(from), tidy(to))
+    }
 }
 
 impl Goal {
     /// Whether it is decided by the first hit alone.
     pub fn is_of_the_first_hit(&self) -> bool {
-        match self {
-            Self::Speed { .. }
-            | Self::Turn { .. }
-            | Self::Separation { .. }
-            | Self::Energy { .. } => true,
-            Self::Pocket { .. }
-            | Self::Keep { .. }
-            | Self::Untouched { .. }
-            | Self::Hit { .. }
-            | Self::Rest { .. }
-            | Self::Pass { .. }
-            | Self::Bank { .. }
-            | Self::Cushions { .. } => false,
-        }
+        matches!(self, Self::FirstHit { .. })
     }
 }
 
@@ -127,52 +129,23 @@ pub struct GoalCircle {
     pub radius: f64,
 }
 
-/// The kinds of goals in a file.
-#[derive(Clone, Copy)]
-enum GoalKind {
-    Pocket,
-    Keep,
-    Untouched,
-    Hit,
-    Rest,
-    Pass,
-    Bank,
-    Cushions,
-    Speed,
-    Turn,
-    Separation,
-    Energy,
-}
-
 /// The most cushions a goal may ask for.
 const MOST_CUSHIONS: usize = 20;
 
-/// What a file says of a goal of a kind.
-type KindFields = (GoalKind, &'static [&'static str]);
-
-/// The kinds of goals by their names, each with its fields.
-const KINDS: [(&str, KindFields); 12] = [
-    ("pocket", (GoalKind::Pocket, &["kind", "discs"])),
-    ("keep", (GoalKind::Keep, &["kind", "disc"])),
-    ("untouched", (GoalKind::Untouched, &["kind", "disc", "by"])),
-    ("hit", (GoalKind::Hit, &["kind", "disc", "by", "least"])),
-    ("rest", (GoalKind::Rest, &IN_CIRCLE)),
-    ("pass", (GoalKind::Pass, &IN_CIRCLE)),
-    (
-        "bank",
-        (GoalKind::Bank, &["kind", "disc", "target", "least"]),
-    ),
-    ("cushions", (GoalKind::Cushions, &["kind", "disc", "least"])),
-    ("speed", (GoalKind::Speed, &["kind", "disc", "between"])),
-    ("turn", (GoalKind::Turn, &["kind", "disc", "between_deg"])),
-    (
-        "separation",
-        (GoalKind::Separation, &["kind", "between_deg"]),
-    ),
-    (
-        "energy",
-        (GoalKind::Energy, &["kind", "disc", "between_percent"]),
-    ),
+/// The kinds of goals by their names in a file, each with its fields.
+const KINDS: [(&str, &[&str]); 12] = [
+    ("pocket", &["kind", "discs"]),
+    ("keep", &["kind", "disc"]),
+    ("untouched", &["kind", "disc", "by"]),
+    ("hit", &["kind", "disc", "by", "least"]),
+    ("rest", &IN_CIRCLE),
+    ("pass", &IN_CIRCLE),
+    ("bank", &["kind", "disc", "target", "least"]),
+    ("cushions", &["kind", "disc", "least"]),
+    ("speed", &["kind", "disc", "between"]),
+    ("turn", &["kind", "disc", "between_deg"]),
+    ("separation", &["kind", "between_deg"]),
+    ("energy", &["kind", "disc", "between_percent"]),
 ];
 
 /// The fields of a goal with a circle.
@@ -181,7 +154,8 @@ const IN_CIRCLE: [&str; 4] = ["kind", "disc", "centre_mm", "radius_mm"];
 impl Goal {
     /// Reads a goal in a scene of so many discs.
     pub(super) fn from_fields(fields: Fields, count: usize) -> Option<Self> {
-        let (kind, known) = fields.word("kind", &KINDS)?;
+        let kinds = KINDS.map(|(kind, known)| (kind, (kind, known)));
+        let (kind, known) = fields.word("kind", &kinds)?;
         let fields = fields.only(known);
         let disc_at = |name| read_disc(&fields, name, count);
         let disc = || disc_at("disc");
@@ -195,30 +169,34 @@ impl Goal {
             let range = fields.range("between_deg", &q::ANGLE)?;
             Some(range.scaled(rad_from_deg(1.0)))
         };
+        let first_hit = |measure: Option<HitMeasure>, range: Option<Range>| {
+            let (measure, range) = measure.zip(range)?;
+            Some(Self::FirstHit { measure, range })
+        };
         // Zipped, so that every field is read before one that is wrong ends it.
         Some(match kind {
-            GoalKind::Pocket => Self::Pocket {
+            "pocket" => Self::Pocket {
                 discs: read_discs(&fields, "discs", count, count)?,
             },
-            GoalKind::Keep => Self::Keep { disc: disc()? },
-            GoalKind::Untouched => {
+            "keep" => Self::Keep { disc: disc()? },
+            "untouched" => {
                 let by = fields.or("by", None, |by| disc_at(by).map(Some));
                 let (disc, by) = disc().zip(by)?;
                 Self::Untouched { disc, by }
             }
-            GoalKind::Hit => {
+            "hit" => {
                 let ((disc, by), least) = disc().zip(disc_at("by")).zip(least_or(0))?;
                 Self::Hit { disc, by, least }
             }
-            GoalKind::Rest => {
+            "rest" => {
                 let (disc, circle) = disc().zip(circle())?;
                 Self::Rest { disc, circle }
             }
-            GoalKind::Pass => {
+            "pass" => {
                 let (disc, circle) = disc().zip(circle())?;
                 Self::Pass { disc, circle }
             }
-            GoalKind::Bank => {
+            "bank" => {
                 let target = disc_at("target");
                 let ((disc, target), least) = disc().zip(target).zip(least_or(1))?;
                 Self::Bank {
@@ -227,24 +205,20 @@ impl Goal {
                     least,
                 }
             }
-            GoalKind::Cushions => {
+            "cushions" => {
                 let (disc, least) = disc().zip(least())?;
                 Self::Cushions { disc, least }
             }
-            GoalKind::Speed => {
-                let (disc, range) = disc().zip(fields.range("between", &q::SPEED))?;
-                Self::Speed { disc, range }
-            }
-            GoalKind::Turn => {
-                let (disc, range) = disc().zip(angles())?;
-                Self::Turn { disc, range }
-            }
-            GoalKind::Separation => Self::Separation { range: angles()? },
-            GoalKind::Energy => {
-                let share = fields.range("between_percent", &q::PERCENT);
-                let (disc, share) = disc().zip(share)?;
-                let range = share.scaled(0.01);
-                Self::Energy { disc, range }
+            "speed" => first_hit(
+                disc().map(HitMeasure::Speed),
+                fields.range("between", &q::SPEED),
+            )?,
+            "turn" => first_hit(disc().map(HitMeasure::Turn), angles())?,
+            "separation" => first_hit(Some(HitMeasure::Separation), angles())?,
+            _ => {
+                let disc = disc().map(HitMeasure::Energy);
+                let percent = fields.range("between_percent", &q::PERCENT);
+                first_hit(disc, percent.map(|range| range.scaled(0.01)))?
             }
         })
     }
@@ -296,29 +270,28 @@ impl Goal {
             Self::Cushions { disc, least } => {
                 format!("Send {} off {}.", name(disc), cushions(*least))
             }
-            Self::Speed { disc, range } if range.from <= 0.0 => format!(
-                "Leave {} with at most {} m/s right after the first hit.",
-                name(disc),
-                tidy(range.to)
-            ),
-            Self::Speed { disc, range } => format!(
-                "Give {} {} right after the first hit.",
-                name(disc),
-                between(range, " m/s")
-            ),
-            Self::Turn { disc, range } => format!(
-                "Send {} off at {} from the line of the shot.",
-                name(disc),
-                between_deg(range)
-            ),
-            Self::Separation { range } => {
-                format!("Make the two go {} apart.", between_deg(range))
+            Self::FirstHit { measure, range } => {
+                let between = measure.between(range);
+                let name = measure
+                    .disc()
+                    .map_or(String::new(), |disc| scene.name(disc));
+                match measure {
+                    HitMeasure::Speed(_) if range.from <= 0.0 => {
+                        let most = tidy(range.to);
+                        format!("Leave {name} with at most {most} m/s right after the first hit.")
+                    }
+                    HitMeasure::Speed(_) => {
+                        format!("Give {name} {between} right after the first hit.")
+                    }
+                    HitMeasure::Turn(_) => {
+                        format!("Send {name} off at {between} from the line of the shot.")
+                    }
+                    HitMeasure::Separation => format!("Make the two go {between} apart."),
+                    HitMeasure::Energy(_) => {
+                        format!("Give {name} {between} of the energy in the first hit.")
+                    }
+                }
             }
-            Self::Energy { disc, range } => format!(
-                "Give {} {} of the energy in the first hit.",
-                name(disc),
-                between(&range.scaled(100.0), " %")
-            ),
         }
     }
 }
@@ -345,14 +318,4 @@ impl GoalCircle {
     pub(super) fn outside_mm(&self, point: DVec2) -> f64 {
         mm_from_m(self.centre.distance(point) - self.radius)
     }
-}
-
-/// A range in words.
-pub(super) fn between(range: &Range, unit: &str) -> String {
-    format!("{} to {}{unit}", tidy(range.from), tidy(range.to))
-}
-
-/// A range of angles in radians, in words.
-pub(super) fn between_deg(range: &Range) -> String {
-    between(&range.scaled(deg_from_rad(1.0)), "°")
 }

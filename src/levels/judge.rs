@@ -3,9 +3,8 @@
 
 use glam::DVec2;
 
-use super::goal::{Goal, GoalCircle};
+use super::goal::{Goal, GoalCircle, HitMeasure};
 use super::level::Level;
-use crate::files::Range;
 use crate::physics::angle::angle_between;
 use crate::physics::{DiscState, Event, EventKind, Shot};
 
@@ -102,18 +101,13 @@ impl Goal {
                 least,
             } => banked(*disc, *target, *least, shot),
             Self::Cushions { disc, least } => counted(cushions(*disc, shot.events()), *least),
-            Self::Speed { disc, range } => measured(shot, range, |hit| {
-                Some(Observed::Number(hit.after(*disc)?.length()))
-            }),
-            Self::Turn { disc, range } => measured(shot, range, |hit| {
-                Some(angle(hit.before, hit.after(*disc)?))
-            }),
-            Self::Separation { range } => {
-                measured(shot, range, |hit| Some(angle(hit.afters[0], hit.afters[1])))
+            Self::FirstHit { measure, range } => {
+                let hit = FirstImpact::of(shot);
+                let seen = hit.and_then(|hit| hit.shows(*measure, shot));
+                let seen = seen.unwrap_or(Observed::Nothing);
+                let met = matches!(seen, Observed::Number(number) if range.holds(number));
+                (met, seen)
             }
-            Self::Energy { disc, range } => measured(shot, range, |hit| {
-                Some(Observed::Number(hit.energy_share(*disc, shot)?))
-            }),
         };
         Judged { met, seen }
     }
@@ -129,18 +123,6 @@ fn counted(cushions: usize, least: usize) -> (bool, Observed) {
 
 fn inside(circle: &GoalCircle, point: DVec2) -> (bool, Observed) {
     (circle.outside_mm(point) <= 0.0, Observed::Point(point))
-}
-
-/// What the first hit shows, against its bounds.
-fn measured(
-    shot: &Shot,
-    range: &Range,
-    of: impl Fn(&FirstImpact) -> Option<Observed>,
-) -> (bool, Observed) {
-    let seen = FirstImpact::of(shot).and_then(|hit| of(&hit));
-    let seen = seen.unwrap_or(Observed::Nothing);
-    let met = matches!(seen, Observed::Number(number) if range.holds(number));
-    (met, seen)
 }
 
 /// The first time two discs meet.
@@ -173,6 +155,16 @@ impl FirstImpact {
                 })
             }
             _ => None,
+        })
+    }
+
+    /// What it shows of a measure; `None` where the disc had no part in it.
+    fn shows(&self, measure: HitMeasure, shot: &Shot) -> Option<Observed> {
+        Some(match measure {
+            HitMeasure::Speed(disc) => Observed::Number(self.after(disc)?.length()),
+            HitMeasure::Turn(disc) => angle(self.before, self.after(disc)?),
+            HitMeasure::Separation => angle(self.afters[0], self.afters[1]),
+            HitMeasure::Energy(disc) => Observed::Number(self.energy_share(disc, shot)?),
         })
     }
 

@@ -86,9 +86,9 @@ impl Level {
                 let goals = goals.into_iter();
                 all(goals.map(|goal| Goal::from_fields(goal, count)).collect())
             });
-        let adjust = fields.table("adjust", &Dial::FIELDS);
+        let adjust = fields.table("adjust", &Dial::fields());
         let adjust = adjust.and_then(|table| read_adjust(&table, scene.as_ref()));
-        let solution = fields.table("solution", &Dial::FIELDS);
+        let solution = fields.table("solution", &Dial::fields());
         let about = about?;
         let id = about.id("id").and_then(|id| {
             if others.iter().any(|other| other.id == id) {
@@ -141,12 +141,12 @@ impl Level {
             within = within.with(dial, range.nearest(aim.get(dial)));
         }
         let mut scene = self.scene.clone();
-        scene.stroke.direction_deg = within.direction_deg;
-        scene.stroke.speed = within.speed;
-        scene.board.restitution = within.restitution;
+        scene.stroke.direction_deg = within.get(Dial::Direction);
+        scene.stroke.speed = within.get(Dial::Speed);
+        scene.board.restitution = within.get(Dial::Restitution);
         if let Some(piece) = scene.pieces.get_mut(scene.stroke.disc) {
-            piece.disc.mass = kg_from_g(within.mass_g);
-            piece.at.x = m_from_mm(within.place_mm);
+            piece.disc.mass = kg_from_g(within.get(Dial::Mass));
+            piece.at.x = m_from_mm(within.get(Dial::Place));
         }
         scene
     }
@@ -155,13 +155,13 @@ impl Level {
 /// The dials as the shot of a scene has them.
 fn start(scene: &Scene) -> LevelAim {
     let piece = scene.pieces.get(scene.stroke.disc);
-    LevelAim {
-        direction_deg: scene.stroke.direction_deg,
-        speed: scene.stroke.speed,
-        place_mm: piece.map_or(0.0, |piece| mm_from_m(piece.at.x)),
-        mass_g: piece.map_or(0.0, |piece| g_from_kg(piece.disc.mass)),
-        restitution: scene.board.restitution,
-    }
+    LevelAim::new(|dial| match dial {
+        Dial::Direction => scene.stroke.direction_deg,
+        Dial::Speed => scene.stroke.speed,
+        Dial::Place => piece.map_or(0.0, |piece| mm_from_m(piece.at.x)),
+        Dial::Mass => piece.map_or(0.0, |piece| g_from_kg(piece.disc.mass)),
+        Dial::Restitution => scene.board.restitution,
+    })
 }
 
 /// Reads what the player may set: it must hold what is set when the level opens,

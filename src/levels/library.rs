@@ -7,6 +7,7 @@ use include_dir::{Dir, include_dir};
 
 use super::level::Level;
 use crate::files::{self, FileError, List};
+use crate::numbers::capital;
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 
@@ -28,12 +29,7 @@ pub struct Pack {
 impl Pack {
     /// The name as a title: `first-hits` is "First hits".
     pub fn title(&self) -> String {
-        let words = self.name.replace(['-', '_'], " ");
-        let mut characters = words.chars();
-        match characters.next() {
-            Some(first) => first.to_uppercase().chain(characters).collect(),
-            None => words,
-        }
+        capital(&self.name.replace(['-', '_'], " "))
     }
 }
 
@@ -100,16 +96,12 @@ impl LevelLibrary {
     }
 
     fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
-        let at = self.packs.iter().position(|known| known.name == pack);
-        let others = at.and_then(|at| self.packs.get(at));
-        let others = others.map_or(&[][..], |pack| &pack.levels);
-        let level = match Level::read_beside(file, bytes, others) {
-            Ok(level) => level,
-            Err(errors) => return self.problems.extend(errors),
-        };
-        match at.and_then(|at| self.packs.get_mut(at)) {
-            Some(known) => known.levels.push(level),
-            None => self.packs.push(Pack {
+        let known = self.packs.iter_mut().find(|known| known.name == pack);
+        let others = known.as_ref().map_or(&[][..], |pack| &pack.levels);
+        match (Level::read_beside(file, bytes, others), known) {
+            (Err(errors), _) => self.problems.extend(errors),
+            (Ok(level), Some(known)) => known.levels.push(level),
+            (Ok(level), None) => self.packs.push(Pack {
                 name: pack.into(),
                 levels: vec![level],
             }),
@@ -120,18 +112,15 @@ impl LevelLibrary {
 /// Where the pack of a folder comes among others, and its name: `2-right-angle` is
 /// "right-angle" in the second place. Folders without a number come first.
 fn order(dir: &Path) -> (u32, String) {
-    let name = last_part(dir);
+    let name = dir
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned());
+    let name = name.unwrap_or_default();
     let numbered = name.split_once('-').and_then(|(number, rest)| {
         let place = number.parse().ok()?;
         (!rest.is_empty()).then(|| (place, rest.to_owned()))
     });
     numbered.unwrap_or((0, name))
-}
-
-fn last_part(path: &Path) -> String {
-    path.file_name()
-        .map(|name| name.to_string_lossy().into_owned())
-        .unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ mod told;
 pub use crate::files::{FileError, Range};
 pub use aim::{Adjust, Dial, LevelAim};
 pub use check::{Trial, winning_share};
-pub use goal::{Goal, GoalCircle};
+pub use goal::{Goal, GoalCircle, HitMeasure};
 pub use judge::{Judgement, judge};
 pub use kind::DiscKind;
 pub use level::{FORMAT, Level};

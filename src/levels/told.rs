@@ -1,6 +1,6 @@
 //! What became of the goals of a level, in words.
 
-use super::goal::{Goal, between, between_deg};
+use super::goal::{Goal, HitMeasure};
 use super::judge::{Judged, Judgement, Observed};
 use super::level::Level;
 use super::scene::{figures, tidy};
@@ -87,47 +87,35 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
         (Goal::Cushions { disc, .. }, Observed::Cushions(met)) => {
             format!("{} met {}", name(disc), in_cushions(*met))
         }
-        (Goal::Separation { .. }, Observed::NoDirection) => {
-            "one of the two stopped, so there is no angle".into()
+        (Goal::FirstHit { measure, range }, Observed::Number(number)) => {
+            let name = measure.disc().as_ref().map_or(String::new(), name);
+            let told = match measure {
+                HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(*number)),
+                HitMeasure::Turn(_) => format!("{name} left at {}", degrees(*number)),
+                HitMeasure::Separation => format!("they went {} apart", degrees(*number)),
+                HitMeasure::Energy(_) => {
+                    format!("{name} took {} % of the energy", tidy(100.0 * number))
+                }
+            };
+            match met {
+                true => told,
+                false => format!("{told}, wanted {}", measure.between(range)),
+            }
         }
-        (Goal::Turn { disc, .. }, Observed::NoDirection) => {
-            format!("{} stopped, so it has no direction", name(disc))
-        }
-        (Goal::Speed { disc, range }, Observed::Number(speed)) => {
-            let told = format!("{} left the hit at {} m/s", name(disc), tidy(*speed));
-            wanted(*met, told, || between(range, " m/s"))
-        }
-        (Goal::Turn { disc, range }, Observed::Number(angle)) => {
-            let told = format!("{} left at {}", name(disc), degrees(*angle));
-            wanted(*met, told, || between_deg(range))
-        }
-        (Goal::Separation { range }, Observed::Number(angle)) => {
-            let told = format!("they went {} apart", degrees(*angle));
-            wanted(*met, told, || between_deg(range))
-        }
-        (Goal::Energy { disc, range }, Observed::Number(share)) => {
-            let percent = tidy(100.0 * share);
-            let told = format!("{} took {percent} % of the energy", name(disc));
-            wanted(*met, told, || between(&range.scaled(100.0), " %"))
-        }
-        (Goal::Speed { disc, .. } | Goal::Turn { disc, .. } | Goal::Energy { disc, .. }, _) => {
-            format!("{} had no part in a first hit", name(disc))
-        }
+        (Goal::FirstHit { measure, .. }, seen) => match (measure.disc().as_ref().map(name), seen) {
+            (None, Observed::NoDirection) => "one of the two stopped, so there is no angle".into(),
+            (Some(name), Observed::NoDirection) => {
+                format!("{name} stopped, so it has no direction")
+            }
+            (Some(name), _) => format!("{name} had no part in a first hit"),
+            (None, _) => "no disc was hit".into(),
+        },
         _ => "no disc was hit".into(),
     }
 }
 
 fn did_not_hit(one: &str, other: &str) -> String {
     format!("{one} did not hit {other}")
-}
-
-/// What was measured, with what was wanted where that was something else.
-fn wanted(met: bool, told: String, wanted: impl Fn() -> String) -> String {
-    if met {
-        told
-    } else {
-        format!("{told}, wanted {}", wanted())
-    }
 }
 
 /// A number of cushions in words.

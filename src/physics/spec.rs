@@ -2,10 +2,12 @@
 
 use std::fmt::Display;
 
+use glam::DVec2;
+
 use super::angle::unit_vector;
-use super::units::{m_from_mm, rad_from_deg};
+use super::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use super::{Bond, Collision, Disc};
-use crate::numbers::typed;
+use crate::numbers::{tidy, typed};
 
 /// Two discs about to meet, in the units of files and of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -209,6 +211,16 @@ impl CollisionSpec {
         self.r1_mm + self.r2_mm
     }
 
+    /// How far off-centre they meet, in mm, positive when the target lies to the right.
+    pub fn offset_mm(&self) -> f64 {
+        match self.point {
+            ImpactPoint::Offset { offset_mm } => offset_mm,
+            ImpactPoint::Angle { alpha_deg } => {
+                tidy(self.contact_distance_mm() * rad_from_deg(alpha_deg).sin())
+            }
+        }
+    }
+
     /// The collision.
     pub fn collision(&self) -> Collision {
         Collision {
@@ -221,6 +233,29 @@ impl CollisionSpec {
             bond: self.bond,
         }
         .meeting_at(self.point)
+    }
+}
+
+impl From<&Collision> for CollisionSpec {
+    /// The figures of a collision, without what rounding left of whole ones.
+    fn from(collision: &Collision) -> Self {
+        let degrees = |v: DVec2| tidy(deg_from_rad(v.to_angle()));
+        let moves = collision.u2 != DVec2::ZERO;
+        Self {
+            m1_g: tidy(g_from_kg(collision.striker.mass)),
+            m2_g: tidy(g_from_kg(collision.target.mass)),
+            r1_mm: tidy(mm_from_m(collision.striker.radius)),
+            r2_mm: tidy(mm_from_m(collision.target.radius)),
+            speed: tidy(collision.u1.length()),
+            aim_deg: degrees(collision.u1),
+            target_speed: tidy(collision.u2.length()),
+            target_deg: if moves { degrees(collision.u2) } else { 90.0 },
+            point: ImpactPoint::Offset {
+                offset_mm: tidy(mm_from_m(collision.offset)),
+            },
+            restitution: collision.restitution,
+            bond: collision.bond,
+        }
     }
 }
 

@@ -30,7 +30,7 @@ mod question;
 mod rounds;
 
 pub use families::where_to::hits;
-pub use misconceptions::{Explanation, explain, reasoning};
+pub use misconceptions::{Explanation, explain, reasoning, why, why_of_hit};
 pub use question::{
     AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Fit, Form, Grade, Hit,
     Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Pieces, Question, RIGHT_DEG,

@@ -5,7 +5,6 @@ mod hosted;
 mod kept_files;
 mod place;
 mod recall;
-pub(crate) mod why;
 
 pub(crate) mod class;
 pub(crate) mod foil;

@@ -1,7 +1,7 @@
 //! Where one can go.
 
 use super::foil;
-use super::lab::Setup;
+use crate::physics::CollisionSpec;
 use crate::quiz::Code;
 
 /// A screen to open, with what it is to show.
@@ -14,7 +14,7 @@ pub enum Place {
     /// The lab with a hit set up.
     LabOf {
         /// The hit.
-        setup: Setup,
+        setup: CollisionSpec,
     },
     /// The contents of the lessons.
     Learn,

@@ -10,12 +10,14 @@ mod catalogue;
 mod explain;
 mod of_rays;
 mod reasoning;
+mod why;
 
 use crate::quiz::question::Misconception;
 
 pub use explain::{Explanation, explain};
 pub use of_rays::OF_RAYS;
 pub use reasoning::reasoning;
+pub use why::{why, why_of_hit};
 
 /// Which of these misconceptions stands there most often, and how often; of several the
 /// first of [`Misconception::ALL`].

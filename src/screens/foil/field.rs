@@ -118,13 +118,7 @@ impl FoilField {
     /// The setting as it stands.
     pub(crate) fn field(self, setup: &FoilSetup) -> Field {
         let (name, about) = self.words();
-        Field {
-            name: name.into(),
-            shown: self.shown(setup),
-            value: self.value(setup),
-            about: about.into(),
-            locked: None,
-        }
+        Field::new(name, self.shown(setup), self.value(setup), about)
     }
 
     /// Its value with its unit, as shown.

@@ -1,40 +1,44 @@
 //! Why the shot went as it did, starting from what the player said.
 
-use super::Setup;
+use glam::DVec2;
+
+use crate::numbers::tidy;
+use crate::physics::units::mm_from_m;
 use crate::physics::{Bond, CollisionOutcome, Meeting};
-use crate::screens::why::{both_moving, of_hit};
+use crate::quiz::why;
 use crate::widgets::hit::Watch;
 
-/// A title and a text for the panel.
-pub(in crate::screens) fn explain(setup: &Setup, watch: &Watch) -> (String, String) {
-    let outcome = watch.outcome();
+/// A title, which may be empty, and a text for the panel.
+pub(in crate::screens) fn explain(watch: &Watch) -> (&'static str, String) {
     let collision = watch.collision();
-    let plain = |text: String| (String::new(), text);
-    match outcome.meeting {
+    let text = match watch.outcome().meeting {
         Meeting::Miss if collision.relative_velocity().length() == 0.0 => {
-            plain("Both move alike, so the gap between them never closes: no hit.".into())
+            "Both move alike, so the gap between them never closes: no hit.".into()
         }
-        Meeting::Miss => plain(format!(
+        Meeting::Miss => format!(
             "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so nothing touches: the striker goes straight on and the coin is left as it was.",
-            setup.offset_mm.abs(),
-            setup.reach_mm()
-        )),
-        Meeting::Graze => plain(
-            "They just brush: at an offset of exactly r₁ + r₂ the line of impact is square to the motion, nothing is pushed, and the striker goes straight on.".into(),
+            tidy(mm_from_m(collision.offset.abs())),
+            tidy(mm_from_m(collision.contact_distance()))
         ),
-        Meeting::Hit if setup.bond == Bond::Stick => plain(stuck(watch)),
-        Meeting::Hit if setup.target_speed > 0.0 => plain(format!(
-            "{} Press f for the coin's own frame.",
-            both_moving(watch.collision())
-        )),
-        Meeting::Hit => of_hit(&setup.question(), watch.said().copied()),
-    }
+        Meeting::Graze => {
+            "They just brush: at an offset of exactly r₁ + r₂ the line of impact is square to the motion, nothing is pushed, and the striker goes straight on.".into()
+        }
+        Meeting::Hit if collision.bond == Bond::Stick => stuck(watch),
+        Meeting::Hit => {
+            let (title, text) = why(collision, watch.said().copied());
+            if collision.u2 == DVec2::ZERO {
+                return (title, text);
+            }
+            format!("{text} Press f for the coin's own frame.")
+        }
+    };
+    ("", text)
 }
 
 fn stuck(watch: &Watch) -> String {
     let outcome = watch.outcome();
     let turning = if outcome.energy_rotation > 0.0 {
-        let [striker, coin] = watch.collision().centres_after().map(glam::DVec2::length);
+        let [striker, coin] = watch.collision().centres_after().map(DVec2::length);
         format!(
             " Hit off-centre, the pair also turns about it, {} times a second: right after the contact the striker's centre has {striker:.2} m/s and the coin's {coin:.2} m/s.",
             turns_a_second(outcome)

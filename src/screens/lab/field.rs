@@ -1,14 +1,13 @@
 //! What can be set in the lab: one place for a setting's name, unit, range and step.
 
 use super::mystery::Mystery;
-use super::setup::Setup;
-use crate::physics::Bond;
+use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 use crate::widgets::input::{Field, FieldValue, FormFields};
 
 /// What the lab is set to.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LabSettings {
-    pub(super) setup: Setup,
+    pub(super) setup: CollisionSpec,
     /// The coin's mass is hidden, or was until it had been weighed.
     pub(super) mystery: Option<Mystery>,
 }
@@ -102,7 +101,7 @@ impl LabField {
     }
 
     /// The setting as it stands. Of directions every number is one.
-    pub(crate) fn field(self, setup: &Setup) -> Field {
+    pub(crate) fn field(self, setup: &CollisionSpec) -> Field {
         let widest = widest_mm(setup);
         let any = (f64::NEG_INFINITY, f64::INFINITY);
         let (name, about) = self.words();
@@ -118,7 +117,7 @@ impl LabField {
             Self::CoinSpeed => (" m/s", 2, (0.0, 20.0), 0.25),
         };
         let value = self.value(setup);
-        let is_miss = setup.offset_mm.abs() > setup.reach_mm();
+        let is_miss = setup.offset_mm().abs() > setup.contact_distance_mm();
         let shown = match (self, setup.bond) {
             (Self::Contact, Bond::Slip) => "slip".into(),
             (Self::Contact, Bond::Stick) => "stick".into(),
@@ -137,13 +136,7 @@ impl LabField {
                 unit,
             },
         };
-        Field {
-            name: name.into(),
-            shown,
-            value,
-            about: about.into(),
-            locked: None,
-        }
+        Field::new(name, shown, value, about)
     }
 
     /// Its name, and what it is.
@@ -172,10 +165,10 @@ impl LabField {
 
     /// Its value in the units of the screen; slip is 0 and stick is 1, and the impact
     /// angle of a miss is that of the graze it comes nearest to.
-    pub(crate) fn value(self, setup: &Setup) -> f64 {
+    pub(crate) fn value(self, setup: &CollisionSpec) -> f64 {
         match self {
-            Self::Offset => setup.offset_mm,
-            Self::ImpactAngle => (setup.offset_mm / setup.reach_mm())
+            Self::Offset => setup.offset_mm(),
+            Self::ImpactAngle => (setup.offset_mm() / setup.contact_distance_mm())
                 .clamp(-1.0, 1.0)
                 .asin()
                 .to_degrees(),
@@ -194,17 +187,20 @@ impl LabField {
 
     /// Sets it, held to its range; directions wrap round. What is out of range is
     /// brought to the nearest value that is in it.
-    pub(crate) fn set(self, setup: &mut Setup, value: f64) {
+    pub(crate) fn set(self, setup: &mut CollisionSpec, value: f64) {
         let value = match (self, self.field(setup).value) {
             (Self::Aim | Self::CoinAim, _) => wrap_degrees(value),
             (_, FieldValue::Number { range, .. }) => value.clamp(range.0, range.1),
             (_, FieldValue::Choice { .. }) => value,
         };
+        // Whatever else changes, they meet as far off-centre as before.
+        let offset_mm = match self {
+            Self::Offset => value,
+            Self::ImpactAngle => setup.contact_distance_mm() * value.to_radians().sin(),
+            _ => setup.offset_mm(),
+        };
         match self {
-            Self::Offset => setup.offset_mm = value,
-            Self::ImpactAngle => {
-                setup.offset_mm = setup.reach_mm() * value.to_radians().sin();
-            }
+            Self::Offset | Self::ImpactAngle => {}
             Self::Aim => setup.aim_deg = value,
             Self::Speed => setup.speed = value,
             Self::Restitution => setup.restitution = value,
@@ -218,11 +214,12 @@ impl LabField {
         }
         // A smaller disc may leave the offset out of reach.
         let widest = widest_mm(setup);
-        setup.offset_mm = setup.offset_mm.clamp(-widest, widest);
+        let offset_mm = offset_mm.clamp(-widest, widest);
+        setup.point = ImpactPoint::Offset { offset_mm };
     }
 
     /// Moves it by `steps` steps and onto the grid of steps.
-    pub(crate) fn step(self, setup: &mut Setup, steps: f64) {
+    pub(crate) fn step(self, setup: &mut CollisionSpec, steps: f64) {
         let value = self.field(setup).value.stepped(steps);
         self.set(setup, value);
     }
@@ -230,8 +227,8 @@ impl LabField {
 
 /// The largest offset in mm. Past the touching distance there are misses, and a little
 /// beyond nothing new.
-fn widest_mm(setup: &Setup) -> f64 {
-    setup.reach_mm() * 1.25
+fn widest_mm(setup: &CollisionSpec) -> f64 {
+    setup.contact_distance_mm() * 1.25
 }
 
 /// A direction in (−180, 180].
@@ -247,7 +244,7 @@ mod tests {
     fn every_setting_stays_in_its_range() {
         for field in LabField::ALL {
             for wild in [-1e9, -0.0, 0.0, 1e9, 37.25] {
-                let mut setup = Setup::default();
+                let mut setup = CollisionSpec::default();
                 field.set(&mut setup, wild);
                 let value = field.value(&setup);
                 let (low, high) = match field.field(&setup).value {
@@ -262,15 +259,15 @@ mod tests {
 
     #[test]
     fn steps_land_on_the_grid() {
-        let mut setup = Setup::default();
+        let mut setup = CollisionSpec::default();
         LabField::Offset.set(&mut setup, 7.3);
         LabField::Offset.step(&mut setup, 1.0);
-        assert_eq!(setup.offset_mm, 7.5);
+        assert_eq!(setup.offset_mm(), 7.5);
         LabField::Offset.set(&mut setup, 7.3);
         LabField::Offset.step(&mut setup, -1.0);
-        assert_eq!(setup.offset_mm, 7.0);
+        assert_eq!(setup.offset_mm(), 7.0);
         LabField::Offset.step(&mut setup, -1.0);
-        assert_eq!(setup.offset_mm, 6.5);
+        assert_eq!(setup.offset_mm(), 6.5);
     }
 
     #[test]
@@ -285,7 +282,7 @@ mod tests {
 
     #[test]
     fn directions_wrap_round() {
-        let mut setup = Setup::default();
+        let mut setup = CollisionSpec::default();
         LabField::Aim.set(&mut setup, 180.0);
         LabField::Aim.step(&mut setup, 1.0);
         assert_eq!(setup.aim_deg, -175.0);
@@ -295,9 +292,9 @@ mod tests {
 
     #[test]
     fn a_smaller_disc_brings_the_offset_back_into_reach() {
-        let mut setup = Setup::default();
+        let mut setup = CollisionSpec::default();
         LabField::Offset.set(&mut setup, 37.0);
         LabField::CoinRadius.set(&mut setup, 5.0);
-        assert_eq!(setup.offset_mm, 25.0);
+        assert_eq!(setup.offset_mm(), 25.0);
     }
 }

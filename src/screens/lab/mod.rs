@@ -4,7 +4,7 @@ mod explain;
 mod field;
 mod mystery;
 mod panel;
-mod setup;
+mod pieces;
 mod view;
 
 use std::time::Duration;
@@ -14,7 +14,7 @@ use ratatui::layout::Rect;
 
 use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::physics::Frame;
+use crate::physics::{CollisionSpec, Frame};
 use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at, side};
 use crate::widgets::input::{
     EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
@@ -26,7 +26,6 @@ use mystery::Mystery;
 
 pub(super) use explain::explain;
 pub(crate) use field::LabField;
-pub(crate) use setup::{PIECE_SETS, Setup};
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
@@ -85,7 +84,7 @@ pub(crate) enum LabAction {
 
 impl Lab {
     /// The lab with a hit set up.
-    pub(crate) fn of(setup: Setup) -> Self {
+    pub(crate) fn of(setup: CollisionSpec) -> Self {
         let mut lab = Self::default();
         lab.settings.setup = setup;
         lab
@@ -180,8 +179,7 @@ impl Screen for Lab {
 
     fn status(&self, _cx: &Context) -> String {
         let setup = &self.settings.setup;
-        let set = setup.piece_set();
-        let name = set.map_or("own pieces", |i| PIECE_SETS[i].name);
+        let name = pieces::pieces_name(setup);
         let (m1, m2) = (setup.m1_g, setup.m2_g);
         let e = setup.restitution;
         if self.hides_mass() {
@@ -263,7 +261,7 @@ impl Screen for Lab {
             LabAction::NextSet => {
                 form.commit(settings);
                 settings.mystery = None;
-                settings.setup.next_set();
+                pieces::put_out_next(&mut settings.setup);
             }
             LabAction::Contact => form.step_at(LabField::Contact.place(), 1.0, settings),
             LabAction::MysteryCoin => {

@@ -1,9 +1,9 @@
 //! The mystery coin: its mass is hidden, and has to be read off two angles.
 
-use super::{LabField, Setup};
+use super::LabField;
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
-use crate::physics::{Bond, CollisionOutcome};
+use crate::physics::{Bond, CollisionOutcome, CollisionSpec};
 use crate::widgets::input::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::{Lines, Role};
 
@@ -24,7 +24,7 @@ pub(super) struct Mystery {
 impl Mystery {
     /// Puts a coin on the sheet whose mass follows from `seed`, at rest, smooth and
     /// without loss; it is never as heavy as the striker.
-    pub(super) fn put_out(setup: &mut Setup, seed: u64) -> Self {
+    pub(super) fn put_out(setup: &mut CollisionSpec, seed: u64) -> Self {
         let mass = LIGHTEST_G + STEP_G * (seed % COINS) as f64;
         let same = (mass - setup.m1_g).abs() < STEP_G / 2.0;
         setup.m2_g = if same { mass + STEP_G } else { mass };
@@ -74,7 +74,7 @@ impl Mystery {
     }
 
     /// What to do, or how the answer was.
-    pub(super) fn write(&self, setup: &Setup, outcome: &CollisionOutcome, lines: &mut Lines) {
+    pub(super) fn write(&self, setup: &CollisionSpec, outcome: &CollisionOutcome, lines: &mut Lines) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             lines.paragraph(
                 "No two angles to read here. Hit the coin off-centre and it can be weighed.",
@@ -103,24 +103,14 @@ impl Mystery {
             }
             Some(said) => {
                 let off = (said - setup.m2_g).abs() / setup.m2_g;
-                let title = if off <= NEAR {
-                    "well weighed"
-                } else {
-                    "not quite"
-                };
-                lines.line(title, Role::Title);
-                lines.pair(
-                    "you said",
-                    &format!("{said:.1} g"),
-                    Role::Dim,
-                    Role::Predicted,
-                );
-                lines.pair(
-                    "it is",
-                    &format!("{:.1} g", setup.m2_g),
-                    Role::Dim,
-                    Role::CoinOut,
-                );
+                let well = off <= NEAR;
+                lines.line(if well { "well weighed" } else { "not quite" }, Role::Title);
+                for (name, mass_g, role) in [
+                    ("you said", said, Role::Predicted),
+                    ("it is", setup.m2_g, Role::CoinOut),
+                ] {
+                    lines.pair(name, &format!("{mass_g:.1} g"), Role::Dim, role);
+                }
                 lines.paragraph(
                     &format!(
                         "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. No scale was needed, and the speed did not matter.",
@@ -140,7 +130,7 @@ mod tests {
     #[test]
     fn every_mystery_coin_differs_from_the_striker_and_can_be_weighed() {
         for seed in 0..200 {
-            let mut setup = Setup::default();
+            let mut setup = CollisionSpec::default();
             let mystery = Mystery::put_out(&mut setup, seed);
             assert!(mystery.is_open() && mystery.locks(LabField::CoinMass));
             assert!((setup.m2_g - setup.m1_g).abs() > 0.4);

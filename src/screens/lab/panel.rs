@@ -10,7 +10,7 @@ use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::Context;
 use crate::widgets::hit::{Watch, degrees};
-use crate::widgets::panels::{said_and_true, separation};
+use crate::widgets::panels::{reason, said_and_true, separation};
 use crate::widgets::{Lines, RayInput, Role, shown};
 
 /// The setting whose row is at this cell.
@@ -49,9 +49,10 @@ const GEOMETRY_ROWS: u16 = 2;
 
 /// b/(r₁+r₂), and that they miss if they do.
 fn geometry(lab: &Lab, lines: &mut Lines) {
-    let ratio = lab.settings.setup.offset_mm.abs() / lab.settings.setup.reach_mm();
+    let setup = &lab.settings.setup;
+    let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();
     lines.fact("b / (r₁+r₂)", &format!("{ratio:.3}"));
-    if lab.settings.setup.collision().normal().is_none() {
+    if setup.collision().normal().is_none() {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
         } else {
@@ -111,13 +112,8 @@ pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
         coin.write(&lab.settings.setup, watch.outcome(), lines);
         return;
     }
-    let (title, text) = explain(&lab.settings.setup, watch);
-    let title_rows = if title.is_empty() {
-        0
-    } else {
-        lines.rows_of(&title)
-    };
-    let mut spare = lines.spare(ANSWER_ROWS + title_rows + lines.rows_of(&text));
+    let why = explain(watch);
+    let mut spare = lines.spare(ANSWER_ROWS + lines.rows_by(|lines| reason(&why, lines)));
     let gap = spare.take(1);
     if spare.take(GIVEN_ROWS + 1) {
         given(lab, lines);
@@ -127,10 +123,7 @@ pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
     if gap {
         lines.gap();
     }
-    if title_rows > 0 {
-        lines.paragraph(&title, Role::Title);
-    }
-    lines.paragraph(&text, Role::Text);
+    reason(&why, lines);
 }
 
 /// Rows that [`given`] takes at most.

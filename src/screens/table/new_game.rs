@@ -38,13 +38,8 @@ impl Agreement {
         let at = choices.iter().position(|choice| choice.0 == now);
         let at = at.unwrap_or(0);
         let (_, shown, about) = &choices[at];
-        let field = Field {
-            name: name.into(),
-            shown: shown.to_string(),
-            value: FieldValue::Choice { at, count: N },
-            about: (*about).into(),
-            locked: None,
-        };
+        let value = FieldValue::Choice { at, count: N };
+        let field = Field::new(name, shown.to_string(), value, *about);
         let options = choices.map(|choice| choice.0).into();
         Self { field, options }
     }

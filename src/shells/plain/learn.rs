@@ -14,8 +14,8 @@ use crate::lessons::{
 use crate::messages::{StoreReply, StoreRequest};
 use crate::numbers::with_unit;
 use crate::physics::{Collision, worked};
-use crate::quiz::{Rays, Response};
-use crate::screens::{learn::attempt, why};
+use crate::quiz::{Rays, Response, why};
+use crate::screens::learn::attempt;
 use crate::widgets::hit::side;
 
 /// What may be said between two pages.
@@ -232,9 +232,9 @@ fn tell(
             let truth = Rays::from(&collision.outcome());
             talk.say(&format!("You said: {}.", rays.words("coin")))?;
             talk.say(&format!("It is: {}.", truth.words("coin")))?;
-            let (title, text) = why::of_impact(collision, Some(*rays));
+            let (title, text) = why(collision, Some(*rays));
             if !right && !title.is_empty() {
-                talk.say(&format!("It looks like this: {}", sentence(&title)))?;
+                talk.say(&format!("It looks like this: {}", sentence(title)))?;
             }
             talk.say(&text)
         }

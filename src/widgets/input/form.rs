@@ -28,6 +28,25 @@ pub struct Field {
     pub locked: Option<&'static str>,
 }
 
+impl Field {
+    /// A field that can be changed: its name, its value as it reads, its value, and what
+    /// it is.
+    pub fn new(
+        name: impl Into<Cow<'static, str>>,
+        shown: String,
+        value: FieldValue,
+        about: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            shown,
+            value,
+            about: about.into(),
+            locked: None,
+        }
+    }
+}
+
 /// The value of a field, and what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FieldValue {

@@ -1,8 +1,8 @@
-//! The facts of an impact, a row each: where the two meet, what they are, how they part.
+//! The facts of an impact, a row each: where the two meet, what they are, how they part, and why.
 
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::physics::{Bond, Collision, Meeting};
-use crate::widgets::Lines;
+use crate::widgets::{Lines, Role};
 
 /// How far off-centre they meet.
 pub(crate) fn offset(collision: &Collision, lines: &mut Lines) {
@@ -40,4 +40,12 @@ pub(crate) fn separation(collision: &Collision, lines: &mut Lines) {
         format!("{:.1}°", deg_from_rad(angle))
     });
     lines.fact("separation", &separation);
+}
+
+/// Why the two go where they go: a title, which may be empty, and a text.
+pub(crate) fn reason((title, text): &(&str, String), lines: &mut Lines) {
+    if !title.is_empty() {
+        lines.paragraph(title, Role::Title);
+    }
+    lines.paragraph(text, Role::Text);
 }

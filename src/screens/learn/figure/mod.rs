@@ -18,10 +18,9 @@ use crate::lessons::{Figure, FigureKind};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers::tidy;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
-use crate::physics::{Bond, Collision, ImpactPoint, Meeting};
+use crate::physics::{Bond, Collision, CollisionSpec, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil::{FoilFigure, FoilFigureAction, FoilPage};
-use crate::screens::lab::Setup;
 use crate::widgets::hit::{
     Face, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
@@ -135,8 +134,8 @@ impl LiveFigure {
     }
 
     /// The same as the lab sets it up.
-    pub(super) fn setup(&self) -> Setup {
-        Setup::of(&self.collision)
+    pub(super) fn setup(&self) -> CollisionSpec {
+        CollisionSpec::from(&self.collision)
     }
 
     /// The question of where both will go, where it is given by the impact angle and
@@ -150,7 +149,7 @@ impl LiveFigure {
             given: ImpactPoint::Angle {
                 alpha_deg: self.alpha_deg(),
             },
-            ..self.setup().question()
+            ..Hit::from(collision)
         })
     }
 

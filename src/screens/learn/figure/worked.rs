@@ -100,8 +100,7 @@ fn is_value(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::Bond;
-    use crate::screens::lab::Setup;
+    use crate::physics::{Bond, CollisionSpec};
 
     #[test]
     fn a_blank_keeps_the_formula_and_what_is_put_into_it() {
@@ -144,14 +143,14 @@ mod tests {
     /// However the pieces meet: what the blank steps find is nowhere to be read in them.
     #[test]
     fn a_blank_tells_nothing_of_the_end() {
-        let setup = Setup {
+        let setup = CollisionSpec {
             m1_g: 20.0,
             m2_g: 41.0,
             speed: 3.1,
-            ..Setup::default()
+            ..CollisionSpec::default()
         };
         for (bond, restitution) in [(Bond::Slip, 1.0), (Bond::Slip, 0.7), (Bond::Stick, 0.0)] {
-            let collision = Setup {
+            let collision = CollisionSpec {
                 bond,
                 restitution,
                 ..setup

@@ -6,13 +6,12 @@ use super::Reading;
 use crate::lessons::{Checkpoint, CheckpointChoice, CheckpointKind};
 use crate::numbers::{fixed, true_minus, with_unit};
 use crate::physics::Collision;
-use crate::quiz::{Rays, Response};
+use crate::quiz::{Rays, Response, why_of_hit};
 use crate::screens::lab::explain;
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
-use crate::screens::why::of_hit;
 use crate::widgets::hit::Watch;
-use crate::widgets::panels::said_and_true;
+use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::{Lines, Look, Role, rehearsed};
 
 /// Writes it.
@@ -132,14 +131,11 @@ fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines)
     let names = ["striker", "coin"].map(Some);
     said_and_true(watch.collision(), rays, names, false, lines);
     lines.gap();
-    let (title, text) = match figure.question_by_angle() {
-        Some(question) => of_hit(&question, Some(*rays)),
-        None => explain(&figure.setup(), watch),
+    let why = match figure.question_by_angle() {
+        Some(question) => why_of_hit(&question, Some(*rays)),
+        None => explain(watch),
     };
-    if !title.is_empty() {
-        lines.paragraph(&title, Role::Title);
-    }
-    lines.paragraph(&text, Role::Text);
+    reason(&why, lines);
 }
 
 /// A number beside the right one.

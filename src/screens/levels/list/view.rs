@@ -121,13 +121,18 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
 
 /// The line of a level or a problem.
 fn choice(shelf: &Shelf, at: usize, lines: &mut Lines) {
-    let chosen = at == shelf.at;
-    let mark = if chosen { ">" } else { " " };
-    let role = |otherwise| if chosen { Role::Selected } else { otherwise };
-    let Some((_, level)) = shelf.get(at) else {
+    let level = shelf.get(at).map(|(_, level)| level);
+    let usual = if level.is_some() {
+        Role::Text
+    } else {
+        Role::Warn
+    };
+    let (mark, role) = usual.of_choice(at == shelf.at);
+    let Some(level) = level else {
         let problem = shelf.library().problems.get(at - shelf.count());
-        let file = problem.map_or(String::new(), |problem| last_part(&problem.file));
-        lines.line(&format!("{mark} {file}"), role(Role::Warn));
+        let path = problem.map_or("", |problem| &problem.file);
+        let file = path.rsplit(['/', '\\']).next().unwrap_or_default();
+        lines.line(&format!("{mark} {}", file.escape_debug()), role);
         return;
     };
     let stars = match shelf.stars(at) {
@@ -136,22 +141,9 @@ fn choice(shelf: &Shelf, at: usize, lines: &mut Lines) {
     };
     let name = format!("{mark} {:2} {stars} {}", at + 1, level.title);
     let free = usize::from(lines.width()).saturating_sub(text::width(&name));
-    let next = if shelf.next() == Some(at) && free > NEXT.len() + 1 {
-        NEXT
-    } else {
-        ""
-    };
-    lines.pair(&name, next, role(Role::Text), Role::Key);
-}
-
-fn last_part(path: &str) -> String {
-    let parts = path.rsplit(['/', '\\']);
-    parts
-        .into_iter()
-        .next()
-        .unwrap_or_default()
-        .escape_debug()
-        .to_string()
+    let is_next = shelf.next() == Some(at) && free > NEXT.len() + 1;
+    let next = if is_next { NEXT } else { "" };
+    lines.pair(&name, next, role, Role::Key);
 }
 
 /// What a level is about.
@@ -165,12 +157,9 @@ fn about(level: &Level, stars: u8, lines: &mut Lines) {
         lines.paragraph(&goal.describe(&level.scene), Role::Text);
     }
     lines.gap();
-    let dials: Vec<_> = level
-        .adjust
-        .dials()
-        .map(|(dial, _)| dial_name(dial))
-        .collect();
-    lines.paragraph(&format!("You set: {}.", dials.join(", ")), Role::Dim);
+    let dials = level.adjust.dials().map(|(dial, _)| dial_name(dial));
+    let dials = dials.collect::<Vec<_>>().join(", ");
+    lines.paragraph(&format!("You set: {dials}."), Role::Dim);
     lines.gap();
     lines.paragraph("Enter: play it.", Role::Key);
 }

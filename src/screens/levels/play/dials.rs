@@ -24,18 +24,16 @@ impl FormFields for Dials {
                 Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
                 _ => ((range.from, range.to), dial.step()),
             };
-            Field {
-                name: name(dial).into(),
-                shown: with_unit(dial, self.aim.get(dial)),
-                value: FieldValue::Number {
-                    value: self.aim.get(dial),
-                    range: range_held,
-                    step,
-                    unit: unit(dial),
-                },
-                about: format!("{}, {}", about(dial), range_words(dial, range)).into(),
-                locked: None,
-            }
+            let (name, unit, about) = words(dial);
+            let value = FieldValue::Number {
+                value: self.aim.get(dial),
+                range: range_held,
+                step,
+                unit,
+            };
+            let [from, to] = [range.from, range.to].map(|end| number(dial, end));
+            let about = format!("{about}, from {from} to {to}{unit}");
+            Field::new(name, with_unit(dial, self.aim.get(dial)), value, about)
         };
         self.level.adjust.dials().map(field).collect()
     }
@@ -74,16 +72,13 @@ impl Dials {
         let Some(range) = self.level.adjust.range(dial) else {
             return;
         };
-        let turns = if dial == Dial::Direction {
-            [0.0, 360.0, -360.0]
-        } else {
-            [0.0; 3]
+        let turns: &[f64] = match dial {
+            Dial::Direction => &[0.0, 360.0, -360.0],
+            _ => &[0.0],
         };
         let apart = |number: &f64| (range.nearest(*number) - number).abs();
-        let nearest = turns
-            .into_iter()
-            .map(|turn| number + turn)
-            .min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let counted = turns.iter().map(|turn| number + turn);
+        let nearest = counted.min_by(|a, b| apart(a).total_cmp(&apart(b)));
         let setting = range.nearest(nearest.unwrap_or(number));
         self.aim = self.aim.with(dial, setting);
     }
@@ -137,46 +132,34 @@ impl Dials {
     }
 }
 
+/// What a dial is called on the screen, its unit, and what it sets, in a few words before
+/// its range.
+const fn words(dial: Dial) -> (&'static str, &'static str, &'static str) {
+    match dial {
+        Dial::Direction => ("direction", "°", "its way, anticlockwise from the right"),
+        Dial::Speed => ("speed", " m/s", "how fast it sets off"),
+        Dial::Place => ("place", " mm", "where it starts, from the middle"),
+        Dial::Mass => ("mass", " g", "how heavy it is"),
+        Dial::Restitution => (
+            "restitution",
+            "",
+            "how much of the closing speed a hit gives back",
+        ),
+    }
+}
+
 /// What a dial is called on the screen.
-pub(in crate::screens::levels) fn name(dial: Dial) -> &'static str {
-    match dial {
-        Dial::Direction => "direction",
-        Dial::Speed => "speed",
-        Dial::Place => "place",
-        Dial::Mass => "mass",
-        Dial::Restitution => "restitution",
-    }
-}
-
-/// What a dial sets, in a few words before its range.
-fn about(dial: Dial) -> &'static str {
-    match dial {
-        Dial::Direction => "its way, anticlockwise from the right",
-        Dial::Speed => "how fast it sets off",
-        Dial::Place => "where it starts, from the middle",
-        Dial::Mass => "how heavy it is",
-        Dial::Restitution => "how much of the closing speed a hit gives back",
-    }
-}
-
-fn unit(dial: Dial) -> &'static str {
-    match dial {
-        Dial::Direction => "°",
-        Dial::Speed => " m/s",
-        Dial::Place => " mm",
-        Dial::Mass => " g",
-        Dial::Restitution => "",
-    }
+pub(in crate::screens::levels) const fn name(dial: Dial) -> &'static str {
+    words(dial).0
 }
 
 /// A setting with its unit, to one decimal more where fine steps need it.
 fn with_unit(dial: Dial, setting: f64) -> String {
-    let name = if dial == Dial::Restitution {
-        "e = "
-    } else {
-        ""
-    };
-    format!("{name}{}{}", number(dial, setting), unit(dial))
+    let number = number(dial, setting);
+    match dial {
+        Dial::Restitution => format!("e = {number}"),
+        _ => format!("{number}{}", words(dial).1),
+    }
 }
 
 fn number(dial: Dial, setting: f64) -> String {
@@ -187,17 +170,8 @@ fn number(dial: Dial, setting: f64) -> String {
     };
     let short = format!("{setting:.decimals$}");
     let told = short.parse::<f64>();
-    let enough = told.is_ok_and(|told| (told - setting).abs() < 0.01 * dial.step());
-    if enough {
-        short
-    } else {
-        let decimals = decimals + 1;
-        format!("{setting:.decimals$}")
+    match told.is_ok_and(|told| (told - setting).abs() < 0.01 * dial.step()) {
+        true => short,
+        false => format!("{setting:.*}", decimals + 1),
     }
-}
-
-/// The range of a dial in words.
-fn range_words(dial: Dial, range: Range) -> String {
-    let [from, to] = [range.from, range.to].map(|end| number(dial, end));
-    format!("from {from} to {to}{}", unit(dial))
 }

@@ -1,10 +1,10 @@
 //! The panel beside an enlarged impact: the explanation of the lab.
 
 use crate::physics::Frame;
+use crate::quiz::why;
 use crate::screens::table::replay::StrokeReplay;
-use crate::screens::why;
 use crate::widgets::hit::Watch;
-use crate::widgets::panels::{impact_angle, masses, offset, separation};
+use crate::widgets::panels::{impact_angle, masses, offset, reason, separation};
 use crate::widgets::{Lines, Role};
 
 /// Which two met, in numbers, and why they go where they go.
@@ -28,11 +28,7 @@ pub(super) fn draw(replay: &StrokeReplay, watch: &Watch, lines: &mut Lines) {
         let here = format!("Here the {} plays the striker's part.", names[0]);
         lines.paragraph(&here, Role::Dim);
     }
-    let (title, text) = why::of_impact(collision, watch.said().copied());
-    if !title.is_empty() {
-        lines.line(&title, Role::Title);
-    }
-    lines.paragraph(&text, Role::Text);
+    reason(&why(collision, watch.said().copied()), lines);
 }
 
 /// What the two are.

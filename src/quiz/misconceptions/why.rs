@@ -1,0 +1,48 @@
+//! Why the two of any hit go where they go.
+
+use glam::DVec2;
+
+use super::{explain, reasoning};
+use crate::physics::{Collision, Meeting};
+use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
+
+/// Why any two smooth discs go where they go, starting from what the player said of
+/// both, if they did: a title, which may be empty, and a text.
+pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) {
+    if collision.outcome().meeting != Meeting::Hit {
+        let text = "They just brush: nothing is pushed, and both go on as before.";
+        return ("", text.into());
+    }
+    if collision.u2 != DVec2::ZERO {
+        return ("", both_moving(collision));
+    }
+    why_of_hit(&Hit::from(collision), said)
+}
+
+/// Why the two of a hit go where they go, starting from what the player said of them, if
+/// they did: a title, which is empty if they did not, and a text.
+pub fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String) {
+    let Some(rays) = said else {
+        return ("", reasoning(hit));
+    };
+    let answer = Answer::new(Response::Rays(rays), Confidence::ThinkSo);
+    let explanation = explain(&hit.into(), &answer);
+    (explanation.title, explanation.text)
+}
+
+/// Why two that both move go where they go, in their own numbers.
+fn both_moving(collision: &Collision) -> String {
+    let outcome = collision.outcome();
+    let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
+        return String::new();
+    };
+    format!(
+        "Both move, but the rule is the same. Along n: {:.2} and {:.2} m/s become {:.2} and {:.2}. Across, along t, both keep what they had: {:.2} and {:.2}.",
+        collision.u1.dot(n),
+        collision.u2.dot(n),
+        outcome.v1.dot(n) + 0.0,
+        outcome.v2.dot(n) + 0.0,
+        collision.u1.dot(t) + 0.0,
+        collision.u2.dot(t) + 0.0,
+    )
+}

@@ -1,0 +1,50 @@
+//! The sets of pieces that the lab puts out.
+
+use crate::physics::{CollisionSpec, ImpactPoint};
+
+/// The sets one key goes through: mass and radius of the striker and of the target, in g
+/// and mm.
+const PIECE_SETS: [(&str, [(f64, f64); 2]); 3] = [
+    ("equal masses", [(15.0, 15.0), (15.0, 15.0)]),
+    ("tournament set", [(15.0, 20.65), (5.5, 15.9)]),
+    ("marbles", [(20.0, 12.4), (40.0, 15.6)]),
+];
+
+/// The place of the set that these pieces are, if they are one.
+fn piece_set(setup: &CollisionSpec) -> Option<usize> {
+    let pieces = [(setup.m1_g, setup.r1_mm), (setup.m2_g, setup.r2_mm)];
+    PIECE_SETS.iter().position(|(_, set)| *set == pieces)
+}
+
+/// What these pieces are called.
+pub(super) fn pieces_name(setup: &CollisionSpec) -> &'static str {
+    piece_set(setup).map_or("own pieces", |at| PIECE_SETS[at].0)
+}
+
+/// Puts out the set after the present one, and keeps the ratio b/(r₁+r₂).
+pub(super) fn put_out_next(setup: &mut CollisionSpec) {
+    let ratio = setup.offset_mm() / setup.contact_distance_mm();
+    let next = piece_set(setup).map_or(0, |at| (at + 1) % PIECE_SETS.len());
+    let [striker, target] = PIECE_SETS[next].1;
+    (setup.m1_g, setup.r1_mm) = striker;
+    (setup.m2_g, setup.r2_mm) = target;
+    let offset_mm = ratio * setup.contact_distance_mm();
+    setup.point = ImpactPoint::Offset { offset_mm };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changing_pieces_keeps_the_shape_of_the_hit() {
+        let mut setup = CollisionSpec::default();
+        let alpha = setup.collision().alpha();
+        for expected in [1, 2, 0] {
+            put_out_next(&mut setup);
+            assert_eq!(piece_set(&setup), Some(expected));
+            let now = setup.collision().alpha();
+            assert!((now.unwrap() - alpha.unwrap()).abs() < 1e-12);
+        }
+    }
+}
