@@ -74,7 +74,12 @@ impl Mystery {
     }
 
     /// What to do, or how the answer was.
-    pub(super) fn write(&self, setup: &CollisionSpec, outcome: &CollisionOutcome, lines: &mut Lines) {
+    pub(super) fn write(
+        &self,
+        setup: &CollisionSpec,
+        outcome: &CollisionOutcome,
+        lines: &mut Lines,
+    ) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             lines.paragraph(
                 "No two angles to read here. Hit the coin off-centre and it can be weighed.",

@@ -7,11 +7,11 @@ use crate::levels::{FEW_SHOTS, Win};
 use crate::numbers;
 use crate::physics::Frame;
 use crate::physics::units::mm_from_m;
-use crate::quiz::Ray;
+use crate::quiz::{Ray, why};
+use crate::screens::Context;
 use crate::screens::levels::words;
-use crate::screens::{Context, why};
 use crate::widgets::hit::Watch;
-use crate::widgets::panels::{impact_angle, masses, offset, said_and_true, separation};
+use crate::widgets::panels::{impact_angle, masses, offset, reason, said_and_true, separation};
 use crate::widgets::replay::ShotImpact;
 use crate::widgets::{Lines, RayInput, Role};
 
@@ -263,9 +263,8 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines)
         let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
         return lines.paragraph(text, Role::Text);
     }
-    let (title, text) = why::of_impact(&impact.collision, said.and_then(RayInput::both));
-    if !title.is_empty() {
-        lines.paragraph(&title, Role::Title);
-    }
-    lines.paragraph(&text, Role::Text);
+    reason(
+        &why(&impact.collision, said.and_then(RayInput::both)),
+        lines,
+    );
 }
