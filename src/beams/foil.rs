@@ -19,32 +19,20 @@ pub struct Metal {
 /// Metals from heavy to light. Atoms in a cubic metre from mass density and atomic mass
 /// (CRC Handbook of Chemistry and Physics): gold 19.3 g/cm³ and 196.97 u, and so on.
 pub const METALS: [Metal; 5] = [
-    Metal {
-        name: "gold",
-        charge: GOLD_CHARGE,
-        density: GOLD_DENSITY,
-    },
-    Metal {
-        name: "platinum",
-        charge: 78.0,
-        density: 6.62e28,
-    },
-    Metal {
-        name: "silver",
-        charge: 47.0,
-        density: 5.86e28,
-    },
-    Metal {
-        name: "copper",
-        charge: 29.0,
-        density: 8.49e28,
-    },
-    Metal {
-        name: "aluminium",
-        charge: 13.0,
-        density: 6.02e28,
-    },
+    metal("gold", GOLD_CHARGE, GOLD_DENSITY),
+    metal("platinum", 78.0, 6.62e28),
+    metal("silver", 47.0, 5.86e28),
+    metal("copper", 29.0, 8.49e28),
+    metal("aluminium", 13.0, 6.02e28),
 ];
+
+const fn metal(name: &'static str, charge: f64, density: f64) -> Metal {
+    Metal {
+        name,
+        charge,
+        density,
+    }
+}
 
 /// A foil.
 #[derive(Debug, Clone, Copy, PartialEq)]

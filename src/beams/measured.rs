@@ -1,15 +1,19 @@
 //! What Geiger and Marsden counted.
 
-use std::ops::RangeInclusive;
-use std::str::FromStr;
-
 use thiserror::Error;
+
+use crate::files::NumberSpec;
 
 /// H. Geiger and E. Marsden, Phil. Mag. 25 (1913) 604, Table II, first series.
 const TABLE: &str = include_str!("../../assets/geiger-marsden-1913.csv");
 
 /// The columns a table of counts has.
 const HEADER: &str = "angle_deg,silver_count,gold_count";
+
+/// What an angle may be, in degrees.
+const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
+/// What a count may be.
+const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
 /// Counts at one angle. Counts are relative: only those of one metal can be compared with
 /// each other.
@@ -78,17 +82,18 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         let [angle_deg, silver, gold] = fields[..] else {
             return fault(line, format!("expected 3 values, found {}", fields.len()));
         };
-        let read = |name, text, range| {
-            number(text, range).map_err(|what| Fault {
-                line,
-                what: format!("{name}: {what}"),
+        let read = |name, text: &str, spec: &NumberSpec| {
+            let value = text.trim().parse().ok();
+            value.filter(|value| spec.allows(*value)).ok_or_else(|| {
+                let found = text.trim().escape_debug();
+                let what = format!("{name}: expected {spec}, found \"{found}\"");
+                Fault { line, what }
             })
         };
-        let counted = 0.1..=1e12;
         let next = Angle {
-            angle: read("angle_deg", angle_deg, 0.1..=180.0)?.to_radians(),
-            silver: read("silver_count", silver, counted.clone())?,
-            gold: read("gold_count", gold, counted)?,
+            angle: read("angle_deg", angle_deg, &DEGREES)?.to_radians(),
+            silver: read("silver_count", silver, &COUNT)?,
+            gold: read("gold_count", gold, &COUNT)?,
         };
         if angles.last().is_some_and(|last| last.angle <= next.angle) {
             return fault(
@@ -102,16 +107,6 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         return fault(end, "expected counts, found nothing".into());
     }
     Ok(angles)
-}
-
-fn number(text: &str, range: RangeInclusive<f64>) -> Result<f64, String> {
-    let text = text.trim();
-    let value = f64::from_str(text).ok();
-    value.filter(|value| range.contains(value)).ok_or_else(|| {
-        let (low, high) = (range.start(), range.end());
-        let found = text.escape_debug();
-        format!("expected a number from {low} to {high}, found \"{found}\"")
-    })
 }
 
 /// The counts of one metal beside the law, which fixes how they grow but not the scale.

@@ -30,5 +30,5 @@ pub use level::{FORMAT, Level};
 pub use library::{LevelLibrary, Pack};
 pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene};
 pub use shelf::Shelf;
-pub use stars::{Best, FEW_SHOTS, MOST_STARS, Starred, Win};
+pub use stars::{FEW_SHOTS, MOST_STARS, Starred, Win};
 pub use told::Finding;

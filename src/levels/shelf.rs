@@ -1,10 +1,11 @@
 //! The levels there are for this player, and what has been done with them.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::level::Level;
 use super::library::{LevelLibrary, Pack};
-use super::stars::{Best, MOST_STARS, Starred, Win};
+use super::stars::{MOST_STARS, Starred, Win};
 
 /// All levels, numbered from 0 through all packs, with the best that was done in each.
 #[derive(Debug, Clone, Default)]
@@ -12,7 +13,8 @@ pub struct Shelf {
     /// `None` where there are those of the program alone, which are read only when
     /// they are looked at.
     library: Option<Arc<LevelLibrary>>,
-    best: Best,
+    /// The most stars that were won, by the name of the pack and the id of the level.
+    best: BTreeMap<(String, String), u8>,
     /// The level, or after the last of them the problem, that was looked at last.
     pub at: usize,
 }
@@ -61,8 +63,11 @@ impl Shelf {
 
     /// Stars of a level; 0 if it was never won.
     pub fn stars(&self, number: usize) -> u8 {
-        let stars = |(pack, level): (&Pack, &Level)| self.best.stars(&pack.name, &level.id);
-        self.get(number).map_or(0, stars)
+        let key = |(pack, level): (&Pack, &Level)| (pack.name.clone(), level.id.clone());
+        let stars = self
+            .get(number)
+            .and_then(|found| self.best.get(&key(found)));
+        stars.copied().unwrap_or(0)
     }
 
     /// The first level that was never won; `None` if all were.
@@ -84,7 +89,37 @@ impl Shelf {
 
     /// Notes stars that were won before; says whether they are more than was known.
     pub fn recall(&mut self, starred: &Starred) -> bool {
+        let key = (starred.pack.clone(), starred.level.clone());
+        let best = self.best.entry(key).or_default();
         let stars = starred.stars.min(MOST_STARS);
-        self.best.keep(&starred.pack, &starred.level, stars)
+        let more = stars > *best;
+        *best = stars.max(*best);
+        more
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_worse_win_takes_nothing_away() {
+        let mut shelf = Shelf::default();
+        assert_eq!(shelf.stars(0), 0);
+        let (pack, level) = shelf.get(0).unwrap();
+        let starred = |stars| Starred {
+            pack: pack.name.clone(),
+            level: level.id.clone(),
+            stars,
+        };
+        let wins = [1, 3, 2, 3].map(starred);
+        for (won, (more, most)) in wins
+            .iter()
+            .zip([(true, 1), (true, 3), (false, 3), (false, 3)])
+        {
+            assert_eq!(shelf.recall(won), more);
+            assert_eq!(shelf.stars(0), most);
+        }
+        assert_eq!(shelf.stars(1), 0);
     }
 }

@@ -1,7 +1,5 @@
 //! How well a level was won.
 
-use std::collections::BTreeMap;
-
 /// The most stars a level gives.
 pub const MOST_STARS: u8 = 3;
 
@@ -47,27 +45,6 @@ pub struct Starred {
     pub stars: u8,
 }
 
-/// The best that was done in each level.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Best(BTreeMap<(String, String), u8>);
-
-impl Best {
-    /// Stars of a level, by the name of its pack and its id; 0 if it was never won.
-    pub fn stars(&self, pack: &str, id: &str) -> u8 {
-        let key = (pack.to_owned(), id.to_owned());
-        self.0.get(&key).copied().unwrap_or(0)
-    }
-
-    /// Keeps these stars of a level unless there were as many already; says whether
-    /// they are more.
-    pub fn keep(&mut self, pack: &str, id: &str, stars: u8) -> bool {
-        let best = self.0.entry((pack.into(), id.into())).or_default();
-        let more = stars > *best;
-        *best = stars.max(*best);
-        more
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,16 +58,5 @@ mod tests {
         assert_eq!(stars(FEW_SHOTS + 1, Some(false)), 1);
         assert_eq!(stars(1, None), MOST_STARS);
         assert_eq!(stars(2, None), 2);
-    }
-
-    #[test]
-    fn a_worse_win_takes_nothing_away() {
-        let mut best = Best::default();
-        assert_eq!(best.stars("pack", "a"), 0);
-        for (stars, more, most) in [(1, true, 1), (3, true, 3), (2, false, 3), (3, false, 3)] {
-            assert_eq!(best.keep("pack", "a", stars), more);
-            assert_eq!(best.stars("pack", "a"), most);
-        }
-        assert_eq!(best.stars("other", "a"), 0);
     }
 }

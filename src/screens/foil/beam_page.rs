@@ -47,7 +47,7 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let mut plot = Plot::new(area, look, angle, count);
     if let Some(run) = &foil.run {
         let degrees = |bin: usize| (bin as f64 * BIN_WIDTH).to_degrees();
-        for (bin, count) in run.counts().bins.iter().enumerate() {
+        for (bin, count) in run.counts.bins.iter().enumerate() {
             plot.bar(degrees(bin), degrees(bin + 1), *count as f64, Role::Trail);
         }
         // Where next to none are expected there is no line: it would be that of the axis.
@@ -137,18 +137,14 @@ pub(super) fn write(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
     };
     progress(run, lines, cx);
     lines.gap();
-    let share = run.law().share_beyond(PI / 2.0);
+    let share = run.law.share_beyond(PI / 2.0);
     lines.line("turned by more than 90°:", Role::Dim);
-    let back = run.counts().from_bin(BINS / 2);
+    let back = run.counts.from_bin(BINS / 2);
     lines.fact("  counted", &words::count(back));
     let counted = run.share_turned_back().map_or("none".into(), words::share);
     lines.fact("  share", &counted);
-    lines.pair(
-        "  the law",
-        &words::share(share),
-        Role::Dim,
-        Role::StrikerOut,
-    );
+    let law = words::share(share);
+    lines.pair("  the law", &law, Role::Dim, Role::StrikerOut);
     if run.is_running() {
         return;
     }
@@ -156,7 +152,7 @@ pub(super) fn write(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
     if let Some(said) = run.said {
         lines.paragraph(&guess::explain(said, share), Role::Title);
     }
-    lines.paragraph(&reason(run.law(), share), Role::Text);
+    lines.paragraph(&reason(&run.law, share), Role::Text);
     lines.gap();
     // The standard deviation of a count with this share, √(n p (1 − p)).
     let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
@@ -171,13 +167,11 @@ pub(super) fn write(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
 
 /// How far the beam is.
 fn progress(run: &BeamRun, lines: &mut Lines, cx: &Context) {
-    let share = run.thrown() as f64 / run.particles() as f64;
+    let share = run.thrown() as f64 / run.particles as f64;
     let width = lines.width().saturating_sub(7);
     let bar = bar(share, width, cx.settings.charset);
-    lines.line(
-        &format!("{bar} {:3.0} %", (100.0 * share).floor()),
-        Role::Text,
-    );
+    let percent = (100.0 * share).floor();
+    lines.line(&format!("{bar} {percent:3.0} %"), Role::Text);
     let state = if run.is_over() {
         "thrown"
     } else if run.is_running() {

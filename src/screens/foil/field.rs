@@ -17,9 +17,22 @@ pub(super) struct FoilFields {
 }
 
 impl FoilFields {
-    /// Which they are, in the order of the panel.
+    /// Those that mean something on the page, in the order of its panel.
     pub(super) fn all(&self) -> &'static [FoilField] {
-        FoilField::on(self.page, &self.setup)
+        match (self.page, self.setup.obstacle) {
+            (FoilPage::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
+            (FoilPage::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
+            (FoilPage::Counts, Obstacle::Hard) => &[F::Obstacle, F::Beam, F::Particles],
+            (FoilPage::Counts, Obstacle::Nucleus) => &[
+                F::Obstacle,
+                F::Beam,
+                F::Metal,
+                F::Energy,
+                F::Thickness,
+                F::Particles,
+            ],
+            (FoilPage::Measured, _) => &[],
+        }
     }
 }
 
@@ -58,24 +71,6 @@ pub(crate) enum FoilField {
 use FoilField as F;
 
 impl FoilField {
-    /// The settings that mean something on a page, in the order of its panel.
-    pub(crate) fn on(page: FoilPage, setup: &FoilSetup) -> &'static [Self] {
-        match (page, setup.obstacle) {
-            (FoilPage::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
-            (FoilPage::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
-            (FoilPage::Counts, Obstacle::Hard) => &[F::Obstacle, F::Beam, F::Particles],
-            (FoilPage::Counts, Obstacle::Nucleus) => &[
-                F::Obstacle,
-                F::Beam,
-                F::Metal,
-                F::Energy,
-                F::Thickness,
-                F::Particles,
-            ],
-            (FoilPage::Measured, _) => &[],
-        }
-    }
-
     /// Its name on the panel, and what it is.
     const fn words(self) -> (&'static str, &'static str) {
         match self {
@@ -161,9 +156,9 @@ impl FoilField {
         }
     }
 
-    /// Moves it by `steps` steps and onto the grid of steps; choices go round.
-    pub(crate) fn step(self, setup: &mut FoilSetup, steps: f64) {
-        self.set(setup, self.value(setup).stepped(steps));
+    /// Its value `steps` steps further and on the grid of steps; choices go round.
+    pub(crate) fn stepped(self, setup: &FoilSetup, steps: f64) -> f64 {
+        self.value(setup).stepped(steps)
     }
 }
 
@@ -181,6 +176,10 @@ mod tests {
         F::Particles,
     ];
 
+    fn step(field: FoilField, setup: &mut FoilSetup, steps: f64) {
+        field.set(setup, field.stepped(setup, steps));
+    }
+
     fn is_within(value: FieldValue) -> bool {
         match value {
             FieldValue::Choice { at, count } => at < count,
@@ -195,8 +194,8 @@ mod tests {
                 let mut setup = FoilSetup::default();
                 field.set(&mut setup, wild);
                 assert!(is_within(field.value(&setup)), "{field:?}");
-                field.step(&mut setup, 10.0);
-                field.step(&mut setup, -1.0);
+                step(field, &mut setup, 10.0);
+                step(field, &mut setup, -1.0);
                 assert!(is_within(field.value(&setup)), "{field:?}");
             }
         }
@@ -206,12 +205,12 @@ mod tests {
     fn choices_go_round_and_numbers_land_on_the_grid() {
         let mut setup = FoilSetup::default();
         for _ in 0..METALS.len() {
-            F::Metal.step(&mut setup, 1.0);
+            step(F::Metal, &mut setup, 1.0);
         }
         assert_eq!(setup, FoilSetup::default());
-        F::Energy.step(&mut setup, 1.0);
+        step(F::Energy, &mut setup, 1.0);
         assert_eq!(setup.energy_mev, 7.75);
-        F::Particles.step(&mut setup, 1.0);
+        step(F::Particles, &mut setup, 1.0);
         assert_eq!(setup.particles(), 10_000_000);
     }
 }

@@ -141,7 +141,7 @@ impl FoilScreen {
     /// Stops the beam, or lets it go on.
     fn halt(&mut self, halted: bool) {
         if let Some(run) = &mut self.run {
-            run.set_halted(halted);
+            run.halted = halted;
         }
     }
 
@@ -241,9 +241,25 @@ impl FoilScreen {
         });
     }
 
+    /// The mouse over the picture of one particle, which it drags or moves by steps; says
+    /// whether it meant anything.
+    fn move_particle(&mut self, mouse: &Mouse, picture: Rect) -> bool {
+        let offset = match mouse.kind {
+            MouseKind::ScrollUp => FoilField::Offset.stepped(&self.setup, 1.0),
+            MouseKind::ScrollDown => FoilField::Offset.stepped(&self.setup, -1.0),
+            MouseKind::Down | MouseKind::Drag => {
+                self.form.give_up();
+                tracks_page::offset_at(picture, &self.setup, mouse.cell())
+            }
+            MouseKind::Up => return false,
+        };
+        self.edit(|_, fields| FoilField::Offset.set(&mut fields.setup, offset));
+        true
+    }
+
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
         let layout = view::FoilLayout::new(cx.body);
-        let cell = (mouse.column, mouse.row);
+        let cell = mouse.cell();
         let pressed = mouse.kind == MouseKind::Down;
         if pressed && let Some(page) = layout.tab_at(cell) {
             self.turn_to(page);
@@ -274,22 +290,9 @@ impl FoilScreen {
         if !layout.beside.picture.contains(cell.into()) {
             return Next::Ignored;
         }
-        let held = pressed || mouse.kind == MouseKind::Drag;
         match self.page {
-            FoilPage::Tracks if held => {
-                let offset = tracks_page::offset_at(layout.beside.picture, &self.setup, cell);
-                self.edit(|form, fields| {
-                    form.give_up();
-                    FoilField::Offset.set(&mut fields.setup, offset);
-                });
-            }
             FoilPage::Tracks => {
-                let by = match mouse.kind {
-                    MouseKind::ScrollUp => 1.0,
-                    MouseKind::ScrollDown => -1.0,
-                    _ => return Next::Ignored,
-                };
-                self.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by));
+                return Next::after(self.move_particle(mouse, layout.beside.picture));
             }
             FoilPage::Counts if pressed && self.is_running() => self.halt(true),
             FoilPage::Counts if pressed && self.guess.is_none() => self.throw(cx),
@@ -351,14 +354,13 @@ impl Screen for FoilScreen {
     fn keys(&self, _cx: &Context) -> KeyTable<FoilAction> {
         use FoilAction::{Back, Export, LeaveGuess, OtherPlot, Predict, Reset, Scale, Scroll};
         use FoilAction::{Stop, Throw, TurnPage, WholeBeam};
-        let key = Key::Char;
         let scroll = scroll_keys(Scroll);
         let table = KeyTable::new("foil");
         if self.is_running() {
             return table
                 .on(Key::Escape, Stop, "stop the beam")
-                .or([(Key::Enter, Stop), (key(' '), Stop)])
-                .on(key('l'), Scale, "scale")
+                .or([(Key::Enter, Stop), (Key::Char(' '), Stop)])
+                .on('l', Scale, "scale")
                 .on(Key::Tab, TurnPage(1), "next page")
                 .or([(Key::BackTab, TurnPage(-1))]);
         }
@@ -366,14 +368,11 @@ impl Screen for FoilScreen {
         // Here these keys turn the page and scroll.
         let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         if let Some(guess) = &self.guess {
+            let keys = guess.keys().without_keys(&own);
+            let keys = keys.renamed("say it, and throw", |action| action == AnswerAction::Enter);
+            let keys = keys.renamed("", |action| matches!(action, AnswerAction::Choose(_)));
             return table
-                .with(guess.keys().without_keys(&own), FoilAction::Guess)
-                .renamed("say it, and throw", |action| {
-                    action == FoilAction::Guess(AnswerAction::Enter)
-                })
-                .renamed("", |action| {
-                    matches!(action, FoilAction::Guess(AnswerAction::Choose(_)))
-                })
+                .with(keys, FoilAction::Guess)
                 .on(Key::Escape, LeaveGuess, "back")
                 .on(Key::Tab, TurnPage(1), "")
                 .or([(Key::BackTab, TurnPage(-1))])
@@ -390,19 +389,19 @@ impl Screen for FoilScreen {
             FoilPage::Tracks => table
                 .with(form(), FoilAction::Set)
                 .on(Key::Enter, WholeBeam, throw)
-                .or([(key(' '), WholeBeam)])
+                .or([(' ', WholeBeam)])
                 .when(!typing)
                 .each(scroll, ""),
             FoilPage::Counts => table
                 .on(Key::Enter, Throw, throw)
-                .or([(key(' '), Throw)])
+                .or([(' ', Throw)])
                 .when(!typing)
                 .with(form(), FoilAction::Set)
-                .on(key('l'), Scale, "scale")
+                .on('l', Scale, "scale")
                 .each(scroll, ""),
             FoilPage::Measured => table
                 .on(Key::Enter, OtherPlot, "the other plot")
-                .or([Key::Left, Key::Right, key(' ')].map(|key| (key, OtherPlot)))
+                .or([Key::Left, Key::Right, Key::Char(' ')].map(|key| (key, OtherPlot)))
                 .each(scroll, "read")
                 .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))]),
         };
@@ -411,9 +410,9 @@ impl Screen for FoilScreen {
             .or([(Key::BackTab, TurnPage(-1))])
             .on(Key::Escape, Back, "back")
             .when(!typing)
-            .on(key('e'), Export, "export")
-            .on(key('p'), Predict, "")
-            .on(key('r'), Reset, "")
+            .on('e', Export, "export")
+            .on('p', Predict, "")
+            .on('r', Reset, "")
             .when(self.page != FoilPage::Measured)
     }
 

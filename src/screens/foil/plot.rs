@@ -5,7 +5,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, tracks_page, view};
+use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, view};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
@@ -80,11 +80,8 @@ impl FoilFigure {
         let keys = KeyTable::new("foil-figure");
         match self.0.page {
             FoilPage::Tracks => keys
-                .each([(Key::Left, Offset(-1)), (Key::Right, Offset(1))], "offset")
-                .or([
-                    (Key::Char('<'), Offset(-LEAP)),
-                    (Key::Char('>'), Offset(LEAP)),
-                ]),
+                .by([Key::Left, Key::Right], Offset, [-1, 1], "offset")
+                .or([('<', Offset(-LEAP)), ('>', Offset(LEAP))]),
             FoilPage::Counts => {
                 let running = self.is_running();
                 keys.on(Key::Char(' '), Beam, if running { "stop" } else { "throw" })
@@ -101,7 +98,8 @@ impl FoilFigure {
         let foil = &mut self.0;
         match action {
             FoilFigureAction::Offset(by) => {
-                foil.edit(|_, fields| FoilField::Offset.step(&mut fields.setup, by.into()));
+                let offset = FoilField::Offset.stepped(&foil.setup, by.into());
+                foil.edit(|_, fields| FoilField::Offset.set(&mut fields.setup, offset));
             }
             FoilFigureAction::Beam if foil.is_running() => foil.halt(true),
             FoilFigureAction::Beam => match &foil.run {
@@ -124,19 +122,9 @@ impl FoilFigure {
 
     /// Takes the mouse over its picture; says whether it meant anything.
     pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
-        let pressed = mouse.kind == MouseKind::Down;
-        let held = pressed || mouse.kind == MouseKind::Drag;
-        match (self.0.page, mouse.kind) {
-            (FoilPage::Tracks, _) if held => {
-                let cell = (mouse.column, mouse.row);
-                let offset = tracks_page::offset_at(area, &self.0.setup, cell);
-                self.0
-                    .edit(|_, fields| FoilField::Offset.set(&mut fields.setup, offset));
-                true
-            }
-            (FoilPage::Tracks, MouseKind::ScrollUp) => self.update(Key::Right),
-            (FoilPage::Tracks, MouseKind::ScrollDown) => self.update(Key::Left),
-            _ => pressed && self.update(Key::Char(' ')),
+        match self.0.page {
+            FoilPage::Tracks => self.0.move_particle(mouse, area),
+            _ => mouse.kind == MouseKind::Down && self.update(Key::Char(' ')),
         }
     }
 
@@ -171,7 +159,7 @@ mod tests {
             pictures += 1;
         }
         assert!(pictures > 60, "{pictures}");
-        let counts = |plot: &FoilFigure| *plot.0.run.as_ref().unwrap().counts();
+        let counts = |plot: &FoilFigure| plot.0.run.as_ref().unwrap().counts;
         assert_eq!(counts(&watched), counts(&whole));
         assert!(watched.update(Key::Char(' ')) && watched.wake().is_some());
         assert!(watched.update(Key::Escape) && watched.wake().is_none());

@@ -11,15 +11,19 @@ const MOST: u64 = 2_000_000;
 
 /// A beam, as far as it has been thrown.
 #[derive(Debug, Clone)]
-pub(crate) struct BeamRun {
-    law: ScatteringLaw,
+pub(super) struct BeamRun {
+    /// The law it follows.
+    pub(super) law: ScatteringLaw,
     sampler: Box<Sampler>,
     seed: u64,
-    particles: u64,
-    counts: Counts,
-    halted: bool,
+    /// Particles in all.
+    pub(super) particles: u64,
+    /// The counts so far.
+    pub(super) counts: Counts,
+    /// Whether it was stopped.
+    pub(super) halted: bool,
     /// What the player said the share turned back would be, if asked.
-    pub said: Option<f64>,
+    pub(super) said: Option<f64>,
 }
 
 impl BeamRun {
@@ -36,24 +40,9 @@ impl BeamRun {
         }
     }
 
-    /// The law it follows.
-    pub(super) fn law(&self) -> &ScatteringLaw {
-        &self.law
-    }
-
-    /// The counts so far.
-    pub(super) fn counts(&self) -> &Counts {
-        &self.counts
-    }
-
     /// Particles thrown so far.
     pub(super) fn thrown(&self) -> u64 {
         self.counts.total()
-    }
-
-    /// Particles in all.
-    pub(super) fn particles(&self) -> u64 {
-        self.particles
     }
 
     /// Whether all have been thrown.
@@ -64,11 +53,6 @@ impl BeamRun {
     /// Whether more are being thrown.
     pub(super) fn is_running(&self) -> bool {
         !self.halted && !self.is_over()
-    }
-
-    /// Stops it, or lets it go on.
-    pub(super) fn set_halted(&mut self, halted: bool) {
-        self.halted = halted;
     }
 
     /// Throws the particles between two pictures.
@@ -104,7 +88,7 @@ mod tests {
             assert_eq!(run.thrown(), particles);
             let mut whole = Counts::default();
             Sampler::new(&law).throw(3, 0..particles, &mut whole);
-            assert_eq!(*run.counts(), whole);
+            assert_eq!(run.counts, whole);
             run.advance();
             assert_eq!(run.thrown(), particles);
         }
@@ -116,10 +100,10 @@ mod tests {
         run.advance();
         let thrown = run.thrown();
         assert!(thrown > 0 && thrown <= MOST);
-        run.set_halted(true);
+        run.halted = true;
         run.advance();
         assert_eq!(run.thrown(), thrown);
-        run.set_halted(false);
+        run.halted = false;
         run.advance();
         assert!(run.thrown() > thrown);
     }

@@ -14,12 +14,6 @@ use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
 use crate::widgets::{Lines, Role};
 
-/// Half the height of the picture of a nucleus, in fm.
-const HALF_HEIGHT_FM: f64 = 62.0;
-
-/// Half the height of the picture of a hard target, in touching distances.
-const HALF_HEIGHT_HARD: f64 = 1.9;
-
 /// Particles beside the one that is set, on each side of the middle.
 const BESIDE: i32 = 4;
 
@@ -41,25 +35,25 @@ struct Path {
     angle: f64,
 }
 
-fn half_height(setup: &FoilSetup) -> f64 {
+/// The scale of the picture: half its height, the offsets in a unit that the mouse can
+/// set, the unit, and the decimals of an offset.
+const fn scale(setup: &FoilSetup) -> (f64, f64, &'static str, usize) {
     match setup.obstacle {
-        Obstacle::Hard => HALF_HEIGHT_HARD,
-        Obstacle::Nucleus => HALF_HEIGHT_FM,
+        Obstacle::Hard => (1.9, 20.0, "R", 2),
+        Obstacle::Nucleus => (62.0, 1.0, "fm", 1),
     }
 }
 
 fn view(area: Rect, setup: &FoilSetup) -> View {
-    let half = half_height(setup);
+    let (half, ..) = scale(setup);
     View::fit(area, dvec2(-half, -half), dvec2(half, half))
 }
 
 /// The offset that a cell of the picture stands for, in the units of the picture.
 pub(super) fn offset_at(area: Rect, setup: &FoilSetup, (column, row): (u16, u16)) -> f64 {
+    let (_, per_unit, ..) = scale(setup);
     let y = view(area, setup).world_at(column, row).y;
-    match setup.obstacle {
-        Obstacle::Hard => (y * 20.0).round() / 20.0,
-        Obstacle::Nucleus => y.round(),
-    }
+    (y * per_unit).round() / per_unit
 }
 
 fn offset(setup: &FoilSetup) -> f64 {
@@ -75,12 +69,9 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
         Obstacle::Hard => hard_path(offset, reach),
         Obstacle::Nucleus => {
             let path = setup.scatterer().path(offset * FM);
+            let points = path.points(reach * FM, 160);
             Path {
-                points: path
-                    .points(reach * FM, 160)
-                    .iter()
-                    .map(|p| *p / FM)
-                    .collect(),
+                points: points.iter().map(|p| *p / FM).collect(),
                 nearest: Some(path.nearest() / FM),
                 angle: path.angle,
             }
@@ -115,26 +106,24 @@ fn hard_path(offset: f64, reach: f64) -> Path {
 /// The picture of the page.
 pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let view = view(area, setup);
-    let half = half_height(setup);
+    let (half, ..) = scale(setup);
     let mut picture = Picture::new(view);
     // To the corners of the picture, however wide it is.
     let wide = (view.to_world(dvec2(f64::from(area.right()), 0.0)).x).abs();
     let reach = 1.2 * wide.hypot(half).max(half);
-    picture.line(
-        dvec2(-reach, 0.0),
-        dvec2(reach, 0.0),
-        Pen::new(Role::Axis).dotted(),
-    );
+    let axis = Pen::new(Role::Axis).dotted();
+    picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
     // One straight on would come back along its own way.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());
     }
-    match setup.obstacle {
-        Obstacle::Hard => picture.disc(DVec2::ZERO, 1.0, Role::Coin, ' '),
-        // A nucleus is smaller than any cell: a mark of its place.
-        Obstacle::Nucleus => picture.disc(DVec2::ZERO, 1.0, Role::Marble, ' '),
-    }
+    // A nucleus is smaller than any cell: a mark of its place.
+    let role = match setup.obstacle {
+        Obstacle::Hard => Role::Coin,
+        Obstacle::Nucleus => Role::Marble,
+    };
+    picture.disc(DVec2::ZERO, 1.0, role, ' ');
     draw_particle(setup, &mut picture, reach);
     picture
 }
@@ -161,10 +150,7 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
         return;
     };
     let left = picture.view().world_at(picture.view().area().x + 1, 0).x;
-    let (unit, decimals) = match setup.obstacle {
-        Obstacle::Hard => ("R", 2),
-        Obstacle::Nucleus => ("fm", 1),
-    };
+    let (_, _, unit, decimals) = scale(setup);
     let angle = format!("Θ = {:.1}°", set.angle.to_degrees());
     let sides = LabelSide::towards(direction);
     picture.label(&angle, tip, &sides, Role::StrikerOut);
@@ -177,12 +163,8 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
     picture.label(&text, dvec2(left, offset), &sides, Role::Text);
     if let (Obstacle::Nucleus, Some(nearest)) = (setup.obstacle, set.nearest) {
         let text = format!("r_min = {:.1} fm", nearest.length());
-        picture.label(
-            &text,
-            nearest * 0.5,
-            &LabelSide::towards(-nearest.perp()),
-            Role::Text,
-        );
+        let sides = LabelSide::towards(-nearest.perp());
+        picture.label(&text, nearest * 0.5, &sides, Role::Text);
     }
 }
 

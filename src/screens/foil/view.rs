@@ -50,12 +50,9 @@ impl FoilLayout {
 
     /// Which row of the panel's text, which may be scrolled, is at this cell of it.
     pub(crate) fn row_of_text(self, foil: &FoilScreen, (_, row): (u16, u16), cx: &Context) -> u16 {
-        let scrolled = foil
-            .scroll
-            .rows(self.beside.panel, cx.settings.look(), |lines| {
-                write_panel(foil, lines, cx);
-            });
-        row.saturating_sub(self.beside.panel.y) + scrolled
+        let (panel, look) = (self.beside.panel, cx.settings.look());
+        let write = |lines: &mut Lines| write_panel(foil, lines, cx);
+        row.saturating_sub(panel.y) + foil.scroll.rows(panel, look, write)
     }
 }
 
@@ -64,21 +61,11 @@ pub(super) fn draw(foil: &FoilScreen, area: Rect, buf: &mut Buffer, cx: &Context
     let look = cx.settings.look();
     let layout = FoilLayout::new(area);
     for (page, column, name) in layout.tabs() {
-        let role = if page == foil.page {
-            Role::Selected
-        } else {
-            Role::Dim
-        };
-        let room = area.right().saturating_sub(column);
-        let mark = if page == foil.page { ">" } else { " " };
+        let (mark, role) = Role::Dim.of_choice(page == foil.page);
+        let room = area.right().saturating_sub(column).into();
         let name = format!("{mark}{}", &name[1..]);
-        buf.set_stringn(
-            column,
-            layout.tabs.y,
-            name,
-            room.into(),
-            look.theme.style(role),
-        );
+        let style = look.theme.style(role);
+        buf.set_stringn(column, layout.tabs.y, name, room, style);
     }
     let beside = layout.beside;
     let side = match foil.page {

@@ -133,7 +133,7 @@ impl Lab {
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
         let layout = SplitLayout::new(cx.body);
-        let cell = (mouse.column, mouse.row);
+        let cell = mouse.cell();
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;
@@ -193,17 +193,13 @@ impl Screen for Lab {
         use LabAction::{Back, Contact, Go, MysteryCoin, NextSet, Predict, Reset, Scroll, SetUp};
         let key = Key::Char;
         let table = KeyTable::new("lab");
+        let go = match cx.settings.predict {
+            true => "say where",
+            false => "shoot",
+        };
         match &self.phase {
             LabPhase::Aim => table
-                .on(
-                    Key::Enter,
-                    Go,
-                    if cx.settings.predict {
-                        "say where"
-                    } else {
-                        "shoot"
-                    },
-                )
+                .on(Key::Enter, Go, go)
                 .or([(key(' '), Go)])
                 .when(!self.form.is_typing())
                 .with(self.form.keys(&self.settings), LabAction::Set)
@@ -216,10 +212,7 @@ impl Screen for Lab {
                 .on(key('p'), Predict, "")
                 .on(key('r'), Reset, ""),
             LabPhase::Predict(rays) => table
-                .with(rays.keys(), LabAction::Say)
-                .renamed("next, then shoot", |action| {
-                    action == LabAction::Say(RayAction::Next)
-                })
+                .with(rays.keys("next, then shoot"), LabAction::Say)
                 .on(Key::Escape, SetUp, "back"),
             LabPhase::Watch(watch) => {
                 let weighing = watch.is_told() && watch.frame() == Frame::Laboratory;

@@ -133,14 +133,10 @@ const ANSWER_ROWS: u16 = 5;
 
 /// Where they meet.
 fn given(lab: &Lab, lines: &mut Lines) {
-    lines.fact(
-        "offset b",
-        &LabField::Offset.field(&lab.settings.setup).shown,
-    );
-    lines.fact(
-        "impact angle",
-        &LabField::ImpactAngle.field(&lab.settings.setup).shown,
-    );
+    for field in [LabField::Offset, LabField::ImpactAngle] {
+        let field = field.field(&lab.settings.setup);
+        lines.fact(&field.name, &field.shown);
+    }
     geometry(lab, lines);
 }
 
@@ -210,24 +206,21 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
 
 fn from_target(watch: &Watch, lines: &mut Lines) {
     let seen = Frame::Target.view(watch.collision()).outcome();
-    if watch.collision().bond == Bond::Stick && seen.meeting == Meeting::Hit {
-        lines.line("Riding with the coin", Role::Title);
-        let speed = format!("{:.2} m/s", seen.v1.length());
-        lines.fact("V here", &speed);
-        lines.gap();
-        return lines.paragraph(
+    let apart = |angle: f64| format!("{:.1}°", angle.to_degrees());
+    let (name, value, text) = match (watch.collision().bond, seen.meeting) {
+        (Bond::Stick, Meeting::Hit) => (
+            "V here",
+            format!("{:.2} m/s", seen.v1.length()),
             "Here the coin lies still before the hit. The centre of mass moves with V before and after; stuck together, the two can only turn about it.",
-            Role::Text,
-        );
-    }
-    let separation = seen.separation.map_or("none".into(), |separation| {
-        format!("{:.1}°", separation.to_degrees())
-    });
+        ),
+        _ => (
+            "separation here",
+            seen.separation.map_or("none".into(), apart),
+            "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
+        ),
+    };
     lines.line("Riding with the coin", Role::Title);
-    lines.fact("separation here", &separation);
+    lines.fact(name, &value);
     lines.gap();
-    lines.paragraph(
-        "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
-        Role::Text,
-    );
+    lines.paragraph(text, Role::Text);
 }

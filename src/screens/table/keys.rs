@@ -126,8 +126,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         TablePhase::Aim => return aiming(game, table),
         TablePhase::Think { .. } => table.on(Key::Escape, Do::Back, "leave"),
         TablePhase::Call(calling) => {
-            let rays = calling.rays.keys();
-            let rays = rays.renamed("next, then strike", |action| action == RayAction::Next);
+            let rays = calling.rays.keys("next, then strike");
             table.with(rays, Do::Ray).on(Key::Escape, Do::Back, "back")
         }
         TablePhase::Watch(replay) => {

@@ -102,7 +102,7 @@ impl AnswerInput {
     pub fn keys(&self) -> KeyTable<AnswerAction> {
         use AnswerAction::{Choose, Enter, Move, Number, Ray};
         match self {
-            Self::Rays(rays) => rays.keys().map(Ray),
+            Self::Rays(rays) => rays.keys("next").map(Ray),
             Self::Number(number) | Self::Shot(number) => number.keys().map(Number),
             Self::Choice { count, .. } => {
                 let each = |first: char| {

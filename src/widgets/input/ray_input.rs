@@ -119,14 +119,14 @@ impl RayInput {
         self.turning
     }
 
-    /// The keys that say it.
-    pub fn keys(&self) -> KeyTable<RayAction> {
+    /// The keys that say it; `next` is what Enter is called.
+    pub fn keys(&self, next: &'static str) -> KeyTable<RayAction> {
         use RayAction::{Next, OtherRay, StaysStill, Turn};
         KeyTable::new("ray")
             .by(Key::ARROWS, Turn, [5, -5, -1, 1], "turn")
             .with(self.entry.keys(), RayAction::Number)
             .on('x', StaysStill, "stays still")
-            .on(Key::Enter, Next, "next")
+            .on(Key::Enter, Next, next)
             .on(Key::Tab, OtherRay, "other ray")
             .or([(Key::BackTab, OtherRay)])
             .when(self.only.is_none())
@@ -289,7 +289,7 @@ mod tests {
                 '^' => Key::Up,
                 c => Key::Char(c),
             };
-            let action = rays.keys().find(key);
+            let action = rays.keys("next").find(key);
             last = action.map_or(Outcome::Ignored, |action| rays.act(action));
         }
         last

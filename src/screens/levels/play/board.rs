@@ -37,9 +37,8 @@ pub(super) fn view(level: &Level, area: Rect) -> View {
     for (number, piece) in scene.pieces.iter().enumerate() {
         if number == scene.stroke.disc {
             let places = level.adjust.range(Dial::Place);
-            let ends = places.map_or([piece.at.x; 2], |range| {
-                [m_from_mm(range.from), m_from_mm(range.to)]
-            });
+            let ends = places.map(|range| [range.from, range.to].map(m_from_mm));
+            let ends = ends.unwrap_or([piece.at.x; 2]);
             for x in ends {
                 take_in(DVec2::new(x, piece.at.y), piece.disc.radius);
             }
@@ -51,14 +50,9 @@ pub(super) fn view(level: &Level, area: Rect) -> View {
         }
     }
     let view = View::fit(area, corners[0], corners[1]);
-    let others = scene.pieces.iter().enumerate();
-    match others
-        .into_iter()
-        .find(|(disc, _)| *disc != scene.stroke.disc)
-    {
-        Some((_, target)) => view.with_in_a_middle(target.at),
-        None => view,
-    }
+    let mut pieces = scene.pieces.iter().enumerate();
+    let target = pieces.find(|(disc, _)| *disc != scene.stroke.disc);
+    target.map_or(view, |(_, target)| view.with_in_a_middle(target.at))
 }
 
 /// The empty board with the circles of the goals.
@@ -95,13 +89,12 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
             continue;
         };
         let alike = |&(_, other): &(usize, &crate::levels::PlacedDisc)| other.kind == piece.kind;
-        let numbers: Vec<_> = pieces.iter().enumerate().filter(alike).collect();
-        if numbers.len() > 1 {
-            let ordinal = numbers
-                .iter()
-                .take_while(|(other, _)| other <= disc)
-                .count();
-            let text = ordinal.to_string();
+        let numbers = || pieces.iter().enumerate().filter(alike);
+        if numbers().count() > 1 {
+            let text = numbers()
+                .filter(|(other, _)| other <= disc)
+                .count()
+                .to_string();
             picture.label(&text, *at, &LabelSide::ALL, face(piece.kind).role);
         }
     }
@@ -220,10 +213,9 @@ fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
         };
         let way = DVec2::from_angle(turn).rotate(heading);
         let centre = player.shot().at(disc, impact.time).position;
-        let length = if level.is_of_the_first_hit() {
-            NEAR_RAY
-        } else {
-            RAY
+        let length = match level.is_of_the_first_hit() {
+            true => NEAR_RAY,
+            false => RAY,
         };
         let tip = centre + length * way;
         picture.line(centre, tip, Pen::new(Role::Predicted).dashed());

@@ -28,9 +28,6 @@ use made_shot::MadeShot;
 
 pub(super) use dials::name as dial_name;
 
-/// The keys that turn them.
-const PAGE_KEYS: [Key; 2] = [Key::PageUp, Key::PageDown];
-
 /// A level being played.
 #[derive(Debug, Clone)]
 pub(crate) struct LevelPlay {
@@ -269,7 +266,7 @@ impl LevelPlay {
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let layout = view::layout(self, cx.body);
-        let cell = (mouse.column, mouse.row);
+        let cell = mouse.cell();
         let on_picture = layout.picture.contains(cell.into());
         let on_panel = layout.panel.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
@@ -345,14 +342,15 @@ impl Screen for LevelPlay {
                     true => "say where",
                     false => "shoot",
                 };
+                let form = self
+                    .form
+                    .keys(&self.dials)
+                    .without_keys(&[Key::PageUp, Key::PageDown]);
                 table
                     .on(Key::Enter, Go, go)
                     .or([(Key::Char(' '), Go)])
                     .when(!self.form.is_typing())
-                    .with(
-                        self.form.keys(&self.dials).without_keys(&PAGE_KEYS),
-                        LevelAction::Set,
-                    )
+                    .with(form, LevelAction::Set)
                     .on(Key::Char('h'), Hint, "hint")
                     .on(Key::Escape, Back, "back")
                     .when(!self.form.is_typing())
@@ -361,10 +359,7 @@ impl Screen for LevelPlay {
                     .when(says)
             }
             LevelPhase::Predict(pending) => table
-                .with(pending.rays.keys(), LevelAction::Say)
-                .renamed("next, then shoot", |action| {
-                    action == LevelAction::Say(RayAction::Next)
-                })
+                .with(pending.rays.keys("next, then shoot"), LevelAction::Say)
                 .on(Key::Escape, AimAgain, "back"),
             LevelPhase::Watch(made) if made.player.zoom().is_some() => {
                 table.with(made.player.keys(), LevelAction::Watch)
