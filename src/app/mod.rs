@@ -258,7 +258,11 @@ impl App {
 
     /// Gives a key to what lies on top.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        let most = chrome::help_overflow(self);
+        // What is written is measured only where it can be scrolled.
+        let most = match self.layers.last() {
+            Some(AppLayer::Help { .. }) => chrome::help_overflow(self),
+            _ => 0,
+        };
         let Some(layer) = self.layers.last_mut() else {
             return self.with_screen(|screen, cx| screen.press(key, cx));
         };
