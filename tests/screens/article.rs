@@ -49,7 +49,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
             ("{v2 carrom: 2 sqrt 3}", "coin: 2√3,"),
             ("{v2 carrom: 3.46}", "about 3.46 m/s"),
             ("{theta2_deg carrom: 30}", "at 30° to one"),
-            ("{theta1_deg carrom: 60}", "= 60° to the other"),
+            ("{theta1_deg carrom: 60}", "60° to the other side"),
         ],
     ),
     (
@@ -73,7 +73,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
         MARBLES,
         FAST,
         &[
-            ("{v1: sqrt 5}", "speeds of them: √5,"),
+            ("{v1: sqrt 5}", "into speeds: √5,"),
             ("{v1: 2.24}", "about 2.24 m/s"),
             ("{v2: sqrt 2}", "and √2,"),
             ("{v2: 1.41}", "about 1.41 m/s"),
@@ -108,7 +108,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     (
         OFFSET,
         "No sharper than this",
-        &[("{largest_deflection_deg real: 21.5}", "here 21.5°")],
+        &[("{largest_deflection_deg real: 21.5}", "21.5°, at α = 34°")],
     ),
     // Rutherford's 1/sin⁴, and what was counted.
     (

@@ -293,10 +293,10 @@ fn the_text_of_a_page_stays_above_its_answer_where_there_is_room() {
     for (size, stays) in [((120, 40), true), ((60, 20), false)] {
         let mut game = open(number, Charset::Ascii, size);
         game.press("nn");
-        assert!(game.screen().contains("Call the angles"));
+        assert!(game.screen().contains("The new paths make"));
         game.press("3<Enter>");
         let screen = game.screen();
-        assert_eq!(screen.contains("Call the angles"), stays, "{screen}");
+        assert_eq!(screen.contains("The new paths make"), stays, "{screen}");
         assert!(screen.contains("Not this time"), "{screen}");
     }
 }
