@@ -65,15 +65,23 @@ fn screen(cells: &Buffer, vectors: &str) -> String {
     let mut words = String::new();
     for (row, line) in rows(cells).enumerate() {
         let y = row * CELL.1;
+        let line: Vec<(usize, &Cell)> = symbols(line).collect();
+        let taken = |cell: &Cell| cell.symbol().width().max(1) * CELL.0;
+        let ground = |cell: &Cell| CellColours::of(cell).ground;
+        for run in line.chunk_by(|(_, a), (_, b)| ground(a) == ground(b)) {
+            let (column, cell) = run[0];
+            if ground(cell) != PAPER {
+                let x = column * CELL.0;
+                let width: usize = run.iter().map(|(_, cell)| taken(cell)).sum();
+                let path = grounds.of(ground(cell));
+                let _ = write!(path, "M{x} {y}h{width}v{}h-{width}z", CELL.1);
+            }
+        }
         let mut word = SvgWord::default();
-        for (column, cell) in symbols(line) {
+        for (column, cell) in line {
             let x = column * CELL.0;
             let look = CellColours::of(cell);
-            let taken = cell.symbol().width().max(1) * CELL.0;
-            if look.ground != PAPER {
-                let ground = grounds.of(look.ground);
-                let _ = write!(ground, "M{x} {y}h{taken}v{}h-{taken}z", CELL.1);
-            }
+            let taken = taken(cell);
             if cell.modifier.contains(Modifier::UNDERLINED) {
                 let y = y + CELL.1 - 2;
                 let _ = write!(shapes.of(look.ink), "M{x} {y}h{taken}v1h-{taken}z");
