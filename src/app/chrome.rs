@@ -9,7 +9,7 @@ use super::layer::AppLayer;
 use super::{App, SMALLEST};
 use crate::screens::AnyScreen;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Charset, Lines, Look, Role, keys, overflow, text};
+use crate::widgets::{Charset, Lines, Look, Role, areas, keys, overflow, text};
 
 /// The part of a screen of this size that belongs to the screen on top.
 pub(super) fn body(size: Rect) -> Rect {
@@ -146,9 +146,7 @@ pub(super) fn help_overflow(app: &App) -> u16 {
 
 /// The columns of the body in which something lies over it.
 fn centred(body: Rect) -> Rect {
-    let width = body.width.min(76);
-    let x = body.x + (body.width - width) / 2;
-    Rect { x, width, ..body }
+    areas::middle(body, 76)
 }
 
 fn clear(area: Rect, buf: &mut Buffer, look: Look) {

@@ -246,7 +246,7 @@ impl App {
     }
 
     fn in_body(&self, mouse: &Mouse) -> bool {
-        self.context.body.contains((mouse.column, mouse.row).into())
+        self.context.body.contains(mouse.cell().into())
     }
 
     /// Tells the player something, over whatever the screen shows, until a key is pressed.

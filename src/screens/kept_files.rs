@@ -141,10 +141,9 @@ impl<T> KeptFiles<T> {
     /// The mouse over the list in `area`.
     pub(super) fn mouse(&mut self, mouse: &Mouse, area: Rect, cx: &mut Context) -> Next {
         let height = self.rows(area.height);
-        let row = ListView::row_at(Rect { height, ..area }, mouse.cell());
-        let line = row.map(|row| self.first_row(height) + row);
         let count = self.known().len();
-        let line = line.filter(|line| *line < count);
+        let (rows, chosen) = (Rect { height, ..area }, self.list.chosen(count));
+        let line = ListView::line_at(rows, mouse.cell(), chosen, count);
         let outcome = self.list.mouse(mouse, count, line);
         self.opened(outcome, cx)
     }

@@ -42,8 +42,8 @@ impl TourStop {
     }
 }
 
-/// A class round of two questions and two teams.
-const CLASS: &str = "class from-angle2-7 Ants Bees";
+/// A class round of two questions and as many teams as there may be, each with its key.
+const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens";
 /// Two strokes of practice.
 const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
 const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";

@@ -114,12 +114,7 @@ pub(super) fn paused(area: Rect, buf: &mut Buffer, look: &Look) {
 
 /// The middle of an area, no wider than a line that reads well.
 pub(super) fn column(area: Rect) -> Rect {
-    middle(area, WIDEST)
-}
-
-/// So many columns in the middle of an area, or all it has.
-pub(super) fn middle(area: Rect, width: u16) -> Rect {
-    areas::middle(area, width)
+    areas::middle(area, WIDEST)
 }
 
 /// One of the places of so many rows into which an area is cut, from 0 at its top.

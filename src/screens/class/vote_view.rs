@@ -4,13 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use super::view::{Text, column, middle, slot, teams};
+use super::view::{Text, column, slot, teams};
 use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Illustration, Question};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::input::ListView;
-use crate::widgets::{AnswerInput, Lines, Look, Role, SplitLayout, draw_question, text};
+use crate::widgets::{AnswerInput, Lines, Look, Role, SplitLayout, areas, draw_question, text};
 
 /// Columns before a name: a mark and a number.
 const MARK: u16 = 5;
@@ -36,7 +36,7 @@ fn rows(round: &ClassRound, area: Rect, look: &Look) -> TeamRows {
     let names = Big::fit_lines(&names, width, look.charset).filter(|_| height >= 5);
     let (place, height) = match names {
         Some(_) => (place, height.min(6)),
-        None => (middle(area, NARROW), height.clamp(1, 2)),
+        None => (areas::middle(area, NARROW), height.clamp(1, 2)),
     };
     TeamRows {
         place,

@@ -104,7 +104,7 @@ impl Screen for Levels {
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
             Input::Mouse(mouse) => {
-                let line = view::choice_at(&cx.shelf, cx.body, (mouse.column, mouse.row));
+                let line = view::choice_at(&cx.shelf, cx.body, mouse.cell());
                 let mut list = ListView::at(cx.shelf.at);
                 let outcome = list.mouse(mouse, choices(&cx.shelf), line);
                 self.listed(list, outcome, &mut cx.shelf)
