@@ -225,9 +225,18 @@ fn escape_always_goes_back_or_asks() {
     }
 }
 
+/// Where the mark of a list stands on the first screen, but not on the second: beside it,
+/// on its line.
+fn mark(with: &Buffer, without: &Buffer) -> (u16, u16) {
+    let marks = |at: &(u16, u16)| with[*at].symbol() == ">" && without[*at].symbol() != ">";
+    let cells = with.area.positions().map(|at| (at.x, at.y));
+    let (column, row) = { cells }.find(marks).unwrap();
+    (column + 2, row)
+}
+
 #[test]
 fn every_list_has_the_same_manners() {
-    let mut lists = 0;
+    let (mut lists, mut clicked) = (0, 0);
     for moment in moments() {
         let table = moment.game().app().keys();
         // Where a name is typed, Home and End lead to its ends.
@@ -261,13 +270,21 @@ fn every_list_has_the_same_manners() {
         wheel.press("<Home>");
         wheel.mouse(MouseKind::ScrollDown, (70, 8));
         let turned = seen(&mut wheel);
-        assert_eq!(
-            turned,
-            after("<Home><Down>"),
-            "{name}: the wheel moves the mark"
-        );
+        let second = after("<Home><Down>");
+        assert_eq!(turned, second, "{name}: the wheel moves the mark");
+        if second == first {
+            continue;
+        }
+        clicked += 1;
+        let mut click = moment.game();
+        click.press("<Home>");
+        click.click(mark(&second.0, &first.0));
+        assert_eq!(seen(&mut click), second, "{name}: a click chooses");
+        click.click(mark(&second.0, &first.0));
+        let opened = after("<Home><Down><Enter>");
+        assert_eq!(seen(&mut click), opened, "{name}: a second one opens");
     }
-    assert!(lists >= 8, "{lists} lists");
+    assert!(lists >= 8 && clicked >= 6, "{lists} lists, {clicked}");
 }
 
 #[test]
