@@ -12,7 +12,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// If the shot has too many events to be played to its end.
+    /// If the shot has too many events or is too much work to be played to its end.
     pub fn play(&self) -> Result<Shot, EngineError> {
         let mut shot = Shot::default();
         self.play_into(&mut Engine::default(), &mut shot)?;

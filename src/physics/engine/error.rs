@@ -57,4 +57,12 @@ pub enum EngineError {
         /// Time reached, in seconds.
         time: f64,
     },
+    /// The shot took more work than was allowed.
+    #[error("more than {work} looks at pairs of discs by {time} s: given up")]
+    TooMuchWork {
+        /// How much was allowed, in looks at a pair of discs.
+        work: u64,
+        /// Time reached, in seconds.
+        time: f64,
+    },
 }

@@ -79,12 +79,13 @@ impl ShotInPlay<'_> {
 
     /// The pair and all others that meet at the same time and share a disc with it,
     /// directly or through others.
-    fn gather(&self, pair: [usize; 2], time: f64) -> Vec<[usize; 2]> {
+    fn gather(&mut self, pair: [usize; 2], time: f64) -> Vec<[usize; 2]> {
         let mut pairs = vec![pair];
         let mut discs = pair.to_vec();
         let mut asked = 0;
         while let Some(&disc) = discs.get(asked) {
             asked += 1;
+            self.work.add(self.bodies.len());
             for k in 0..self.bodies.len() {
                 let pair = [disc.min(k), disc.max(k)];
                 let moving = self.bodies.moving[disc] || self.bodies.moving[k];
@@ -121,7 +122,9 @@ impl ShotInPlay<'_> {
                 });
             }
         }
-        let impulses = simultaneous(&touches, &self.bodies.mass);
+        let Some(impulses) = simultaneous(&touches, &self.bodies.mass, &mut self.work) else {
+            return;
+        };
         for (touch, impulse) in touches.iter().zip(impulses) {
             let [a, b] = touch.discs;
             let push = |disc: usize| touch.normal * (impulse / self.bodies.mass[disc]);

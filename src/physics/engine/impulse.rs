@@ -12,6 +12,8 @@
 
 use glam::DVec2;
 
+use super::work::Work;
+
 /// Two discs in contact and approaching.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Touch {
@@ -22,11 +24,12 @@ pub(super) struct Touch {
     pub(super) wanted: f64,
 }
 
-/// The impulses of contacts at the same instant, one a contact, in N s.
-pub(super) fn simultaneous(touches: &[Touch], mass: &[f64]) -> Vec<f64> {
+/// The impulses of contacts at the same instant, one a contact, in N s; `None` if finding
+/// them takes too much work.
+pub(super) fn simultaneous(touches: &[Touch], mass: &[f64], work: &mut Work) -> Option<Vec<f64>> {
     match touches {
-        [one, two] => two_at_once(one, two, mass).to_vec(),
-        _ => many_at_once(touches, mass),
+        [one, two] => Some(two_at_once(one, two, mass).to_vec()),
+        _ => many_at_once(touches, mass, work),
     }
 }
 
@@ -66,17 +69,20 @@ fn two_at_once(a: &Touch, b: &Touch, mass: &[f64]) -> [f64; 2] {
 }
 
 /// Projected Gauss–Seidel: sweep over the contacts, giving each what it lacks.
-fn many_at_once(touches: &[Touch], mass: &[f64]) -> Vec<f64> {
+fn many_at_once(touches: &[Touch], mass: &[f64], work: &mut Work) -> Option<Vec<f64>> {
+    let coupled = coupled(touches, mass);
+    work.add(touches.len() * touches.len());
+    let a_sweep = coupled.iter().map(Vec::len).sum();
     let mut impulses = vec![0.0; touches.len()];
     let largest = touches.iter().map(|touch| touch.wanted).fold(0.0, f64::max);
     for _sweep in 0..10_000 {
+        work.add(a_sweep);
+        if work.is_too_much() {
+            return None;
+        }
         let mut change = 0.0_f64;
         for (t, touch) in touches.iter().enumerate() {
-            let given: f64 = touches
-                .iter()
-                .zip(&impulses)
-                .map(|(other, impulse)| coupling(touch, other, mass) * impulse)
-                .sum();
+            let given: f64 = coupled[t].iter().map(|&(o, k)| k * impulses[o]).sum();
             let own = yielding(touch, mass);
             let before = impulses[t];
             impulses[t] = (before + (touch.wanted - given) / own).max(0.0);
@@ -86,5 +92,21 @@ fn many_at_once(touches: &[Touch], mass: &[f64]) -> Vec<f64> {
             break;
         }
     }
-    impulses
+    Some(impulses)
+}
+
+/// Which contacts share a disc with each one, itself among them, and how strongly their
+/// impulses change its normal speed.
+fn coupled(touches: &[Touch], mass: &[f64]) -> Vec<Vec<(usize, f64)>> {
+    let shares = |a: &Touch, b: &Touch| a.discs.iter().any(|disc| b.discs.contains(disc));
+    touches
+        .iter()
+        .map(|touch| {
+            let others = touches.iter().enumerate();
+            let others = others.filter(|(_, other)| shares(touch, other));
+            others
+                .map(|(o, other)| (o, coupling(touch, other, mass)))
+                .collect()
+        })
+        .collect()
 }

@@ -21,6 +21,7 @@ mod impulse;
 mod play;
 mod quartic;
 mod schedule;
+mod work;
 
 #[cfg(test)]
 mod tests;
@@ -33,6 +34,7 @@ use bodies::Bodies;
 use grid::Grid;
 use play::{Scratch, ShotInPlay};
 use schedule::Schedule;
+use work::Work;
 
 /// How far to play a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,14 +43,20 @@ pub struct Limits {
     pub horizon: f64,
     /// Give up with an error after this many events.
     pub events: usize,
+    /// Give up with an error after this much work, counted in looks at a pair of discs:
+    /// a few nanoseconds each, and the same number on every machine. Unlike
+    /// the number of events it also bounds the search for the impulses of many contacts
+    /// at once, which takes long where masses differ by many powers of ten.
+    pub work: u64,
 }
 
 impl Default for Limits {
-    /// To the end, and up to 200,000 events.
+    /// To the end, up to 200,000 events and a billion looks at a pair, some seconds.
     fn default() -> Self {
         Self {
             horizon: f64::INFINITY,
             events: 200_000,
+            work: 1_000_000_000,
         }
     }
 }
@@ -72,7 +80,7 @@ impl Limits {
 /// # Errors
 ///
 /// If a number is unusable, a disc is off the board or overlaps another, the shot
-/// would have no end, or there are too many events.
+/// would have no end, or it takes too many events or too much work.
 pub fn play(
     board: &Board,
     discs: &[Disc],
@@ -124,6 +132,7 @@ impl Engine {
             shot,
             deceleration,
             events: 0,
+            work: Work::up_to(limits.work),
         }
         .run()?;
         shot.end(duration);

@@ -10,6 +10,7 @@ use super::contact::contact;
 use super::frame::{FrameSide, SlideEnd, end};
 use super::grid::Grid;
 use super::schedule::{Forecast, SAME_TIME, Schedule};
+use super::work::Work;
 use super::{EngineError, Limits};
 
 /// On a board with friction discs that approach slower than this (m/s) part again as
@@ -35,6 +36,7 @@ pub(super) struct ShotInPlay<'a> {
     pub(super) shot: &'a mut Shot,
     pub(super) deceleration: f64,
     pub(super) events: usize,
+    pub(super) work: Work,
 }
 
 impl ShotInPlay<'_> {
@@ -60,6 +62,12 @@ impl ShotInPlay<'_> {
             if self.events > self.limits.events {
                 return Err(EngineError::TooManyEvents {
                     events: self.limits.events,
+                    time,
+                });
+            }
+            if self.work.is_too_much() {
+                return Err(EngineError::TooMuchWork {
+                    work: self.limits.work,
                     time,
                 });
             }
@@ -119,6 +127,7 @@ impl ShotInPlay<'_> {
         let seeker = self.bodies.seeker(i, now, self.schedule.time(i));
         if self.grid.is_laid() {
             self.grid.near(i, &mut self.scratch.near);
+            self.work.add(self.scratch.near.len());
             for n in 0..self.scratch.near.len() {
                 let k = self.scratch.near[n];
                 if self.bodies.clearance(&seeker, k, self.schedule.time(k)) <= 0.0 {
@@ -126,6 +135,7 @@ impl ShotInPlay<'_> {
                 }
             }
         } else {
+            self.work.add(self.bodies.len());
             let clearances = &mut self.scratch.clearances;
             self.bodies
                 .clearances(&seeker, &self.schedule.times, clearances);

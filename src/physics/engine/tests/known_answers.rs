@@ -4,7 +4,8 @@ use glam::DVec2;
 
 use super::tables::{COIN, STRIKER, Table, assert_close, assert_near, closed_board, rack};
 use crate::physics::{
-    Board, Disc, DiscState, EventKind, Limits, Motion, Shot, play, stopping_distance, stopping_time,
+    Board, Disc, DiscState, Engine, EngineError, EventKind, Limits, Motion, Shot, play,
+    stopping_distance, stopping_time,
 };
 
 fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
@@ -330,4 +331,32 @@ fn what_cannot_be_played_is_refused_in_words() {
         ..limits
     };
     assert!(says(&board, &good, few).starts_with("more than 0 events"));
+}
+
+/// In a pack that touches, of masses over six powers of ten, nearly all work goes into the
+/// impulses of contacts at once. What was played before the work ran out stands.
+#[test]
+fn a_shot_that_is_too_much_work_is_given_up_where_it_is() {
+    let mut table = rack(0.0, (0.3, 4.0));
+    for (i, disc) in table.discs.iter_mut().enumerate() {
+        disc.mass = [1e-5, 1e-2, 10.0][i * i % 3];
+    }
+    let board = closed_board();
+    let whole = table.play(&board);
+    let mut engine = Engine::default();
+    let mut shot = Shot::default();
+    for work in [0, 100, 3_000, 30_000, 300_000] {
+        let limits = Limits {
+            work,
+            ..Limits::default()
+        };
+        let (discs, start) = (&table.discs, &table.start);
+        let given_up = engine.play_into(&mut shot, &board, discs, start, limits);
+        let Err(EngineError::TooMuchWork { time, .. }) = given_up else {
+            panic!("{work} looks: {given_up:?}");
+        };
+        let played = shot.events();
+        assert!(whole.events().starts_with(played), "{work}");
+        assert!(played.iter().all(|event| event.time <= time));
+    }
 }
