@@ -2,13 +2,16 @@
 
 mod completions;
 mod concept;
+mod examples;
 mod failure;
 mod figure;
 mod given;
+mod guide;
 mod keys;
 mod lesson;
 mod level;
 mod man;
+mod new;
 mod options;
 mod plain;
 mod play;
@@ -78,6 +81,8 @@ Examples:
   carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
                                a figure of the lessons as a picture
+  carrom new level our-level   a level of your own to begin with (or a chapter, or questions)
+  carrom guide                 the guides for teachers, to read here or in a browser
   carrom keys                  every key, as a file in which to change some
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
@@ -99,6 +104,9 @@ enum Command {
     Figure(figure::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
+    New(new::Args),
+    Examples(examples::Args),
+    Guide(guide::Args),
     /// Print all keys, as a file in which some can be changed
     Keys,
     Completions(completions::Args),
@@ -354,6 +362,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
+        Some(Command::New(args)) => new::run(args),
+        Some(Command::Examples(args)) => examples::run(args),
+        Some(Command::Guide(args)) => guide::run(args, &cli.options),
         Some(Command::Keys) => keys::run(&cli.options),
         Some(Command::Completions(args)) => completions::run(args, Cli::command()),
         Some(Command::Man) => man::run(Cli::command()),

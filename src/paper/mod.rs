@@ -24,12 +24,14 @@
 //! ```
 
 mod clean;
+mod guide;
 mod markdown;
 mod page;
 pub mod report;
 pub mod worksheet;
 
 pub use clean::clean;
+pub use guide::guide_page;
 pub use markdown::Markdown;
 pub use page::HtmlPage;
 

@@ -21,6 +21,7 @@ mod safe;
 mod saves;
 mod simulate;
 mod solve;
+mod start;
 #[cfg(unix)]
 mod terminal;
 mod worksheet;

@@ -1,0 +1,48 @@
+//! `carrom examples`: files to start from, which every program carries with it.
+
+use std::path::PathBuf;
+
+use include_dir::{Dir, include_dir};
+
+use super::{Failure, print_names, written};
+use crate::files::Document;
+
+/// Each of them is checked by the tests as carrom checks it for a user.
+static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/examples");
+
+/// Write examples of a level, a chapter, written questions and a scene
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The folder to write into; made where it is not there
+    #[arg(long, value_name = "DIR", default_value = "examples")]
+    out: PathBuf,
+    /// Replace examples that are there already
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let mut documents = Vec::new();
+    gather(&EXAMPLES, args, &mut documents);
+    written::write(&documents, args.force)?;
+    Ok(print_names(
+        documents.iter().map(|(path, _)| path.as_path()),
+    )?)
+}
+
+fn gather(folder: &Dir, args: &Args, documents: &mut Vec<Document>) {
+    for file in folder.files() {
+        let text = file.contents_utf8().unwrap_or_default();
+        documents.push((args.out.join(file.path()), text.to_owned()));
+    }
+    for folder in folder.dirs() {
+        gather(folder, args, documents);
+    }
+}
+
+/// The text of the example at `path`; empty if there is none, which a test excludes.
+pub(super) fn text(path: &str) -> &'static str {
+    let file = EXAMPLES.get_file(path);
+    file.and_then(|file| file.contents_utf8())
+        .unwrap_or_default()
+}

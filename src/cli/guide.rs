@@ -1,0 +1,109 @@
+//! `carrom guide`: the guides for teachers, from the program itself.
+
+use std::path::{Path, PathBuf};
+
+use super::{Failure, GlobalOptions, print_names, print_text, written};
+use crate::files::Document;
+use crate::numbers::capital;
+use crate::paper::guide_page;
+
+/// Read the guides: how to run a class, write levels and chapters, and what is simulated
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// A guide to print; without one, what guides there are
+    #[arg(value_name = "NAME", value_parser = find)]
+    name: Option<&'static Guide>,
+    /// Write all of them as HTML into this folder; made where it is not there
+    #[arg(long, value_name = "DIR", conflicts_with = "name")]
+    out: Option<PathBuf>,
+    /// Replace guides that are there already
+    #[arg(long, requires = "out")]
+    force: bool,
+}
+
+/// A guide: the name by which it is asked for, what it is about, and its text.
+#[derive(Debug)]
+struct Guide {
+    name: &'static str,
+    about: &'static str,
+    markdown: &'static str,
+}
+
+/// All of them, in the order in which a teacher meets them.
+static GUIDES: [Guide; 7] = [
+    Guide {
+        name: "class",
+        about: "a round with a class",
+        markdown: include_str!("../../docs/class.md"),
+    },
+    Guide {
+        name: "worksheets",
+        about: "a round on paper",
+        markdown: include_str!("../../docs/worksheets.md"),
+    },
+    Guide {
+        name: "judging",
+        about: "how answers are judged",
+        markdown: include_str!("../../docs/judging.md"),
+    },
+    Guide {
+        name: "model",
+        about: "what is simulated, and what is left out",
+        markdown: include_str!("../../docs/model.md"),
+    },
+    Guide {
+        name: "levels",
+        about: "how to write a level",
+        markdown: include_str!("../../levels/README.md"),
+    },
+    Guide {
+        name: "lessons",
+        about: "how to write a chapter",
+        markdown: include_str!("../../docs/lessons.md"),
+    },
+    Guide {
+        name: "concepts",
+        about: "how to write questions in words",
+        markdown: include_str!("../../docs/concepts.md"),
+    },
+];
+
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
+    if let Some(folder) = &args.out {
+        let documents = documents(folder);
+        written::write(&documents, args.force)?;
+        return Ok(print_names(
+            documents.iter().map(|(path, _)| path.as_path()),
+        )?);
+    }
+    let text = match args.name {
+        Some(guide) => guide.markdown.to_owned(),
+        None => list(),
+    };
+    Ok(print_text(text.trim_end(), options)?)
+}
+
+/// Which guides there are, and how to read them.
+fn list() -> String {
+    let line = |guide: &Guide| format!("  carrom guide {:<12}{}\n", guide.name, guide.about);
+    let lines: String = GUIDES.iter().map(line).collect();
+    format!("{lines}\nAll of them for a browser: carrom guide --out DIR")
+}
+
+/// The pages, and one that leads to them.
+fn documents(folder: &Path) -> Vec<Document> {
+    let link = |guide: &Guide| format!("- [{}]({}.md)\n", capital(guide.about), guide.name);
+    let links: String = GUIDES.iter().map(link).collect();
+    let contents = format!("# Guides to carrom\n\n{links}");
+    let page = |name: &str, text: &str| (folder.join(format!("{name}.html")), guide_page(text));
+    let guides = GUIDES.iter().map(|guide| page(guide.name, guide.markdown));
+    std::iter::once(page("index", &contents))
+        .chain(guides)
+        .collect()
+}
+
+fn find(name: &str) -> Result<&'static Guide, String> {
+    let found = GUIDES.iter().find(|guide| guide.name == name);
+    let names: Vec<_> = GUIDES.iter().map(|guide| guide.name).collect();
+    found.ok_or_else(|| format!("expected one of {}", names.join(", ")))
+}

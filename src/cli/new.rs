@@ -1,0 +1,108 @@
+//! `carrom new`: a file of one's own to begin with, which passes its check as it is.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+
+use super::{Failure, examples, print, written};
+use crate::files::is_id;
+use crate::numbers::capital;
+
+/// Start a level, a chapter or written questions of your own
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  carrom new level long-way-round       writes long-way-round.toml
+  carrom new chapter friction           writes 01-friction.md
+  carrom new questions our-marbles      writes our-marbles.toml
+
+The file is a whole one and passes its check; change it bit by bit and check it again. What may
+stand in it: carrom guide levels, carrom guide lessons, carrom guide concepts.")]
+pub(super) struct Args {
+    /// What to start
+    #[arg(value_name = "KIND")]
+    kind: Kind,
+    /// Its name: lower-case letters, digits and hyphens
+    #[arg(value_name = "NAME", value_parser = name)]
+    name: String,
+    /// The folder to write into; made where it is not there
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    out: PathBuf,
+    /// Replace a file of this name that is there already
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// A level: a small puzzle on the board
+    Level,
+    /// A chapter: text, figures, questions
+    Chapter,
+    /// Questions in words
+    Questions,
+}
+
+impl Kind {
+    /// The example it begins as, and the name that stands there.
+    fn example(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Level => ("levels/our-pack/a-glance.toml", "a-glance"),
+            Self::Chapter => ("chapters/01-our-coins.md", "our-coins"),
+            Self::Questions => ("questions/our-coins.toml", "our-coins"),
+        }
+    }
+
+    /// The file's name. A chapter's begins with its place in the book.
+    fn file(self, name: &str) -> String {
+        match self {
+            Self::Chapter => format!("01-{name}.md"),
+            Self::Level | Self::Questions => format!("{name}.toml"),
+        }
+    }
+
+    /// How it is checked.
+    fn check(self) -> &'static str {
+        match self {
+            Self::Level => "carrom level check",
+            Self::Chapter => "carrom lesson check",
+            Self::Questions => "carrom concept check",
+        }
+    }
+
+    /// The file's text: the example's under the new name.
+    fn text(self, name: &str) -> String {
+        let (path, old) = self.example();
+        let text = examples::text(path).replace(&format!("\"{old}"), &format!("\"{name}"));
+        let line = |name: &str| format!("title = \"{}\"", title(name));
+        text.replace(&line(old), &line(name))
+    }
+}
+
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let path = args.out.join(args.kind.file(&args.name));
+    let document = (path.clone(), args.kind.text(&args.name));
+    written::write(&[document], args.force)?;
+    let (path, check) = (path.display(), args.kind.check());
+    Ok(print(
+        format!("{path}\ncheck it: {check} {path}\n").as_bytes(),
+    )?)
+}
+
+/// Letters of a name: as many as a chapter's title has room for.
+const LONGEST: usize = 32;
+
+fn name(text: &str) -> Result<String, String> {
+    if is_id(text) && text.len() <= LONGEST {
+        Ok(text.to_owned())
+    } else {
+        Err(format!(
+            "expected lower-case letters, digits and hyphens, {LONGEST} at most, such as our-marbles"
+        ))
+    }
+}
+
+/// "Long way round" of "long-way-round".
+fn title(name: &str) -> String {
+    capital(&name.replace('-', " "))
+}
