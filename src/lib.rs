@@ -13,7 +13,8 @@
 //!   cli/           one file a subcommand
 //!   ─────────────────────────────────────────────────────────────
 //!   shells/        what drives the app: terminal (crossterm), tape (headless script); and
-//!                  plain lines in place of it, for screen readers
+//!                  plain lines in place of it, for screen readers. (The browser's shell
+//!                  is web/ beside src, a package of its own.)
 //!   ─────────────────────────────────────────────────────────────
 //!   store/         what is kept on disk: saved games, every answer (SQLite); the only
 //!                  room that writes there
@@ -56,6 +57,7 @@
 pub mod app;
 pub mod beams;
 pub mod class;
+#[cfg(not(target_family = "wasm"))]
 pub mod cli;
 pub mod files;
 pub mod game;

@@ -13,6 +13,7 @@ mod level;
 mod man;
 mod new;
 mod options;
+mod page;
 mod plain;
 mod play;
 mod progress;
@@ -83,6 +84,8 @@ Examples:
                                a figure of the lessons as a picture
   carrom new level our-level   a level of your own to begin with (or a chapter, or questions)
   carrom guide                 the guides for teachers, to read here or in a browser
+  carrom page --levels mine --out our-class.html
+                               all of carrom in one file for a browser, with your levels
   carrom keys                  every key, as a file in which to change some
   carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
 
@@ -102,6 +105,7 @@ enum Command {
     #[command(subcommand)]
     Concept(concept::Command),
     Figure(figure::Args),
+    Page(page::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
     New(new::Args),
@@ -360,6 +364,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Lesson(command)) => lesson::run(command, &cli.options),
         Some(Command::Concept(command)) => concept::run(command, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
+        Some(Command::Page(args)) => page::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),
         Some(Command::Tape(args)) => tape::run(args, &cli.options),
         Some(Command::New(args)) => new::run(args),

@@ -10,7 +10,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use etcetera::BaseStrategy;
 use strum::VariantNames;
 
-use crate::files::tidy_name;
+use crate::files::{FileError, tidy_name};
 use crate::game::is_player_name;
 use crate::lessons::{Book, ChapterLibrary};
 use crate::levels::{LevelLibrary, Shelf};
@@ -169,6 +169,21 @@ impl GlobalOptions {
     pub(super) fn own(&self) -> Arc<Library> {
         let own = with_dirs(Library::default(), &self.concepts, Library::add_dir);
         Arc::new(own)
+    }
+
+    /// The folders given with levels, chapters and written questions.
+    pub(super) fn own_folders(&self) -> [&[PathBuf]; 3] {
+        [&self.levels, &self.lessons, &self.concepts]
+    }
+
+    /// What is wrong with files in them.
+    pub(super) fn problems(&self) -> Vec<FileError> {
+        [
+            self.shelf().library().problems.as_slice(),
+            &self.book().library().problems,
+            &self.own().problems,
+        ]
+        .concat()
     }
 
     /// The folder for what carrom keeps, if one is given.

@@ -7,6 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::play::any_seed;
 use super::{Failure, GlobalOptions, solve};
+use crate::messages::StoreCall;
 use crate::quiz::Code;
 use crate::shells::plain::{self, Leave, Recorder, Talk};
 
@@ -59,7 +60,8 @@ fn with_recorder(
 ) -> Result<(), Failure> {
     let mut store = options.store();
     let player = options.player_name();
-    talk(|talk| run(&mut Recorder::new(talk, &player, &mut store)))
+    let mut keep = |call: &StoreCall| store.answer(call);
+    talk(|talk| run(&mut Recorder::new(talk, &player, &mut keep)))
 }
 
 /// A talk over standard input and output. To leave it early is no failure.

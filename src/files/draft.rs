@@ -1,6 +1,6 @@
 //! Writes whole files: under a name there is the old file or the new one, never a part.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, ErrorKind, Write};
 #[cfg(unix)]
 use std::os::unix::fs::PermissionsExt;
@@ -77,7 +77,7 @@ pub(super) fn is_there(path: &Path) -> bool {
 pub fn fsync_dir(folder: &Path) -> io::Result<()> {
     // Only Unix lets a folder be opened; elsewhere the rename has to do.
     #[cfg(unix)]
-    File::open(folder)?.sync_all()?;
+    fs::File::open(folder)?.sync_all()?;
     #[cfg(not(unix))]
     let _ = folder;
     Ok(())

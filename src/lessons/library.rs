@@ -78,7 +78,8 @@ impl ChapterLibrary {
         by_id.or_else(by_number)
     }
 
-    fn add(&mut self, file: &str, bytes: &[u8]) {
+    /// Adds the chapter in the bytes of a file.
+    pub fn add(&mut self, file: &str, bytes: &[u8]) {
         let chapter = match Chapter::read(file, bytes) {
             Ok(chapter) => chapter,
             Err(errors) => return self.problems.extend(errors),

@@ -95,7 +95,8 @@ impl LevelLibrary {
         }
     }
 
-    fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
+    /// Adds the level in the bytes of a file to a pack.
+    pub fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
         let known = self.packs.iter_mut().find(|known| known.name == pack);
         let others = known.as_ref().map_or(&[][..], |pack| &pack.levels);
         match (Level::read_beside(file, bytes, others), known) {

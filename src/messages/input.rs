@@ -1,5 +1,7 @@
 //! What a shell tells the app.
 
+use glam::{DVec2, dvec2};
+
 use super::{Key, SearchResult, StoreAnswer};
 
 /// One thing that happened outside.
@@ -40,9 +42,39 @@ pub struct Mouse {
     pub column: u16,
     /// Row of the cell.
     pub row: u16,
+    /// Where in the cell, in 256ths of its width and of its height: where a finger points, a
+    /// cell is coarse. A terminal knows no more than the cell, and that is its middle.
+    pub within: (u8, u8),
 }
 
 impl Mouse {
+    /// The mouse over a cell (column, row), of which no more is known.
+    pub const fn over(kind: MouseKind, (column, row): (u16, u16)) -> Self {
+        Self {
+            kind,
+            column,
+            row,
+            within: (128, 128),
+        }
+    }
+
+    /// The mouse at a place of the screen, in columns and rows from its upper left corner;
+    /// what lies outside is at the edge.
+    pub fn at(kind: MouseKind, place: DVec2) -> Self {
+        let place = place.max(DVec2::ZERO);
+        let within = 256.0 * place.fract();
+        Self {
+            within: (within.x as u8, within.y as u8),
+            ..Self::over(kind, (place.x as u16, place.y as u16))
+        }
+    }
+
+    /// The place of the screen, in columns and rows from its upper left corner.
+    pub fn place(&self) -> DVec2 {
+        let (x, y) = self.within;
+        dvec2(self.column.into(), self.row.into()) + dvec2(x.into(), y.into()) / 256.0
+    }
+
     /// The column and the row of the cell.
     pub const fn cell(&self) -> (u16, u16) {
         (self.column, self.row)
@@ -76,4 +108,20 @@ pub enum MouseKind {
     ScrollUp,
     /// The wheel turned towards the hand.
     ScrollDown,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_is_kept_to_a_small_part_of_a_cell() {
+        let over = Mouse::over(MouseKind::Down, (3, 4));
+        assert_eq!(over.place(), dvec2(3.5, 4.5));
+        for place in [dvec2(0.0, 0.0), dvec2(60.99, 7.25), dvec2(12.5, 300.0)] {
+            let mouse = Mouse::at(MouseKind::Drag, place);
+            assert!(mouse.place().distance(place) < 0.01, "{mouse:?}");
+        }
+        assert_eq!(Mouse::at(MouseKind::Up, dvec2(-3.0, 2.5)).cell(), (0, 2));
+    }
 }

@@ -143,8 +143,8 @@ impl Headless {
     }
 
     /// Does one thing with the mouse over a cell (column, row, from 0).
-    pub fn mouse(&mut self, kind: MouseKind, (column, row): (u16, u16)) {
-        self.input(&Input::Mouse(Mouse { kind, column, row }));
+    pub fn mouse(&mut self, kind: MouseKind, cell: (u16, u16)) {
+        self.input(&Input::Mouse(Mouse::over(kind, cell)));
     }
 
     /// Gives the screen another size.

@@ -10,8 +10,9 @@ use std::time::Duration;
 
 pub mod headless;
 pub mod plain;
-mod search;
+pub mod search;
 pub mod tape;
+#[cfg(not(target_family = "wasm"))]
 pub mod terminal;
 pub mod tour;
 

@@ -4,7 +4,7 @@ use crate::game::opponent;
 use crate::messages::{Found, SearchResult, SearchTask, Wanted};
 
 /// Runs a search to its end. The same task always has the same result.
-pub(super) fn search(task: &SearchTask) -> SearchResult {
+pub fn search(task: &SearchTask) -> SearchResult {
     let found = match task.wanted {
         Wanted::Stroke(strength) => Found::Stroke(opponent::think(&task.game, strength, task.seed)),
         Wanted::Hint => Found::Hint(opponent::hint(&task.game, task.seed)),

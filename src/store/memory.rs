@@ -22,6 +22,18 @@ impl Memory {
             texts: Vec::new(),
         }
     }
+
+    /// The same with these texts by their paths, of which only those of its own folder and
+    /// ending count; the latest last.
+    pub(super) fn holding(mut self, files: &[(String, Vec<u8>)]) -> Self {
+        let own = files.iter().filter_map(|(path, bytes)| {
+            let name = path.strip_prefix(self.folder)?.strip_prefix('/')?;
+            let name = name.strip_suffix(self.ending)?.to_owned();
+            Some((name, String::from_utf8_lossy(bytes).into_owned()))
+        });
+        self.texts = own.collect();
+        self
+    }
 }
 
 impl TextStore for Memory {

@@ -13,6 +13,7 @@
 mod database;
 mod disk;
 mod folder_lock;
+mod kept_elsewhere;
 mod memory;
 mod open_files;
 mod text_store;
@@ -21,7 +22,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use jiff::Timestamp;
-use jiff::tz::TimeZone;
+use jiff::tz::{Offset, TimeZone};
 
 use crate::class::{ClassRound, answers_csv, items_csv};
 use crate::game::{Game, SavedGame};
@@ -30,6 +31,7 @@ use crate::progress::{Attempt, Calendar};
 use crate::quiz::concepts::Library;
 use database::Database;
 use disk::Disk;
+pub use kept_elsewhere::FileBytes;
 use memory::Memory;
 use open_files::OpenFiles;
 use text_store::TextStore;
@@ -47,6 +49,10 @@ pub struct Store {
     exports: Box<dyn TextStore>,
     tables: Box<dyn TextStore>,
     progress: Database,
+    /// Files that are kept but not used: databases that were damaged.
+    aside: Vec<FileBytes>,
+    /// What the player should know of them, once.
+    told: Option<String>,
     clock: Clock,
     closed: bool,
 }
@@ -56,8 +62,8 @@ pub struct Store {
 enum Clock {
     /// What the computer says.
     Computer,
-    /// Always the same, in seconds since 1970 began; days are those of UTC.
-    Stopped(i64),
+    /// Always the same, in seconds since 1970 began; days are those of this offset from UTC.
+    Stopped(i64, Offset),
     /// Nothing.
     None,
 }
@@ -114,7 +120,14 @@ impl Store {
 
     /// Stops its clock at `time_s`, in seconds since 1970 began.
     pub fn stop_clock(&mut self, time_s: i64) {
-        self.clock = Clock::Stopped(time_s);
+        self.clock = Clock::Stopped(time_s, Offset::UTC);
+    }
+
+    /// The same where days begin so many seconds before those of UTC; with an offset that no
+    /// place has they are those of UTC.
+    pub fn stop_clock_at(&mut self, time_s: i64, offset_s: i32) {
+        let offset = Offset::from_seconds(offset_s).unwrap_or(Offset::UTC);
+        self.clock = Clock::Stopped(time_s, offset);
     }
 
     /// A store of texts by the name of the folder, the ending of the names and the most
@@ -134,6 +147,8 @@ impl Store {
             exports: texts("exports", TEXT, 0),
             tables: texts("exports", TABLE, 0),
             progress,
+            aside: Vec::new(),
+            told: None,
             clock: Clock::Computer,
             closed: false,
         }
@@ -184,7 +199,8 @@ impl Store {
         StoreAnswer {
             ticket,
             done,
-            notice: (self.progress.take_notice())
+            notice: (self.told.take())
+                .or_else(|| self.progress.take_notice())
                 .or_else(|| self.games.take_notice())
                 .or_else(|| self.classes.take_notice()),
         }
@@ -239,7 +255,7 @@ impl Store {
     fn calendar(&self) -> Calendar {
         match self.clock {
             Clock::None => Calendar::default(),
-            Clock::Stopped(time_s) => Calendar::utc(Some(time_s)),
+            Clock::Stopped(time_s, offset) => Calendar::new(Some(time_s), TimeZone::fixed(offset)),
             Clock::Computer => {
                 let now_s = Timestamp::now().as_second();
                 Calendar::new(Some(now_s), TimeZone::system())

@@ -52,6 +52,26 @@ impl<T> OpenFiles<T> {
         self.read = Box::new(read);
     }
 
+    /// Takes other texts in place of those there were: another carrom has changed them. What
+    /// is open stays so.
+    pub(super) fn renew(&mut self, texts: Box<dyn TextStore>) {
+        self.texts = texts;
+    }
+
+    /// All texts by their places, the latest last.
+    pub(super) fn files(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
+        let names = self.texts.names()?.into_iter().rev();
+        let file = |name: String| Some((self.texts.place(&name), self.texts.read(&name).ok()?));
+        Ok(names.filter_map(file).collect())
+    }
+
+    /// Adds what the bytes of a file of that name make.
+    pub(super) fn take_in(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        (self.read)(name, bytes).map_err(|fault| fault.to_string())?;
+        let text = String::from_utf8_lossy(bytes);
+        self.texts.add(self.kind, &text).map(drop)
+    }
+
     /// Saves a text in the place of what was saved or loaded with this ticket before; in
     /// a new one if there is none, or if something else stands there now.
     pub(super) fn save(&mut self, ticket: u64, text: String) -> Result<(), String> {

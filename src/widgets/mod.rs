@@ -42,8 +42,10 @@ pub(crate) mod theme;
 pub(crate) mod tracks;
 
 pub use answer::{AnswerAction, AnswerInput, draw_question, question_picture};
+pub use ink::gallery::{DrawnPicture, gather};
 pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use panels::SplitLayout;
+pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, painted};
 pub use text::{
     Charset, Lines, Look, Scroll, Spare, bar, cells, formula, keys, overflow, scroll_keys,
 };

@@ -79,11 +79,8 @@ fn key() -> impl Strategy<Value = Key> {
 fn mouse() -> impl Strategy<Value = Mouse> {
     use MouseKind::*;
     let kinds = vec![Down, Drag, Up, ScrollUp, ScrollDown];
-    (prop::sample::select(kinds), 0..310u16, 0..110u16).prop_map(|(kind, column, row)| Mouse {
-        kind,
-        column,
-        row,
-    })
+    (prop::sample::select(kinds), 0..310u16, 0..110u16)
+        .prop_map(|(kind, column, row)| Mouse::over(kind, (column, row)))
 }
 
 fn act() -> impl Strategy<Value = Act> {

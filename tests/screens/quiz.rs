@@ -486,7 +486,7 @@ proptest! {
                 Step::Key(Key::Char('U')) => continue,
                 Step::Key(key) => game.key(key),
                 Step::Mouse(kind, column, row) => {
-                    game.input(&Input::Mouse(Mouse { kind, column, row }));
+                    game.input(&Input::Mouse(Mouse::over(kind, (column, row))));
                 }
                 Step::Size(columns, rows) => game.resize(columns, rows),
                 Step::Time(ms) => game.pass(Duration::from_millis(ms)),

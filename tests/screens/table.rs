@@ -442,7 +442,7 @@ fn act() -> impl Strategy<Value = Act> {
         4 => Just(tell(Char(' '))),
         6 => prop::sample::select(named).prop_map(tell),
         4 => (prop::sample::select(kinds), 0..130u16, 0..50u16).prop_map(
-            |(kind, column, row)| Act::Tell(Input::Mouse(Mouse { kind, column, row }))
+            |(kind, column, row)| Act::Tell(Input::Mouse(Mouse::over(kind, (column, row))))
         ),
         1 => (0..=300u16, 0..=100u16).prop_map(|(columns, rows)| Act::Resize(columns, rows)),
         1 => Just(Act::Resize(80, 24)),

@@ -11,6 +11,8 @@ mod slip;
 mod stick;
 mod words;
 
+// The command line alone has use for it.
+#[cfg(not(target_family = "wasm"))]
 pub(crate) use ascii::ascii;
 pub(crate) use number::number;
 

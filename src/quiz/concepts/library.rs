@@ -43,17 +43,25 @@ impl Library {
     /// Adds the questions of a file, whose name is their subject.
     pub fn add_file(&mut self, path: &Path) {
         let subject = path.file_stem().map(|stem| stem.to_string_lossy());
-        let subject = escape_control(&subject.unwrap_or_default(), LONGEST_SUBJECT);
-        let name = path.display().to_string();
-        let added = match files::read(path, files::LARGEST) {
-            Ok(bytes) => self.add(&subject, &name, &bytes),
-            Err(error) => Err(error.into()),
-        };
+        match files::read(path, files::LARGEST) {
+            Ok(bytes) => self.add(
+                &subject.unwrap_or_default(),
+                &path.display().to_string(),
+                &bytes,
+            ),
+            Err(error) => self.problems.push(error),
+        }
+    }
+
+    /// Adds the questions in the bytes of a file of that subject.
+    pub fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) {
+        let subject = escape_control(subject, LONGEST_SUBJECT);
+        let added = self.add_all(&subject, name, bytes);
         self.problems.extend(added.err().into_iter().flatten());
     }
 
     /// Adds the questions of a file if all of them are good.
-    fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileErrors> {
+    fn add_all(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileErrors> {
         let mut fresh = Vec::new();
         read::file(subject, name, bytes, &mut fresh)?;
         for concept in &fresh {

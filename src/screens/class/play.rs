@@ -367,7 +367,7 @@ impl ClassPlay {
                     (&mut entry.input, round.questions().get(number))
                 {
                     let picture = vote_view::entry_layout(question, place).picture;
-                    input.point(question, picture, cell, pressed);
+                    input.point(question, picture, mouse.place(), pressed);
                 }
             }
             (_, MouseKind::ScrollUp) => view::scroll(self, -1, cx.body, &look),

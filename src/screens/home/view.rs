@@ -16,7 +16,7 @@ const HEAD_ROWS: u16 = 3;
 
 /// Where the picture's frame and the menu are.
 fn layout(area: Rect) -> [Rect; 2] {
-    areas::left(area, area.width.saturating_sub(MENU))
+    areas::picture_and_panel(area, MENU)
 }
 
 /// Which line of the menu stands at this cell.

@@ -142,7 +142,8 @@ impl Lab {
         match (&mut self.phase, mouse.kind) {
             (LabPhase::Aim, _) if held && on_picture => {
                 form.give_up();
-                let offset = drag_offset(layout.picture, &settings.setup.collision(), cell);
+                let offset =
+                    drag_offset(layout.picture, &settings.setup.collision(), mouse.place());
                 settings.set(LabField::Offset.place(), (offset * 2000.0).round() / 2.0);
             }
             (LabPhase::Aim, MouseKind::Down) => match panel::field_at(layout.panel, cell) {
@@ -153,7 +154,7 @@ impl Lab {
             (LabPhase::Aim, MouseKind::ScrollDown) => form.step_at(speed, -1.0, settings),
             (LabPhase::Predict(rays), _) if held && on_picture => {
                 let collision = settings.setup.collision();
-                point_at(layout.picture, &collision, rays, cell, pressed);
+                point_at(layout.picture, &collision, rays, mouse.place(), pressed);
             }
             (LabPhase::Watch(watch), MouseKind::ScrollUp) => watch.act(WatchAction::Step(1)),
             (LabPhase::Watch(watch), MouseKind::ScrollDown) => watch.act(WatchAction::Step(-1)),

@@ -520,7 +520,7 @@ impl Screen for Quiz {
                 let OpenQuestion {
                     question, input, ..
                 } = &mut **asked;
-                if !input.point(question, picture, cell, pressed) {
+                if !input.point(question, picture, mouse.place(), pressed) {
                     return Next::Ignored;
                 }
             }

@@ -61,7 +61,7 @@ impl TestRound {
     }
 
     fn mouse(&mut self, kind: MouseKind, (column, row): (u16, u16)) {
-        let mouse = Input::Mouse(Mouse { kind, column, row });
+        let mouse = Input::Mouse(Mouse::over(kind, (column, row)));
         self.quiz.input(&mouse, &mut self.cx);
     }
 

@@ -19,7 +19,7 @@ mod talk;
 
 pub use learn::learn;
 pub use quiz::quiz;
-pub use recorder::Recorder;
+pub use recorder::{Keeper, Recorder};
 pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};

@@ -2,9 +2,11 @@
 
 use super::spoken::verbatim;
 use super::talk::{Leave, Talk};
-use crate::messages::{StoreCall, StoreReply, StoreRequest};
+use crate::messages::{StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::progress::Attempt;
-use crate::store::Store;
+
+/// Whoever keeps what is done, and does what is asked of it.
+pub type Keeper<'a> = dyn FnMut(&StoreCall) -> StoreAnswer + 'a;
 
 /// Who plays, how one talks with them, and where what is answered is kept.
 pub struct Recorder<'a, 't> {
@@ -13,7 +15,7 @@ pub struct Recorder<'a, 't> {
     /// The name of the player.
     pub player: &'a str,
     /// Where it is kept.
-    pub store: &'a mut Store,
+    store: &'a mut Keeper<'a>,
     /// Whether it has been said why something could not be kept.
     complained: bool,
     /// How many answers could not be kept.
@@ -22,7 +24,7 @@ pub struct Recorder<'a, 't> {
 
 impl<'a, 't> Recorder<'a, 't> {
     /// Keeps what this player does, who is talked with so.
-    pub fn new(talk: &'a mut Talk<'t>, player: &'a str, store: &'a mut Store) -> Self {
+    pub fn new(talk: &'a mut Talk<'t>, player: &'a str, store: &'a mut Keeper<'a>) -> Self {
         Self {
             talk,
             player,
@@ -34,7 +36,7 @@ impl<'a, 't> Recorder<'a, 't> {
 
     /// Asks the store, and says what is wrong with it, its reasons once.
     pub(super) fn wish(&mut self, wish: StoreRequest) -> Result<StoreReply, Leave> {
-        let answer = self.store.answer(&StoreCall { ticket: 0, wish });
+        let answer = (self.store)(&StoreCall { ticket: 0, wish });
         if let Some(notice) = answer.notice {
             self.talk.say(&verbatim(&notice))?;
         }
@@ -66,6 +68,7 @@ impl<'a, 't> Recorder<'a, 't> {
 mod tests {
     use super::*;
     use crate::quiz::{Answer, Confidence, Round};
+    use crate::store::Store;
 
     #[test]
     fn every_lost_answer_is_told_and_the_reason_once() {
@@ -75,7 +78,8 @@ mod tests {
         let (mut input, mut output) = (&b""[..], Vec::new());
         let mut store = Store::nowhere();
         let mut talk = Talk::new(&mut input, &mut output);
-        let mut recorder = Recorder::new(&mut talk, "Ada", &mut store);
+        let mut keep = |call: &StoreCall| store.answer(call);
+        let mut recorder = Recorder::new(&mut talk, "Ada", &mut keep);
         for number in 1..=3 {
             let attempt = Attempt::of_quiz("Ada", round.code(), number, question, &answer);
             recorder.record(attempt).unwrap();

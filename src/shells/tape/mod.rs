@@ -45,3 +45,15 @@ pub struct Tape {
     run: Option<(usize, String)>,
     steps: Vec<(usize, Instruction)>,
 }
+
+impl Tape {
+    /// The arguments after `carrom`.
+    pub fn arguments(&self) -> &str {
+        self.run.as_ref().map_or("", |(_, arguments)| arguments)
+    }
+
+    /// The instructions, in order.
+    pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
+        self.steps.iter().map(|(_, instruction)| instruction)
+    }
+}

@@ -96,11 +96,7 @@ fn mouse(event: &MouseEvent) -> Option<Mouse> {
         MouseEventKind::ScrollDown => MouseKind::ScrollDown,
         _ => return None,
     };
-    Some(Mouse {
-        kind,
-        column: event.column,
-        row: event.row,
-    })
+    Some(Mouse::over(kind, (event.column, event.row)))
 }
 
 #[cfg(test)]
@@ -161,11 +157,7 @@ mod tests {
             })
         };
         let down = with(MouseEventKind::Down(MouseButton::Left));
-        let expected = Mouse {
-            kind: MouseKind::Down,
-            column: 3,
-            row: 4,
-        };
+        let expected = Mouse::over(MouseKind::Down, (3, 4));
         assert_eq!(down, Some(expected));
         assert_eq!(with(MouseEventKind::Down(MouseButton::Right)), None);
         assert_eq!(with(MouseEventKind::Moved), None);

@@ -14,6 +14,7 @@
 //! It is not touched before it is first needed: carrom starts no slower for it.
 
 mod bookmarks;
+mod bytes;
 mod error;
 mod schema;
 mod tables;
@@ -55,6 +56,8 @@ enum Location {
     Memory(Option<Connection>),
     /// `progress.db` in this folder.
     Folder(PathBuf),
+    /// Bytes of this version, which is newer than this carrom knows.
+    Newer(i64, Vec<u8>),
 }
 
 impl Database {
@@ -87,6 +90,7 @@ impl Database {
         match &self.location {
             Location::Memory(connection) => connection.is_none(),
             Location::Folder(folder) => matches!(fs::exists(path(folder)), Ok(false)),
+            Location::Newer(..) => false,
         }
     }
 
@@ -115,7 +119,7 @@ impl Database {
         behavior: TransactionBehavior,
         act: impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<T, String> {
-        let start = Instant::now();
+        let mut busy_since = None;
         let patience = if self.was_busy { LITTLE } else { PATIENCE };
         let mut set_aside = false;
         loop {
@@ -128,7 +132,7 @@ impl Database {
             self.was_busy = matches!(&tried, Err(trouble) if trouble.is_busy());
             match tried {
                 Ok(result) => return Ok(result),
-                Err(trouble) if trouble.is_busy() && start.elapsed() < patience => {
+                Err(trouble) if trouble.is_busy() && is_within(&mut busy_since, patience) => {
                     thread::sleep(Duration::from_millis(10));
                 }
                 Err(trouble) if trouble.is_damage() && !set_aside => {
@@ -147,6 +151,7 @@ impl Database {
     ) -> Result<T, DatabaseError> {
         let folder = match &mut self.location {
             Location::Folder(folder) => folder,
+            Location::Newer(found, _) => return Err(DatabaseError::Newer(*found)),
             Location::Memory(Some(connection)) => return transact(connection, behavior, act),
             Location::Memory(empty) => {
                 let mut connection = Connection::open_in_memory()?;
@@ -216,10 +221,16 @@ impl Database {
 
     fn told(&self, trouble: &DatabaseError) -> String {
         match &self.location {
-            Location::Memory(_) => trouble.to_string(),
+            Location::Memory(_) | Location::Newer(..) => trouble.to_string(),
             Location::Folder(folder) => format!("{}: {trouble}", path(folder).display()),
         }
     }
+}
+
+/// Whether what was first asked `since` then is not past this patience. The clock is not
+/// looked at before it is needed: in a browser there is none.
+fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
+    since.get_or_insert_with(Instant::now).elapsed() < patience
 }
 
 fn is_look_up(behavior: TransactionBehavior) -> bool {

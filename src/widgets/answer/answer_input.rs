@@ -1,7 +1,7 @@
 //! Answering a question, in whichever form it asks for.
 
+use glam::DVec2;
 use ratatui::layout::Rect;
-
 use strum::{EnumMessage, IntoStaticStr};
 
 use crate::messages::Key;
@@ -144,26 +144,26 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Points at a cell of the question's picture with the button down, just now
+    /// Points at a place of the question's picture, in cells of the screen, with the button down, just now
     /// (`pressed`) or for some time: turns a ray, or drags the coin sideways. Says
     /// whether there is anything to point at.
     pub fn point(
         &mut self,
         question: &Question,
         picture: Rect,
-        cell: (u16, u16),
+        place: DVec2,
         pressed: bool,
     ) -> bool {
-        if !picture.contains(cell.into()) {
+        if !picture.contains((place.x as u16, place.y as u16).into()) {
             return false;
         }
         match (self, &question.form, question.picture.collision()) {
             (Self::Rays(rays), _, Some(collision)) => {
-                point_at(picture, collision, rays, cell, pressed);
+                point_at(picture, collision, rays, place, pressed);
             }
             (Self::Shot(offset), Form::Shot(aim), _) => {
                 let now = aim.with(m_from_mm(offset.value().unwrap_or(0.0)));
-                let dragged = mm_from_m(drag_offset(picture, &now, cell));
+                let dragged = mm_from_m(drag_offset(picture, &now, place));
                 offset.set((2.0 * dragged).round() / 2.0);
             }
             _ => return false,

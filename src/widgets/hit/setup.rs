@@ -190,17 +190,17 @@ fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     }
 }
 
-/// Points the ray at a cell of the picture: the one whose tip is nearer when the
+/// Points the ray at a place of the screen, in cells: the one whose tip is nearer when the
 /// button goes down (`choose`), else the one being turned.
 pub(crate) fn point_at(
     area: Rect,
     collision: &Collision,
     rays: &mut RayInput,
-    cell: (u16, u16),
+    place: DVec2,
     choose: bool,
 ) {
     let stage = HitLayout::new(area, collision);
-    let at = stage.view.world_at(cell.0, cell.1);
+    let at = stage.view.to_world(place);
     let said = rays.so_far();
     let distance = |ray: Ray| {
         let tip = said.get(ray).map(|angle| stage.ray(ray, angle).1[1]);
@@ -220,9 +220,9 @@ pub(crate) fn point_at(
 
 /// The offset in metres that puts the coin beside the striker's way where a cell
 /// of the picture is.
-pub(crate) fn drag_offset(area: Rect, collision: &Collision, cell: (u16, u16)) -> f64 {
+pub(crate) fn drag_offset(area: Rect, collision: &Collision, place: DVec2) -> f64 {
     let stage = HitLayout::new(area, collision);
-    let at = stage.view.world_at(cell.0, cell.1);
+    let at = stage.view.to_world(place);
     let Some(along) = collision.relative_velocity().try_normalize() else {
         return collision.offset;
     };

@@ -11,6 +11,7 @@ mod canvas;
 mod cell;
 mod crowd;
 mod disc;
+pub(crate) mod gallery;
 mod glyphs;
 mod label;
 mod plot;

@@ -4,6 +4,7 @@ use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, style::Style};
 
 use super::canvas::Canvas;
+use super::gallery;
 use crate::widgets::picture::{Axes, Mark, Picture};
 use crate::widgets::text::{self, blocks::LOWER};
 use crate::widgets::{Charset, Look, Role};
@@ -67,6 +68,7 @@ impl Picture {
                 cells.write(buf, (start, row), &text, look.theme.style(*role));
             }
         }
+        gallery::note(self, buf, look);
     }
 }
 

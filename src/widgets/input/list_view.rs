@@ -149,11 +149,7 @@ mod tests {
     #[test]
     fn a_click_chooses_and_then_opens() {
         let mut list = ListView::default();
-        let mouse = |kind| Mouse {
-            kind,
-            column: 0,
-            row: 0,
-        };
+        let mouse = |kind| Mouse::over(kind, (0, 0));
         assert_eq!(
             list.mouse(&mouse(MouseKind::Down), 5, Some(3)),
             Outcome::Used

@@ -1,4 +1,5 @@
-//! A picture with a panel of text beside it, each in its frame.
+//! A picture with a panel of text beside it, or below it on an upright screen, each in its
+//! frame.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
@@ -84,7 +85,7 @@ impl SplitLayout {
 
     /// Lays them out with a panel of so many columns, its frame included.
     pub fn with_panel(area: Rect, panel_width: u16) -> Self {
-        let [picture, panel] = areas::left(area, area.width.saturating_sub(panel_width));
+        let [picture, panel] = areas::picture_and_panel(area, panel_width);
         Self {
             picture: inside(picture),
             panel: inside(panel),

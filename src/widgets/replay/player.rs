@@ -382,11 +382,7 @@ mod tests {
     #[test]
     fn the_wheel_steps_and_a_click_goes_on_while_there_is_something_to_go_on_to() {
         let mut player = player(false);
-        let mouse = |kind| Mouse {
-            kind,
-            column: 0,
-            row: 0,
-        };
+        let mouse = |kind| Mouse::over(kind, (0, 0));
         let step = player.pointed(&mouse(MouseKind::ScrollUp), false, None);
         assert_eq!(step, Some(ShotAction::Step(1)));
         let click = mouse(MouseKind::Down);

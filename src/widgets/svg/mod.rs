@@ -6,6 +6,7 @@
 //! seams show between cells.
 
 mod colour;
+pub(crate) mod painted;
 mod shape;
 mod vector;
 

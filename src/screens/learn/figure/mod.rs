@@ -342,7 +342,7 @@ impl LiveFigure {
         let pressed = mouse.kind == MouseKind::Down;
         if let Some(rays) = rays {
             if held {
-                point_at(area, &self.collision, rays, cell, pressed);
+                point_at(area, &self.collision, rays, mouse.place(), pressed);
             }
             return held;
         }

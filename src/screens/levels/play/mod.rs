@@ -280,7 +280,7 @@ impl LevelPlay {
             LevelPhase::Aim if wheel != 0 => self.dials.wheel(&mut self.form, wheel.into()),
             LevelPhase::Aim if held && on_picture => {
                 let view = board::view(&self.dials.level, layout.picture);
-                let (at, near) = (view.world_at(cell.0, cell.1), view.per_row());
+                let (at, near) = (view.to_world(mouse.place()), view.per_row());
                 self.dials.drag(&mut self.form, at, near, pressed);
             }
             LevelPhase::Aim if pressed => {
@@ -291,7 +291,13 @@ impl LevelPlay {
             }
             LevelPhase::Predict(pending) if held && on_picture => {
                 let collision = &pending.impact.collision;
-                point_at(layout.picture, collision, &mut pending.rays, cell, pressed);
+                point_at(
+                    layout.picture,
+                    collision,
+                    &mut pending.rays,
+                    mouse.place(),
+                    pressed,
+                );
             }
             LevelPhase::Watch(made) => match made.player.pointed(mouse, on_picture, None) {
                 Some(action) => self.watch(action, cx),

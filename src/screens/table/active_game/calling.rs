@@ -32,7 +32,13 @@ impl ActiveGame {
         match &mut self.phase {
             TablePhase::Call(calling) if held && picture.contains(cell.into()) => {
                 let collision = &calling.hit.impact.collision;
-                point_at(picture, collision, &mut calling.rays, cell, pressed);
+                point_at(
+                    picture,
+                    collision,
+                    &mut calling.rays,
+                    mouse.place(),
+                    pressed,
+                );
                 true
             }
             _ => false,

@@ -265,7 +265,7 @@ impl ActiveGame {
     /// Where on the board the mouse is, and whether that is on its picture.
     fn pointed(mouse: &Mouse, cx: &Context) -> (DVec2, bool) {
         let area = board::square(SplitLayout::square(cx.body).picture);
-        let at = board::view(area, &Board::default()).world_at(mouse.column, mouse.row);
+        let at = board::view(area, &Board::default()).to_world(mouse.place());
         (at, area.contains(mouse.cell().into()))
     }
 

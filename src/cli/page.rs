@@ -1,0 +1,147 @@
+//! `carrom page`: all of carrom in one HTML file, with a teacher's own levels, chapters and
+//! questions in it.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use anyhow::{Context, anyhow};
+
+use super::{Failure, GlobalOptions, print_names, written};
+use crate::files::{self, FileError, FileErrors};
+
+/// The page that this program was built with, if it was.
+const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
+/// The name of the page where it is a file.
+const NAME: &str = "carrom.html";
+/// Where a page has the files that are added to it.
+const OWN: [&str; 2] = ["<script type=\"application/json\" id=\"own\">", "</script>"];
+/// The most files that are read from one folder.
+const MOST_FILES: usize = 500;
+
+/// Write carrom as one HTML file for any browser
+///
+/// The levels, chapters and written questions of --levels, --lessons and --concepts are put
+/// into it, so that a class has them by opening the file.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// The page to begin with (default: the one in this program, or carrom.html beside it)
+    #[arg(long, value_name = "FILE")]
+    page: Option<PathBuf>,
+    /// Replace a file of this name that is there already
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
+    let problems = options.problems();
+    if !problems.is_empty() {
+        let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
+        return Err(Failure::input(problems.join("\n")));
+    }
+    let page = page(args.page.as_deref()).map_err(Failure::Input)?;
+    let own = own_files(options).map_err(Failure::input)?;
+    let page = with_files(&page, &own).map_err(Failure::Input)?;
+    written::write_beside(&args.out, &[(args.out.clone(), page)], args.force)?;
+    Ok(print_names(std::iter::once(args.out.as_path()))?)
+}
+
+/// The page to begin with.
+fn page(given: Option<&Path>) -> anyhow::Result<String> {
+    let beside = || Some(env::current_exe().ok()?.parent()?.join(NAME)).filter(|it| it.is_file());
+    let path = match (given, EMBEDDED) {
+        (Some(path), _) => path.to_owned(),
+        (None, Some(page)) => return Ok(page.to_owned()),
+        (None, None) => beside().ok_or_else(|| {
+            anyhow!(
+                "this carrom has no page in it. Put {NAME} beside it, or name it with --page; \
+                 .ci/page in carrom's sources builds it"
+            )
+        })?,
+    };
+    fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// A file for a page: its path there, and its text.
+type OwnFile = (String, String);
+
+/// The page with these files in it.
+fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
+    let [begin, end] = OWN;
+    let parts = page.split_once(begin).and_then(|(before, rest)| {
+        let (_, after) = rest.split_once(end)?;
+        Some((before, after))
+    });
+    let (before, after) = parts.ok_or_else(|| anyhow!("this page is not carrom's"))?;
+    // No text may end the element that holds it.
+    let json = serde_json::to_string(own)?.replace('<', "\\u003c");
+    Ok(format!("{before}{begin}{json}{end}{after}"))
+}
+
+/// The files of the folders given, by the folders that a page has for them.
+fn own_files(options: &GlobalOptions) -> Result<Vec<OwnFile>, FileErrors> {
+    let [levels, lessons, concepts] = options.own_folders();
+    let mut own = Vec::new();
+    for folder in levels {
+        let packs = add(&mut own, folder, "toml", &pack(folder))?;
+        for inner in packs {
+            add(&mut own, &inner, "toml", &pack(&inner))?;
+        }
+    }
+    for folder in lessons {
+        add(&mut own, folder, "md", "lessons")?;
+    }
+    for folder in concepts {
+        add(&mut own, folder, "toml", "concepts")?;
+    }
+    Ok(own)
+}
+
+/// Where the levels of a folder are in a page.
+fn pack(folder: &Path) -> String {
+    let name = folder.file_name().unwrap_or_default();
+    format!("levels/{}", name.display())
+}
+
+/// Adds the files of a folder, and gives the folders in it.
+fn add(
+    own: &mut Vec<OwnFile>,
+    folder: &Path,
+    ending: &str,
+    place: &str,
+) -> Result<Vec<PathBuf>, FileError> {
+    let list = files::list(folder, ending, MOST_FILES)?;
+    for path in &list.files {
+        let bytes = files::read(path, files::LARGEST)?;
+        let name = path.file_name().unwrap_or_default().display();
+        own.push((
+            format!("{place}/{name}"),
+            String::from_utf8_lossy(&bytes).into_owned(),
+        ));
+    }
+    Ok(list.folders)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_stand_in_the_page_and_cannot_leave_their_place() {
+        let page = format!("a{}[]{}b", OWN[0], OWN[1]);
+        let own = [("lessons/x.md".to_owned(), "</script><b>".to_owned())];
+        let with = with_files(&page, &own).unwrap();
+        assert_eq!(
+            with,
+            format!(
+                "a{}[[\"lessons/x.md\",\"\\u003c/script>\\u003cb>\"]]{}b",
+                OWN[0], OWN[1]
+            )
+        );
+        // Made anew from a page that has files already.
+        assert_eq!(with_files(&with, &own).unwrap(), with);
+        assert!(with_files("<html>", &own).is_err());
+    }
+}

@@ -1,0 +1,178 @@
+//! A database that comes and goes as bytes: in a browser there is no file to open. The
+//! bytes are those of a `progress.db`, as a carrom with files has it.
+
+use rusqlite::Connection;
+
+use super::error::DatabaseError;
+use super::{Database, Location, schema, tables};
+use crate::progress::Attempt;
+
+/// Where the header of a file says how it is written: through a log beside it (2), which bytes
+/// alone do not have, or not (1).
+const WAYS_OF_WRITING: std::ops::Range<usize> = 18..20;
+
+/// Adds what one database has beside its answers to another.
+const TAKE_IN: &str = "
+    INSERT INTO star (player, pack, level, stars)
+        SELECT player, pack, level, stars FROM opened.star WHERE true
+        ON CONFLICT DO UPDATE SET stars = max(stars, excluded.stars);
+    INSERT INTO bookmark (player, chapter, page, alpha_deg)
+        SELECT player, chapter, page, alpha_deg FROM opened.bookmark WHERE true
+        ON CONFLICT DO NOTHING;
+    INSERT INTO page_seen (player, chapter, page, asked, answer, is_right)
+        SELECT player, chapter, page, asked, answer, is_right FROM opened.page_seen WHERE true
+        ON CONFLICT DO UPDATE SET asked = excluded.asked, answer = excluded.answer,
+            is_right = excluded.is_right
+        WHERE page_seen.answer IS NULL AND excluded.answer IS NOT NULL;";
+
+impl Database {
+    /// A database in memory that begins as these bytes. One that a newer carrom has written
+    /// stays as it is, and refuses everything.
+    ///
+    /// # Errors
+    /// If the bytes are damaged or not carrom's, in words.
+    pub(in crate::store) fn of_bytes(bytes: &[u8]) -> Result<Self, String> {
+        match open(bytes) {
+            Ok(connection) => Ok(Self::at(Location::Memory(Some(connection)))),
+            Err(DatabaseError::Newer(found)) => Ok(Self::at(Location::Newer(found, bytes.into()))),
+            Err(trouble) => Err(trouble.to_string()),
+        }
+    }
+
+    /// The bytes; `None` while nothing was ever kept.
+    ///
+    /// # Errors
+    /// If they cannot be had, in words.
+    pub(in crate::store) fn bytes(&mut self) -> Result<Option<Vec<u8>>, String> {
+        Ok(match &mut self.location {
+            Location::Memory(Some(connection)) => Some(
+                connection
+                    .serialize("main")
+                    .map_err(|error| error.to_string())?
+                    .to_vec(),
+            ),
+            Location::Newer(_, bytes) => Some(bytes.clone()),
+            Location::Memory(None) | Location::Folder(_) => None,
+        })
+    }
+
+    /// Adds what is in the bytes of another database and not in this one.
+    ///
+    /// # Errors
+    /// If they are damaged, not carrom's, or of a newer one; then nothing is added.
+    pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
+        let told = |trouble: DatabaseError| trouble.to_string();
+        let mut other = open(bytes).map_err(told)?;
+        let theirs = tables::attempts(&other, None).map_err(|error| told(error.into()))?;
+        let own = self.attempts(None)?;
+        // The tables are there from here on.
+        self.change(|transaction| {
+            let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
+            fresh
+                .map(|attempt: &Attempt| tables::insert_attempt(transaction, attempt))
+                .collect::<rusqlite::Result<Vec<_>>>()
+        })?;
+        match &mut self.location {
+            Location::Memory(Some(connection)) => add(connection, &mut other).map_err(told),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A database in memory that begins as these bytes, of the present version.
+fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
+    let mut bytes = bytes.to_vec();
+    if let Some(ways) = bytes.get_mut(WAYS_OF_WRITING) {
+        ways.fill(1);
+    }
+    let mut connection = Connection::open_in_memory()?;
+    connection.deserialize_read_exact("main", &*bytes, bytes.len(), false)?;
+    schema::prepare(&mut connection)?;
+    schema::check(&connection)?;
+    Ok(connection)
+}
+
+fn add(connection: &mut Connection, other: &mut Connection) -> Result<(), DatabaseError> {
+    let bytes = other.serialize("main")?.to_vec();
+    connection.execute_batch("ATTACH ':memory:' AS opened")?;
+    connection.deserialize_read_exact("opened", &*bytes, bytes.len(), false)?;
+    let added = connection.execute_batch(TAKE_IN);
+    connection.execute_batch("DETACH opened")?;
+    Ok(added?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::levels::Starred;
+
+    fn attempt(number: u32) -> Attempt {
+        Attempt {
+            time_s: Some(1_800_000_000 + i64::from(number)),
+            player: "Ada".into(),
+            family: "speeds".into(),
+            topic: "speeds".into(),
+            seed: 7,
+            number,
+            question: "{}".into(),
+            answer: "{}".into(),
+            truth: "{}".into(),
+            error_deg: None,
+            credit: 0.5,
+            right: false,
+            confidence: None,
+            misconception: None,
+        }
+    }
+
+    fn with(numbers: &[u32], stars: u8) -> Database {
+        let mut database = Database::in_memory();
+        for number in numbers {
+            database.record(&attempt(*number)).unwrap();
+        }
+        let starred = Starred {
+            pack: "first".into(),
+            level: "one".into(),
+            stars,
+        };
+        database.star("Ada", &starred).unwrap();
+        database
+    }
+
+    #[test]
+    fn bytes_are_a_database_again_and_those_of_a_file_too() {
+        assert_eq!(Database::in_memory().bytes(), Ok(None));
+        let mut bytes = with(&[1, 2], 3).bytes().unwrap().unwrap();
+        // As a file on a disk has it.
+        bytes[WAYS_OF_WRITING].fill(2);
+        let mut again = Database::of_bytes(&bytes).unwrap();
+        assert_eq!(again.attempts(None).unwrap(), [attempt(1), attempt(2)]);
+        assert_eq!(again.stars("Ada").unwrap()[0].stars, 3);
+        again.record(&attempt(3)).unwrap();
+        assert_eq!(again.attempts(None).unwrap().len(), 3);
+    }
+
+    #[test]
+    fn what_another_has_is_added_once() {
+        let mut own = with(&[1, 2], 1);
+        let other = with(&[2, 3], 3).bytes().unwrap().unwrap();
+        for _ in 0..2 {
+            own.take_in(&other).unwrap();
+            let numbers: Vec<_> = own.attempts(None).unwrap();
+            assert_eq!(numbers, [attempt(1), attempt(2), attempt(3)]);
+            assert_eq!(own.stars("Ada").unwrap()[0].stars, 3);
+        }
+    }
+
+    #[test]
+    fn damaged_bytes_are_refused_and_newer_ones_left_alone() {
+        let whole = with(&[1], 1).bytes().unwrap().unwrap();
+        assert!(Database::of_bytes(b"no database").is_err());
+        assert!(Database::of_bytes(&whole[..whole.len() / 2]).is_err());
+        let mut newer = whole;
+        newer[60..64].copy_from_slice(&99_u32.to_be_bytes());
+        let mut kept = Database::of_bytes(&newer).unwrap();
+        assert!(kept.record(&attempt(9)).unwrap_err().contains("newer"));
+        assert_eq!(kept.bytes(), Ok(Some(newer)));
+    }
+}

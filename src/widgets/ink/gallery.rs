@@ -1,0 +1,52 @@
+//! What was drawn of pictures, for whoever can do better than cells.
+//!
+//! A screen draws itself into cells, and what its pictures were is lost there. A browser
+//! can paint true circles: its shell gathers the pictures while it has the screen drawn.
+//! They go only to whoever asked, for the one call it asked for.
+
+use std::cell::RefCell;
+
+use ratatui::buffer::Buffer;
+
+use crate::widgets::Look;
+use crate::widgets::picture::Picture;
+
+thread_local! {
+    static GATHERED: RefCell<Option<Vec<DrawnPicture>>> = const { RefCell::new(None) };
+}
+
+/// A picture that was drawn into cells.
+#[derive(Debug, Clone)]
+pub struct DrawnPicture {
+    /// The picture.
+    pub(in crate::widgets) picture: Picture,
+    /// How it looks.
+    pub(in crate::widgets) look: Look,
+    /// The cells of its area when it was drawn; what lies over it came later.
+    pub(in crate::widgets) cells: Buffer,
+}
+
+/// Does what draws, and gives the pictures that were drawn by it.
+pub fn gather<T>(draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
+    GATHERED.set(Some(Vec::new()));
+    let drawn = draw();
+    (drawn, GATHERED.take().unwrap_or_default())
+}
+
+/// Notes a picture that has just been drawn into cells, if anyone gathers them.
+pub(in crate::widgets) fn note(picture: &Picture, buffer: &Buffer, look: &Look) {
+    GATHERED.with_borrow_mut(|gathered| {
+        let Some(gathered) = gathered else {
+            return;
+        };
+        let mut cells = Buffer::empty(picture.area().intersection(buffer.area));
+        for at in cells.area.positions() {
+            cells[at] = buffer[at].clone();
+        }
+        gathered.push(DrawnPicture {
+            picture: picture.clone(),
+            look: *look,
+            cells,
+        });
+    });
+}
