@@ -1,0 +1,46 @@
+//! What every browser can do that is driven from outside.
+
+use std::path::PathBuf;
+use std::{env, fs};
+
+use serde_json::Value;
+
+/// A browser with one window, which is closed when it is dropped.
+pub(crate) trait Browser {
+    /// Opens an address.
+    fn open(&mut self, address: &str);
+
+    /// Runs the body of a function on the page, and gives what it returns.
+    fn run(&mut self, script: &str, arguments: &[Value]) -> Value;
+}
+
+/// The letters of the screen, row by row.
+pub(crate) const SCREEN: &str = "
+    const { painted } = window.carrom.call({ do: 'paint' });
+    const [columns, rows] = painted.size;
+    const cells = window.carrom.cells(columns * rows);
+    return Array.from({ length: rows }, (_, row) => Array.from({ length: columns },
+      (_, column) => String.fromCodePoint(cells[4 * (row * columns + column)])).join('')).join('\\n');";
+
+/// The address of the page, if there is one to be tested.
+pub(crate) fn page() -> Option<String> {
+    let Some(path) = env::var_os("CARROM_TEST_PAGE").map(PathBuf::from) else {
+        eprintln!("no page: .ci/page builds it, and CARROM_TEST_PAGE names it");
+        return None;
+    };
+    let path = fs::canonicalize(&path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
+    Some(format!("file://{}", path.display()))
+}
+
+/// Waits until the program on the page is there.
+pub(crate) fn wait_until_ready(browser: &mut dyn Browser) {
+    let ready = "return !!(window.carrom && window.carrom.isReady())";
+    for _ in 0..200 {
+        if browser.run(ready, &[]) == Value::Bool(true) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    let words = browser.run("return document.getElementById('words').textContent", &[]);
+    panic!("the page does not open: {words}");
+}

@@ -1,0 +1,143 @@
+//! Chromium, driven by chromedriver over HTTP (WebDriver).
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Command, Stdio};
+
+use serde_json::{Value, json};
+
+use crate::browser::Browser;
+
+pub(crate) struct Chromium {
+    driver: Child,
+    port: u16,
+    session: String,
+}
+
+impl Chromium {
+    /// A window of so many CSS pixels; with a finger, one of a phone. `None` where there is
+    /// no driver.
+    pub(crate) fn start((width, height): (u32, u32), finger: bool) -> Option<Self> {
+        let driver = Command::new("chromedriver")
+            .arg("--port=0")
+            .stdout(Stdio::piped())
+            .spawn();
+        let Ok(mut driver) = driver else {
+            eprintln!("no chromedriver: Chromium is not tested");
+            return None;
+        };
+        let output = BufReader::new(driver.stdout.take().unwrap());
+        let started = |line: std::io::Result<String>| {
+            let line = line.unwrap();
+            let (_, port) = line.split_once("started successfully on port ")?;
+            port.trim_end_matches('.').parse().ok()
+        };
+        let port = output.lines().find_map(started).expect("a port");
+        let mut options = json!({
+            "args": ["--headless=new", "--no-sandbox", format!("--window-size={width},{height}")],
+        });
+        if finger {
+            options["mobileEmulation"] = json!({ "deviceMetrics": {
+                "width": width, "height": height, "pixelRatio": 2, "touch": true, "mobile": true,
+            }});
+        }
+        let mut chromium = Self {
+            driver,
+            port,
+            session: String::new(),
+        };
+        let wanted = json!({ "goog:chromeOptions": options });
+        let body = json!({ "capabilities": { "alwaysMatch": wanted } });
+        let session = chromium.ask("POST", "/session", Some(&body));
+        session["sessionId"]
+            .as_str()
+            .unwrap()
+            .clone_into(&mut chromium.session);
+        Some(chromium)
+    }
+
+    /// Does something by the debugging protocol.
+    pub(crate) fn debug(&mut self, command: &str, parameters: &Value) -> Value {
+        let body = json!({ "cmd": command, "params": parameters });
+        self.in_session("goog/cdp/execute", &body)
+    }
+
+    /// The window that commands go to.
+    pub(crate) fn window(&mut self) -> String {
+        let path = format!("/session/{}/window", self.session);
+        self.ask("GET", &path, None).as_str().unwrap().to_owned()
+    }
+
+    /// Opens another tab and goes there.
+    pub(crate) fn another_window(&mut self) -> String {
+        let opened = self.in_session("window/new", &json!({ "type": "tab" }));
+        let window = opened["handle"].as_str().unwrap().to_owned();
+        self.go_to(&window);
+        window
+    }
+
+    /// Goes to a window.
+    pub(crate) fn go_to(&mut self, window: &str) {
+        self.in_session("window", &json!({ "handle": window }));
+    }
+
+    fn in_session(&mut self, path: &str, body: &Value) -> Value {
+        let path = format!("/session/{}/{path}", self.session);
+        self.ask("POST", &path, Some(body))
+    }
+
+    fn ask(&mut self, method: &str, path: &str, body: Option<&Value>) -> Value {
+        let body = body.map(Value::to_string).unwrap_or_default();
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        write!(
+            stream,
+            "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\
+             Content-Type: application/json\r\nContent-Length: {}\r\n\r\n{body}",
+            body.len()
+        )
+        .unwrap();
+        let mut reader = BufReader::new(stream);
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            reader.read_line(&mut line).unwrap();
+            let line = line.trim_end().to_ascii_lowercase();
+            if let Some(value) = line.strip_prefix("content-length:") {
+                length = value.trim().parse().unwrap();
+            }
+            if line.is_empty() {
+                break;
+            }
+        }
+        let mut answer = vec![0; length];
+        reader.read_exact(&mut answer).unwrap();
+        let mut answer: Value = serde_json::from_slice(&answer).unwrap();
+        let value = answer["value"].take();
+        assert!(value.get("error").is_none(), "{path}: {value}");
+        value
+    }
+}
+
+impl Browser for Chromium {
+    fn open(&mut self, address: &str) {
+        self.in_session("url", &json!({ "url": address }));
+    }
+
+    fn run(&mut self, script: &str, arguments: &[Value]) -> Value {
+        self.in_session(
+            "execute/sync",
+            &json!({ "script": script, "args": arguments }),
+        )
+    }
+}
+
+impl Drop for Chromium {
+    fn drop(&mut self) {
+        if !self.session.is_empty() && !std::thread::panicking() {
+            let path = format!("/session/{}", self.session);
+            self.ask("DELETE", &path, None);
+        }
+        let _ = self.driver.kill();
+        let _ = self.driver.wait();
+    }
+}

@@ -1,0 +1,115 @@
+//! What the page costs: printed, and judged by a person. `cargo test --test page figures --
+//! --ignored --nocapture`.
+
+use std::fs;
+use std::time::Instant;
+
+use carrom::cli;
+use carrom::messages::Key;
+use carrom::shells::Headless;
+use serde_json::{Value, json};
+
+use crate::browser::{Browser, page, wait_until_ready};
+use crate::chromium::Chromium;
+
+/// Opens the page afresh on a computer so many times slower.
+fn open(chromium: &mut Chromium, page: &str, slower: f64) {
+    chromium.open("about:blank");
+    chromium.debug("Emulation.setCPUThrottlingRate", &json!({ "rate": slower }));
+    chromium.open(page);
+    wait_until_ready(chromium);
+    std::thread::sleep(std::time::Duration::from_millis(500));
+}
+
+/// The middle one of numbers.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
+}
+
+const PRESS: &str = "
+    for (const key of arguments[0]) {
+      document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+    }";
+
+#[test]
+#[ignore = "measures times, which are for people to judge"]
+fn figures_of_the_page() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1280, 800), false)) else {
+        return;
+    };
+    let path = page.strip_prefix("file://").unwrap();
+    let bytes = fs::metadata(path).unwrap().len();
+    println!("size: {:.2} MB", bytes as f64 / 1e6);
+    for slower in [1.0, 4.0] {
+        let first = (0..5).map(|_| {
+            open(&mut chromium, &page, slower);
+            chromium
+                .run("return window.carrom.seen().first", &[])
+                .as_f64()
+                .unwrap()
+        });
+        println!(
+            "first frame at {slower}x: {:.0} ms",
+            median(first.collect())
+        );
+    }
+    for (what, fragment, keys) in [
+        (
+            "a hit watched",
+            "lab",
+            vec!["Enter", "6", "0", "Enter", "3", "0", "Enter"],
+        ),
+        ("a break watched", "table&seed=3", vec!["Enter", " "]),
+    ] {
+        open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
+        chromium.run(PRESS, &[json!(keys)]);
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        let frames = |chromium: &mut Chromium| {
+            chromium
+                .run("return window.carrom.seen().frames", &[])
+                .as_u64()
+                .unwrap()
+        };
+        let (before, start) = (frames(&mut chromium), Instant::now());
+        std::thread::sleep(std::time::Duration::from_millis(1000));
+        let after = frames(&mut chromium);
+        let each = (after - before) as f64 / start.elapsed().as_secs_f64();
+        println!("{what} at 4x: {each:.0} frames a second");
+    }
+    open(&mut chromium, &page, 1.0);
+    let wakes = "return window.carrom.seen().wakes";
+    let before = chromium.run(wakes, &[]);
+    std::thread::sleep(std::time::Duration::from_secs(3));
+    let after = chromium.run(wakes, &[]);
+    println!("idle: {before} wakes before 3 s, {after} after");
+    a_break(&mut chromium);
+}
+
+/// A break: the stroke played by the engine, here and in the page.
+fn a_break(chromium: &mut Chromium) {
+    let script = "
+        const times = [];
+        for (let i = 0; i < 30; i++) {
+          window.carrom.call({ do: 'open', simulated: true, columns: 80, rows: 24, seed: 3, fragment: 'table' });
+          window.carrom.call({ do: 'key', key: 'Enter' });
+          const start = performance.now();
+          window.carrom.call({ do: 'key', key: 'Space' });
+          times.push(performance.now() - start);
+        }
+        return times;";
+    let there = chromium.run(script, &[]);
+    let there = there.as_array().unwrap().iter().filter_map(Value::as_f64);
+    let here = (0..30).map(|_| {
+        let mut game = Headless::from(cli::open("table --seed 3").unwrap());
+        game.key(Key::Enter);
+        let start = Instant::now();
+        game.key(Key::Char(' '));
+        start.elapsed().as_secs_f64() * 1e3
+    });
+    let (there, here) = (median(there.collect()), median(here.collect()));
+    println!(
+        "a break: {there:.2} ms in the page, {here:.2} ms here, {:.1} times",
+        there / here
+    );
+}

@@ -1,0 +1,141 @@
+//! What is answered in the page stays, whatever becomes of its tab, and is what the program
+//! reads too.
+
+use std::fs;
+
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::progress::Attempt;
+use carrom::store::Store;
+use serde_json::{Value, json};
+
+use crate::browser::{Browser, page, wait_until_ready};
+use crate::chromium::Chromium;
+
+/// Presses keys as a keyboard does, each once the last one has done its work.
+const PRESS: &str = "
+    for (const key of arguments[0]) {
+      document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+    }";
+
+/// The bytes of the page's `progress.db` as numbers.
+const PROGRESS: &str = "return [...window.carrom.call({ do: 'progress' }).bytes]";
+
+/// How many answers the page has told the player are safe.
+const TOLD: &str = "return window.carrom.told()";
+
+fn press(browser: &mut dyn Browser, keys: &[&str]) {
+    browser.run(PRESS, &[json!(keys)]);
+}
+
+/// The answers in the bytes of a database, as the program reads them from its folder.
+fn answers(bytes: &[u8]) -> Vec<Attempt> {
+    let folder = std::env::temp_dir().join(format!("carrom-page-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("progress.db"), bytes).unwrap();
+    let mut store = Store::in_folder(&folder);
+    let wish = StoreRequest::Recall(None);
+    let StoreReply::Recalled(Ok(history)) = store.answer(&StoreCall { ticket: 0, wish }).done
+    else {
+        panic!("the program cannot read what the page has kept");
+    };
+    drop(store);
+    fs::remove_dir_all(&folder).unwrap();
+    history.attempts
+}
+
+fn progress(browser: &mut dyn Browser) -> Vec<u8> {
+    let bytes = browser.run(PROGRESS, &[]);
+    let bytes = bytes.as_array().unwrap().iter();
+    bytes.map(|byte| byte.as_u64().unwrap() as u8).collect()
+}
+
+fn wait(ms: u64) {
+    std::thread::sleep(std::time::Duration::from_millis(ms));
+}
+
+#[test]
+fn no_answer_that_was_told_is_lost_in_a_storm_of_reloads() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1000, 700), false)) else {
+        return;
+    };
+    let mut told = 0;
+    for round in 0..100 {
+        chromium.open("about:blank");
+        chromium.open(&format!("{page}#quiz=separation-{round}&player=Ana"));
+        wait_until_ready(&mut chromium);
+        press(&mut chromium, &["a", "Enter", "2"]);
+        // In the midst of keeping it, or after.
+        wait(round % 10 * 4);
+        told += chromium.run(TOLD, &[]).as_u64().unwrap();
+    }
+    chromium.open("about:blank");
+    chromium.open(&page);
+    wait_until_ready(&mut chromium);
+    let kept = answers(&progress(&mut chromium)).len() as u64;
+    println!("100 reloads: {told} answers told as safe, {kept} kept");
+    assert!(
+        told > 0 && kept >= told,
+        "{told} were told, {kept} are kept"
+    );
+}
+
+#[test]
+fn two_tabs_never_overwrite_each_other() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1000, 700), false)) else {
+        return;
+    };
+    let open = |chromium: &mut Chromium, seed: u32| {
+        chromium.open("about:blank");
+        chromium.open(&format!("{page}#quiz=separation-{seed}"));
+        wait_until_ready(chromium);
+    };
+    open(&mut chromium, 1);
+    let first = chromium.window();
+    let second = chromium.another_window();
+    open(&mut chromium, 2);
+    // Each answers in its turn, neither was loaded since.
+    for window in [&first, &second, &first, &second] {
+        chromium.go_to(window);
+        press(&mut chromium, &["a", "Enter", "2"]);
+        wait(300);
+        for key in ["Enter", "Enter", "Enter"] {
+            press(&mut chromium, &[key]);
+            wait(50);
+        }
+    }
+    open(&mut chromium, 3);
+    let kept = answers(&progress(&mut chromium));
+    let of = |seed| kept.iter().filter(|attempt| attempt.seed == seed).count();
+    assert_eq!((of(1), of(2)), (2, 2), "{kept:?}");
+}
+
+/// What the program has kept is opened in the page, and what comes of it is read again.
+#[test]
+fn a_database_of_the_program_is_opened_in_the_page() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1000, 700), false)) else {
+        return;
+    };
+    chromium.open(&format!("{page}#quiz=separation-5"));
+    wait_until_ready(&mut chromium);
+    press(&mut chromium, &["a", "Enter", "2"]);
+    wait(300);
+    let own = progress(&mut chromium);
+    assert_eq!(answers(&own).len(), 1);
+    // Taken to another computer, and from there back: nothing is there twice.
+    let open = "
+        const bytes = new Uint8Array(arguments[1]);
+        return window.carrom.call({ do: 'file', name: arguments[0] }, bytes).fault;";
+    chromium.run(open, &[Value::from("progress.db"), json!(own)]);
+    assert_eq!(answers(&progress(&mut chromium)).len(), 1);
+    // A damaged one is refused in words.
+    press(&mut chromium, &["Escape"]);
+    chromium.run(
+        open,
+        &[Value::from("progress.db"), json!(own[..own.len() / 2])],
+    );
+    let screen = chromium.run(crate::browser::SCREEN, &[]);
+    assert!(
+        screen.as_str().unwrap().contains("cannot be opened"),
+        "{screen}"
+    );
+}

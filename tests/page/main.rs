@@ -1,0 +1,13 @@
+//! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE`
+//! names it; without one, or where there is no browser, each test says so.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod browser;
+mod chromium;
+mod figures;
+mod firefox;
+mod kept;
+mod safe;
+mod tapes;
+mod touch;

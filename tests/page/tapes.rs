@@ -1,0 +1,227 @@
+//! Every tape of the project plays in the page as it plays here: the same letters in the
+//! same cells wherever it takes a screenshot, expects or refuses something.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use carrom::cli;
+use carrom::messages::MouseKind;
+use carrom::shells::tape::{Instruction, ScreenSetting, Tape, play};
+use carrom::widgets::{Charset, Depth};
+use serde_json::{Value, json};
+
+use crate::browser::{Browser, page, wait_until_ready};
+use crate::chromium::Chromium;
+use crate::firefox::Firefox;
+
+/// Says the commands one after the other, and gives the letters of each screen painted.
+const PLAY: &str = "
+    const screens = [];
+    for (const command of arguments[0]) {
+      const reply = window.carrom.call(command);
+      if (reply.fault) throw new Error(reply.fault + ': ' + JSON.stringify(command));
+      if (!reply.painted) continue;
+      const [columns, rows] = reply.painted.size;
+      const cells = window.carrom.cells(columns * rows);
+      const lines = [];
+      for (let row = 0; row < rows; row++) {
+        let line = '';
+        for (let column = 0; column < columns; column++) {
+          line += String.fromCodePoint(cells[4 * (row * columns + column)]);
+        }
+        lines.push(line);
+      }
+      screens.push(lines.join('\\n'));
+    }
+    return screens;";
+
+fn tapes() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tapes");
+    let files = fs::read_dir(folder)
+        .unwrap()
+        .map(|file| file.unwrap().path());
+    let mut tapes: Vec<_> = files
+        .filter(|path| path.extension().is_some_and(|it| it == "tape"))
+        .collect();
+    tapes.sort();
+    tapes
+}
+
+/// A tape in a charset and at a size, which takes a picture before everything it judges.
+fn tape(path: &Path, charset: &str, size: &str) -> Tape {
+    let text = fs::read_to_string(path).unwrap();
+    let mut lines: Vec<String> = Vec::new();
+    let mut set = Some(format!("Set Size {size}\nSet Charset {charset}"));
+    for (number, line) in text.lines().enumerate() {
+        let word = line.split_whitespace().next().unwrap_or("");
+        if !matches!(word, "Run" | "" | "#") {
+            lines.extend(set.take());
+        }
+        if matches!(word, "Expect" | "Refuse") {
+            lines.push(format!("Screenshot before-line-{number}"));
+        }
+        lines.push(line.to_owned());
+    }
+    Tape::parse(&lines.join("\n")).unwrap_or_else(|error| panic!("{path:?}:{error}"))
+}
+
+/// The screens of a tape as they are here: the letter of each cell.
+fn here(tape: &Tape) -> Vec<String> {
+    let screens = play(tape, cli::open).unwrap_or_else(|error| panic!("{error}"));
+    let lines = |cells: &ratatui::buffer::Buffer| {
+        let rows = cells.content().chunks(cells.area.width.into());
+        let letter = |cell: &ratatui::buffer::Cell| cell.symbol().chars().next().unwrap_or(' ');
+        let rows: Vec<String> = rows.map(|row| row.iter().map(letter).collect()).collect();
+        rows.join("\n")
+    };
+    screens.iter().map(|screen| lines(&screen.cells)).collect()
+}
+
+/// The same as a page is told it.
+fn commands(tape: &Tape) -> Vec<Value> {
+    let mut size = (80, 24);
+    let mut commands = vec![json!({
+        "do": "open", "simulated": true, "columns": 80, "rows": 24, "seed": 1,
+        "fragment": fragment(tape.arguments()),
+    })];
+    let mouse = |kind: &str, (column, row): (u16, u16)| {
+        let [x, y] = [column, row].map(|cell| f64::from(cell) + 0.5);
+        json!({ "do": "mouse", "kind": kind, "x": x, "y": y })
+    };
+    for instruction in tape.instructions() {
+        match instruction {
+            Instruction::Set(ScreenSetting::Size(columns, rows)) => {
+                size = (*columns, *rows);
+                commands.push(json!({ "do": "resize", "columns": columns, "rows": rows }));
+            }
+            Instruction::Set(ScreenSetting::Charset(charset)) => {
+                let name = match charset {
+                    Charset::Ascii => "ascii",
+                    Charset::Unicode => "unicode",
+                };
+                commands.push(json!({ "do": "set", "charset": name }));
+            }
+            Instruction::Set(ScreenSetting::Color(depth)) => {
+                let name = match depth {
+                    Depth::None => "none",
+                    Depth::Ansi16 => "16",
+                    Depth::Indexed256 => "256",
+                    Depth::True => "truecolor",
+                };
+                commands.push(json!({ "do": "set", "color": name }));
+            }
+            Instruction::Set(ScreenSetting::Day(time_s)) => {
+                commands.push(json!({ "do": "now", "time_s": time_s, "offset_s": 0 }));
+            }
+            Instruction::Type(text) => commands.extend(text.chars().map(|letter| {
+                let key = match letter {
+                    '\n' => "Enter".to_owned(),
+                    '\t' => "Tab".to_owned(),
+                    other => other.to_string(),
+                };
+                json!({ "do": "key", "key": key })
+            })),
+            Instruction::Press(key, times) => {
+                commands
+                    .extend((0..*times).map(|_| json!({ "do": "key", "key": key.to_string() })));
+            }
+            Instruction::Click(at) => commands.extend([mouse("down", *at), mouse("up", *at)]),
+            Instruction::Drag(from, to) => {
+                commands.extend([mouse("down", *from), mouse("drag", *to), mouse("up", *to)]);
+            }
+            Instruction::Scroll(way, notches, at) => {
+                let kind = match way {
+                    MouseKind::ScrollUp => "scroll-up",
+                    _ => "scroll-down",
+                };
+                let at = at.unwrap_or((size.0 / 2, size.1 / 2));
+                commands.extend((0..*notches).map(|_| mouse(kind, at)));
+            }
+            Instruction::Sleep(time) => {
+                commands.push(json!({ "do": "pass", "ms": time.as_secs_f64() * 1e3 }));
+            }
+            Instruction::Screenshot(_) => commands.push(json!({ "do": "paint" })),
+            // A picture was taken just before.
+            Instruction::Expect(_) | Instruction::Refuse(_) => {}
+        }
+    }
+    commands
+}
+
+/// What stands behind the # of a page for these arguments of the command line.
+fn fragment(arguments: &str) -> String {
+    let mut parts: Vec<String> = vec!["charset=ascii".into(), "color=none".into()];
+    let mut seed = None;
+    let words = shlex::split(arguments).unwrap();
+    let mut words = words.iter().map(String::as_str).peekable();
+    let mut screen = None;
+    while let Some(word) = words.next() {
+        let mut value = || words.next().unwrap().to_owned();
+        match word {
+            "--seed" => seed = Some(value()),
+            "--code" => screen = screen.map(|name: String| format!("{name}={}", value())),
+            "--teams" => parts.push(format!("teams={}", value())),
+            "--player" => parts.push(format!("player={}", value())),
+            "--charset" | "--color" | "--palette" => {
+                parts.push(format!("{}={}", &word[2..], value()));
+            }
+            other if other.starts_with("--") => panic!("{other} has no place in a link"),
+            name => {
+                let named = words.next_if(|next| !next.starts_with("--"));
+                screen = Some(named.map_or(name.to_owned(), |it| format!("{name}={it}")));
+            }
+        }
+    }
+    parts.extend(seed.map(|seed| format!("seed={seed}")));
+    // Teams belong to the class that stands before them.
+    parts.splice(0..0, screen);
+    parts.join("&")
+}
+
+fn compare(browser: &mut dyn Browser, path: &Path, charset: &str, size: &str) {
+    let tape = tape(path, charset, size);
+    let wanted = here(&tape);
+    let found = browser.run(PLAY, &[Value::Array(commands(&tape))]);
+    let found = found.as_array().unwrap();
+    assert_eq!(found.len(), wanted.len(), "{path:?}");
+    for (number, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
+        assert!(
+            found.as_str() == Some(wanted),
+            "{path:?} in {charset} at {size}, picture {number}: here\n{wanted}\n\nin the page\n{}",
+            found.as_str().unwrap_or_default()
+        );
+    }
+    println!(
+        "{}: {} pictures",
+        path.file_stem().unwrap().display(),
+        wanted.len()
+    );
+}
+
+#[test]
+fn every_tape_plays_in_chromium_as_here() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1280, 800), false)) else {
+        return;
+    };
+    chromium.open(&page);
+    wait_until_ready(&mut chromium);
+    for path in tapes() {
+        compare(&mut chromium, &path, "unicode", "120x40");
+        compare(&mut chromium, &path, "ascii", "80x24");
+    }
+}
+
+#[test]
+fn some_tapes_play_in_firefox_as_here() {
+    let Some(page) = page() else {
+        return;
+    };
+    let Some(mut firefox) = Firefox::start() else {
+        return;
+    };
+    firefox.open(&page);
+    wait_until_ready(&mut firefox);
+    for path in tapes().iter().step_by(7) {
+        compare(&mut firefox, path, "unicode", "120x40");
+    }
+}

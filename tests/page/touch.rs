@@ -1,0 +1,228 @@
+//! By touch alone, on an upright phone: what a finger does, and nothing else.
+
+use serde_json::{Value, json};
+
+use crate::browser::{Browser, SCREEN, page, wait_until_ready};
+use crate::chromium::Chromium;
+
+/// A phone with the page open, and a finger.
+struct Phone(Chromium);
+
+impl Phone {
+    fn open(page: &str, fragment: &str) -> Option<Self> {
+        let mut chromium = Chromium::start((390, 844), true)?;
+        chromium.open(&format!("{page}#{fragment}"));
+        wait_until_ready(&mut chromium);
+        let mut phone = Self(chromium);
+        phone.wait();
+        Some(phone)
+    }
+
+    /// Waits for a few frames.
+    fn wait(&mut self) {
+        std::thread::sleep(std::time::Duration::from_millis(120));
+    }
+
+    /// The letters on the screen, row by row.
+    fn screen(&mut self) -> Vec<String> {
+        let screen = self.0.run(SCREEN, &[]);
+        screen
+            .as_str()
+            .unwrap()
+            .lines()
+            .map(str::to_owned)
+            .collect()
+    }
+
+    fn shows(&mut self, words: &str) -> bool {
+        self.screen().iter().any(|row| row.contains(words))
+    }
+
+    fn expect(&mut self, words: &str) {
+        for _ in 0..50 {
+            if self.shows(words) {
+                return;
+            }
+            self.wait();
+        }
+        panic!("no \"{words}\":\n{}", self.screen().join("\n"));
+    }
+
+    fn touch(&mut self, kind: &str, points: &[[f64; 2]]) {
+        let points: Vec<_> = points
+            .iter()
+            .map(|[x, y]| json!({ "x": x, "y": y }))
+            .collect();
+        let event = json!({ "type": kind, "touchPoints": points });
+        self.0.debug("Input.dispatchTouchEvent", &event);
+    }
+
+    fn tap(&mut self, at: [f64; 2]) {
+        self.touch("touchStart", &[at]);
+        self.touch("touchEnd", &[]);
+        self.wait();
+    }
+
+    /// Taps a button by its label; says whether it is there and can be seen.
+    fn button(&mut self, label: &str) -> bool {
+        let script = "
+            const all = [...document.querySelectorAll('#keys button')];
+            const found = all.find((it) => it.textContent === arguments[0]);
+            if (!found) return null;
+            found.scrollIntoView({ block: 'nearest' });
+            const box = found.getBoundingClientRect();
+            return [box.left + box.width / 2, box.top + box.height / 2];";
+        let place = self.0.run(script, &[Value::from(label)]);
+        let Some(place) = place.as_array() else {
+            return false;
+        };
+        let [x, y] = [0, 1].map(|i| place[i].as_f64().unwrap());
+        self.tap([x, y]);
+        true
+    }
+
+    fn press(&mut self, label: &str) {
+        assert!(self.button(label), "no {label}: {}", self.buttons());
+    }
+
+    fn buttons(&mut self) -> Value {
+        let script =
+            "return [...document.querySelectorAll('#keys button')].map(it => it.textContent)";
+        self.0.run(script, &[])
+    }
+
+    /// The place of the window at a place in cells.
+    fn place(&mut self, [column, row]: [f64; 2]) -> [f64; 2] {
+        let script = "
+            const box = document.getElementById('screen').getBoundingClientRect();
+            const { painted } = window.carrom.call({ do: 'paint' });
+            return [box.left, box.top, box.width / painted.size[0], box.height / painted.size[1]];";
+        let found = self.0.run(script, &[]);
+        let [left, top, width, height] = [0, 1, 2, 3].map(|i| found[i].as_f64().unwrap());
+        [left + column * width, top + row * height]
+    }
+
+    /// Taps the first place where these words stand.
+    fn tap_words(&mut self, words: &str) {
+        let screen = self.screen();
+        let at = screen.iter().enumerate().find_map(|(row, line)| {
+            let column = line[..line.find(words)?].chars().count();
+            Some([column as f64 + 0.5, row as f64 + 0.5])
+        });
+        let at = at.unwrap_or_else(|| panic!("no \"{words}\":\n{}", screen.join("\n")));
+        let at = self.place(at);
+        self.tap(at);
+    }
+
+    /// Drags from one place in cells to another.
+    fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
+        let [from, to] = [from, to].map(|it| self.place(it));
+        self.touch("touchStart", &[from]);
+        for step in 1..=5 {
+            let share = f64::from(step) / 5.0;
+            let at = [0, 1].map(|i| from[i] + share * (to[i] - from[i]));
+            self.touch("touchMove", &[at]);
+        }
+        self.touch("touchEnd", &[]);
+        self.wait();
+    }
+
+    /// No part of the page is cut off at a side.
+    fn assert_fits(&mut self) {
+        let wide = self.0.run(
+            "return document.documentElement.scrollWidth - innerWidth",
+            &[],
+        );
+        assert_eq!(wide, json!(0), "it scrolls sideways");
+    }
+}
+
+/// A whole mixed round: every form of question is answered by tapping and dragging.
+#[test]
+fn a_mixed_round_is_played_by_touch_alone() {
+    let Some(page) = page() else { return };
+    let Some(mut phone) = Phone::open(&page, "quiz=mixed-7&player=Ana") else {
+        return;
+    };
+    for question in 1..=10 {
+        phone.expect(&format!("question {question} of 10"));
+        phone.assert_fits();
+        answer(&mut phone);
+        // How sure.
+        phone.expect("how sure");
+        phone.press("2");
+        // Watched to its end, and told.
+        for _ in 0..40 {
+            if question == 10 && phone.shows("your round")
+                || phone.shows(&format!("question {} of", question + 1))
+            {
+                break;
+            }
+            if !["next", "show it", "go on", "the end"]
+                .iter()
+                .any(|label| phone.button(label))
+            {
+                phone.wait();
+            }
+        }
+    }
+    phone.expect("your round");
+}
+
+/// Gives some answer to the question on the screen.
+fn answer(phone: &mut Phone) {
+    if phone.shows("  A ") {
+        phone.tap_words("A ");
+    } else if phone.shows("striker") && phone.shows("Turn the ray") {
+        // Both rays, by dragging on the picture.
+        phone.drag([40.0, 15.0], [45.0, 8.0]);
+        phone.press("next");
+        phone.drag([40.0, 15.0], [45.0, 22.0]);
+    } else if phone.button("123") {
+        phone.press("4");
+        phone.button("123");
+    } else {
+        phone.drag([30.0, 15.0], [32.0, 18.0]);
+    }
+    assert!(
+        phone.button("next") || phone.button("set") || phone.button("shoot"),
+        "{}",
+        phone.buttons()
+    );
+}
+
+/// A chapter: its pages by a button, its figure dragged.
+#[test]
+fn a_chapter_is_read_by_touch_alone() {
+    let Some(page) = page() else { return };
+    let Some(mut phone) = Phone::open(&page, "lesson=4") else {
+        return;
+    };
+    for _ in 0..3 {
+        for label in ["next page", "skip", "next"] {
+            if phone.button(label) {
+                break;
+            }
+        }
+    }
+    phone.expect("Two curves");
+    assert!(phone.shows("α = 60.0°"));
+    // The figure's point: 6 cells to the left of its middle.
+    phone.drag([36.0, 8.0], [30.0, 8.0]);
+    assert!(!phone.shows("α = 60.0°"), "{}", phone.screen().join("\n"));
+}
+
+/// A level: aimed by the finger, said, and watched.
+#[test]
+fn a_level_is_played_by_touch_alone() {
+    let Some(page) = page() else { return };
+    let Some(mut phone) = Phone::open(&page, "levels") else {
+        return;
+    };
+    phone.tap_words("Dead stop");
+    phone.button("play");
+    phone.expect("say where");
+    phone.drag([25.0, 18.0], [32.0, 8.0]);
+    phone.press("say where");
+    phone.assert_fits();
+}

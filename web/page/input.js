@@ -1,0 +1,168 @@
+// What hands do: keys, the mouse, fingers, and the keys of the moment as buttons.
+
+const input = (() => {
+  const NAMED = {
+    ArrowUp: "Up", ArrowDown: "Down", ArrowLeft: "Left", ArrowRight: "Right", Enter: "Enter",
+    Escape: "Escape", Backspace: "Backspace", Delete: "Delete", PageUp: "PageUp",
+    PageDown: "PageDown", Home: "Home", End: "End", F1: "F1", " ": "Space",
+  };
+  const ARROWS = { Up: "▲", Left: "◀", Right: "▶", Down: "▼" };
+  const canvas = painter.canvas;
+  const bar = document.getElementById("keys");
+  const typing = document.getElementById("typing");
+  let say = () => {};
+  let began = false, digits = false, shown = "";
+
+  function start(speak) {
+    say = speak;
+    addEventListener("keydown", pressed);
+    addEventListener("paste", (event) => {
+      const text = event.clipboardData.getData("text");
+      if (text && isOurs(event)) say({ do: "paste", text });
+    });
+    canvas.addEventListener("pointerdown", down);
+    canvas.addEventListener("pointermove", moved);
+    canvas.addEventListener("pointerup", lifted);
+    canvas.addEventListener("pointercancel", lifted);
+    canvas.addEventListener("wheel", wheel, { passive: false });
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    typing.addEventListener("input", () => {
+      for (const letter of typing.value) key(letter);
+      typing.value = "";
+    });
+    bar.addEventListener("click", (event) => {
+      const button = event.target.closest("button");
+      if (!button) return;
+      const { key: name, does } = button.dataset;
+      if (name) key(name);
+      if (does === "digits") {
+        digits = !digits;
+        shown = "";
+        say({ do: "paint" });
+      }
+      if (does === "type") typing.focus();
+      if (does === "menu") document.getElementById("menu").showModal();
+    });
+  }
+
+  const key = (name) => say({ do: "key", key: name });
+  const isOurs = (event) =>
+    !document.getElementById("game").hidden && !document.querySelector("dialog[open]") &&
+    (event.target === document.body || event.target === typing || event.target.closest?.("#keys"));
+
+  function pressed(event) {
+    if (!isOurs(event) || event.ctrlKey !== event.altKey || event.metaKey) return;
+    if (event.isComposing) return;
+    // The first Tab of all goes to the link to plain text.
+    if (event.key === "Tab" && !began) return;
+    const onButton = event.target.closest?.("#keys");
+    if (onButton && ["Tab", "Enter", " "].includes(event.key)) return;
+    const letter = [...event.key].length === 1 && event.key !== " " ? event.key : null;
+    if (event.target === typing && letter) return;
+    const name = event.key === "Tab" ? (event.shiftKey ? "Shift+Tab" : "Tab") : NAMED[event.key];
+    if (!name && !letter) return;
+    began = true;
+    event.preventDefault();
+    key(name || letter);
+  }
+
+  // The mouse is told as it is. A finger on a picture drags, beside one it scrolls or taps.
+  const HAND = 0.8;
+  let hand = null;
+
+  function tell(kind, event) {
+    const [x, y] = painter.cellsAt(event.clientX, event.clientY);
+    say({ do: "mouse", kind, x, y });
+  }
+
+  function down(event) {
+    if (event.button !== 0 || hand) return;
+    event.preventDefault();
+    document.activeElement?.blur?.();
+    began = true;
+    canvas.setPointerCapture(event.pointerId);
+    const [x, y] = painter.cellsAt(event.clientX, event.clientY);
+    const drags = event.pointerType === "mouse" || painter.isPicture(x, y);
+    hand = { id: event.pointerId, drags, x, y, scrolled: false };
+    if (drags) tell("down", event);
+  }
+
+  function moved(event) {
+    if (!hand || event.pointerId !== hand.id) return;
+    if (hand.drags) return tell("drag", event);
+    const [, y] = painter.cellsAt(event.clientX, event.clientY);
+    while (Math.abs(y - hand.y) >= HAND) {
+      const way = y > hand.y ? 1 : -1;
+      hand.y += way;
+      hand.scrolled = true;
+      say({ do: "mouse", kind: way > 0 ? "scroll-up" : "scroll-down", x: hand.x, y: hand.y });
+    }
+  }
+
+  function lifted(event) {
+    if (!hand || event.pointerId !== hand.id) return;
+    const { drags, scrolled } = hand;
+    hand = null;
+    if (!drags && !scrolled && event.type === "pointerup") tell("down", event);
+    if (drags || !scrolled) tell("up", event);
+  }
+
+  let turned = 0;
+  function wheel(event) {
+    event.preventDefault();
+    const rows = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY;
+    if (Math.sign(rows) !== Math.sign(turned)) turned = 0;
+    turned += rows;
+    for (; Math.abs(turned) >= 1; turned -= Math.sign(turned)) {
+      tell(turned > 0 ? "scroll-down" : "scroll-up", event);
+    }
+  }
+
+  // The keys of the moment. Digits are folded away, arrows are a pad, and q has no button:
+  // a page is left as pages are.
+  function show(rows) {
+    const buttons = layout(rows);
+    if (buttons === shown) return;
+    shown = buttons;
+    bar.innerHTML = buttons;
+  }
+
+  const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+  const button = (name, label, help, kind = "key", below = "") =>
+    `<button data-${kind}="${escaped(name)}" aria-label="${escaped(help || label)}">${escaped(label)}` +
+    `${below ? `<small>${escaped(below)}</small>` : ""}</button>`;
+
+  function layout(rows) {
+    if (document.body.classList.contains("fine")) return button("menu", "☰ menu", "menu", "does");
+    const arrows = new Set();
+    const numbers = [];
+    const rest = [], last = [];
+    for (const { id = "", keys, name, help } of rows) {
+      if (id === "everywhere.help") last.push(button(keys[0], "?", "help"));
+      if ((id.startsWith("everywhere.") && id !== "everywhere.back") || id.endsWith(".quit")) continue;
+      const isNumber = keys.some((key) => /^[0-9]$/.test(key)) && keys.length > 5;
+      for (const key of keys) {
+        if (key in ARROWS) arrows.add(key);
+        else if (isNumber) numbers.push(button(key, key, key));
+        else if (id === "everywhere.back" || key === "Esc") last.push(button(key, "⟵", name || "back"));
+        else if (name) {
+          const made = button(key, keys.length > 1 ? key : name, help || name, "key", keys.length > 1 && name);
+          if (key === "Enter" || key === "Space") rest.unshift(made);
+          else rest.push(made);
+        }
+      }
+    }
+    const pad = [null, "Up", null, "Left", "Down", "Right"].map((key) =>
+      key && arrows.has(key) ? button(key, ARROWS[key], key) : "<span></span>");
+    const parts = [];
+    if (arrows.size) parts.push(`<div class="pad">${pad.join("")}</div>`);
+    if (numbers.length) rest.push(button("digits", digits ? "123 ▾" : "123", "digits", "does"));
+    if (numbers.length && digits) rest.push(...numbers, button("Backspace", "⌫", "take back"));
+    rest.push(...last, button("type", "abc", "a keyboard for letters", "does"));
+    rest.push(button("menu", "☰", "menu", "does"));
+    parts.push(`<div class="rest">${rest.join("")}</div>`);
+    return parts.join("");
+  }
+
+  return { start, show };
+})();

@@ -1,0 +1,255 @@
+// The page: it opens carrom, lets time pass while something moves, and does what it asks.
+
+const page = (() => {
+  const body = document.body;
+  const words = document.getElementById("words");
+  const game = document.getElementById("game");
+  const place = document.getElementById("place");
+  const bar = document.getElementById("keys");
+  const menu = document.getElementById("menu");
+  const chooser = document.getElementById("file");
+  const typing = document.getElementById("typing");
+  let ready = false, lived = 0, frame = 0, timer = 0, outdated = true, failedOnce = false;
+  let touched = matchMedia("(pointer: coarse)").matches;
+
+  // For tests: when the first frame was there, frames drawn, and how often the page woke.
+  const seen = { first: 0, frames: 0, wakes: 0 };
+
+  async function start() {
+    const missing = lacking();
+    if (missing) return say(missing);
+    try {
+      await Promise.all([keeper.opened, program.load()]);
+      await open();
+    } catch (error) {
+      return fail(error);
+    }
+    ready = true;
+    input.start(speak);
+    addEventListener("resize", fit);
+    (self.visualViewport || self).addEventListener("resize", fit);
+    addEventListener("hashchange", open);
+    // Who touches the screen needs buttons, whatever else there is.
+    addEventListener("pointerdown", (event) => {
+      if (event.pointerType !== "touch" || touched) return;
+      touched = true;
+      fit();
+    });
+    for (const change of ["focus", "blur"]) {
+      typing.addEventListener(change, () => {
+        body.classList.toggle("typing", change === "focus");
+        fit();
+      });
+    }
+    addEventListener("dragover", (event) => event.preventDefault());
+    addEventListener("drop", (event) => {
+      event.preventDefault();
+      for (const file of event.dataTransfer.files) take(file);
+    });
+    chooser.addEventListener("change", () => {
+      for (const file of chooser.files) take(file);
+      chooser.value = "";
+    });
+    menu.addEventListener("click", chosen);
+  }
+
+  // What this browser would need and has not, in words.
+  function lacking() {
+    // One function that uses vectors of the processor.
+    const simd = new Uint8Array([
+      0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253,
+      15, 253, 98, 11,
+    ]);
+    const able = self.WebAssembly && WebAssembly.validate(simd) && self.DecompressionStream;
+    return able ? "" :
+      "This browser is too old for carrom.\n" +
+      "It needs Chrome or Edge 97, Firefox 113 or Safari 16.4, or a later one.";
+  }
+
+  async function open() {
+    const kept = await keeper.files();
+    const own = kept.filter(([path]) => path.startsWith("own/"));
+    const given = JSON.parse(document.getElementById("own").textContent);
+    const encoder = new TextEncoder();
+    for (const [path, text] of given) own.push([path, encoder.encode(text)]);
+    const packed = keeper.packed(own);
+    measure();
+    const [columns, rows] = room();
+    const wants = (what) => matchMedia(`(prefers-${what})`).matches;
+    const reply = program.call({
+      do: "open", fragment: location.hash.slice(1), columns, rows, own: packed.files,
+      seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000,
+      light: wants("color-scheme: light"), still: wants("reduced-motion: reduce"),
+    }, packed.bytes);
+    const all = keeper.packed(kept);
+    program.tellTime();
+    program.call({ do: "files", files: all.files }, all.bytes);
+    say("");
+    const isPlain = /(^|[#&])plain/.test(location.hash);
+    game.hidden = isPlain;
+    document.getElementById("plain").hidden = !isPlain;
+    body.style.overflow = isPlain ? "auto" : "";
+    if (isPlain) return plain.begin();
+    outdated = true;
+    heed(reply);
+    draw();
+  }
+
+  // Where the buttons are: none for a mouse, at the side of a low screen, else below.
+  function measure() {
+    const beside = touched && innerWidth > innerHeight && innerHeight < 600;
+    body.classList.toggle("fine", !touched);
+    body.classList.toggle("beside", beside);
+    if (!bar.innerHTML) input.show([]);
+    bar.style.height = touched && !beside ? "156px" : "";
+    // A keyboard on the screen leaves less room than the window says.
+    const height = self.visualViewport && Math.round(visualViewport.height);
+    game.style.height = height && height < innerHeight ? `${height}px` : "";
+  }
+
+  function room() {
+    game.hidden = false;
+    return painter.fit(place.clientWidth, place.clientHeight);
+  }
+
+  function fit() {
+    if (game.hidden) return;
+    measure();
+    const [columns, rows] = room();
+    speak({ do: "resize", columns, rows });
+  }
+
+  // Says something to the program, and does what follows.
+  function speak(command) {
+    try {
+      pass();
+      program.tellTime();
+      heed(program.call(command));
+      outdated = true;
+      schedule();
+    } catch (error) {
+      fail(error);
+    }
+  }
+
+  let last = { wake_ms: null };
+
+  function heed(reply) {
+    if (reply.fault) throw new Error(reply.fault);
+    last = reply;
+    for (const { name, content } of reply.downloads) give(name, content);
+    if (reply.keep) {
+      keeper.keep((failed) => {
+        speak({ do: "kept", failed });
+      });
+    }
+    // A page is not left: it begins again.
+    if (reply.quit) {
+      if (location.hash) location.hash = "";
+      else open();
+    }
+  }
+
+  // Lets the time pass that has passed, while something moves.
+  function pass() {
+    const now = performance.now();
+    const ms = now - lived;
+    lived = now;
+    if (last.wake_ms === null) return;
+    heed(program.call({ do: "pass", ms }));
+    outdated = true;
+  }
+
+  // Wakes when there is something to draw or something moves, and else never.
+  function schedule() {
+    if (frame) return;
+    const soon = outdated || (last.wake_ms !== null && last.wake_ms <= 17);
+    if (soon) {
+      clearTimeout(timer);
+      frame = requestAnimationFrame(tick);
+    } else if (last.wake_ms !== null) {
+      clearTimeout(timer);
+      timer = setTimeout(tick, last.wake_ms);
+    }
+  }
+
+  function tick() {
+    frame = 0;
+    seen.wakes += 1;
+    try {
+      pass();
+      if (outdated) draw();
+      // A search waits until what has led to it is seen.
+      if (last.think) return void setTimeout(() => speak({ do: "think" }), 20);
+      schedule();
+    } catch (error) {
+      fail(error);
+    }
+  }
+
+  function draw() {
+    outdated = false;
+    const { painted } = program.call({ do: "paint" });
+    const [ink, paper] = painted.colours.map((it) => "#" + it.toString(16).padStart(6, "0"));
+    body.style.setProperty("--ink", ink);
+    body.style.setProperty("--paper", paper);
+    input.show(painted.keys);
+    painter.paint(painted);
+    seen.frames += 1;
+    seen.first ||= performance.now();
+    if (last.wake_ms === null) lived = performance.now();
+    schedule();
+  }
+
+  function take(file) {
+    file.arrayBuffer().then(
+      (content) => {
+        heed(program.call({ do: "file", name: file.name }, new Uint8Array(content)));
+        outdated = true;
+        schedule();
+      },
+      () => speak({ do: "tell", words: `${file.name} cannot be read.` }),
+    );
+  }
+
+  function give(name, content) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([content]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  function chosen(event) {
+    const does = event.target.dataset?.does;
+    if (!does) return;
+    menu.close();
+    if (does === "open") chooser.click();
+    if (does === "plain") location.hash = "plain";
+    if (does === "take") {
+      const { files, bytes } = program.call({ do: "progress" });
+      if (files.length) give("progress.db", bytes);
+      else speak({ do: "tell", words: "Nothing is kept yet: answer a question first." });
+    }
+  }
+
+  const say = (text) => (words.textContent = text);
+
+  function fail(error) {
+    console.error(error);
+    if (failedOnce) return;
+    failedOnce = true;
+    game.hidden = true;
+    say("Something went wrong in carrom, and it stopped.\nWhat you answered is kept. Load the page again to go on.");
+  }
+
+  return { start, isReady: () => ready, seen: () => ({ ...seen }) };
+})();
+
+// For tests, which drive a carrom of their own with these.
+window.carrom = {
+  call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
+  told: () => keeper.kept(),
+};
+
+page.start();

@@ -1,0 +1,65 @@
+// The program: it is unpacked, and then says and is told everything by call().
+
+const program = (() => {
+  const encoder = new TextEncoder();
+  const decoder = new TextDecoder();
+  let wasm = null;
+  let told = 0;
+
+  const memory = (at, length) => new Uint8Array(wasm.memory.buffer, at >>> 0, length);
+  const random = (at, length) => {
+    crypto.getRandomValues(memory(at, length));
+    return length;
+  };
+  // What SQLite asks of its host; 0 is "done" and 1 "there is none".
+  const host = {
+    rust_sqlite_wasm_host_sleep() {},
+    rust_sqlite_wasm_host_random: random,
+    rust_sqlite_wasm_host_fill_entropy: (at, length) => (random(at, length), 0),
+    rust_sqlite_wasm_host_epoch_timestamp_in_ms(at) {
+      new DataView(wasm.memory.buffer).setBigInt64(at >>> 0, BigInt(Date.now()), true);
+      return 0;
+    },
+    rust_sqlite_wasm_host_localtime: () => 1,
+  };
+
+  async function load() {
+    const text = atob(document.getElementById("program").textContent.trim());
+    const packed = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; i++) packed[i] = text.charCodeAt(i);
+    const unpacking = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const bytes = await new Response(unpacking).arrayBuffer();
+    const { instance } = await WebAssembly.instantiate(bytes, { env: host });
+    wasm = instance.exports;
+  }
+
+  // Says a command, and bytes of files behind it; gives what is told, with its bytes.
+  function call(command, bytes) {
+    const json = encoder.encode(JSON.stringify(command));
+    const length = json.length + (bytes ? 1 + bytes.length : 0);
+    const room = memory(wasm.carrom_room(length), length);
+    room.set(json);
+    if (bytes) room.set(bytes, json.length + 1);
+    const answer = memory(...(() => {
+      const long = wasm.carrom_call();
+      return [wasm.carrom_told(), long];
+    })());
+    const end = answer.indexOf(0);
+    const reply = JSON.parse(decoder.decode(end < 0 ? answer : answer.subarray(0, end)));
+    reply.bytes = end < 0 ? new Uint8Array() : answer.slice(end + 1);
+    return reply;
+  }
+
+  // The day begins so many seconds before that of UTC.
+  function tellTime() {
+    const now = Date.now();
+    if (now - told < 500) return;
+    told = now;
+    const offset_s = -60 * new Date().getTimezoneOffset();
+    call({ do: "now", time_s: Math.floor(now / 1000), offset_s });
+  }
+
+  const cells = (count) => new Uint32Array(wasm.memory.buffer, wasm.carrom_cells() >>> 0, 4 * count);
+
+  return { load, call, cells, tellTime };
+})();

@@ -1,0 +1,203 @@
+//! What a link opens: `#quiz=mixed-7&player=Ana`, in the words of the command line.
+
+use carrom::app::{App, Data};
+use carrom::class::team_names;
+use carrom::files::tidy_name;
+use carrom::game::is_player_name;
+use carrom::quiz::Code;
+use carrom::screens::{Place, Settings};
+use carrom::widgets::{Charset, Depth, Palette};
+
+use crate::message::Opening;
+
+/// The app that an opening asks for. What it asks for and is not there is told on the first
+/// screen.
+pub(crate) fn app(opening: &Opening, data: Data) -> App {
+    let mut wanted = Wanted {
+        place: Place::Home,
+        settings: Settings {
+            charset: Charset::Unicode,
+            depth: Depth::True,
+            palette: if opening.light {
+                Palette::Light
+            } else {
+                Palette::Dark
+            },
+            reduced_motion: opening.still,
+            ..Settings::default()
+        },
+        seed: opening.seed,
+        seeded: false,
+    };
+    let mut faults = Vec::new();
+    for part in opening.fragment.split('&').filter(|part| !part.is_empty()) {
+        let (name, value) = part.split_once('=').unwrap_or((part, ""));
+        let (name, value) = (unescaped(name), unescaped(value));
+        if let Err(expected) = wanted.take(&name, &value, &data) {
+            faults.push(format!(
+                "The link says {name}={value}: expected {expected}."
+            ));
+        }
+    }
+    // As on the command line: a seed alone means ten hits.
+    if wanted.seeded && wanted.place == (Place::Quiz { code: None }) {
+        wanted.place = Place::Quiz {
+            code: Some(Code::hits(wanted.seed)),
+        };
+    }
+    let mut app = App::with_data(data, wanted.place, wanted.settings, wanted.seed);
+    if !faults.is_empty() {
+        app.tell(faults.join(" "));
+    }
+    app
+}
+
+struct Wanted {
+    place: Place,
+    settings: Settings,
+    seed: u64,
+    seeded: bool,
+}
+
+impl Wanted {
+    fn take(&mut self, name: &str, value: &str, data: &Data) -> Result<(), String> {
+        let number = data.book.library();
+        match name {
+            "home" | "plain" => {}
+            "learn" | "lesson" if value.is_empty() => self.place = Place::Learn,
+            "learn" | "lesson" => {
+                let found = number.find(value);
+                let expected = "the number or the name of a chapter, such as 2";
+                self.place = Place::Chapter {
+                    number: found.ok_or(expected)?,
+                };
+            }
+            "lab" => self.place = Place::Lab,
+            "foil" => self.place = Place::Foil,
+            "table" => self.place = Place::Table,
+            "progress" => self.place = Place::Progress,
+            "quiz" => {
+                self.place = Place::Quiz {
+                    code: code(value, data)?,
+                }
+            }
+            "class" => {
+                let teams = match &self.place {
+                    Place::Class { teams, .. } => teams.clone(),
+                    _ => Vec::new(),
+                };
+                self.place = Place::Class {
+                    code: code(value, data)?,
+                    teams,
+                };
+            }
+            "teams" => {
+                let names = team_names(value.split(',')).map_err(|error| error.to_string())?;
+                match &mut self.place {
+                    Place::Class { teams, .. } => *teams = names,
+                    place => {
+                        *place = Place::Class {
+                            code: None,
+                            teams: names,
+                        }
+                    }
+                }
+            }
+            "levels" | "level" if value.is_empty() => self.place = Place::Levels,
+            "levels" | "level" => {
+                let found = data.shelf.find(value);
+                let expected = "the id of a level, such as dead-stop";
+                self.place = Place::Level {
+                    number: found.ok_or(expected)?,
+                };
+            }
+            "player" if is_player_name(value.trim()) => self.settings.player = tidy_name(value),
+            "player" => return Err("a name of 1 to 40 visible letters".into()),
+            "seed" => {
+                self.seed = value.parse().map_err(|_| "a whole number")?;
+                self.seeded = true;
+            }
+            "charset" => {
+                self.settings.charset = value.parse().map_err(|_| "ascii or unicode")?;
+            }
+            "color" => {
+                let depth = value.parse();
+                self.settings.depth = depth.map_err(|_| "none, 16, 256 or truecolor")?;
+            }
+            "palette" => {
+                self.settings.palette = match value {
+                    "dark" => Palette::Dark,
+                    "light" => Palette::Light,
+                    _ => return Err("dark or light".into()),
+                }
+            }
+            _ => return Err("a screen, such as quiz, or player".into()),
+        }
+        Ok(())
+    }
+}
+
+/// The round of a code; none where nothing is said.
+fn code(value: &str, data: &Data) -> Result<Option<Code>, String> {
+    if value.is_empty() {
+        return Ok(None);
+    }
+    let expected = "the code of a round, such as mixed-7";
+    let code = Code::parse(value).ok_or(expected)?;
+    code.with_own(&data.own).map(Some)
+}
+
+/// A part of an address as it was before it was spelt for one: `%20` and `+` are blanks.
+pub(crate) fn unescaped(text: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = text.as_bytes();
+    while let Some((first, after)) = rest.split_first() {
+        let escaped = after.get(..2).filter(|_| *first == b'%');
+        let byte = escaped
+            .and_then(|digits| str::from_utf8(digits).ok())
+            .and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        (rest, _) = match byte {
+            Some(byte) => (&after[2..], bytes.push(byte)),
+            None if *first == b'+' => (after, bytes.push(b' ')),
+            None => (after, bytes.push(*first)),
+        };
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn opened(fragment: &str) -> App {
+        let opening = Opening {
+            fragment: fragment.into(),
+            seed: 5,
+            ..Opening::default()
+        };
+        app(&opening, Data::default())
+    }
+
+    #[test]
+    fn parts_are_read_as_they_were_before_they_were_spelt() {
+        for (spelt, text) in [
+            ("Ana", "Ana"),
+            ("Ada%20L", "Ada L"),
+            ("Ada+L", "Ada L"),
+            ("%C3%A4", "ä"),
+            ("100%", "100%"),
+            ("%zz%4", "%zz%4"),
+        ] {
+            assert_eq!(unescaped(spelt), text);
+        }
+    }
+
+    #[test]
+    fn a_link_says_who_plays_and_how_it_looks() {
+        let app = opened("quiz=mixed-7&player=Ana&palette=light&charset=ascii");
+        let settings = app.settings();
+        assert_eq!(settings.player, "Ana");
+        assert_eq!(settings.palette, Palette::Light);
+        assert_eq!(settings.charset, Charset::Ascii);
+    }
+}

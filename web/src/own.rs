@@ -1,0 +1,108 @@
+//! A teacher's own levels, chapters and questions, and other files that are opened.
+
+use std::sync::Arc;
+
+use carrom::app::Data;
+use carrom::lessons::{Book, ChapterLibrary};
+use carrom::levels::{LevelLibrary, Shelf};
+use carrom::quiz::concepts::Library;
+use carrom::store::FileBytes;
+
+use crate::keeping::{Keeping, OWN};
+
+/// The path of the database.
+pub(crate) const PROGRESS: &str = "progress.db";
+
+/// How a database begins.
+const DATABASE: &[u8] = b"SQLite format 3\0";
+
+/// What there is to read, play and answer with these files beside what is in the program:
+/// `levels/PACK/FILE.toml`, `lessons/FILE.md` and `concepts/SUBJECT.toml`.
+pub(crate) fn data(files: &[FileBytes]) -> Data {
+    if files.is_empty() {
+        return Data::default();
+    }
+    let mut levels = LevelLibrary::embedded();
+    let mut chapters = ChapterLibrary::embedded();
+    let mut concepts = Library::default();
+    for (path, bytes) in files {
+        let path = path.strip_prefix(OWN).unwrap_or(path);
+        let (folder, rest) = path.split_once('/').unwrap_or(("", path));
+        match folder {
+            "levels" => {
+                let (pack, _) = rest.split_once('/').unwrap_or(("own", rest));
+                levels.add(pack, rest, bytes);
+            }
+            "lessons" => chapters.add(rest, bytes),
+            "concepts" => {
+                let subject = rest.trim_end_matches(".toml");
+                concepts.add(subject, rest, bytes);
+            }
+            _ => {}
+        }
+    }
+    Data {
+        shelf: Shelf::new(levels),
+        book: Book::new(chapters),
+        own: Arc::new(concepts),
+    }
+}
+
+/// The path under which a teacher's file belongs to those of [`data`], by what is in it;
+/// `None` if it is none.
+pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
+    let text = str::from_utf8(bytes).ok()?;
+    let begins = |line: &str| text.lines().any(|it| it.trim_start().starts_with(line));
+    Some(match () {
+        () if name.ends_with(".md") => format!("lessons/{name}"),
+        () if !name.ends_with(".toml") => return None,
+        () if begins("[[disc]]") => format!("levels/own/{name}"),
+        () if begins("[[question]]") && !begins("teams") => format!("concepts/{name}"),
+        () => return None,
+    })
+}
+
+/// Takes in a file that the player has opened, and says what has come of it.
+///
+/// # Errors
+/// What is wrong with it, in words.
+pub(crate) fn take_in(keeping: &mut Keeping, name: &str, bytes: &[u8]) -> Result<String, String> {
+    let wrong = |error: String| format!("{name} cannot be opened: {error}");
+    if bytes.starts_with(DATABASE) || name.ends_with(".db") {
+        keeping.take_in_progress(bytes).map_err(wrong)?;
+        return Ok(format!(
+            "What was done in {name} now belongs to what you did here."
+        ));
+    }
+    if let Some(path) = path(name, bytes) {
+        let data = data(&[(path.clone(), bytes.to_vec())]);
+        let problems = data.shelf.library().problems.iter();
+        let problems = problems
+            .chain(&data.book.library().problems)
+            .chain(&data.own.problems);
+        let problems: Vec<_> = problems.map(ToString::to_string).collect();
+        if !problems.is_empty() {
+            return Err(wrong(problems.join(" ")));
+        }
+        keeping.add_own(format!("{OWN}{path}"), bytes);
+        return Ok(format!(
+            "{name} is kept. It is there when you open this page again."
+        ));
+    }
+    if name.ends_with(".toml") {
+        let is_class = String::from_utf8_lossy(bytes).contains("\nteams");
+        return match is_class {
+            true => keeping
+                .take_in_class(name, bytes)
+                .map(|()| format!("{name} is now among the earlier rounds of a class.")),
+            false => keeping
+                .take_in_game(name, bytes)
+                .map(|()| format!("{name} is now among the saved games.")),
+        }
+        .map_err(wrong);
+    }
+    Err(format!(
+        "{name} is nothing that carrom can open. It opens progress.db, a saved game, a round of a \
+         class, a level, a chapter and a file of questions."
+    ))
+}

@@ -1,0 +1,328 @@
+//! The app with its screen, its searches and what is kept.
+
+use std::collections::VecDeque;
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::time::Duration;
+
+use carrom::app::App;
+use carrom::messages::{Effect, Input, Key, Mouse, MouseKind, SearchTask};
+use carrom::shells::{FRAME, search::search};
+use carrom::widgets::{PaintedCell, gather, glyph_shape, painted};
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Modifier;
+
+use crate::keeping::Keeping;
+use crate::message::{
+    Command, Download, FileLength, Keys, Opening, Painted, Picture, Reply, split,
+};
+use crate::{opening, own, talk};
+
+/// The bit of a cell that a picture takes the place of.
+const VECTOR: u32 = 1 << 16;
+
+/// A carrom in a page.
+pub struct Shell {
+    app: App,
+    screen: Terminal<TestBackend>,
+    painted: Vec<PaintedCell>,
+    keeping: Keeping,
+    searches: VecDeque<SearchTask>,
+    downloads: Vec<Download>,
+    quit: bool,
+    opening: Opening,
+    talk: talk::Talked,
+}
+
+impl Shell {
+    /// Opens carrom as the page asks.
+    #[must_use]
+    pub fn open(opening: &Opening, bytes: &[u8]) -> (Self, Reply) {
+        let data = own::data(&split(&opening.own, bytes));
+        let keeping = Keeping::new(&data.own, opening.simulated);
+        let app = opening::app(opening, data);
+        let Ok(screen) = Terminal::new(TestBackend::new(opening.columns, opening.rows));
+        let mut shell = Self {
+            app,
+            screen,
+            painted: Vec::new(),
+            keeping,
+            searches: VecDeque::new(),
+            downloads: Vec::new(),
+            quit: false,
+            opening: opening.clone(),
+            talk: talk::Talked::default(),
+        };
+        shell.input(&Input::Resize(opening.columns, opening.rows));
+        let reply = shell.reply();
+        (shell, reply)
+    }
+
+    /// Does what the page says; behind it may be bytes of files.
+    pub fn call(&mut self, command: Command, bytes: &[u8]) -> Reply {
+        let mut told = Reply::default();
+        match command {
+            Command::Open(_) => {}
+            Command::Key { key } => {
+                if let Some(key) = Key::parse(&key) {
+                    self.input(&Input::Key(key));
+                }
+            }
+            Command::Mouse { kind, x, y } => {
+                if let Some(mouse) = mouse(&kind, x, y) {
+                    self.input(&Input::Mouse(mouse));
+                }
+            }
+            Command::Paste { text } => self.input(&Input::Paste(text)),
+            Command::Resize { columns, rows } => {
+                self.screen.backend_mut().resize(columns, rows);
+                self.input(&Input::Resize(columns, rows));
+            }
+            Command::Pass { ms } => self.pass(Duration::from_secs_f64(ms.clamp(0.0, 3.6e6) / 1e3)),
+            Command::Now { time_s, offset_s } => {
+                self.keeping.store().stop_clock_at(time_s, offset_s);
+            }
+            Command::Set { charset, color } => {
+                let settings = self.app.settings_mut();
+                let charset = charset.and_then(|name| name.parse().ok());
+                settings.charset = charset.unwrap_or(settings.charset);
+                let depth = color.and_then(|name| name.parse().ok());
+                settings.depth = depth.unwrap_or(settings.depth);
+            }
+            Command::Paint => told.painted = Some(self.paint()),
+            Command::Think => {
+                if let Some(task) = self.searches.pop_front() {
+                    self.input(&Input::Searched(Box::new(search(&task))));
+                }
+            }
+            Command::Files { files } => {
+                for answer in self.keeping.take_files(&split(&files, bytes)) {
+                    self.input(&Input::Kept(Box::new(answer)));
+                }
+            }
+            Command::Changed => match self.keeping.changes() {
+                Ok((files, gone)) => {
+                    told.gone = gone;
+                    for (path, content) in files {
+                        told.files.push(FileLength {
+                            path,
+                            bytes: content.len(),
+                        });
+                        told.bytes.extend(content);
+                    }
+                }
+                Err(error) => told.fault = Some(error),
+            },
+            Command::Kept { failed } => {
+                for answer in self.keeping.kept(failed.as_deref()) {
+                    self.input(&Input::Kept(Box::new(answer)));
+                }
+            }
+            Command::Slow => {
+                for ticket in self.keeping.tickets() {
+                    self.input(&Input::Saving(ticket));
+                }
+            }
+            Command::File { name } => match own::take_in(&mut self.keeping, &name, bytes) {
+                Ok(words) => self.app.tell(words),
+                Err(words) => self.app.tell(words),
+            },
+            Command::Progress => match self.keeping.store().files() {
+                Ok(files) => {
+                    let mut progress = files.into_iter().filter(|(path, _)| path == own::PROGRESS);
+                    if let Some((path, content)) = progress.next() {
+                        told.files.push(FileLength {
+                            path,
+                            bytes: content.len(),
+                        });
+                        told.bytes = content;
+                    }
+                }
+                Err(error) => told.fault = Some(error),
+            },
+            Command::Glyph { letter } => {
+                if let Some((path, strength)) = glyph_shape(&letter) {
+                    told.lines = vec![path, strength.to_string()];
+                }
+            }
+            Command::Talk { lines } => {
+                let asked = talk::Asked {
+                    fragment: &self.opening.fragment,
+                    seed: self.opening.seed,
+                    player: &self.app.settings().player.clone(),
+                    own: &Arc::clone(self.app.own()),
+                    chapters: self.app.book().library(),
+                };
+                (told.lines, told.over) = self.talk.go_on(&lines, &asked, &mut self.keeping);
+            }
+            Command::Tell { words } => self.app.tell(words),
+        }
+        Reply {
+            painted: told.painted,
+            files: told.files,
+            bytes: told.bytes,
+            gone: told.gone,
+            lines: told.lines,
+            over: told.over,
+            fault: told.fault,
+            ..self.reply()
+        }
+    }
+
+    /// The cells that were painted last, four numbers each.
+    #[must_use]
+    pub fn cells(&self) -> Vec<u32> {
+        let cells = self.screen.backend().buffer().content().iter();
+        let each = cells.zip(&self.painted);
+        each.flat_map(|(cell, painted)| {
+            let letter = cell.symbol().chars().next().unwrap_or(' ');
+            let hidden = cell.modifier.contains(Modifier::HIDDEN);
+            let letter = if hidden { ' ' } else { letter };
+            let vector = if painted.is_vector { VECTOR } else { 0 };
+            let bits = u32::from(painted.modifier.bits()) | vector;
+            [u32::from(letter), painted.ink, painted.paper, bits]
+        })
+        .collect()
+    }
+
+    fn input(&mut self, input: &Input) {
+        if !self.quit {
+            let effects = self.app.update(input);
+            self.carry_out(effects);
+        }
+    }
+
+    /// Lets time pass, in the steps the app asks for.
+    fn pass(&mut self, time: Duration) {
+        let mut left = time;
+        while !self.quit && !left.is_zero() {
+            let Some(wake) = self.app.wake() else {
+                return;
+            };
+            let step = wake.max(FRAME).min(left);
+            let effects = self.app.advance(step);
+            self.carry_out(effects);
+            left -= step;
+        }
+    }
+
+    fn carry_out(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            match effect {
+                Effect::Quit => self.quit = true,
+                Effect::Search(task) if self.opening.simulated => {
+                    self.input(&Input::Searched(Box::new(search(&task))));
+                }
+                Effect::Search(task) => self.searches.push_back(*task),
+                Effect::Keep(call) => {
+                    if let Some(answer) = self.keeping.ask(&call) {
+                        self.input(&Input::Kept(Box::new(answer)));
+                    }
+                    // There is no browser that could fail.
+                    if self.opening.simulated && self.keeping.changes().is_ok() {
+                        for answer in self.keeping.kept(None) {
+                            self.input(&Input::Kept(Box::new(answer)));
+                        }
+                    }
+                }
+                Effect::Export { name, content } => {
+                    let place = match self.opening.simulated {
+                        true => name.clone(),
+                        false => format!("the folder for downloads: {name}"),
+                    };
+                    self.downloads.push(Download { name, content });
+                    self.input(&Input::Exported(Ok(place)));
+                }
+            }
+        }
+    }
+
+    fn reply(&mut self) -> Reply {
+        let exports = self.keeping.store().take_exports().into_iter();
+        let exports = exports.map(|(name, content)| Download { name, content });
+        Reply {
+            wake_ms: self.app.wake().map(|wake| wake.as_secs_f64() * 1e3),
+            keep: self.keeping.is_to_keep(),
+            think: !self.searches.is_empty(),
+            quit: self.quit,
+            downloads: self.downloads.drain(..).chain(exports).collect(),
+            ..Reply::default()
+        }
+    }
+
+    fn paint(&mut self) -> Painted {
+        let app = &self.app;
+        let (drawn, pictures): (Result<_, Infallible>, _) =
+            gather(|| self.screen.draw(|frame| app.draw(frame)).map(drop));
+        let Ok(()) = drawn;
+        let buffer = self.screen.backend().buffer();
+        let (cells, pictures) = painted(buffer, &pictures);
+        self.painted = cells;
+        Painted {
+            size: [buffer.area.width, buffer.area.height],
+            pictures: pictures
+                .into_iter()
+                .map(|picture| Picture {
+                    area: [
+                        picture.area.x,
+                        picture.area.y,
+                        picture.area.width,
+                        picture.area.height,
+                    ],
+                    paper: picture.paper,
+                    svg: picture.svg,
+                })
+                .collect(),
+            keys: self.keys(),
+            colours: self.colours(),
+        }
+    }
+
+    /// The colours of plain text and of what is behind it.
+    fn colours(&self) -> [u32; 2] {
+        let mut blank = Buffer::empty(Rect::new(0, 0, 1, 1));
+        blank.set_style(blank.area, self.app.settings().theme().base());
+        let (cells, _) = painted(&blank, &[]);
+        cells.first().map_or([0, 0], |cell| [cell.ink, cell.paper])
+    }
+
+    /// The keys of the moment. What lies over a screen has keys of its own, or goes at any.
+    fn keys(&self) -> Vec<Keys> {
+        let table = self.app.keys();
+        let rows = table.rows().iter();
+        let mut all: Vec<_> = rows
+            .map(|row| Keys {
+                id: row.id.clone(),
+                keys: row.keys().map(|key| key.to_string()).collect(),
+                name: row.name,
+                help: row.help,
+            })
+            .collect();
+        let has = |key: Key| table.keys().any(|known| known == key);
+        if !has(Key::Escape) {
+            all.push(Keys {
+                id: "layer.go-on".into(),
+                keys: vec![Key::Escape.to_string()],
+                name: "go on",
+                help: "",
+            });
+        }
+        all
+    }
+}
+
+/// What the mouse did, over a cell.
+fn mouse(kind: &str, x: f64, y: f64) -> Option<Mouse> {
+    let kind = match kind {
+        "down" => MouseKind::Down,
+        "drag" => MouseKind::Drag,
+        "up" => MouseKind::Up,
+        "scroll-up" => MouseKind::ScrollUp,
+        "scroll-down" => MouseKind::ScrollDown,
+        _ => return None,
+    };
+    Some(Mouse::at(kind, (x, y).into()))
+}
