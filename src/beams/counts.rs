@@ -10,6 +10,37 @@ pub const BINS: usize = 36;
 /// Width of a bin in radians: 5°.
 pub const BIN_WIDTH: f64 = PI / BINS as f64;
 
+/// What particles are counted for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CountedFor {
+    /// A steradian of solid angle: what a small screen sees that is carried around the target,
+    /// as Geiger and Marsden did.
+    #[default]
+    Steradian,
+    /// A whole ring of 5° around the beam, larger at 90° than near the ends.
+    Ring,
+}
+
+impl CountedFor {
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Steradian => Self::Ring,
+            Self::Ring => Self::Steradian,
+        }
+    }
+
+    /// How much of it a bin has: 1 ring, or 2π (cos from − cos to) steradians.
+    pub fn in_bin(self, bin: usize) -> f64 {
+        let cosine = |edge: usize| (edge as f64 * BIN_WIDTH).cos();
+        match self {
+            Self::Steradian => 2.0 * PI * (cosine(bin) - cosine(bin + 1)),
+            Self::Ring => 1.0,
+        }
+    }
+}
+
 /// How many particles left at which angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {

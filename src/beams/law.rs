@@ -64,6 +64,26 @@ impl ScatteringLaw {
         }
     }
 
+    /// The share of the beam that leaves at `angle` radians into a small solid angle, per
+    /// steradian: 1/4π for hard spheres, dσ/dΩ over the area of the beam for a charge. `None`
+    /// on a board, where there is no solid angle, and where the beam has no particle.
+    pub fn share_per_steradian(&self, angle: f64) -> Option<f64> {
+        if self.beam == Beam::Board {
+            return None;
+        }
+        match self.target {
+            BeamTarget::Hard => Some(1.0 / (4.0 * PI)),
+            BeamTarget::Coulomb {
+                scatterer,
+                half_width,
+            } => {
+                let cross_section = scatterer.differential_cross_section(angle)?;
+                let inside = scatterer.impact_parameter(angle)? <= half_width;
+                inside.then(|| cross_section / (PI * half_width * half_width))
+            }
+        }
+    }
+
     /// The share of the beam that is turned by more than `angle` radians.
     pub fn share_beyond(&self, angle: f64) -> f64 {
         self.beam.share_within(self.nearness(angle))

@@ -13,7 +13,7 @@ mod sampler;
 #[cfg(test)]
 mod tests;
 
-pub use counts::{BIN_WIDTH, BINS, Counts};
+pub use counts::{BIN_WIDTH, BINS, CountedFor, Counts};
 pub use foil::{Foil, METALS, Metal};
 pub use law::{BeamTarget, ScatteringLaw};
 pub use measured::{Angle, Fault, Series, geiger_marsden, read};

@@ -200,6 +200,29 @@ fn shares_and_angles_are_two_sides_of_one_law() {
     }
 }
 
+/// What leaves per steradian, over all the directions of a band, is what leaves in the band.
+#[test]
+fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
+    for law in [SPHERE, coulomb(Beam::Space), foil(2e-6)] {
+        for deg in [5.0_f64, 15.0, 60.0, 90.0, 150.0, 179.0] {
+            let (angle, half) = (deg.to_radians(), 1e-5);
+            let ring = law.share_beyond(angle - half) - law.share_beyond(angle + half);
+            let steradians = 2.0 * PI * ((angle - half).cos() - (angle + half).cos());
+            if let Some(share) = law.share_per_steradian(angle) {
+                assert!(
+                    (share * steradians / ring - 1.0).abs() < 1e-6,
+                    "{law:?} {deg}"
+                );
+            } else {
+                assert!(ring <= 0.0, "{law:?} {deg}");
+            }
+        }
+    }
+    assert_eq!(DISC.share_per_steradian(1.0), None);
+    let sphere: f64 = (0..BINS).map(|bin| CountedFor::Steradian.in_bin(bin)).sum();
+    assert!((sphere - 4.0 * PI).abs() < 1e-12);
+}
+
 /// What goes beyond an angle in a foil is n t σ: the thinner, the fewer.
 #[test]
 fn a_foil_turns_back_few() {

@@ -42,6 +42,8 @@ pub enum FigureKind {
         page: u8,
         /// Whether the counts of 1913 stand above the law rather than against it.
         levelled: bool,
+        /// Whether a beam is counted in whole rings rather than on a small screen.
+        rings: bool,
     },
     /// Many shots at one disc, none of them aimed.
     Shots {
@@ -95,7 +97,12 @@ impl Figure {
             FigureKind::Worked { blank } => {
                 *blank = words.number("blank", 1.0, 9.0)?.map(|step| step as usize);
             }
-            FigureKind::Foil { page, levelled } => {
+            FigureKind::Foil {
+                page,
+                levelled,
+                rings,
+            } => {
+                *rings = words.flag("rings");
                 *page = words.number("page", 1.0, 3.0)?.map_or(1, |page| page as u8);
                 *levelled = words.flag("levelled");
             }

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::run::BeamRun;
 use super::setup::{FoilSetup, Obstacle};
 use super::{FoilScreen, guess, words};
-use crate::beams::{BIN_WIDTH, BINS, BeamTarget, Counts, ScatteringLaw};
+use crate::beams::{BIN_WIDTH, BINS, BeamTarget, CountedFor, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::quiz::{Response, letter};
@@ -20,13 +20,25 @@ use crate::widgets::{AnswerInput, Lines, Look, Role};
 /// Rows above the answers to choose from.
 pub(super) const GUESS_HEAD: usize = 5;
 
-/// The title of the picture.
-pub(super) fn title(setup: &FoilSetup) -> &'static str {
-    match (setup.obstacle, setup.beam) {
-        (Obstacle::Hard, Beam::Board) => "hard discs on a board",
-        (Obstacle::Hard, Beam::Space) => "hard spheres in space",
-        (Obstacle::Nucleus, Beam::Board) => "a foil, if the world were flat",
-        (Obstacle::Nucleus, Beam::Space) => "a foil",
+/// The title of the picture: what is hit, and in space what is counted there.
+pub(super) fn title(foil: &FoilScreen) -> &'static str {
+    use CountedFor::{Ring, Steradian};
+    match (foil.setup.obstacle, foil.setup.counted_for()) {
+        (Obstacle::Hard, None) => "hard discs on a board",
+        (Obstacle::Hard, Some(Steradian)) => "hard spheres: counts on a small screen",
+        (Obstacle::Hard, Some(Ring)) => "hard spheres: counts in whole rings",
+        (Obstacle::Nucleus, None) => "a foil, if the world were flat",
+        (Obstacle::Nucleus, Some(Steradian)) => "a foil: counts on a small screen",
+        (Obstacle::Nucleus, Some(Ring)) => "a foil: counts in whole rings",
+    }
+}
+
+/// What the axis of the counts is called.
+fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
+    match counted_for {
+        None => "particles in each 5°",
+        Some(CountedFor::Ring) => "particles in each ring of 5°",
+        Some(CountedFor::Steradian) => "particles per steradian",
     }
 }
 
@@ -34,26 +46,34 @@ pub(super) fn title(setup: &FoilSetup) -> &'static str {
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
+    let name = name_of_counts(foil.setup.counted_for());
+    // On a board a bin is what a small screen is in space: each is as wide as any other.
+    let counted_for = foil.setup.counted_for().unwrap_or(CountedFor::Ring);
     let most = Counts::expected(&law, particles)
         .into_iter()
+        .enumerate()
+        .map(|(bin, expected)| expected / counted_for.in_bin(bin))
         .fold(1.0, f64::max);
     let angle = Axis::linear("scattering angle Θ (°)", 0.0, 180.0).every(30.0);
-    let name = "particles in each 5°";
-    let count = if foil.is_log() {
-        Axis::log(name, 0.5, 2.0 * most)
+    let (count, top) = if foil.is_log() {
+        (Axis::log(name, 0.5, 2.0 * most), 2.0 * most)
     } else {
-        Axis::linear(name, 0.0, 1.15 * most)
+        (Axis::linear(name, 0.0, 1.15 * most), 1.15 * most)
     };
     let mut plot = Plot::new(area, look, angle, count);
     if let Some(run) = &foil.run {
         let degrees = |bin: usize| (bin as f64 * BIN_WIDTH).to_degrees();
         for (bin, count) in run.counts.bins.iter().enumerate() {
-            plot.bar(degrees(bin), degrees(bin + 1), *count as f64, Role::Trail);
+            let height = *count as f64 / counted_for.in_bin(bin);
+            plot.bar(degrees(bin), degrees(bin + 1), height, Role::Trail);
         }
-        // Where next to none are expected there is no line: it would be that of the axis.
+        // Where next to none are expected there is no line: it would be that of the axis. Near 0
+        // the law goes beyond the plot.
         let least = plot.least_clear();
         let thrown = run.thrown();
-        let expected = |at| expected_at(&law, thrown, at).filter(|count| *count >= least);
+        let expected = |at| {
+            expected_at(&law, counted_for, thrown, at).filter(|count| (least..=top).contains(count))
+        };
         plot.function(expected, Pen::new(Role::StrikerOut));
         let sides = [
             LabelSide::AboveRight,
@@ -72,15 +92,22 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// Particles expected within 2.5° of an angle in degrees, so that the curve passes the
-/// middle of each bin at what is expected in it.
-fn expected_at(law: &ScatteringLaw, thrown: u64, degrees: f64) -> Option<f64> {
-    let half = BIN_WIDTH / 2.0;
+/// Particles expected at an angle in degrees. Of a steradian it is the law itself; of a ring
+/// those within 2.5°, so that the curve passes the middle of each bin at what is expected in it.
+pub(super) fn expected_at(
+    law: &ScatteringLaw,
+    counted_for: CountedFor,
+    thrown: u64,
+    degrees: f64,
+) -> Option<f64> {
     let at = degrees.to_radians();
-    let inside = at >= half - 1e-9 && at <= PI - half + 1e-9;
-    inside.then(|| {
-        thrown as f64 * (law.share_beyond(at - half) - law.share_beyond((at + half).min(PI)))
-    })
+    let half = BIN_WIDTH / 2.0;
+    let share = match counted_for {
+        CountedFor::Steradian => law.share_per_steradian(at)?,
+        CountedFor::Ring if at < half - 1e-9 || at > PI - half + 1e-9 => return None,
+        CountedFor::Ring => law.share_beyond(at - half) - law.share_beyond((at + half).min(PI)),
+    };
+    Some(thrown as f64 * share)
 }
 
 /// Where the curve may be named: past the middle, or else the nearer to its beginning.
@@ -209,7 +236,7 @@ fn reason(law: &ScatteringLaw, share: f64) -> String {
             words::share(share)
         ),
         (BeamTarget::Hard, Beam::Space) => format!(
-            "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres scatter alike in all directions; the counts are highest at 90° because that ring of the sky is widest.",
+            "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres send as many one way as any other: on a small screen the counts are level, and whole rings count most at 90° only because that ring is the largest.",
             words::share(share)
         ),
         (BeamTarget::Coulomb { half_width, .. }, beam) => {
@@ -239,12 +266,12 @@ mod tests {
                 }
                 .law();
                 let expected = Counts::expected(&law, 1000);
+                let on_curve = |middle| expected_at(&law, CountedFor::Ring, 1000, middle);
                 for (bin, expected) in expected.into_iter().enumerate() {
-                    let middle = (bin as f64 + 0.5) * 5.0;
-                    let on_curve = expected_at(&law, 1000, middle).unwrap();
+                    let on_curve = on_curve((bin as f64 + 0.5) * 5.0).unwrap();
                     assert!((on_curve - expected).abs() < 1e-9 * expected.max(1e-3));
                 }
-                assert_eq!(expected_at(&law, 1000, 0.0), None);
+                assert_eq!(on_curve(0.0), None);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::FoilPage;
 use super::setup::{FoilSetup, Obstacle};
-use crate::beams::METALS;
+use crate::beams::{CountedFor, METALS};
 use crate::physics::beam::Beam;
 use crate::widgets::input::{Field, FieldValue, FormFields};
 
@@ -19,10 +19,12 @@ pub(super) struct FoilFields {
 impl FoilFields {
     /// Those that mean something on the page, in the order of its panel.
     pub(super) fn all(&self) -> &'static [FoilField] {
-        match (self.page, self.setup.obstacle) {
+        let page: &[FoilField] = match (self.page, self.setup.obstacle) {
             (FoilPage::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
             (FoilPage::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
-            (FoilPage::Counts, Obstacle::Hard) => &[F::Obstacle, F::Beam, F::Particles],
+            (FoilPage::Counts, Obstacle::Hard) => {
+                &[F::Obstacle, F::Beam, F::Particles, F::CountedFor]
+            }
             (FoilPage::Counts, Obstacle::Nucleus) => &[
                 F::Obstacle,
                 F::Beam,
@@ -30,8 +32,14 @@ impl FoilFields {
                 F::Energy,
                 F::Thickness,
                 F::Particles,
+                F::CountedFor,
             ],
             (FoilPage::Measured, _) => &[],
+        };
+        match page {
+            // On a board there is only one way to count.
+            [others @ .., F::CountedFor] if self.setup.counted_for().is_none() => others,
+            all => all,
         }
     }
 }
@@ -66,6 +74,8 @@ pub(crate) enum FoilField {
     Offset,
     /// Particles in a beam.
     Particles,
+    /// What they are counted for.
+    CountedFor,
 }
 
 use FoilField as F;
@@ -75,12 +85,13 @@ impl FoilField {
     const fn words(self) -> (&'static str, &'static str) {
         match self {
             Self::Obstacle => ("target", "what stands in the way"),
-            Self::Beam => ("beam", "even over a line or a disc"),
+            Self::Beam => ("beam", "spread evenly over a line or a disc"),
             Self::Metal => ("metal", "what the foil is made of"),
             Self::Energy => ("energy", "of the α particles"),
             Self::Thickness => ("foil", "how thick the foil is"),
             Self::Offset => ("offset b", "how far off-centre it flies"),
             Self::Particles => ("particles", "how many in a beam"),
+            Self::CountedFor => ("counts", "on a small screen or in rings of 5°"),
         }
     }
 
@@ -103,6 +114,7 @@ impl FoilField {
             (Self::Thickness, _) => number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
             (Self::Offset, Obstacle::Hard) => number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
             (Self::Offset, Obstacle::Nucleus) => number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
+            (Self::CountedFor, _) => choice(usize::from(setup.counted_for == CountedFor::Ring), 2),
             (Self::Particles, _) => {
                 let at = setup.particles_exponent.saturating_sub(least);
                 choice(at as usize, (most - least + 1) as usize)
@@ -132,6 +144,15 @@ impl FoilField {
             (Self::Offset, Obstacle::Hard, _) => format!("{:.2} R", setup.offset_share),
             (Self::Offset, Obstacle::Nucleus, _) => format!("{:.1} fm", setup.offset_fm),
             (Self::Particles, ..) => super::words::count(setup.particles()),
+            (Self::CountedFor, ..) => Self::shown_counts(setup.counted_for).into(),
+        }
+    }
+
+    /// What particles are counted for, as shown.
+    pub(super) const fn shown_counts(counted_for: CountedFor) -> &'static str {
+        match counted_for {
+            CountedFor::Steradian => "small screen",
+            CountedFor::Ring => "whole rings",
         }
     }
 
@@ -153,6 +174,9 @@ impl FoilField {
             (Self::Offset, Obstacle::Hard) => setup.offset_share = value,
             (Self::Offset, Obstacle::Nucleus) => setup.offset_fm = value,
             (Self::Particles, _) => setup.particles_exponent = EXPONENTS.0 + value as u32,
+            (Self::CountedFor, _) => {
+                setup.counted_for = [CountedFor::Steradian, CountedFor::Ring][second];
+            }
         }
     }
 
@@ -166,7 +190,7 @@ impl FoilField {
 mod tests {
     use super::*;
 
-    const ALL: [FoilField; 7] = [
+    const ALL: [FoilField; 8] = [
         F::Obstacle,
         F::Beam,
         F::Metal,
@@ -174,6 +198,7 @@ mod tests {
         F::Thickness,
         F::Offset,
         F::Particles,
+        F::CountedFor,
     ];
 
     fn step(field: FoilField, setup: &mut FoilSetup, steps: f64) {

@@ -34,7 +34,7 @@ pub(crate) fn explain(said: f64, share: f64) -> String {
         .min_by(|a, b| off(a).total_cmp(&off(b)))
         .map_or(share, |choice| choice.share);
     if said == nearest {
-        return "You said so: as near as the answers go.".into();
+        return "You said so: none of the answers is nearer.".into();
     }
     let times = (said / share).max(share / said);
     let times = if times < 10.0 {

@@ -165,7 +165,7 @@ pub(super) fn write(lines: &mut Lines) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     lines.paragraph(
         &format!(
-            "Gold went from {least} to {}, {}-fold, and stays between {} and {} of the law. That is not nothing: at small angles the counts are too high. Silver: {} to {}. The second plot (Enter) enlarges it.",
+            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. The difference is real: at small angles the counts are too high. Silver: {} to {}. The second plot (Enter) enlarges it.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -177,7 +177,7 @@ pub(super) fn write(lines: &mut Lines) {
     );
     lines.gap();
     lines.paragraph(
-        "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has a scale of its own again: it cannot be joined to this one, and is not.",
+        "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has yet another scale, so it cannot be joined to this one.",
         Role::Dim,
     );
     lines.gap();

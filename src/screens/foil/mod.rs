@@ -420,7 +420,8 @@ impl Screen for FoilScreen {
         vec![
             "A glancing hit, once more, and then a million times. Nobody can aim a particle at an atom; but throw many, evenly, and the angles they leave at tell what is in there.",
             "One particle: set its offset b and see how it is turned. A hard target reflects it; a nucleus repels it from afar, on a hyperbola. r_min is how near it comes.",
-            "A beam: particle after particle, each with a random offset, counted by angle in steps of 5°. The line is what the law leads one to expect. A plane beam has its offsets even over a line, as on a board; a beam in space has them even over a disc.",
+            "A beam: particle after particle, each with a random offset, counted by angle in steps of 5°. The line is what the law leads one to expect. A plane beam has its offsets spread evenly over a line, as on a board; a beam in space has them spread evenly over a disc.",
+            "In space there are two ways to count. A small screen, carried around the foil as Geiger and Marsden did, sees a small and always equal part of all directions: particles per steradian (all directions together are 4π of them). A whole ring of 5° is larger at 90° than near 0° and 180°, so it counts more there. The title says which is shown.",
             "In a foil every nucleus has its share of the beam: the thicker the foil, the less room around each. Each particle is taken to meet one nucleus only, and the target to stay where it is.",
             "Counted in 1913: Geiger and Marsden's own numbers beside the law.",
             "The mouse drags the particle up and down; click a tab, a setting, the plot.",

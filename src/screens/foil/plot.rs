@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, view};
+use crate::beams::CountedFor;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
 use crate::widgets::Look;
@@ -15,7 +16,7 @@ use crate::widgets::picture::Picture;
 /// Ten million particles: enough for some to be turned back, by a foil too.
 const PARTICLES_EXPONENT: u32 = 7;
 
-/// What the chance of the first beam hangs on: the same for all, as in a book.
+/// What the chance of the first beam depends on: the same for all, as in a book.
 const SEED: u64 = 1913;
 
 /// Steps of the offset that `<` and `>` go at once.
@@ -31,6 +32,8 @@ pub(crate) enum FoilFigureAction {
     Beam,
     /// the other scale
     Scale,
+    /// count what a small screen sees, or whole rings of 5°
+    CountFor,
     /// the other plot
     OtherPlot,
 }
@@ -64,6 +67,15 @@ impl FoilFigure {
         plot
     }
 
+    /// The same, counted in whole `rings` or on a small screen.
+    pub(crate) fn counted_in(mut self, rings: bool) -> Self {
+        self.0.setup.counted_for = match rings {
+            true => CountedFor::Ring,
+            false => CountedFor::Steradian,
+        };
+        self
+    }
+
     /// Its title.
     pub(crate) fn title(&self) -> &'static str {
         view::title(&self.0)
@@ -76,7 +88,7 @@ impl FoilFigure {
 
     /// The keys that work it.
     pub(crate) fn keys(&self) -> KeyTable<FoilFigureAction> {
-        use FoilFigureAction::{Beam, Offset, OtherPlot, Scale};
+        use FoilFigureAction::{Beam, CountFor, Offset, OtherPlot, Scale};
         let keys = KeyTable::new("foil-figure");
         match self.0.page {
             FoilPage::Tracks => keys
@@ -84,10 +96,12 @@ impl FoilFigure {
                 .or([('<', Offset(-LEAP)), ('>', Offset(LEAP))]),
             FoilPage::Counts => {
                 let running = self.is_running();
+                let other = FoilField::shown_counts(self.0.setup.counted_for.other());
                 keys.on(Key::Char(' '), Beam, if running { "stop" } else { "throw" })
                     .on(Key::Escape, Beam, "")
                     .when(running)
                     .on(Key::Char('l'), Scale, "scale")
+                    .on(Key::Char('c'), CountFor, other)
             }
             FoilPage::Measured => keys.on(Key::Char(' '), OtherPlot, "the other plot"),
         }
@@ -107,6 +121,7 @@ impl FoilFigure {
                 _ => foil.begin(None, SEED),
             },
             FoilFigureAction::Scale => foil.other_scale = !foil.other_scale,
+            FoilFigureAction::CountFor => foil.setup.counted_for = foil.setup.counted_for.other(),
             FoilFigureAction::OtherPlot => foil.levelled = !foil.levelled,
         }
     }
@@ -146,7 +161,32 @@ impl FoilFigure {
 
 #[cfg(test)]
 mod tests {
+    use super::super::beam_page::expected_at;
     use super::*;
+
+    /// What chapter 10 and the quiz say of a small screen holds of the curve that is drawn.
+    #[test]
+    fn on_a_small_screen_the_counts_fall_as_the_texts_say() {
+        let figure = FoilFigure::new(FoilPage::Counts, false, false);
+        assert_eq!(figure.0.setup.counted_for(), Some(CountedFor::Steradian));
+        let run = figure.0.run.as_ref().unwrap();
+        let at =
+            |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
+        assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
+        assert_eq!((at(60.0) / at(120.0)).round(), 9.0);
+        // Half a small angle: about sixteen times as many.
+        for small in [4.0, 10.0, 20.0] {
+            let times = at(small / 2.0) / at(small);
+            assert!((times - 16.0).abs() < 0.4, "{times}");
+        }
+        // The bars stand on the same scale: where many are counted they meet the curve, but for
+        // the bend of the law within 5°.
+        for bin in 2..6 {
+            let bar = run.counts.bins[bin] as f64 / CountedFor::Steradian.in_bin(bin);
+            let bent = bar / at(5.0 * bin as f64 + 2.5);
+            assert!((0.9..1.2).contains(&bent), "{bin}: {bent}");
+        }
+    }
 
     #[test]
     fn a_beam_that_is_watched_ends_as_one_that_is_thrown_at_once() {

@@ -1,6 +1,6 @@
 //! What the foil is set to: what is thrown at what, and how.
 
-use crate::beams::{BeamTarget, Foil, METALS, Metal, ScatteringLaw};
+use crate::beams::{BeamTarget, CountedFor, Foil, METALS, Metal, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 
@@ -32,6 +32,8 @@ pub(crate) struct FoilSetup {
     pub offset_fm: f64,
     /// Particles in a beam, as a power of ten.
     pub particles_exponent: u32,
+    /// What they are counted for, in space.
+    pub counted_for: CountedFor,
 }
 
 impl Default for FoilSetup {
@@ -46,6 +48,7 @@ impl Default for FoilSetup {
             offset_share: 0.5,
             offset_fm: 20.0,
             particles_exponent: 6,
+            counted_for: CountedFor::default(),
         }
     }
 }
@@ -74,6 +77,12 @@ impl FoilSetup {
             },
             beam: self.beam,
         }
+    }
+
+    /// What particles are counted for: nothing but the angle on a board, which has no solid
+    /// angle.
+    pub(crate) fn counted_for(&self) -> Option<CountedFor> {
+        (self.beam == Beam::Space).then_some(self.counted_for)
     }
 
     /// Particles in a beam.

@@ -191,7 +191,7 @@ fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
     } else if angle >= PI - 1e-9 {
         "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it stays where it is."
     } else {
-        "It leaves as from a mirror: as far to the one side of the line of impact as it came from the other. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays."
+        "It leaves as light from a mirror: as far to one side of the line of impact as it came from the other. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays."
     };
     lines.paragraph(text, Role::Text);
 }
@@ -207,7 +207,7 @@ fn write_nucleus(setup: &FoilSetup, set: &Path, lines: &mut Lines) {
         "Straight on: the α particle is slowed, stands still for an instant at d, where all its energy has gone into the repulsion, and flies straight back.".into()
     } else {
         format!(
-            "Both are charged alike, so they never touch: the α particle is slowed, turned and sped up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
+            "Both are positive, so they never touch: the α particle is slowed, turned and sped up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
     lines.paragraph(&text, Role::Text);
@@ -216,7 +216,7 @@ fn write_nucleus(setup: &FoilSetup, set: &Path, lines: &mut Lines) {
     let times = rounded(140_000.0 / d);
     lines.paragraph(
         &format!(
-            "Even head-on it comes no nearer than d. The charge that turns it must be smaller still, and the radius of the atom is about {} times d.",
+            "Even head-on it comes no nearer than d. So the charge that turns it must be smaller still; and the radius of the atom is about {} times d.",
             super::words::count((times / 100.0).round() as u64 * 100),
         ),
         Role::Text,

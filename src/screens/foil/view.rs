@@ -84,7 +84,7 @@ pub(super) fn draw(foil: &FoilScreen, area: Rect, buf: &mut Buffer, cx: &Context
 pub(super) fn title(foil: &FoilScreen) -> &'static str {
     match foil.page {
         FoilPage::Tracks => tracks_page::title(&foil.setup),
-        FoilPage::Counts => beam_page::title(&foil.setup),
+        FoilPage::Counts => beam_page::title(foil),
         FoilPage::Measured => measured_page::title(foil.levelled),
     }
 }

@@ -40,7 +40,7 @@ const LEAP: i8 = 10;
 pub(crate) enum FigureAction {
     /// change α
     Alpha(i8),
-    /// α head-on, α at the brim
+    /// α of a head-on hit, α of a graze
     AlphaEnd(i8),
     /// step through the working
     Step(isize),
@@ -119,9 +119,11 @@ impl LiveFigure {
             }
             FigureKind::Worked { blank } => FigureState::Step(blank.map_or(0, |step| step - 1)),
             FigureKind::Solve => FigureState::Solve { field: 0, step: 0 },
-            FigureKind::Foil { levelled, .. } if !self.hidden => {
+            FigureKind::Foil {
+                levelled, rings, ..
+            } if !self.hidden => {
                 let page = self.foil_page().unwrap_or_default();
-                let figure = FoilFigure::new(page, levelled, !reduced);
+                let figure = FoilFigure::new(page, levelled, !reduced).counted_in(rings);
                 FigureState::Foil(Box::new(figure))
             }
             _ => FigureState::Plain,
