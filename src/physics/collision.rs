@@ -4,12 +4,15 @@
 //! Where they touch, the line of impact and everything after the hit follow from
 //! that and are computed, never stored.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use glam::DVec2;
 
 use super::Disc;
 use super::angle::{angle_between, signed_angle};
 use super::capture::capture;
 use super::impact::{Contact, kinetic_energy};
+use super::units::rad_from_deg;
 
 /// What the two surfaces do at contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -35,6 +38,10 @@ pub struct Collision {
     /// Impact parameter b in metres: how far the target's centre lies to the right
     /// of the line along which the striker moves relative to it.
     pub offset: f64,
+    /// What rounding left of [`offset`](Self::offset), in metres, where an impact angle within
+    /// a degree of a graze gave it: b is the sum of the two. There cos α hangs on digits of b
+    /// that `offset` alone cannot hold. Else 0.
+    pub offset_rest: f64,
     /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
@@ -116,6 +123,7 @@ impl Collision {
             u1,
             u2: DVec2::ZERO,
             offset,
+            offset_rest: 0.0,
             restitution: 1.0,
             bond: Bond::Slip,
         }
@@ -125,8 +133,36 @@ impl Collision {
     /// b = (r₁ + r₂) sin α.
     #[must_use]
     pub fn with_alpha(self, alpha: f64) -> Self {
+        self.with_angle(alpha, FRAC_PI_2 - alpha.abs())
+    }
+
+    /// The same collision at an impact angle of `alpha_deg` degrees, −90 to 90. Near a graze
+    /// more of the angle is kept than by [`with_alpha`](Self::with_alpha), for 90° − α is exact
+    /// in degrees.
+    #[must_use]
+    pub fn with_alpha_deg(self, alpha_deg: f64) -> Self {
+        self.with_angle(
+            rad_from_deg(alpha_deg),
+            rad_from_deg(90.0 - alpha_deg.abs()),
+        )
+    }
+
+    /// The same collision at impact angle `alpha`, which is `from_graze` short of ±π/2.
+    fn with_angle(self, alpha: f64, from_graze: f64) -> Self {
+        // Within a degree of it.
+        const NEAR_GRAZE: f64 = PI / 180.0;
+        let reach = self.contact_distance();
+        let offset = reach * alpha.sin();
+        let offset_rest = if from_graze < NEAR_GRAZE {
+            // r₁ + r₂ − |b| = (r₁ + r₂)(1 − cos(90° − α)), without a difference of nearly equals.
+            let short = 2.0 * reach * (from_graze / 2.0).sin().powi(2);
+            (reach - offset.abs() - short) * offset.signum()
+        } else {
+            0.0
+        };
         Self {
-            offset: self.contact_distance() * alpha.sin(),
+            offset,
+            offset_rest,
             ..self
         }
     }
@@ -152,7 +188,7 @@ impl Collision {
     pub fn normal(&self) -> Option<DVec2> {
         let along = self.relative_velocity().try_normalize()?;
         let sine = self.sine()?;
-        Some(cosine(sine) * along - sine * along.perp())
+        Some(self.cosine(sine) * along - sine * along.perp())
     }
 
     /// The centres of striker and target when they touch, with the point of contact
@@ -188,7 +224,7 @@ impl Collision {
             normal,
             restitution: self.restitution,
         };
-        let grazes = self.sine().is_some_and(|sine| cosine(sine) <= 0.0);
+        let grazes = self.sine().is_some_and(|sine| self.cosine(sine) <= 0.0);
         match contact.resolve() {
             Some(impact) if !grazes => match self.bond {
                 Bond::Slip => CollisionOutcome {
@@ -280,18 +316,22 @@ impl Collision {
             None
         }
     }
-}
 
-/// cos α from sin α for |α| ≤ π/2, exact at both ends.
-fn cosine(sine: f64) -> f64 {
-    ((1.0 - sine) * (1.0 + sine)).sqrt()
+    /// cos α from sin α for |α| ≤ π/2, exact at both ends.
+    fn cosine(&self, sine: f64) -> f64 {
+        if self.offset_rest == 0.0 {
+            return ((1.0 - sine) * (1.0 + sine)).sqrt();
+        }
+        let reach = self.contact_distance();
+        let short = reach - self.offset.abs() - self.offset_rest * self.offset.signum();
+        (short.max(0.0) / reach * (1.0 + sine.abs())).sqrt()
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::units::{deg_from_rad, rad_from_deg};
-    use std::f64::consts::{FRAC_PI_2, PI};
+    use crate::physics::units::deg_from_rad;
 
     fn carrom(alpha_deg: f64) -> Collision {
         let piece = Disc::from_g_mm(15.0, 15.9);
@@ -379,6 +419,25 @@ mod tests {
         .outcome();
         assert_eq!(after.theta1, Some(PI));
         assert_eq!(after.separation, Some(PI));
+    }
+
+    /// A resting target takes u (1 + e) m₁/(m₁ + m₂) cos α, however thin the hit.
+    #[test]
+    fn near_a_graze_no_digits_are_lost() {
+        for short_deg in [0.9, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
+            for side in [1.0, -1.0] {
+                let alpha_deg = 90.0 - short_deg;
+                let shot = carrom(0.0).with_alpha_deg(side * alpha_deg);
+                let after = shot.outcome();
+                // Exact: both are near 90.
+                let cos = rad_from_deg(90.0 - alpha_deg).sin();
+                let relative = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
+                assert_eq!(after.meeting, Meeting::Hit);
+                relative(after.v2.length(), 4.0 * cos);
+                relative(after.v2.x, 4.0 * cos * cos);
+                relative(after.v1.y, side * 4.0 * cos * rad_from_deg(alpha_deg).sin());
+            }
+        }
     }
 
     #[test]

@@ -223,16 +223,15 @@ impl CollisionSpec {
 
     /// The collision.
     pub fn collision(&self) -> Collision {
+        let striker = Disc::from_g_mm(self.m1_g, self.r1_mm);
+        let target = Disc::from_g_mm(self.m2_g, self.r2_mm);
+        let u1 = self.speed * unit_vector(self.aim_deg);
         Collision {
-            striker: Disc::from_g_mm(self.m1_g, self.r1_mm),
-            target: Disc::from_g_mm(self.m2_g, self.r2_mm),
-            u1: self.speed * unit_vector(self.aim_deg),
             u2: self.target_speed * unit_vector(self.target_deg),
-            offset: 0.0,
             restitution: self.restitution,
             bond: self.bond,
+            ..Collision::at_offset(striker, target, u1, 0.0).meeting_at(self.point)
         }
-        .meeting_at(self.point)
     }
 }
 
@@ -264,9 +263,10 @@ impl Collision {
     #[must_use]
     pub fn meeting_at(self, point: ImpactPoint) -> Self {
         match point {
-            ImpactPoint::Angle { alpha_deg } => self.with_alpha(rad_from_deg(alpha_deg)),
+            ImpactPoint::Angle { alpha_deg } => self.with_alpha_deg(alpha_deg),
             ImpactPoint::Offset { offset_mm } => Self {
                 offset: m_from_mm(offset_mm),
+                offset_rest: 0.0,
                 ..self
             },
         }
