@@ -68,6 +68,11 @@ impl Charset {
                 if letter == '√' && plain.ends_with(|c: char| c.is_ascii_alphanumeric()) {
                     plain.push(' ');
                 }
+                // The index of a letter stands off from it: n_x, but v2x.
+                if matches!(letter, 'ₓ' | 'ᵧ') && plain.ends_with(|c: char| c.is_ascii_alphabetic())
+                {
+                    plain.push('_');
+                }
                 plain.push_str(spelling(letter));
             }
         }
@@ -200,6 +205,7 @@ mod tests {
             ("2√3 or √(a + b)", "2 sqrt 3 or sqrt (a + b)"),
             ("“far” — it’s", "\"far\" -- it's"),
             ("0.21 µm", "0.21 um"),
+            ("nₓ and v₂ₓ", "n_x and v2x"),
             ("plain", "plain"),
         ] {
             assert_eq!(Charset::Ascii.text(written), spelt);

@@ -33,8 +33,10 @@ pub(crate) fn flow(runs: &[Run], columns: usize, charset: Charset) -> Vec<Vec<Ru
     let columns = columns.max(1);
     let mut rows = vec![Vec::new()];
     let mut used = 0;
-    let words = words(runs).into_iter();
-    let words: Vec<FlowWord> = words.map(|word| spelt(word, charset)).collect();
+    let words: Vec<FlowWord> = words(runs)
+        .into_iter()
+        .flat_map(|word| within(word, columns, charset))
+        .collect();
     for word in held(&words, columns) {
         let width = width(&word);
         let gap = usize::from(used > 0);
@@ -112,6 +114,20 @@ fn words(runs: &[Run]) -> Vec<FlowWord> {
     words
 }
 
+/// A word in a charset; if no row has room for it, its parts between no-break blanks.
+fn within(word: FlowWord, columns: usize, charset: Charset) -> Vec<FlowWord> {
+    let whole = spelt(word.clone(), charset);
+    if width(&whole) <= columns {
+        return vec![whole];
+    }
+    let parted = word.into_iter().map(|run| Run {
+        text: run.text.replace('\u{a0}', " "),
+        ..run
+    });
+    let parts = words(&parted.collect::<Vec<_>>()).into_iter();
+    parts.map(|part| spelt(part, charset)).collect()
+}
+
 /// A word in a charset. A degree sign of a later piece still follows its number.
 fn spelt(word: FlowWord, charset: Charset) -> FlowWord {
     let mut spelt: FlowWord = Vec::new();
@@ -152,6 +168,19 @@ mod tests {
         assert_eq!(rows(&runs, 11, Charset::Ascii), ["the line of", "impact."]);
         let runs = [("so ", Role::Text), ("u\u{a0}=\u{a0}1", Role::Title)];
         assert_eq!(rows(&runs, 6, Charset::Unicode), ["so", "u = 1"]);
+    }
+
+    #[test]
+    fn a_formula_too_long_for_a_row_breaks_between_its_terms() {
+        let formula = "tan\u{a0}θ₁\u{a0}=\u{a0}sin\u{a0}Θ\u{a0}/\u{a0}(cos\u{a0}Θ\u{a0}+\u{a0}m₁\u{a0}/\u{a0}m₂)";
+        assert_eq!(
+            rows(
+                &[("so ", Role::Text), (formula, Role::Title)],
+                27,
+                Charset::Unicode
+            ),
+            ["so tan θ₁", "= sin Θ / (cos Θ + m₁ / m₂)"]
+        );
     }
 
     #[test]

@@ -13,6 +13,7 @@ mod lines;
 mod look;
 mod scroll;
 pub(crate) mod signs;
+mod terms;
 mod wrap;
 
 pub use charset::Charset;
@@ -20,4 +21,5 @@ pub use lines::{Lines, Spare};
 pub use look::Look;
 pub(crate) use scroll::rehearsed;
 pub use scroll::{Scroll, overflow, scroll_keys};
-pub use wrap::{ago, clipped, equation, held, width, wrap};
+pub use terms::held;
+pub use wrap::{ago, clipped, equation, width, wrap};

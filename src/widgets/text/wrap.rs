@@ -1,80 +1,15 @@
 //! Plain text in columns.
 
-use std::ops::Range;
 use std::time::Duration;
 
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
+use super::terms::held;
+
 /// Columns that `text` takes.
 pub fn width(text: &str) -> usize {
     text.width()
-}
-
-/// Units as a text has them in either charset.
-const UNITS: [&str; 21] = [
-    "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
-    "keV", "MeV", "deg", "%", "turns",
-];
-
-/// Whether a blank between two words is no place to break a row: it parts a number
-/// from its unit (`2 m/s`), a unit from the rest of it (`g m/s`), the two numbers of
-/// a vector (`(60, 0)`) or of a difference (`90 - 30`), the factors of a product
-/// (`2 × 15`, `m₂ u₂`), a sign of equality from what stands on either side, an operator
-/// from what follows it, a sine from its angle and its factor.
-fn belong_together(before: &str, after: &str) -> bool {
-    let minus = ["-", "−"];
-    let operators = ["=", "+", "/"];
-    let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
-    let number = before
-        .trim_end_matches([')', ']'])
-        .ends_with(char::is_numeric);
-    let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
-    let vector = before.starts_with('(') && before.ends_with(',') && after.contains(')');
-    let difference = number && minus.contains(&after) || minus.contains(&before);
-    let is_function = |word: &str| {
-        let word = word.trim_start_matches(['(', '-', '−']);
-        ["sin", "cos", "tan", "sqrt", "√"].contains(&word)
-    };
-    let function = is_function(before) || number && is_function(after);
-    let equality = after == "=" && is_sign(before);
-    let operation = operators.contains(&before);
-    measured
-        || vector
-        || difference
-        || function
-        || equality
-        || operation
-        || is_product(before, after)
-}
-
-/// Whether a word is a sign of physics, as `α`, that stays with what it equals.
-fn is_sign(word: &str) -> bool {
-    const LONGEST: usize = 6;
-    word.starts_with(char::is_alphabetic)
-        && word.ends_with(char::is_alphanumeric)
-        && word.chars().count() <= LONGEST
-}
-
-/// Whether two words stand beside each other in a product, a times sign being a word.
-fn is_product(before: &str, after: &str) -> bool {
-    let dots = ["·", "×", "."];
-    // In ASCII a times sign is the letter that is also a coordinate.
-    let digit_last = before.ends_with(|last: char| last.is_ascii_digit());
-    let digit_first = after
-        .trim_start_matches(['(', '-'])
-        .starts_with(|first: char| first.is_ascii_digit());
-    let times = after == "x" && digit_last || before == "x" && digit_first;
-    let brackets = ['(', '[', ')', ']'];
-    let is_indexed = |word: &str| {
-        word.starts_with(char::is_alphabetic) && word.ends_with(char::is_numeric)
-            || word.contains(['₁', '₂', '_'])
-    };
-    let is_letter = |word: &str| word.chars().count() == 1 && word.starts_with(char::is_alphabetic);
-    let factor = before.trim_start_matches(brackets);
-    let factors =
-        (is_indexed(factor) || is_letter(factor)) && is_indexed(after.trim_matches(brackets));
-    dots.contains(&before) || dots.contains(&after) || times || factors
 }
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
@@ -191,36 +126,6 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
     }
 }
 
-/// Words that belong together as one, as ranges of `words`, wherever a row of `columns`
-/// has room for them. Rather than anything else a sign is parted from what it equals.
-pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
-    let of = |range: Range<usize>| words.get(range).unwrap_or_default();
-    let fits = |range: Range<usize>| {
-        let taken: usize = of(range).iter().map(|word| width(word.as_ref()) + 1).sum();
-        taken <= columns + 1
-    };
-    let mut held: Vec<Range<usize>> = Vec::new();
-    let mut before = "";
-    for (i, word) in words.iter().enumerate() {
-        let word = word.as_ref();
-        let belongs = i > 0 && belong_together(before, word);
-        before = word;
-        match held.last_mut() {
-            Some(last) if belongs && fits(last.start..i + 1) => last.end = i + 1,
-            Some(last) if belongs => {
-                let group = of(last.clone()).iter();
-                let equality = group.map(AsRef::as_ref).rposition(|word| word == "=");
-                let start = equality.map(|at| last.start + at);
-                let start = start.filter(|&start| start > last.start && fits(start..i + 1));
-                last.end = start.unwrap_or(last.end);
-                held.push(start.unwrap_or(i)..i + 1);
-            }
-            _ => held.push(i..i + 1),
-        }
-    }
-    held
-}
-
 /// A time that has passed, in few letters.
 pub fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
@@ -320,10 +225,7 @@ mod tests {
             wrap("= 3 x 4 along x and y", 15),
             ["= 3 x 4 along x", "and y"]
         );
-        assert_eq!(
-            wrap("(1 + e) m₂ u₂ₙ] / m", 10),
-            ["(1 + e)", "m₂ u₂ₙ]", "/ m"]
-        );
+        assert_eq!(wrap("(1 + e) m₂ u₂ₙ] / m", 10), ["(1 + e) m₂", "u₂ₙ] / m"]);
         assert_eq!(
             wrap("too: 30 mm · sin 45° =", 17),
             ["too:", "30 mm · sin 45° ="]

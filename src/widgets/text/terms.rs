@@ -1,0 +1,269 @@
+//! Where a row of text may break without breaking a formula or a number in it.
+
+use std::ops::Range;
+
+use super::wrap::width;
+
+/// Units as a text has them in either charset.
+const UNITS: [&str; 21] = [
+    "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
+    "keV", "MeV", "deg", "%", "turns",
+];
+
+/// How firmly a blank holds the two words beside it together. Where not all of a formula fits
+/// into a row, it breaks at the weakest of its blanks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Hold {
+    /// Not at all: words of a sentence.
+    Free,
+    /// Before a sign of equality.
+    Equality,
+    /// Between two terms: before a plus or a minus outside all brackets.
+    Term,
+    /// Between the two numbers of a vector.
+    Vector,
+    /// Between two factors of a term, or before what it is divided by.
+    Factor,
+    /// Before a plus or a minus in brackets.
+    Inner,
+    /// Between two factors in brackets.
+    InnerFactor,
+    /// Between an operator and what follows it, a function and its angle, a number and its unit.
+    Fast,
+}
+
+impl Hold {
+    /// Those that hold, the weakest first.
+    const WEAKEST_FIRST: [Self; 7] = [
+        Self::Equality,
+        Self::Term,
+        Self::Vector,
+        Self::Factor,
+        Self::Inner,
+        Self::InnerFactor,
+        Self::Fast,
+    ];
+}
+
+/// Words that belong together as one, as ranges of `words`, wherever a row of `columns` has
+/// room for them.
+pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
+    let holds = holds(words);
+    let mut held = Vec::new();
+    let mut start = 0;
+    for end in 1..=words.len() {
+        if holds.get(end).is_none_or(|hold| *hold == Hold::Free) {
+            let widths = |range: Range<usize>| {
+                let words = words.get(range).unwrap_or_default();
+                words.iter().map(|word| width(word.as_ref()) + 1).sum()
+            };
+            split(
+                start..end,
+                &holds,
+                &Hold::WEAKEST_FIRST,
+                &mut held,
+                &|range| {
+                    let taken: usize = widths(range);
+                    taken <= columns + 1
+                },
+            );
+            start = end;
+        }
+    }
+    held
+}
+
+/// Splits a range of words until each part fits, at the weakest blanks first.
+fn split(
+    range: Range<usize>,
+    holds: &[Hold],
+    weakest: &[Hold],
+    parts: &mut Vec<Range<usize>>,
+    fits: &impl Fn(Range<usize>) -> bool,
+) {
+    let Some((weak, firmer)) = weakest.split_first().filter(|_| !fits(range.clone())) else {
+        return parts.push(range);
+    };
+    let mut start = range.start;
+    for at in range.start + 1..=range.end {
+        if at == range.end || holds.get(at) == Some(weak) {
+            split(start..at, holds, firmer, parts, fits);
+            start = at;
+        }
+    }
+}
+
+/// How firmly each word is held to the one before it.
+fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
+    let mut depth = 0_usize;
+    let mut before = "";
+    let mut holds = Vec::with_capacity(words.len());
+    for word in words {
+        let word = word.as_ref();
+        let hold = hold(before, word, depth > 0);
+        if hold == Hold::Free {
+            depth = 0;
+        }
+        for letter in word.chars() {
+            match letter {
+                '(' | '[' => depth += 1,
+                ')' | ']' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+        before = word;
+        holds.push(hold);
+    }
+    holds
+}
+
+/// How firmly two words are held together, in brackets or outside of them.
+fn hold(before: &str, after: &str, in_brackets: bool) -> Hold {
+    let sign = |word: &str| ["-", "−", "+", "±"].contains(&word);
+    let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
+    let number = before
+        .trim_end_matches([')', ']'])
+        .ends_with(char::is_numeric);
+    let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
+    let follows = sign(before) || ["=", "/", "·", "×"].contains(&before);
+    // In ASCII a times sign is the letter that is also a coordinate, or a full stop.
+    let times = |word| ["·", "×", "/", "."].contains(&word);
+    let times_x = after == "x" && before.ends_with(|last: char| last.is_ascii_digit());
+    let after_x = before == "x" && after.trim_start_matches(['(', '-']).starts_with(digit);
+    let operand = is_operand(before);
+    if measured || follows || after_x || before == "." || is_function(before) && is_operand(after) {
+        Hold::Fast
+    } else if after == "=" && is_sign(before) {
+        Hold::Equality
+    } else if before.starts_with('(') && before.ends_with(',') && after.contains(')') {
+        Hold::Vector
+    } else if sign(after) && operand {
+        match in_brackets {
+            true => Hold::Inner,
+            false => Hold::Term,
+        }
+    } else if times(after) && operand || times_x || is_product(before, after) {
+        match in_brackets {
+            true => Hold::InnerFactor,
+            false => Hold::Factor,
+        }
+    } else {
+        Hold::Free
+    }
+}
+
+fn digit(letter: char) -> bool {
+    letter.is_ascii_digit()
+}
+
+/// A word of a formula without brackets, signs and what ends a sentence.
+fn bare(word: &str) -> &str {
+    let word = word.trim_start_matches(['(', '[', '-', '−']);
+    word.trim_end_matches([')', ']', ',', ';', ':', '.'])
+}
+
+/// Whether a word is a function that takes an angle or a number: `sin`, `cos²`, `√`.
+fn is_function(word: &str) -> bool {
+    let bare = bare(word).trim_end_matches(['²', '⁴', '^', '2', '4']);
+    ["sin", "cos", "tan", "sqrt", "√"].contains(&bare)
+}
+
+/// Whether a word is a sign of physics, as `α`, that stays with what it equals.
+fn is_sign(word: &str) -> bool {
+    const LONGEST: usize = 6;
+    word.starts_with(char::is_alphabetic)
+        && word.ends_with(char::is_alphanumeric)
+        && word.chars().count() <= LONGEST
+}
+
+/// Whether a word has an index, as `m₂` and `v1`.
+fn is_indexed(word: &str) -> bool {
+    word.starts_with(char::is_alphabetic) && word.ends_with(char::is_numeric)
+        || word.contains(['₁', '₂', '_'])
+}
+
+/// Whether an operator may stand beside a word: a number, a letter, something indexed or in
+/// brackets.
+fn is_operand(word: &str) -> bool {
+    let bare = bare(word);
+    let one_letter = bare.chars().count() == 1 && bare.starts_with(char::is_alphabetic);
+    let ends = bare.ends_with(char::is_numeric) || bare.ends_with(['°', '²', '⁴']);
+    one_letter
+        || bare.starts_with(digit)
+        || bare.starts_with(['√', '½'])
+        || ends
+        || is_indexed(bare)
+        || word.ends_with([')', ']']) && word.contains(['(', '['])
+        || is_function_of(bare)
+        || is_greek(bare)
+        || UNITS.contains(&bare)
+}
+
+/// Whether a word is a Greek letter of a formula, in either charset.
+fn is_greek(word: &str) -> bool {
+    let names = ["alpha", "delta", "theta", "Theta", "mu", "phi", "omega"];
+    let is_letter = |letter| ('Α'..='ω').contains(&letter);
+    names.contains(&word) || word.chars().count() == 1 && word.starts_with(is_letter)
+}
+
+/// Whether a word is a function with its angle right behind it, as `sin(Θ`.
+fn is_function_of(word: &str) -> bool {
+    let Some((function, _)) = word.split_once('(') else {
+        return false;
+    };
+    is_function(function)
+}
+
+/// Whether two words stand beside each other in a product.
+fn is_product(before: &str, after: &str) -> bool {
+    let brackets = ['(', '[', ')', ']'];
+    let factor = before.trim_start_matches(brackets);
+    let is_letter = |word: &str| word.chars().count() == 1 && word.starts_with(char::is_alphabetic);
+    let closed = before.ends_with([')', ']']) && is_operand(before);
+    let first = is_indexed(factor) || is_letter(factor) || closed;
+    let after_function = is_function(after) || is_function_of(after);
+    let number = before.ends_with(char::is_numeric);
+    first && is_indexed(bare(after))
+        || number && is_greek(bare(after))
+        || (first || number) && after_function
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parts(text: &str, columns: usize) -> Vec<String> {
+        let words: Vec<&str> = text.split(' ').collect();
+        let join = |range: Range<usize>| words[range].join(" ");
+        held(&words, columns).into_iter().map(join).collect()
+    }
+
+    #[test]
+    fn a_term_stays_whole() {
+        assert_eq!(
+            parts("with sin(Θ − 30.0) = m₁ / m₂ sin 30.0: Θ = 50.0", 24),
+            ["with", "sin(Θ − 30.0)", "= m₁ / m₂ sin 30.0:", "Θ = 50.0"]
+        );
+        assert_eq!(
+            parts("so tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) here", 27),
+            ["so", "tan θ₁", "= sin Θ / (cos Θ + m₁ / m₂)", "here"]
+        );
+    }
+
+    #[test]
+    fn what_is_too_long_breaks_where_it_is_weakest() {
+        let long = "v = (1 + e) m₁ / (m₁ + m₂) u₁ − e u₂ + 3";
+        assert_eq!(parts(long, 60), [long]);
+        assert_eq!(
+            parts(long, 30),
+            ["v", "= (1 + e) m₁ / (m₁ + m₂) u₁", "− e u₂", "+ 3"]
+        );
+    }
+
+    #[test]
+    fn words_are_free() {
+        let text = "The striker keeps a part of it - and the coin the rest";
+        let free = text.replace(" - ", " ");
+        assert_eq!(parts(&free, 80).len(), free.split(' ').count());
+    }
+}
