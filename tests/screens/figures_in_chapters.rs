@@ -1,0 +1,502 @@
+//! Each number that a sentence of a chapter names without having the engine print it, computed
+//! from the engine and from the data behind the figures. Whoever changes a sentence, a figure or
+//! the physics sees here what no longer agrees.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use carrom::beams::{
+    BIN_WIDTH, BeamTarget, CountedFor, Counts, Foil, METALS, ScatteringLaw, Series, geiger_marsden,
+};
+use carrom::physics::beam::Beam;
+use carrom::physics::rutherford::{
+    FM, GOLD_CHARGE, GOLD_DENSITY, MEASURED_SHARE, MEV, RADIUM_C_ENERGY, Rutherford,
+};
+use carrom::physics::units::{deg_from_rad, rad_from_deg};
+use carrom::physics::{Collision, CollisionOutcome, Disc};
+use glam::DVec2;
+
+/// A number in a sentence.
+struct Claim {
+    /// Number of the chapter.
+    chapter: usize,
+    /// The words around it, and the number in square brackets.
+    words: &'static str,
+    /// What it is.
+    is: f64,
+}
+
+impl Claim {
+    /// The sentence without the brackets.
+    fn sentence(&self) -> String {
+        self.words.replace(['[', ']'], "")
+    }
+
+    /// The number, and to which unit it is rounded.
+    fn says(&self) -> (f64, f64) {
+        let (_, rest) = self.words.split_once('[').unwrap();
+        let (said, _) = rest.split_once(']').unwrap();
+        let fractions = [
+            ("half", 1.0 / 2.0),
+            ("third", 1.0 / 3.0),
+            ("quarter", 1.0 / 4.0),
+            ("three quarters", 3.0 / 4.0),
+            ("twice", 2.0),
+            ("four times", 4.0),
+        ];
+        if let Some((_, number)) = fractions.iter().find(|(name, _)| *name == said) {
+            return (*number, 1e-9);
+        }
+        let digits = said.replace(' ', "").replace('−', "-");
+        let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
+        // A thousand is round.
+        let zeros = match digits.ends_with("000") {
+            true => 3,
+            false => 0,
+        };
+        let unit = 10_f64.powi(zeros - i32::try_from(decimals).unwrap());
+        (digits.parse().unwrap(), unit)
+    }
+}
+
+/// Numbers that nothing is computed from: years, what a legend says, what was measured by others.
+const NAMED: [&str; 24] = [
+    "(A real coin has about 5.5 g;",
+    "a real coin: 5.5 g,",
+    "a target of 25 g,",
+    "angle between the paths is 120°.",
+    "Nitrogen: 14 u.",
+    "in 1909 Rutherford and Royds",
+    "Before 1911",
+    "In 1911 Rutherford",
+    "In 1913 Geiger",
+    "One in 8000",
+    "In 1909 Geiger and Marsden found that about 1 α-particle in 8000",
+    "The 1 in 8000 is often told",
+    "The same: 1 in 8000.",
+    "(1 fm is 10⁻¹⁵ m)",
+    "a screen of 1 mm² at 1 cm.",
+    "Head-on, 15 g on 15 g at rest,",
+    "Two head-on hits, 15 g each,",
+    "and the striker has 15 g.",
+    "so it is 15 g divided by",
+    "their thin gold foil of 0.21 micrometres",
+    "gold of 0.21 micrometres",
+    "to within 20 %.",
+    "they agree within 20 %.",
+    "One cannot say, with 20 %.",
+];
+
+fn after(m1_g: f64, m2_g: f64, speed: f64, alpha_deg: f64, restitution: f64) -> CollisionOutcome {
+    let (striker, target) = (Disc::from_g_mm(m1_g, 15.0), Disc::from_g_mm(m2_g, 15.0));
+    let hit = Collision::at_angle(striker, target, DVec2::new(speed, 0.0), 0.0);
+    let hit = hit.with_alpha_deg(alpha_deg);
+    Collision { restitution, ..hit }.outcome()
+}
+
+/// The speed of the striker along n.
+fn along(outcome: &CollisionOutcome) -> f64 {
+    outcome.v1.dot(outcome.normal.unwrap())
+}
+
+fn degrees(angle: Option<f64>) -> f64 {
+    deg_from_rad(angle.unwrap())
+}
+
+fn energy_share(outcome: &CollisionOutcome, mass_g: f64, speed: f64) -> f64 {
+    0.5 * mass_g / 1000.0 * speed * speed / outcome.energy_before
+}
+
+/// α-particles of radium C on the gold foil of 1913, as the figure of chapter 10 throws them.
+fn gold_foil(energy: f64, thickness: f64) -> ScatteringLaw {
+    let foil = Foil {
+        metal: METALS[0],
+        thickness,
+    };
+    ScatteringLaw {
+        target: foil.target(energy),
+        beam: Beam::Space,
+    }
+}
+
+/// How many times as many a small screen counts at the first angle, in degrees, as at the other.
+fn on_the_screen(at_deg: f64, than_at_deg: f64) -> f64 {
+    let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
+    let count = |deg| law.share_per_steradian(rad_from_deg(deg)).unwrap();
+    count(at_deg) / count(than_at_deg)
+}
+
+/// How many times as many a beam that has changed turns into a small screen at 60°.
+fn at_60(changed: ScatteringLaw) -> f64 {
+    let at = |law: ScatteringLaw| law.share_per_steradian(rad_from_deg(60.0)).unwrap();
+    at(changed) / at(gold_foil(RADIUM_C_ENERGY, 2.1e-7))
+}
+
+fn claims() -> Vec<Claim> {
+    let mut claims = Vec::new();
+    let mut claim = |chapter, words, is| claims.push(Claim { chapter, words, is });
+    let equal = |alpha_deg| after(15.0, 15.0, 1.0, alpha_deg, 1.0);
+    let share_of_target = |hit: CollisionOutcome| energy_share(&hit, 15.0, hit.v2.length());
+    let sine = |deg: f64| rad_from_deg(deg).sin();
+
+    // 1 to 4: equal masses, and 10 g on 30 g.
+    claim(1, "but [half] of the energy would be gone", 2.0 * 1.0 / 4.0);
+    claim(
+        1,
+        "three times the mass needs a [third] of the speed",
+        10.0 / 30.0,
+    );
+    claim(
+        2,
+        "[60]° and 30°: there is a right angle",
+        degrees(equal(30.0).theta1),
+    );
+    claim(
+        2,
+        "60° and [30]°: there is a right angle",
+        degrees(equal(30.0).theta2),
+    );
+    claim(3, "number answer=[90]", degrees(equal(40.0).separation));
+    claim(
+        4,
+        "[half] of the energy, even this far off-centre",
+        share_of_target(equal(45.0)),
+    );
+    claim(
+        4,
+        "The first coin keeps [half] of its speed.",
+        equal(30.0).v1.length(),
+    );
+    let both = degrees(equal(20.0).theta1) + degrees(equal(20.0).theta2);
+    claim(4, "from 0° and [90]° to 90° and 0°", both);
+
+    // 5: 30 g on 10 g.
+    let uneven = after(30.0, 10.0, 2.0, 60.0, 1.0);
+    let came = uneven.normal.unwrap().x * 2.0;
+    let across = uneven.v1.dot(uneven.tangent.unwrap());
+    claim(5, "The striker keeps 20/40 of its [1.00]:", came);
+    claim(
+        5,
+        "The striker keeps [20]/40 of its 1.00:",
+        40.0 * along(&uneven) / came,
+    );
+    claim(
+        5,
+        "(Adding the parts would give [2.23],",
+        along(&uneven) + across,
+    );
+    claim(
+        5,
+        "the striker keeps the other [quarter]",
+        1.0 - share_of_target(equal(30.0)),
+    );
+
+    // 6: 20 g on 40 g, and the other way round.
+    let marbles = after(20.0, 40.0, 3.0, 45.0, 1.0);
+    let came = 3.0 * sine(45.0);
+    claim(6, "or minus one [third]", -along(&marbles) / came);
+    claim(6, "The heavy one gets 40/60 of [2.12]", came);
+    claim(
+        6,
+        "The heavy one gets [40]/60 of 2.12",
+        60.0 * marbles.v2.length() / came,
+    );
+    claim(6, "$t_x$ and $t_y$ are [0.71],", marbles.normal.unwrap().x);
+    claim(6, "and $n_y$ is [−0.71].", marbles.normal.unwrap().y);
+    let heavy = after(40.0, 20.0, 3.0, 45.0, 1.0);
+    claim(6, "with a [third] of what it had", along(&heavy) / came);
+
+    // 7 and 8
+    claim(
+        7,
+        "Yes: 90° less [20]°.",
+        90.0 - degrees(equal(20.0).theta1),
+    );
+    claim(7, "By [140]°.", 180.0 - 2.0 * 20.0);
+    claim(
+        7,
+        "but [three quarters] are handed over",
+        share_of_target(equal(30.0)),
+    );
+    claim(8, "It is not 0.6 of 90°, which would be [54]°", 0.6 * 90.0);
+    claim(
+        8,
+        "than half of the range, which ends at [30] mm.",
+        2.0 * 15.0,
+    );
+
+    // 9: weighing.
+    claim(9, "$sin 153.4 deg$ is [0.447]", sine(63.435 + 2.0 * 45.0));
+    claim(9, "$sin 63.4 deg$ is [0.894]", sine(63.435));
+    let unknown = after(15.0, 10.0, 4.0, 35.0, 1.0);
+    let (theta1, theta2) = (degrees(unknown.theta1), degrees(unknown.theta2));
+    let ratio = sine(theta1 + 2.0 * theta2) / sine(theta1);
+    claim(9, "number answer=[10]", 15.0 / ratio);
+    claim(9, "15 g divided by [1.5]: 10 g.", ratio);
+    claim(9, "15 g divided by 1.5: [10] g.", 15.0 / ratio);
+
+    // 10: shots without aiming.
+    let on_board = Beam::Board.share_beyond(rad_from_deg(60.0));
+    claim(10, "number answer=[50]", 100.0 * on_board);
+    claim(10, "or [50] % of the hits", 100.0 * on_board);
+    claim(
+        10,
+        "so b below [half] of $r_1 + r_2$",
+        rad_from_deg(60.0).cos(),
+    );
+    let in_space = Beam::Space.share_beyond(rad_from_deg(60.0));
+    claim(10, "Half the radius is a [quarter] of the area", in_space);
+    // Gold.
+    let gold = Rutherford::radium_c_on_gold();
+    let d = gold.head_on_approach;
+    claim(10, "Gold is [49] times as heavy", 197.0 / 4.0);
+    claim(
+        10,
+        "number answer=[90]",
+        deg_from_rad(gold.scattering_angle(d / 2.0)),
+    );
+    claim(10, "At an energy of [7.69] MeV", RADIUM_C_ENERGY / MEV);
+    claim(10, "{rutherford_d_fm: [29.6]}", d / FM);
+    claim(10, "to_deg=120: [9]}", on_the_screen(60.0, 120.0));
+    claim(
+        10,
+        "to_deg=150: [2999]}: look at the line in the figure",
+        on_the_screen(15.0, 150.0),
+    );
+    let faster = gold_foil(2.0 * RADIUM_C_ENERGY, 2.1e-7);
+    claim(10, "It falls to a [quarter].", at_60(faster));
+    let charged = Rutherford::new(2.0, 2.0 * GOLD_CHARGE, RADIUM_C_ENERGY).head_on_approach;
+    claim(
+        10,
+        "A nucleus of twice the charge: [four times] the count.",
+        (charged / d).powi(2),
+    );
+    let thicker = gold_foil(RADIUM_C_ENERGY, 4.2e-7);
+    claim(
+        10,
+        "A foil twice as thick: [twice] the count.",
+        at_60(thicker),
+    );
+    // What was counted in 1913.
+    let angles = geiger_marsden().unwrap();
+    let (most, least) = (angles.last().unwrap(), angles[0]);
+    let (low, high) = Series::new(&angles, |angle| angle.gold).unwrap().band();
+    claim(
+        10,
+        "at angles φ from [15]° to 150°",
+        deg_from_rad(most.angle),
+    );
+    claim(
+        10,
+        "at angles φ from 15° to [150]°",
+        deg_from_rad(least.angle),
+    );
+    claim(10, "fell from [132 000] to 33.1", most.gold);
+    claim(10, "fell from 132 000 to [33.1]", least.gold);
+    claim(10, "falls by a factor of [4000]", most.gold / least.gold);
+    claim(10, "within [−15] % and +23 % of its mean", 100.0 * low);
+    claim(10, "within −15 % and +[23] % of its mean", 100.0 * high);
+    // Shares of the thin foil.
+    let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
+    claim(
+        10,
+        "about 1 in [117 000]",
+        1.0 / law.share_beyond(rad_from_deg(90.0)),
+    );
+    claim(10, "With Z = [79] and 5.9×10²⁸ atoms", GOLD_CHARGE);
+    claim(10, "With Z = 79 and [5.9]×10²⁸ atoms", GOLD_DENSITY / 1e28);
+    let share = law.share_per_steradian(rad_from_deg(45.0)).unwrap() * 0.01;
+    claim(10, "{rutherford_share angle_deg=45: [3.2]e-7}", share * 1e7);
+    claim(10, "{measured_share: [3.7]e-7}", MEASURED_SHARE * 1e7);
+    claim(
+        10,
+        "3.7 less 20 % is [3.0], and 3.2 is more than that.",
+        3.7 * 0.8,
+    );
+
+    // 11 and 12
+    claim(11, "[60] g m/s shared by 60 g", 20.0 * 3.0);
+    claim(11, "60 g m/s shared by [60] g", 20.0 + 40.0);
+    claim(11, "That is one [half], and", 10.0 / 20.0);
+    claim(
+        11,
+        "The [21.5]° of chapter 8",
+        deg_from_rad((5.5_f64 / 15.0).asin()),
+    );
+    claim(12, "number answer=[30]", 15.0 / 0.5);
+    let right = degrees(after(15.0, 30.0, 3.0, 40.0, 0.5).separation);
+    claim(
+        12,
+        "{separation_deg slip restitution=0.5 m2_g=30: [90.0]}",
+        right,
+    );
+    let soft = after(15.0, 15.0, 3.0, 35.0, 0.0);
+    let came = 3.0 * rad_from_deg(35.0).cos();
+    claim(
+        12,
+        "At e = 0 it keeps [half] of its part along n",
+        along(&soft) / came,
+    );
+    claims
+}
+
+/// The chapters, their words parted by single blanks, and the numbers of their shots.
+fn chapters() -> BTreeMap<usize, String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
+    let files = fs::read_dir(folder)
+        .unwrap()
+        .map(|file| file.unwrap().path());
+    let markdown = files.filter(|path| path.extension().is_some_and(|it| it == "md"));
+    let chapter = |path: std::path::PathBuf| {
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        (
+            name[..2].parse().unwrap(),
+            fs::read_to_string(path).unwrap(),
+        )
+    };
+    markdown.map(chapter).collect()
+}
+
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn every_claim_stands_in_its_chapter_and_is_true() {
+    let chapters = chapters();
+    for claim in claims() {
+        let Claim { chapter, words, is } = claim;
+        let text = on_one_line(&chapters[&chapter]);
+        assert!(
+            text.contains(&claim.sentence()),
+            "chapter {chapter} no longer says: {words}"
+        );
+        let (says, unit) = claim.says();
+        let off = (is - says).abs();
+        assert!(
+            off <= 0.5 * unit + 1e-9,
+            "chapter {chapter}: {words}: it is {is}"
+        );
+    }
+}
+
+/// The numbers in a text, in their order, each with the words before it.
+fn numbers(text: &str) -> Vec<(f64, &str)> {
+    let is_part = |c: char| c.is_ascii_digit() || c == '.';
+    let mut numbers = Vec::new();
+    let mut from = 0;
+    while let Some(start) = text[from..].find(|c: char| c.is_ascii_digit()) {
+        let start = from + start;
+        let rest = &text[start..];
+        let length = rest.find(|c| !is_part(c)).unwrap_or(rest.len());
+        let written = rest[..length].trim_end_matches('.');
+        from = start + length;
+        numbers.push((written.parse().unwrap(), &text[..from]));
+    }
+    numbers
+}
+
+/// The text outside and inside of all pairs of these signs.
+fn parted(text: &str, [open, close]: [&str; 2]) -> (String, String) {
+    let (mut outside, mut inside) = (String::new(), String::new());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once(open) {
+        let (within, behind) = after.split_once(close).unwrap();
+        outside += &format!("{before} ");
+        inside += &format!("{within} ");
+        rest = behind;
+    }
+    (outside + rest, inside)
+}
+
+/// The text without the number behind this word, as in "chapter 3".
+fn unnumbered(text: &str, word: &str) -> String {
+    let mut parts = text.split(word);
+    let mut kept = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        kept += part.trim_start_matches(|c: char| c.is_ascii_digit());
+    }
+    kept
+}
+
+/// No number stands in a sentence that is neither printed by the engine, nor given by a shot of
+/// the chapter, nor claimed here.
+#[test]
+fn no_number_stands_alone() {
+    for (chapter, text) in chapters() {
+        let (_, rest) = text.split_once("+++").unwrap();
+        let (header, body) = rest.split_once("+++").unwrap();
+        let (directives, prose): (Vec<&str>, Vec<&str>) =
+            body.lines().partition(|line| line.starts_with("::"));
+        let is_item = |line: &&&str| {
+            line.split_once(". ")
+                .is_none_or(|(n, _)| n.parse::<u8>().is_err())
+        };
+        let prose: Vec<&str> = prose.iter().filter(is_item).copied().collect();
+        let mut prose = on_one_line(&prose.join("\n"));
+        let (_, printed) = parted(&prose, ["{", "}"]);
+        let directives = directives.join("\n");
+        let given = [header, &directives, &printed].map(numbers).concat();
+        let given = given.iter().map(|(number, _)| *number);
+        let given: Vec<f64> = given.chain([0.0, 90.0, 180.0]).collect();
+        let claims = claims().into_iter().filter(|it| it.chapter == chapter);
+        for words in claims
+            .map(|it| it.sentence())
+            .chain(NAMED.map(String::from))
+        {
+            prose = prose.replace(&words, " ");
+        }
+        for signs in [["{", "}"], ["$$", "$$"], ["$", "$"], ["`", "`"]] {
+            prose = parted(&prose, signs).0;
+        }
+        for word in ["chapter ", "Chapter ", "step ", "Step "] {
+            prose = unnumbered(&prose, word);
+        }
+        for (number, before) in numbers(&prose) {
+            let near: Vec<&str> = before.split(' ').rev().take(9).collect();
+            let near: Vec<&str> = near.into_iter().rev().collect();
+            assert!(
+                given.contains(&number),
+                "chapter {chapter}: who says that this is right? … {}",
+                near.join(" ")
+            );
+        }
+    }
+}
+
+/// What the chapter and the quiz say of a small screen, in the bars of the figure itself: a beam
+/// so large that chance hardly matters falls as the law does.
+#[test]
+fn the_bars_of_the_beam_fall_as_the_text_says() {
+    let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
+    assert!(matches!(law.target, BeamTarget::Coulomb { .. }));
+    let counts = Counts::expected(&law, 1_000_000_000_000);
+    let screen = |bin: usize| counts[bin] / CountedFor::Steradian.in_bin(bin);
+    let ring = |bin: usize| counts[bin] / CountedFor::Ring.in_bin(bin);
+    let at = |deg: f64| (deg / deg_from_rad(BIN_WIDTH)) as usize;
+    // From the bin of 15° to that of 150°: 2999 on the screen, but for the width of the bins; in
+    // rings only about half of that.
+    let [on_screen, in_rings] = [
+        screen(at(16.0)) / screen(at(151.0)),
+        ring(at(16.0)) / ring(at(151.0)),
+    ];
+    let law_there = (rad_from_deg(76.25).sin() / rad_from_deg(8.75).sin()).powi(4);
+    assert!(
+        (on_screen / law_there - 1.0).abs() < 0.05,
+        "{on_screen} {law_there}"
+    );
+    assert!(
+        (0.5..0.7).contains(&(in_rings / on_screen)),
+        "{in_rings} {on_screen}"
+    );
+    // At half of an angle, in rings half as wide.
+    let share = |from: usize, to: usize| counts[from..to].iter().sum::<f64>();
+    let size = |from, to| {
+        (from..to)
+            .map(|bin| CountedFor::Steradian.in_bin(bin))
+            .sum::<f64>()
+    };
+    let sixteen = share(2, 3) / size(2, 3) / (share(4, 6) / size(4, 6));
+    assert!((15.0..16.5).contains(&sixteen), "{sixteen}");
+}
