@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 
 use carrom::paper::clean;
 use carrom::paper::worksheet::Worksheet;
-use carrom::quiz::{Code, CourseKind, Form, Illustration, Round};
+use carrom::quiz::{Code, CourseKind, Form, Illustration, Response, Round};
 use pulldown_cmark::{Event, Options, Parser, Tag};
 use scraper::{Html, Selector};
 
@@ -98,8 +98,18 @@ fn the_key_holds_every_truth_and_every_belief() {
                 assert!(plain.contains(&line(&belief.says)), "{plain}");
             }
         }
-        let beliefs = round.questions().iter().map(|it| it.beliefs.len());
-        assert_eq!(rows.len(), beliefs.sum::<usize>());
+        // Choices that follow no known misconception have their own row, with what can be told.
+        for question in round.questions() {
+            for (choice, reply) in &question.replies {
+                let said = question.form.words(&Response::Choice(*choice));
+                let is_it = |row: &String| row.contains(&said) && row.contains(reply.as_str());
+                assert!(rows.iter().any(is_it), "{said}: {reply}");
+                assert!(plain.contains(&line(reply)), "{plain}");
+            }
+        }
+        let told = round.questions().iter();
+        let told = told.map(|it| it.beliefs.len() + it.replies.len());
+        assert_eq!(rows.len(), told.sum::<usize>());
     }
 }
 

@@ -8,7 +8,7 @@ use carrom::app::App;
 use carrom::class::{ClassRound, ClassStep, Vote};
 use carrom::cli;
 use carrom::messages::{Input, StoreCall, StoreReply, StoreRequest};
-use carrom::quiz::Code;
+use carrom::quiz::{Code, Illustration, Response, letter};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -529,4 +529,43 @@ fn a_long_code_is_never_half_shown() {
     let screen = game.screen();
     let first = screen.lines().next().unwrap().trim_end();
     assert!(first.ends_with(".."), "{first}");
+}
+
+/// A wrong choice that fits no known misconception is told what the question has to say to it.
+#[test]
+fn a_choice_without_a_misconception_is_answered_too() {
+    let found = (0..200).find_map(|seed| {
+        let code = Code::parse(&format!("concept1-{seed}")).unwrap();
+        let round = ClassRound::new(code, vec!["A".into()]);
+        let question = round.questions().first()?.clone();
+        let (choice, reply) = question.replies.iter().next()?;
+        let in_words = question.picture == Illustration::Nothing;
+        in_words.then(|| (seed, question.form.clone(), *choice, reply.clone()))
+    });
+    let (seed, form, choice, reply) = found.unwrap();
+    let app = app(
+        &format!("concept1-{seed}"),
+        &["Ants", "Bees", "Cats"],
+        Charset::Ascii,
+    );
+    let folder = Folder::new("class-reply");
+    let mut game = Headless::keeping(app, 120, 40, Store::in_folder(folder.path()));
+    let vote = said(&form, &Response::Choice(choice));
+    let right = said(&form, &form.truth());
+    game.press(&format!(
+        "<Enter><Enter><Enter>1{vote}2{vote}3{right}<Enter><Enter><Enter>"
+    ));
+    assert!(game.settle(LONG));
+    if !game.screen().contains("after talking") {
+        game.press("<Enter>");
+    }
+    let screen = game.screen().replace('|', " ");
+    let words: Vec<&str> = screen.split_whitespace().collect();
+    let words = words.join(" ");
+    let told = Charset::Ascii.text(&reply).into_owned();
+    assert!(
+        words.contains(&format!("2 teams: answer {}.", letter(choice))),
+        "{screen}"
+    );
+    assert!(words.contains(&told), "{told}: {screen}");
 }

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{Worksheet, html::figure, html::head, pictures, words};
-use crate::quiz::{Question, WrongAnswer};
+use crate::quiz::Question;
 
 /// All answers: at a glance, and then each with its reasons.
 pub(super) fn answers(worksheet: &Worksheet) -> Markup {
@@ -36,21 +36,23 @@ fn one(number: usize, question: &Question) -> Markup {
                 }
                 @if let Some(picture) = pictures::of_answer(question) { (figure(&picture)) }
             }
-            @if !question.beliefs.is_empty() {
+            @let wrong = question.wrong_answers();
+            @if !wrong.is_empty() {
                 table.beliefs {
-                    thead { tr { th { "Who says" } th { "may think" } } }
-                    tbody { @for belief in &question.beliefs { (row(question, belief)) } }
+                    thead { tr { @for head in words::WRONG_ANSWERS { th { (head) } } } }
+                    tbody {
+                        @for (said, misconception, says) in wrong {
+                            tr {
+                                td { (words::said(question, &said)) }
+                                td {
+                                    @if let Some(it) = misconception { strong { (it.name()) } " " }
+                                    (says)
+                                }
+                            }
+                        }
+                    }
                 }
             }
-        }
-    }
-}
-
-fn row(question: &Question, belief: &WrongAnswer) -> Markup {
-    html! {
-        tr {
-            td { (words::said(question, &belief.said)) }
-            td { strong { (belief.misconception.name()) } " " (belief.says) }
         }
     }
 }

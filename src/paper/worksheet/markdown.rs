@@ -87,14 +87,16 @@ pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
             let name = pictures::answer_name(number);
             document.picture(picture.words(), &format!("{folder}/{name}.svg"));
         }
-        if !question.beliefs.is_empty() {
-            let rows = question.beliefs.iter().map(|belief| {
-                vec![
-                    words::said(question, &belief.said),
-                    format!("{}: {}", belief.misconception.name(), belief.says),
-                ]
+        let wrong = question.wrong_answers();
+        if !wrong.is_empty() {
+            let rows = wrong.into_iter().map(|(said, misconception, says)| {
+                let told = misconception.map_or_else(
+                    || says.to_owned(),
+                    |misconception| format!("{}: {says}", misconception.name()),
+                );
+                vec![words::said(question, &said), told]
             });
-            document.table(&["Who says", "may think"], rows);
+            document.table(&words::WRONG_ANSWERS, rows);
         }
     }
     document.text().to_owned()

@@ -60,8 +60,8 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
     let drawn = || question_picture(AREA, question, None);
     let (picture, words) = match (&question.picture, &question.form) {
         (Illustration::Before { .. }, Form::Shot(aim)) => {
-            let words = "A striker on its way to a disc at rest, a scale of offsets across the way, \
-                         and where one of the two is to go, seen from above";
+            let words = "A striker on its way to a disc at rest, a scale of offsets across its \
+                         path, and where one of the two is to go, seen from above";
             (scale_picture(aim), words.into())
         }
         (Illustration::Before { collision, shown }, Form::Rays { .. }) => {

@@ -20,8 +20,8 @@ pub(super) fn command(code: &Code) -> String {
 /// What counts as right.
 pub(super) fn tolerance() -> String {
     format!(
-        "Counts as right: both ways within {RIGHT_DEG}°, where ways are drawn; {}; an offset \
-         that sends the disc within {RIGHT_DEG}° of its way.",
+        "Counts as right: both directions within {RIGHT_DEG}°, where paths are drawn; {}; an \
+         offset that sends the disc within {RIGHT_DEG}° of where it is to go.",
         Measure::RIGHT
     )
 }
@@ -36,11 +36,14 @@ pub(super) fn points() -> String {
     format!("Points, if you want to give any (right or wrong): {each}.")
 }
 
+/// The heads of the table of wrong answers.
+pub(super) const WRONG_ANSWERS: [&str; 2] = ["Who says", "may think, and can be told"];
+
 /// What is to be done where an answer cannot just be written down.
 pub(super) fn task(question: &Question) -> Option<&'static str> {
     match (&question.form, &question.picture) {
         (Form::Rays { .. }, Illustration::Before { .. }) => {
-            Some("Draw both ways from the middle of the protractor, then read off:")
+            Some("Draw both paths from the middle of the protractor, then read off:")
         }
         (Form::Shot(_), _) => Some("Mark the target's centre on the scale, and write its offset:"),
         (Form::Choice { .. }, _) => Some("Tick one:"),

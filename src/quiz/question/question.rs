@@ -92,6 +92,17 @@ impl Question {
         !told && self.clearance() > MIN_SEPARATION
     }
 
+    /// All wrong answers that have something of their own to be told, with the misconception
+    /// that each follows, if any: those of misconceptions, then other choices.
+    pub fn wrong_answers(&self) -> Vec<(Response, Option<Misconception>, &str)> {
+        let beliefs = self.beliefs.iter();
+        let beliefs = beliefs.map(|it| (it.said, Some(it.misconception), it.says.as_str()));
+        let replies = self.replies.iter();
+        let replies =
+            replies.map(|(choice, says)| (Response::Choice(*choice), None, says.as_str()));
+        beliefs.chain(replies).collect()
+    }
+
     /// Finds the misconception that an answer fits best, if it fits one.
     ///
     /// A right answer fits none. A fit of the whole answer goes before a fit of the

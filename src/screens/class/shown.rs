@@ -2,7 +2,7 @@
 
 use crate::class::{ClassRound, Vote};
 use crate::quiz::misconceptions::most_held;
-use crate::quiz::{Answer, Confidence, Form, Misconception, Question, Response, explain};
+use crate::quiz::{Answer, Confidence, Form, Question, Response, explain, letter};
 use crate::widgets::hit::{Reveal, Watch};
 
 /// What really happens, and why.
@@ -10,8 +10,9 @@ use crate::widgets::hit::{Reveal, Watch};
 pub(super) struct ClassReveal {
     /// The hit, where the question is about one.
     pub(super) reveal: Reveal,
-    /// What most teams that were wrong alike believed, and how many of them.
-    pub(super) held: Option<(Misconception, usize)>,
+    /// What most teams that were wrong in the same way said, and how many of them: the name of
+    /// the misconception that fits, or else the letter of their choice.
+    pub(super) held: Option<(String, usize)>,
     /// Why it is as it is.
     pub(super) why: String,
 }
@@ -23,7 +24,7 @@ impl ClassReveal {
         // What they say after talking, or what they said before it.
         let held = commonest(round, number, Vote::Second)
             .or_else(|| commonest(round, number, Vote::First));
-        let said = held.map(|(_, _, said)| said);
+        let said = held.as_ref().map(|shared| shared.said);
         let why = match said {
             Some(said) => {
                 let answer = Answer::new(said, Confidence::ThinkSo);
@@ -33,7 +34,7 @@ impl ClassReveal {
         };
         Some(Self {
             reveal: Reveal::new(watch(question, said, reduced)),
-            held: held.map(|(misconception, count, _)| (misconception, count)),
+            held: held.map(|shared| (shared.name, shared.count)),
             why,
         })
     }
@@ -53,15 +54,53 @@ fn watch(question: &Question, said: Option<Response>, reduced: bool) -> Option<W
     collision.map(|collision| Watch::new(collision, rays, reduced))
 }
 
-/// The misconception that most votes fit, how many do, and one of them. Of equals the
-/// first of all.
-fn commonest(
-    round: &ClassRound,
-    question: usize,
-    vote: Vote,
-) -> Option<(Misconception, usize, Response)> {
+/// What several votes that were wrong have in common.
+struct SharedAnswer {
+    name: String,
+    count: usize,
+    /// One of the votes.
+    said: Response,
+}
+
+/// The commonest of what wrong votes have in common; of equals a misconception.
+fn commonest(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
+    let shared = [
+        commonest_reply(round, question, vote),
+        commonest_belief(round, question, vote),
+    ];
+    shared.into_iter().flatten().max_by_key(|it| it.count)
+}
+
+/// The misconception that most votes fit. Of equals the first of all.
+fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let (held, said): (Vec<_>, Vec<_>) = round.held(question, vote).unzip();
     let (misconception, count) = most_held(&held)?;
     let first = held.iter().position(|it| *it == misconception)?;
-    Some((misconception, count, said[first]))
+    Some(SharedAnswer {
+        name: misconception.name().into(),
+        count,
+        said: said[first],
+    })
+}
+
+/// The wrong choice of most votes among those that fit no misconception and yet have something
+/// to be told. Of equals the first.
+fn commonest_reply(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
+    let replies = &round.questions().get(question)?.replies;
+    let said: Vec<Response> = round.said(question, vote).collect();
+    let chosen = |choice| {
+        said.iter()
+            .filter(|it| **it == Response::Choice(choice))
+            .count()
+    };
+    let counts = replies
+        .keys()
+        .rev()
+        .map(|choice| (*choice, chosen(*choice)));
+    let (choice, count) = counts.max_by_key(|(_, count)| *count)?;
+    (count > 0).then(|| SharedAnswer {
+        name: format!("answer {}", letter(choice)),
+        count,
+        said: Response::Choice(choice),
+    })
 }

@@ -64,9 +64,9 @@ fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut
         let right = format!("{right} of {}", grades.len());
         lines.pair(name, &right, Role::Text, Role::Title);
     }
-    if let Some((misconception, count)) = shown.held {
+    if let Some((name, count)) = &shown.held {
         lines.gap();
-        let words = format!("{}: {}.", teams(count), misconception.name());
+        let words = format!("{}: {name}.", teams(*count));
         lines.paragraph(&words, Role::Title);
     }
     lines.gap();
