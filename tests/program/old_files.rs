@@ -69,7 +69,7 @@ fn a_database_of_format_2_means_the_same() {
         assert_eq!((all.attempts, all.right), (count, right));
         let topics = topics(&attempts);
         // "the corner with loss", "coin's speed" and "marble's speed" are these now.
-        let found = ["the corner, with loss", "target's speed"].map(|name| {
+        let found = ["separation, with loss", "target's speed"].map(|name| {
             let mut of_name = topics.iter().filter(|topic| topic.name == name);
             let attempts = of_name.next().map_or(0, |topic| topic.all.attempts);
             assert!(of_name.next().is_none(), "{name} is one topic");

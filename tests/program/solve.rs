@@ -440,7 +440,7 @@ fn the_worked_solution_speaks_of_what_is_special() {
         ),
         (
             &["--alpha-deg", "30", "--restitution", "0.8", "--m1-g", "12"],
-            "weighs just 0.8 times the target",
+            "mass is 0.8 times that of the target",
         ),
         (
             &["--alpha-deg", "30", "--m2-g", "5.5"],

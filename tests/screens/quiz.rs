@@ -177,7 +177,7 @@ fn a_misconception_held_throughout_is_named_in_the_end() {
         "{screen}"
     );
     assert!(screen.contains("! sure, but off"), "{screen}");
-    assert!(screen.contains("step the offset and watch"), "{screen}");
+    assert!(screen.contains("step by step and watch"), "{screen}");
 }
 
 #[test]

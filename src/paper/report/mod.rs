@@ -159,8 +159,9 @@ impl<'a> Report<'a> {
         let when = today.map_or(String::new(), |day| format!(" on {}", long(day)));
         format!(
             "Written by carrom{when} from the answers kept on this computer. Days begin at \
-             midnight where it was written. Right: a way within {RIGHT_DEG}° of the true one, the right one chosen, or {}. \
-             {} A chapter is done when all of it has been read and answered.",
+             midnight where it was written. Right: a direction within {RIGHT_DEG}° of the true \
+             one, the right one chosen, or {}. {} A chapter is done when all of it has been read \
+             and answered.",
             Measure::RIGHT,
             Mastery::MEANING,
         )

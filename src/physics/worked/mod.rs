@@ -123,7 +123,7 @@ fn where_they_meet(c: &Collision) -> WorkedStep {
 fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let separation = match after.separation {
         Some(angle) => format!("separation, from v₁ to v₂: {}", degrees(angle)),
-        None => "separation: undefined, for a disc at rest has no direction".to_owned(),
+        None => "separation: undefined, because a disc at rest has no direction".to_owned(),
     };
     WorkedStep {
         title: "Read off the angles",
@@ -157,9 +157,9 @@ fn angle_line(name: &str, angle: Option<f64>, from: DVec2, to: DVec2) -> String 
             };
             format!("{name} = {}  ({way}), {speed}", degrees(angle))
         }
-        None if to.length() <= 0.0 => format!("{name}: undefined, for the {body} is at rest"),
+        None if to.length() <= 0.0 => format!("{name}: undefined, because the {body} is at rest"),
         None if from.length() <= 0.0 => {
-            format!("{name}: undefined, for u₁ = 0 has no direction; {speed}")
+            format!("{name}: undefined, because u₁ = 0 has no direction; {speed}")
         }
         None => format!("{name}: undefined"),
     }
@@ -201,10 +201,10 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     WorkedStep {
         title: "Check",
         why: if lost {
-            "Momentum must balance in every collision. Energy need not: what is missing has \
-             gone into heat and sound."
+            "Momentum is conserved in every collision. Energy of motion need not be: what is \
+             missing has gone into heat and sound."
         } else {
-            "Momentum must balance in every collision, and at e = 1 energy must too."
+            "Momentum is conserved in every collision, and at e = 1 the energy of motion is too."
         }
         .to_owned(),
         lines,

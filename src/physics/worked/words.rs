@@ -11,7 +11,7 @@ const SQUARE: f64 = 1e-9;
 pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {
     match after.meeting {
         Meeting::Miss if c.relative_velocity().length() <= 0.0 => {
-            "Both move alike, so they never meet and nothing changes.".to_owned()
+            "Both move with the same velocity, so they never meet and nothing changes.".to_owned()
         }
         Meeting::Miss => "A miss: the offset is larger than the two radii together, so the discs \
                           pass each other and nothing changes."
@@ -113,7 +113,7 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
         };
     }
     if head_on {
-        return format!("{parted}, for all of it happens on one line.");
+        return format!("{parted}, because all of it happens on one line.");
     }
     format!("{parted}: {}.", reason(c, separation))
 }
@@ -125,19 +125,22 @@ fn reason(c: &Collision, separation: f64) -> String {
     let target = if elastic {
         "the target".to_owned()
     } else {
-        format!("{} times the target, which is e m₂", number(c.restitution))
+        format!(
+            "{} times that of the target, which is e m₂",
+            number(c.restitution)
+        )
     };
     if off.abs() <= SQUARE {
         if elastic {
             "a right angle, as always between equal masses that lose nothing".to_owned()
         } else {
-            format!("a right angle, for the striker weighs just {target}")
+            format!("a right angle, because the striker's mass is {target}")
         }
     } else if off > 0.0 {
-        format!("more than a right angle, for the striker weighs less than {target}")
+        format!("more than a right angle, because the striker's mass is less than {target}")
     } else if c.restitution <= 0.0 {
         "less than a right angle, as always at e = 0".to_owned()
     } else {
-        format!("less than a right angle, for the striker weighs more than {target}")
+        format!("less than a right angle, because the striker's mass is more than {target}")
     }
 }

@@ -127,15 +127,15 @@ fn frames(
     draft: Outline,
     dice: &mut Dice,
 ) -> Option<Question> {
-    const RIDES: &str = "Ride along with the coin as it came: there it is at rest before the hit, \
-                         and the rule for a coin at rest holds.";
+    const RIDES: &str = "Move with the velocity that the coin had before the hit: seen from there \
+                         it is at rest at first, and the rule for a coin at rest holds.";
     const BACK_TO_BACK: &str = "With the centre of mass the momentum is zero, so the two part \
                                 back to back: 180°.";
     const WHO: [&str; 4] = [
-        "One who rides along with the coin as it came",
-        "One who stands still at the edge of the board",
-        "One who rides along with the centre of mass",
-        "Everyone, however they move themselves",
+        "Someone who moves as the coin did before the hit",
+        "Someone who stands still at the edge of the board",
+        "Someone who moves with the centre of mass",
+        "Everyone, however they move",
     ];
     const ANGLES: [&str; 3] = [
         "At 90°, wherever they touch",
@@ -145,7 +145,7 @@ fn frames(
     const IT_DEPENDS: &str = "The offset decides where they go. But seen from there, the angle \
                               between them is always the same.";
     let angle_for =
-        |ride: &str| format!("At what angle do they part for one who rides along with {ride}?");
+        |ride: &str| format!("At what angle do they part, seen by someone who moves {ride}?");
     // The board would be the frame of the centre of mass.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
@@ -166,15 +166,15 @@ fn frames(
                 .says(BACK_TO_BACK)
                 .chooses(AlwaysSquare, 3)
                 .says(
-                    "You took 90° for everyone. But whoever moves along sees other velocities, \
-                     and other angles.",
+                    "You took 90° for everyone. But whoever moves sees other velocities, and \
+                     other angles.",
                 ),
             RIDES,
         ),
         1 => (
             draft
                 .named("from-the-coin", TOPIC)
-                .ask(angle_for("the coin as it came"))
+                .ask(angle_for("as the coin did before the hit"))
                 .options(ANGLES, 0)
                 .chooses(FramesMixed, 1)
                 .says("You took 180°. That is seen from the centre of mass, not from the coin.")
@@ -185,10 +185,10 @@ fn frames(
         _ => (
             draft
                 .named("from-the-centre", TOPIC)
-                .ask(angle_for("their centre of mass"))
+                .ask(angle_for("with their centre of mass"))
                 .options(ANGLES, 1)
                 .chooses(FramesMixed, 0)
-                .says("You took 90°. That is seen by one who rides along with the coin as it came.")
+                .says("You took 90°. That is seen by someone who moves as the coin did before the hit.")
                 .chooses(None, 2)
                 .says(IT_DEPENDS),
             BACK_TO_BACK,
@@ -209,7 +209,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
             0,
             "They came the same way, more or less, and so they go on:",
         ),
-        90 => (1, "They came square, so they part square:"),
+        90 => (1, "They came at right angles, and so they part:"),
         _ => (2, "They came against each other, and so they part:"),
     };
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
@@ -282,8 +282,8 @@ fn speed(
         .number(Measure::Speed, truth)
         .wrong(FramesMixed, seen)
         .says(format!(
-            "You took the coin as if it had been at rest. That is how fast the {name} looks to \
-             one who rides along with the coin as it came."
+            "You took the coin as if it had been at rest. That is the speed of the {name} as seen \
+             from the coin before the hit."
         ))
         .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(
@@ -297,8 +297,8 @@ fn speed(
         )
         .why(format!(
             "Along the line of impact equal discs exchange: the {name} takes over {taken} cos \
-             {line} = {along} m/s. Across it, it keeps {kept} sin {line} = {across} m/s. Square to \
-             each other, they make {all} m/s.",
+             {line} = {along} m/s. Across it, it keeps {kept} sin {line} = {across} m/s. At right \
+             angles they make {all} m/s.",
             line = bare_degrees(line),
         ))
 }

@@ -152,9 +152,9 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ),
     };
     let backward = if along < 0.0 {
-        " It moves the way of the heavier one."
+        format!(" It moves the way the {name} came, which brings more momentum.")
     } else {
-        ""
+        String::new()
     };
     let picture = Illustration::before(collision, Markings::FIGURES);
     Outline::told(hit, setting, picture)
@@ -163,13 +163,13 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         .figure("target_speed", u2)
         .number(Measure::Speed, velocity.length())
         .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
-        .says("You took the middle between the two velocities. The heavier one counts for more.")
+        .says("You took the middle between the two velocities. The heavier disc counts for more.")
         .wrong(UpsideDown, exchanged.abs())
         .says("You had the masses the other way round: the centre moves more like the heavier one.")
         .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
         .says(
-            "You added the momenta as plain numbers. They point against each other, so one is \
-             taken off.",
+            "You added the momenta as plain numbers. They point in opposite directions, so one is \
+             subtracted.",
         )
         .why(format!(
             "All the momentum, {momentum} g m/s, belongs to {} g in all: {} m/s.{backward}",

@@ -31,7 +31,8 @@ fn percent(x: f64) -> String {
     Measure::Share.print(PERCENT * x)
 }
 
-const HALVES: &str = "You shared it out in halves. That is so at 45° alone, and with equal masses.";
+const HALVES: &str =
+    "You gave each of them half. That is so only at 45°, and only with equal masses.";
 
 /// What the striker keeps, equal masses.
 fn kept(hit: &Hit) -> Option<Question> {
@@ -47,7 +48,10 @@ fn kept(hit: &Hit) -> Option<Question> {
             percent(alpha.sin())
         ))
         .wrong(SineCosine, PERCENT * shares.passed)
-        .says("That is the coin's share. Head-on the striker keeps nothing: a sine.")
+        .says(
+            "That is the coin's share. Head-on the striker keeps nothing, so its share goes \
+               with a sine.",
+        )
         .wrong(HalfAndHalf, 50.0)
         .says(HALVES)
         .why(format!(
@@ -130,14 +134,14 @@ fn lost(hit: &Hit) -> Option<Question> {
         ))
         .wrong(LossOnEverything, PERCENT * missing)
         .says(
-            "You took the loss off all of the motion. Only the part along the line of impact is \
-             at stake.",
+            "You took the loss off all of the motion. Only the part along the line of impact can \
+             be lost.",
         )
         .wrong(SineCosine, PERCENT * lost * alpha.tan().powi(2))
-        .says("You took the sine for the cosine. Head-on the most is lost.")
+        .says("You took the sine for the cosine. Head-on most is lost.")
         .why(format!(
-            "At stake is m₂ / (m₁ + m₂) cos² {} = {} of the energy: what they have against each \
-             other along the line. Of that 1 - e² = {} is lost.",
+            "At most m₂ / (m₁ + m₂) cos² {} = {} of the energy can be lost: that of their \
+             approach along the line. Of that 1 - e² = {} is lost.",
             bare_degrees(alpha),
             percent(lost / missing),
             percent(missing)

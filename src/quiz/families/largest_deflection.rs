@@ -112,8 +112,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             .chooses(HalfAndHalf, BELOW)
             .says("Did you take 45° for the most? That is only the hit that shares evenly.")
             .why(
-                "With equal masses the striker leaves square to the line of impact, at 90° - α. \
-                 The fuller the hit, the nearer to 90°; head-on it stops.",
+                "With equal masses the striker leaves at right angles to the line of impact, at \
+                 90° - α. The fuller the hit, the nearer to 90°; head-on it stops.",
             ),
         LargestDeflection::Reversed => draft
             .options(LIMITS, BACK)
@@ -125,8 +125,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                  a limit.",
             )
             .why(
-                "Head-on a lighter striker bounces straight back: 180°. The offset chooses \
-                 anything from there down to a graze at 0°.",
+                "Head-on a lighter striker bounces straight back: 180°. With the offset you can \
+                 choose anything from there down to a graze at 0°.",
             ),
     }
 }
@@ -163,7 +163,10 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         .wrong(HeavyUnmoved, 0.0)
         .says("You sent it straight on. It is heavier, yet every hit off-centre turns it.")
         .wrong(SineCosine, 90.0 - deg_from_rad(theta1))
-        .says("You took a cosine. The lighter the coin, the smaller the turn: a sine.")
+        .says(
+            "You took a cosine. The lighter the coin, the smaller the turn, so it goes with a \
+               sine.",
+        )
         .wrong(Lossless, lossless.map(|(theta1, _)| deg_from_rad(theta1)))
         .says(here_e("That is the most without loss.", hit.restitution))
         .why(why)
@@ -192,9 +195,9 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         ))
         .number(Measure::Angle, deg_from_rad(alpha))
         .wrong(HalfAndHalf, 45.0)
-        .says("You took 45° for the best. That is so only for a very heavy striker.")
+        .says("You took 45° for the best. That would be so for a very heavy striker only.")
         .wrong(CopiedAngle, theta1_deg)
-        .says("That is the turn itself. The impact angle is the coin's way.")
+        .says("That is the turn itself. The impact angle is the coin's direction.")
         .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)
         .says(format!(
             "90 - {} is right for twice the angle. Take half of it.",
@@ -203,8 +206,8 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "Its velocity after ends on a circle, at twice the impact angle round it. At the most \
-             its way touches the circle: 2 α + {} = 90, so α is {}.",
+            "Its velocity after ends on a circle, at twice the impact angle around it. At the \
+             largest turn its direction touches the circle: 2 α + {} = 90, so α is {}.",
             bare_degrees(theta1),
             degrees(alpha)
         ))
@@ -231,10 +234,10 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
             degrees(alpha)
         ))
         .wrong(SineCosine, reach_mm * alpha.cos())
-        .says("You took the cosine for the sine. Head-on the offset is 0: a sine.")
+        .says("You took the cosine for the sine. Head-on the offset is 0, so it goes with a sine.")
         .wrong(CopiedAngle, reach_mm * theta1.sin())
         .says(format!(
-            "You aimed with the turn itself, {}. The impact angle is the coin's way.",
+            "You aimed with the turn itself, {}. The impact angle is the coin's direction.",
             degrees(theta1)
         ))
         .wrong(BeyondLargest, 0.0)

@@ -119,8 +119,8 @@ impl ShotTask {
             )
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says(
-                "You let the line of impact be the striker's way. That is the way of the one it \
-                 hits.",
+                "You took the line of impact for the striker's path. It is the path of the disc \
+                 that is hit.",
             )
             .wrong(
                 OffsetAsAngle,

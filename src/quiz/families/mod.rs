@@ -40,7 +40,7 @@ static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("angles from the angle", where_to::from_angle),
     ("angles from the offset", where_to::from_offset),
     ("from the picture alone", where_to::from_picture),
-    ("unequal masses", where_to::unequal_masses),
+    ("other masses, or some loss", where_to::unequal_masses),
     ("speeds after the hit", speeds::ask),
     ("more or less than 90°?", separation::ask),
     ("shares of energy", energy_share::ask),

@@ -36,8 +36,8 @@ fn of_any_striker(hit: &Hit) -> String {
 
 const NOT_HERE: &str = "The right angle of equal masses needs that nothing is lost.";
 
-const HEAVIER_CLOSES: &str = "You had it the other way round: a heavier striker closes the \
-                              corner, and so does loss.";
+const HEAVIER_CLOSES: &str = "You had it the other way round: a heavier striker makes the angle \
+                              smaller, and so does loss.";
 
 /// Whether, and with which striker, there is a right angle in spite of loss.
 fn square_again(dice: &mut Dice) -> Option<Question> {
@@ -62,10 +62,10 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .chooses(UpsideDown, place(2))
         .says(HEAVIER_CLOSES)
         .chooses(LossForbidsSquare, place(3))
-        .says("You took it that loss forbids the right angle. It only asks for other masses.")
+        .says("You thought that loss rules out the right angle. It only takes other masses.")
         .why(format!(
-            "The corner is square when the striker stops along the line of impact. With loss it \
-             still follows an equal coin; one of m₁ = e m₂ = {} g just stops.",
+            "They part at a right angle when the striker stops along the line of impact. With \
+             loss it still follows an equal coin; one of m₁ = e m₂ = {} g just stops.",
             significant(e * f64::from(coin_g))
         ))
 }
@@ -118,8 +118,8 @@ fn square(dice: &mut Dice) -> Option<Hit> {
     drawn(pair(m1_g, m2_g), e, Difficulty::Middle, dice)
 }
 
-const STOPS: &str = "Square means that the striker stops along the line of impact, where it is \
-                     left with m₁ - e m₂.";
+const STOPS: &str = "At a right angle the striker stops along the line of impact. What it keeps \
+                     there goes with m₁ - e m₂.";
 
 /// The striker's mass that brings the right angle back.
 fn striker_for_square(dice: &mut Dice) -> Option<Question> {
@@ -148,8 +148,8 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
         .number(Measure::Restitution, e)
         .wrong(LossForbidsSquare, 1.0)
         .says(
-            "You took it that only a hit without loss can be square. With a lighter striker it \
-             needs some loss.",
+            "You thought that only a hit without loss gives 90°. With a lighter striker it takes \
+             some loss.",
         )
         .wrong(EAsEnergy, e * e)
         .says("You squared the ratio, as if e were a share of energy. e compares speeds.")
@@ -178,10 +178,10 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
         .wrong(UpsideDown, 180.0 - deg_from_rad(separation))
-        .says("You opened the corner by as much as loss closes it.")
+        .says("You made the angle larger by as much as loss makes it smaller.")
         .why(format!(
             "Of its speed the striker keeps sin {} = {} across the line and (1 - e) / 2 cos {0} = \
-             {} along it, the coin's way. The one over the other is the tangent of {}.",
+             {} along it, the coin's direction. The one over the other is the tangent of {}.",
             bare_degrees(alpha),
             significant(alpha.sin()),
             significant(0.5 * (1.0 - e) * alpha.cos()),

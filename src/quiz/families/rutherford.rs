@@ -114,8 +114,8 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         )
         .chooses(EveryAngleAlike, 3)
         .says(
-            "You took all angles as alike. But to be turned far, one must pass close by, and few \
-             do.",
+            "You took all angles as equally likely. But to be turned far, one must pass close by, \
+             and few do.",
         )
         .shuffled(dice)
         .why(why(near_deg, far_deg))
@@ -129,7 +129,7 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
     draft
         .number(Measure::Times, truth)
         .wrong(HalfAngleForgotten, whole.map(|whole| by_energy * whole))
-        .says("You took the sine of the whole angles. It is the half of each that counts.")
+        .says("You took the sine of the whole angles. What counts is half of each.")
         .wrong(
             TooGentle,
             by_energy * times_as_many(from_deg, to_deg).sqrt(),
@@ -175,8 +175,8 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .says("You had the ratio upside down. Counts fall with the angle, and with the energy.")
         .wrong(EveryAngleAlike, by_energy)
         .says(
-            "You counted the energy alone, as if all angles were alike. The larger angle is the \
-             rarer one.",
+            "You counted the energy alone, as if all angles were equally likely. The larger angle \
+             is the rarer one.",
         )
         .why(format!(
             "{} Counts also go as 1 / E²: times {}, in all {}.",
@@ -214,7 +214,7 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             HalfAngleForgotten,
             at(rad_from_deg(from_deg).sin() * root) / 2.0,
         )
-        .says("You took the sine of the whole angle. It is the half of it that counts.")
+        .says("You took the sine of the whole angle. What counts is half of it.")
         .wrong(TooGentle, at(half_sine * fewer.sqrt()))
         .says("You took the square of the sine. Counts fall with its fourth power.")
         .wrong(UpsideDown, at(half_sine / root))

@@ -72,17 +72,17 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
     let square = right == EXACTLY;
     Outline::told(&hit, text, unmarked(&hit))
         .topic(topic)
-        .ask("How large is the angle between their ways out?")
+        .ask("How large is the angle between their paths after the hit?")
         .options(CORNERS, right)
         .chooses(LossForbidsSquare, (lossy && square).then_some(LESS))
         .says(
-            "You took it that loss always closes the right angle. It moves it to another pair of \
-             masses.",
+            "You thought that loss always makes it less than a right angle. It moves the right \
+             angle to another pair of masses.",
         )
         .chooses(AlwaysSquare, EXACTLY)
         .says(not_here)
         .chooses(Lossless, lossy.then(|| place(m1_g.cmp(&m2_g))))
-        .says("That is so without loss. Loss closes the corner, the more the more is lost.")
+        .says("That is so without loss. Loss makes the angle smaller, and more loss still smaller.")
         .chooses(SpeedOpensAngle, square.then_some(MORE))
         .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
         .chooses(PushedAhead, square.then_some(LESS))
@@ -107,15 +107,15 @@ const fn lossless_corner(right: usize) -> &'static str {
     match right {
         MORE => {
             "A lighter striker bounces back along the line of impact, and the coin leaves along \
-             it. That opens the corner: more than 90°, at any offset."
+             it. That makes the angle larger: more than 90°, at any offset."
         }
         EXACTLY => {
             "With equal masses the striker gives up all it has along the line of impact. What it \
-             keeps lies across, square to the coin's way, at any offset and speed."
+             keeps lies across, at right angles to the coin's path, at any offset and speed."
         }
         _ => {
             "A heavier striker is not stopped along the line of impact: it follows the coin. That \
-             closes the corner: less than 90°, at any offset."
+             makes the angle smaller: less than 90°, at any offset."
         }
     }
 }
@@ -150,7 +150,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         .ask("How many degrees apart do they leave?")
         .number(Measure::Angle, wide(&hit)?)
         .wrong(AlwaysSquare, 90.0)
-        .says("You opened a right angle. It takes m₁ = e m₂: without loss, equal masses.")
+        .says("You made it a right angle. That takes m₁ = e m₂: without loss, equal masses.")
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, hit.pieces.target_name()))
         .wrong(HeavyUnmoved, heavy.then_some(deg_from_rad(alpha)))

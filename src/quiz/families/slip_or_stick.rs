@@ -104,7 +104,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             "You let them stick. But smooth rims cannot hold each other.",
             format!(
                 "Along the line of impact the coin takes all that the striker had. Across it the \
-                 striker keeps its {across} m/s: a corner of 90°."
+                 striker keeps its {across} m/s: they part at 90°."
             ),
         ),
         Rims::Slip => (
@@ -112,8 +112,8 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             "You let them stick. But smooth rims do not grip: across the line of impact nothing \
              is stopped.",
             format!(
-                "Along the line of impact both go on alike. Across it the striker keeps its \
-                 {across} m/s and slides off: they part at {}.",
+                "Along the line of impact both go on at one speed. Across it the striker keeps \
+                 its {across} m/s and slides off: they part at {}.",
                 degrees(outcome.separation?)
             ),
         ),
@@ -159,7 +159,7 @@ fn parts(hit: &Hit) -> (f64, f64) {
 
 fn shared(hit: &Hit) -> String {
     format!(
-        "Along the line of impact the two go on alike, with {} m/s.",
+        "Along the line of impact the two go on together, at {} m/s.",
         significant(share(hit) * parts(hit).0)
     )
 }
@@ -214,8 +214,8 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
              share it.",
         )
         .why(format!(
-            "{} Across it the striker keeps {u} sin {} = {kept} m/s. Those two are square to each \
-             other and make {both} m/s.",
+            "{} Across it the striker keeps {u} sin {} = {kept} m/s. The two parts are at right \
+             angles: together {both} m/s.",
             shared(hit),
             bare_degrees(hit.alpha().abs()),
         ))
@@ -230,8 +230,8 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         .number(Measure::Speed, outcome.v1.length())
         .wrong(GripIgnored, share * parts(hit).0)
         .says(
-            "You shared only the part along the line of impact. Sticky rims take the part across \
-             along, too.",
+            "You shared only the part along the line of impact. Sticky rims share the part \
+             across, too.",
         )
         .wrong(Lossless, u * share.sqrt())
         .says("You kept the energy of motion. Sticking costs energy; what stays is the momentum.")

@@ -73,7 +73,7 @@ impl SeenHit {
 /// The two angles of a hit that was seen, in a sentence.
 pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     format!(
-        "It left {} off its way (θ₁), the coin {} off to the other side (θ₂).",
+        "It left {} off its old path (θ₁), the coin {} to the other side (θ₂).",
         degrees(theta1),
         degrees(theta2)
     )
@@ -93,12 +93,12 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let why = match right {
         LIGHTER => {
             ", less than 90°: the striker still followed the coin along the line of impact. So it \
-             is the heavier."
+             is the heavier one."
         }
         ALIKE => ". A right angle without loss means equal masses, whatever the offset.",
         _ => {
             ", more than 90°: the striker bounced back along the line of impact. So the coin is \
-             the heavier."
+             the heavier one."
         }
     };
     seen.told("A smooth striker")
@@ -134,8 +134,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)
         .says(
-            "You added the momenta like plain numbers. They point different ways: across the way \
-             they cancel.",
+            "You added the momenta like plain numbers. They point in different directions: across \
+             the striker's path they cancel.",
         )
         .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
@@ -144,11 +144,11 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
             (STRIKER * v1 * theta1.cos() / (v2 * theta2.cos())).abs(),
         )
         .says(
-            "You took the parts along the way, with cosines. It is those across that cancel: \
-             sines.",
+            "You took the parts along the path, with cosines. Those across it cancel, and they go \
+             with sines.",
         )
         .why(format!(
-            "Across the way there was no momentum, so both parts are alike: m₁ v₁ sin θ₁ = \
+            "Across the path there was no momentum, so the two parts are equal: m₁ v₁ sin θ₁ = \
              {across} g m/s = m₂ v₂ sin θ₂. So m₂ = {across} / {} = {} g.",
             significant(v2 * theta2.sin()),
             significant(seen.coin_g),

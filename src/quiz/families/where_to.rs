@@ -85,7 +85,8 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     Some(Question {
         topic: "from-the-picture".into(),
         text: format!(
-            "Two alike, one at rest, no energy lost, and no figures. {eye} where will they go?"
+            "Two equal discs, one at rest, no energy lost, and no figures. {eye} where will they \
+             go?"
         ),
         picture: Illustration::before(hit.collision(), shown),
         ..Question::from(&hit)

@@ -18,18 +18,18 @@ impl Misconception {
         match self {
             Self::CopiedAngle => (
                 "the angle was copied",
-                "In the lab, step the offset and watch both angles: as the coin's grows, the \
-                 striker's shrinks.",
+                "In the lab, change the offset step by step and watch both angles: as the coin's \
+                 grows, the striker's shrinks.",
             ),
             Self::AlwaysSquare => (
                 "always 90°",
-                "In the lab, set a right angle with equal masses, then change one mass or e and \
-                 watch it open or close.",
+                "In the lab, hit off-centre with equal masses: 90°. Then change one mass or e and \
+                 watch the angle grow or shrink.",
             ),
             Self::HalfAndHalf => (
                 "half and half",
                 "In the lab, move the offset from 0 to a graze: equal pieces share evenly at one \
-                 place alone.",
+                 offset only.",
             ),
             Self::Swapped => (
                 "the two were swapped",
@@ -58,8 +58,8 @@ impl Misconception {
             ),
             Self::SidesExchanged => (
                 "left and right exchanged",
-                "Look along the striker's path, as if you rode on it, and say first on which side \
-                 the coin lies.",
+                "Look along the striker's path, as if you were riding on it, and say first on \
+                 which side the coin lies.",
             ),
             Self::OffAWall => (
                 "bounced as off a wall",
@@ -109,9 +109,8 @@ impl Misconception {
                  1 there.",
             ),
             Self::SpeedOpensAngle => (
-                "angles that hang on the speed",
-                "In the lab, change the speed alone and watch the angles: nothing about them \
-                 moves.",
+                "angles that depend on the speed",
+                "In the lab, change the speed alone and watch the angles: they stay as they are.",
             ),
             Self::EnergyAsSpeed => (
                 "energy taken as speed",
@@ -149,7 +148,7 @@ impl Misconception {
             Self::LossForbidsSquare => (
                 "with loss never 90°",
                 "In the lab, take a striker half as heavy as the coin, e = 0.5, and look at the \
-                 corner.",
+                 angle between the paths.",
             ),
             Self::GripIgnored => (
                 "grip at the contact forgotten",
@@ -171,27 +170,27 @@ impl Misconception {
                 "The centre of mass lies nearer the heavier disc, and moves more like it.",
             ),
             Self::SquareOnTheGround => (
-                "90° sought on the ground",
-                "In the lab, let both move and press f until you ride with the coin: there the \
-                 corner is square.",
+                "90° looked for on the board",
+                "In the lab, let both move and press f until you ride with the coin: seen from \
+                 there, they part at 90°.",
             ),
             Self::HalfAngleForgotten => (
-                "the half of the angle forgotten",
-                "Counts go with half the angle: at 180° the sine of the half is 1, and the count \
-                 is least.",
+                "the angle not halved",
+                "The law has half the angle in it: at 180° the sine of the half is 1, and the \
+                 count is smallest.",
             ),
             Self::TooGentle => (
                 "a square for the fourth power",
-                "In the foil, halve the angle and watch the count: not four times, but about \
-                 sixteen.",
+                "In the foil, look at the counts on a small screen: at half of a small angle \
+                 there are not four times as many, but about sixteen.",
             ),
             Self::NeverBack => (
                 "nothing ever comes back",
-                "In the foil, aim one particle dead at the centre: it stops, and returns the way \
-                 it came.",
+                "In the foil, aim one particle straight at the centre: it stops, and goes back \
+                 the way it came.",
             ),
             Self::DoubleAngleForgotten => (
-                "the double of the angle forgotten",
+                "the angle not doubled",
                 "Off a wall a ball turns by 180° less twice the angle: once on the way in, once on \
                  the way out.",
             ),

@@ -134,8 +134,8 @@ mod tests {
         assert_eq!(
             equal,
             "[right] Right, and this is why. The coin leaves along the line of impact: 30.0°. \
-             Along it the striker gives up all it had. It keeps its part across, square to the \
-             line: 90 - 30.0 = 60.0°."
+             Along it the striker gives up all its speed. Its part across stays, at right angles: \
+             90 - 30.0 = 60.0°."
         );
         let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
         assert_eq!(

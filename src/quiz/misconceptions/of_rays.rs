@@ -75,7 +75,7 @@ impl Misconception {
                 degrees(alpha)
             ),
             Self::AlwaysSquare => format!(
-                "You opened a right angle, {} + {}. That is not so with {}.",
+                "You made it a right angle, {} + {}. That does not hold with {}.",
                 bare_degrees(FRAC_PI_2 - alpha),
                 degrees(alpha),
                 if hit.restitution < 1.0 {
@@ -105,7 +105,7 @@ impl Misconception {
                  pushes the striker back as hard."
                     .into()
             }
-            Self::HeavyUnmoved => "You left the heavy marble lying. But the push that turns the \
+            Self::HeavyUnmoved => "You left the heavy marble at rest. But the push that turns the \
                                    striker pushes the marble as hard."
                 .into(),
             Self::StraightOn => format!(
@@ -125,12 +125,12 @@ impl Misconception {
                  it goes to the {side}."
             ),
             Self::OffAWall => format!(
-                "You bounced the striker by {}, as off a wall. But the {name} gives way.",
+                "You turned the striker by {}, as off a wall. But the {name} gives way.",
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "You took the offset as a share of 90° and found {}. It gives the sine of the \
-                 angle.",
+                "You took the offset as a share of 90° and found {}. But that share is the sine \
+                 of the angle.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(

@@ -19,7 +19,7 @@ pub fn reasoning(hit: &Hit) -> String {
             format!("The {name} leaves along the line of impact: {alpha}.")
         }
         ImpactPoint::Offset { offset_mm } => format!(
-            "{} / {} = sin {alpha}: there lies the line of impact, and the {name} leaves along it.",
+            "{} / {} = sin {alpha}: there lies the line of impact, the {name}'s path.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())
         ),
@@ -44,8 +44,8 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     // Rounding noise against the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
-            "Along it the striker gives up all it had. It keeps its part across, square to \
-             the line: 90 - {alpha} = {theta1}."
+            "Along it the striker gives up all its speed. Its part across stays, at right angles: \
+             90 - {alpha} = {theta1}."
         );
     }
     let rest = significant(along.abs());

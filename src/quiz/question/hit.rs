@@ -137,7 +137,11 @@ impl Hit {
     pub(in crate::quiz) fn who(&self, striker: &str, does: &str) -> String {
         let [m1, m2] = self.masses_g().map(significant);
         let name = self.pieces.target_name();
-        format!("A {striker} of {m1} g {does} a resting {name} of {m2} g")
+        let mass = match self.masses_are_equal() {
+            true => "the same mass".to_owned(),
+            false => format!("{m2} g"),
+        };
+        format!("A {striker} of {m1} g {does} a resting {name} of {mass}")
     }
 
     /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."

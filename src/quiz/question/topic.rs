@@ -32,10 +32,10 @@ static TOPICS: [(&str, &str, &[Family]); 41] = [
     ("from-the-picture", "from the picture", &[FromPicture]),
     ("target-speed", "target's speed", &[Speeds]),
     ("striker-speed", "striker's speed", &[Speeds]),
-    ("corner-heavier-striker", "the corner, heavier striker", &[Separation]),
-    ("corner-lighter-striker", "the corner, lighter striker", &[Separation]),
-    ("corner-with-loss", "the corner, with loss", &[Separation, Restitution]),
-    ("corner-without-loss", "the corner, without loss", &[Separation]),
+    ("corner-heavier-striker", "separation, heavier striker", &[Separation]),
+    ("corner-lighter-striker", "separation, lighter striker", &[Separation]),
+    ("corner-with-loss", "separation, with loss", &[Separation, Restitution]),
+    ("corner-without-loss", "separation, without loss", &[Separation]),
     ("energy-lost", "energy lost", &[EnergyShare]),
     ("energy-of-target", "energy the target takes", &[EnergyShare]),
     ("energy-of-striker", "energy the striker keeps", &[EnergyShare]),
@@ -88,7 +88,7 @@ impl Topic {
         TOPICS.iter().find(|(id, ..)| *id == self.0)
     }
 
-    /// Its name as shown: "the corner, with loss".
+    /// Its name as shown: "separation, with loss".
     pub fn name(&self) -> String {
         match self.known() {
             Some((_, name, _)) => (*name).into(),

@@ -13,7 +13,7 @@ pub(in crate::screens) fn explain(watch: &Watch) -> (&'static str, String) {
     let collision = watch.collision();
     let text = match watch.outcome().meeting {
         Meeting::Miss if collision.relative_velocity().length() == 0.0 => {
-            "Both move alike, so the gap between them never closes: no hit.".into()
+            "Both move with the same velocity, so the gap between them never closes: no hit.".into()
         }
         Meeting::Miss => format!(
             "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so nothing touches: the striker goes straight on and the coin is left as it was.",
@@ -21,7 +21,7 @@ pub(in crate::screens) fn explain(watch: &Watch) -> (&'static str, String) {
             tidy(mm_from_m(collision.contact_distance()))
         ),
         Meeting::Graze => {
-            "They just brush: at an offset of exactly r₁ + r₂ the line of impact is square to the motion, nothing is pushed, and the striker goes straight on.".into()
+            "They just brush: at an offset of exactly r₁ + r₂ the line of impact is at right angles to the motion, nothing is pushed, and the striker goes straight on.".into()
         }
         Meeting::Hit if collision.bond == Bond::Stick => stuck(watch),
         Meeting::Hit => {

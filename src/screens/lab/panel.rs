@@ -56,7 +56,7 @@ fn geometry(lab: &Lab, lines: &mut Lines) {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
         } else {
-            "they move alike: no hit"
+            "same velocity: no hit"
         };
         lines.line(why, Role::Warn);
     }
@@ -149,7 +149,12 @@ fn answers(watch: &Watch, lines: &mut Lines) {
             let names = ["striker", "coin"].map(Some);
             said_and_true(watch.collision(), said, names, false, lines);
         }
-        None if sticks => lines.pair("way of V", &shown(truth[0]), Role::Dim, Role::StrikerOut),
+        None if sticks => lines.pair(
+            "direction of V",
+            &shown(truth[0]),
+            Role::Dim,
+            Role::StrikerOut,
+        ),
         None => {
             for (i, name) in ["striker θ₁", "coin θ₂"].into_iter().enumerate() {
                 let role = [Role::StrikerOut, Role::CoinOut][i];

@@ -167,7 +167,7 @@ const SWITCHES: [Switch; 4] = [
     (
         "aim line",
         |options| &mut options.aids.line,
-        "The way of the striker to the first coin it meets.",
+        "The striker's path to the first coin it meets.",
     ),
     (
         "ghost",

@@ -229,7 +229,7 @@ fn split(collision: &Collision, lines: bool) -> Vec<String> {
     match lines {
         true => vec![
             "Two lines run through the point where the rims touch: n through both centres, and t \
-             along the rims, square to n."
+             along the rims, at right angles to n."
                 .into(),
         ],
         false => vec![format!(

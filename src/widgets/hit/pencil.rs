@@ -142,7 +142,7 @@ pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
         let middle = DVec2::from_angle(turn / 2.0).rotate(heading);
         sketch.angle(turn, zero + ARC * unit * middle, middle);
     }
-    sketch.label(format!("{name}'s way"), tip, way, Role::CoinOut);
+    sketch.label(format!("{name}'s path"), tip, way, Role::CoinOut);
     for (side, name) in [(-right, "left, mm"), (right, "right, mm")] {
         sketch.label(name, zero + (reach + 0.25 * unit) * side, side, Role::Dim);
     }

@@ -119,7 +119,7 @@ fn summary(book: &Book, lines: &mut Lines) {
     }
     lines.line("On the board, try this:", Role::Title);
     for idea in [
-        "Two equal coins, off-centre: look for the square corner.",
+        "Two equal coins, off-centre: look for the right angle.",
         "Striker on a coin: it turns by 21.5° at most. Find the offset that does it.",
         "Levels: aim by the line of impact.",
     ] {

@@ -122,7 +122,7 @@ mod tests {
                 "θ₁ = ____",
             ),
             (
-                "θ₁: undefined, for u₁ = 0 has no direction; v₁ = 2 m/s",
+                "θ₁: undefined, because u₁ = 0 has no direction; v₁ = 2 m/s",
                 "θ₁: ____",
             ),
             (

@@ -136,7 +136,11 @@ impl Dials {
 /// its range.
 const fn words(dial: Dial) -> (&'static str, &'static str, &'static str) {
     match dial {
-        Dial::Direction => ("direction", "°", "its way, anticlockwise from the right"),
+        Dial::Direction => (
+            "direction",
+            "°",
+            "its direction, anticlockwise from the right",
+        ),
         Dial::Speed => ("speed", " m/s", "how fast it sets off"),
         Dial::Place => ("place", " mm", "where it starts, from the middle"),
         Dial::Mass => ("mass", " g", "how heavy it is"),

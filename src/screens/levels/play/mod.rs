@@ -394,8 +394,8 @@ impl Screen for LevelPlay {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Set the shot so that all goals of the level come about. The dotted line shows the way up to the first thing the disc meets; what happens then is for you to find out.",
-            "Some levels ask first where the discs will go after the first hit. Then watch, read what came about and by how much it missed, and look at the impact enlarged.",
+            "Set the shot so that all goals of the level are met. The dotted line shows the path up to the first thing the disc meets; what happens then is for you to find out.",
+            "Some levels ask first where the discs will go after the first hit. Then watch, read which goals were met and how far off the others were, and look at the impact enlarged.",
             "Stars: one for winning, one for at most three shots, one for saying the rays within 4° (where nothing is asked: for winning with the first shot).",
             "With the mouse: point the shot, drag the disc where it may be placed, turn the wheel for the speed.",
         ]

@@ -147,7 +147,7 @@ fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
             let (met, all) = (made.verdict.met(), play.level().goals.len());
             let cheer = match met {
                 0 => "Not yet. See what was off, then change one thing at a time.".into(),
-                _ => format!("Not yet, but {met} of {all} came about: you are on the way."),
+                _ => format!("Not yet, but {met} of {all} goals are met: you are on the way."),
             };
             lines.paragraph(&cheer, Role::Title);
         }

@@ -76,9 +76,9 @@ fn thinking(active: &ActiveGame, lines: &mut Lines) {
 
 fn arrange_help(active: &ActiveGame, holding: bool, lines: &mut Lines) {
     let what = if holding {
-        "Move the coin and lay it down with Space."
+        "Move the coin and put it down with Space."
     } else {
-        "Put the hand over a coin and take it with Space, or drag it with the mouse."
+        "Put the hand over a coin and pick it up with Space, or drag it with the mouse."
     };
     lines.paragraph(what, Role::Text);
     lines.gap();
