@@ -8,7 +8,7 @@ use glam::DVec2;
 use super::placing::BaseLines;
 use super::seat::Seat;
 use crate::physics::Motion;
-use crate::physics::angle::unit_vector;
+use crate::physics::angle::heading;
 use crate::physics::units::deg_from_rad;
 
 /// A step of the striker along the base lines, in metres.
@@ -31,7 +31,7 @@ pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
         .max(1.0)
         / STEPS_PER_SPEED;
     Some(Motion {
-        velocity: speed * seat.turn(unit_vector(direction.rem_euclid(360.0))),
+        velocity: speed * seat.turn(heading(direction.rem_euclid(360.0))),
         ..stroke
     })
 }

@@ -7,6 +7,7 @@ use super::level::{self, Level};
 use super::quantity as q;
 use crate::files::{self, Fields, FileErrors, Source, all};
 use crate::numbers::short;
+use crate::physics::direction::direction;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
@@ -308,7 +309,7 @@ pub(super) fn figures(mm: f64) -> String {
 /// by quarters, so that it is exact along the axes.
 fn unit_vector(angle_deg: f64) -> DVec2 {
     let quarters = (angle_deg / 90.0).round();
-    let within = DVec2::from_angle((angle_deg - 90.0 * quarters).to_radians());
+    let within = direction((angle_deg - 90.0 * quarters).to_radians());
     match quarters.rem_euclid(4.0) as u8 {
         0 => within,
         1 => within.perp(),

@@ -2,6 +2,8 @@
 
 use glam::DVec2;
 
+use super::direction::direction;
+
 /// The angle that turns `from` into `to`, in radians, positive anticlockwise,
 /// in (−π, π]; `None` where either is zero.
 ///
@@ -22,11 +24,21 @@ pub fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
 /// The unit vector at `angle_deg` degrees from +x, anticlockwise; exact along the
 /// axes, where a cosine would leave a trace of rounding.
 pub fn unit_vector(angle_deg: f64) -> DVec2 {
+    along(angle_deg, DVec2::from_angle)
+}
+
+/// The same for the direction of a stroke, alike on every machine to the last bit: of one
+/// bit a whole board becomes another.
+pub fn heading(angle_deg: f64) -> DVec2 {
+    along(angle_deg, direction)
+}
+
+fn along(angle_deg: f64, of_radians: fn(f64) -> DVec2) -> DVec2 {
     let quarters = angle_deg / 90.0;
     if quarters.fract() == 0.0 {
         [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][quarters.rem_euclid(4.0) as usize]
     } else {
-        DVec2::from_angle(quarters * std::f64::consts::FRAC_PI_2)
+        of_radians(quarters * std::f64::consts::FRAC_PI_2)
     }
 }
 

@@ -11,6 +11,7 @@ mod board;
 pub(crate) mod capture;
 mod collision;
 mod collision_shot;
+pub(crate) mod direction;
 mod disc;
 mod engine;
 pub(crate) mod frames;

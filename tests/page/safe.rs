@@ -18,7 +18,8 @@ fn nothing_is_asked_of_a_network() {
     // Its policy forbids it to whoever would.
     let fetched = "
         return fetch('http://127.0.0.1:9/').then(() => 'went out', (error) => error.name)
-          .then((came) => came + ' ' + (window.forbidden || ''));";
+          .then((came) => new Promise((later) =>
+            setTimeout(() => later(came + ' ' + window.forbidden), 200)));";
     let watch = "addEventListener('securitypolicyviolation',
         (event) => { window.forbidden = event.effectiveDirective; });";
     chromium.run(watch, &[]);

@@ -178,24 +178,42 @@ fn fragment(arguments: &str) -> String {
     parts.join("&")
 }
 
-fn compare(browser: &mut dyn Browser, path: &Path, charset: &str, size: &str) {
+/// Plays a tape here and there, and tells the first picture that differs.
+fn compare(
+    browser: &mut dyn Browser,
+    path: &Path,
+    charset: &str,
+    size: &str,
+) -> Result<(), String> {
     let tape = tape(path, charset, size);
     let wanted = here(&tape);
     let found = browser.run(PLAY, &[Value::Array(commands(&tape))]);
     let found = found.as_array().unwrap();
     assert_eq!(found.len(), wanted.len(), "{path:?}");
-    for (number, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
-        assert!(
-            found.as_str() == Some(wanted),
-            "{path:?} in {charset} at {size}, picture {number}: here\n{wanted}\n\nin the page\n{}",
-            found.as_str().unwrap_or_default()
-        );
+    let name = path.file_stem().unwrap().display();
+    let differs =
+        |(found, wanted): (&Value, &String)| !is_alike(found.as_str().unwrap_or_default(), wanted);
+    match found.iter().zip(&wanted).position(differs) {
+        None => {
+            println!("{name}: {} pictures", wanted.len());
+            Ok(())
+        }
+        Some(number) => Err(format!(
+            "{name} in {charset} at {size}, picture {number}: here\n{}\n\nin the page\n{}\n",
+            wanted[number],
+            found[number].as_str().unwrap_or_default()
+        )),
     }
-    println!(
-        "{}: {} pictures",
-        path.file_stem().unwrap().display(),
-        wanted.len()
-    );
+}
+
+/// Whether two screens are the same, but for one cell of dots at most: the library of each
+/// machine rounds angles in its own way, and the last bit may move a dot of a curve.
+fn is_alike(one: &str, other: &str) -> bool {
+    let is_dots = |letter: char| ('\u{2800}'..'\u{2900}').contains(&letter);
+    let pairs = one.chars().zip(other.chars());
+    let unlike: Vec<_> = pairs.filter(|(a, b)| a != b).collect();
+    let dots = unlike.iter().all(|(a, b)| is_dots(*a) && is_dots(*b));
+    one.chars().count() == other.chars().count() && unlike.len() <= 1 && dots
 }
 
 #[test]
@@ -205,10 +223,18 @@ fn every_tape_plays_in_chromium_as_here() {
     };
     chromium.open(&page);
     wait_until_ready(&mut chromium);
+    let mut wrong = Vec::new();
     for path in tapes() {
-        compare(&mut chromium, &path, "unicode", "120x40");
-        compare(&mut chromium, &path, "ascii", "80x24");
+        for (charset, size) in [("unicode", "120x40"), ("ascii", "80x24")] {
+            wrong.extend(compare(&mut chromium, &path, charset, size).err());
+        }
     }
+    assert!(
+        wrong.is_empty(),
+        "{} differ\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }
 
 #[test]
@@ -221,7 +247,9 @@ fn some_tapes_play_in_firefox_as_here() {
     };
     firefox.open(&page);
     wait_until_ready(&mut firefox);
-    for path in tapes().iter().step_by(7) {
-        compare(&mut firefox, path, "unicode", "120x40");
-    }
+    let paths = tapes();
+    let sample = paths.iter().step_by(7);
+    let compared = sample.map(|path| compare(&mut firefox, path, "unicode", "120x40"));
+    let wrong: Vec<_> = compared.filter_map(Result::err).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -30,19 +30,31 @@ const input = (() => {
       for (const letter of typing.value) key(letter);
       typing.value = "";
     });
+    // Not by clicks alone: a browser leaves out a click that follows a swipe.
+    let held = null;
+    bar.addEventListener("pointerdown", (event) => (held = event.target.closest("button")));
+    bar.addEventListener("pointercancel", () => (held = null));
+    bar.addEventListener("pointerup", (event) => {
+      const button = event.target.closest("button");
+      if (button && button === held) use(button);
+      held = null;
+    });
     bar.addEventListener("click", (event) => {
       const button = event.target.closest("button");
-      if (!button) return;
-      const { key: name, does } = button.dataset;
-      if (name) key(name);
-      if (does === "digits") {
-        digits = !digits;
-        shown = "";
-        say({ do: "paint" });
-      }
-      if (does === "type") typing.focus();
-      if (does === "menu") document.getElementById("menu").showModal();
+      if (button && event.detail === 0) use(button);
     });
+  }
+
+  function use(button) {
+    const { key: name, does } = button.dataset;
+    if (name) key(name);
+    if (does === "digits") {
+      digits = !digits;
+      shown = "";
+      say({ do: "paint" });
+    }
+    if (does === "type") typing.focus();
+    if (does === "menu") document.getElementById("menu").showModal();
   }
 
   const key = (name) => say({ do: "key", key: name });
@@ -136,18 +148,19 @@ const input = (() => {
     if (document.body.classList.contains("fine")) return button("menu", "☰ menu", "menu", "does");
     const arrows = new Set();
     const numbers = [];
-    const rest = [], last = [];
+    const first = [], rest = [], last = [];
     for (const { id = "", keys, name, help } of rows) {
       if (id === "everywhere.help") last.push(button(keys[0], "?", "help"));
       if ((id.startsWith("everywhere.") && id !== "everywhere.back") || id.endsWith(".quit")) continue;
       const isNumber = keys.some((key) => /^[0-9]$/.test(key)) && keys.length > 5;
       for (const key of keys) {
         if (key in ARROWS) arrows.add(key);
-        else if (isNumber) numbers.push(button(key, key, key));
+        else if (isNumber && key.length === 1) numbers.push(button(key, key, key));
         else if (id === "everywhere.back" || key === "Esc") last.push(button(key, "⟵", name || "back"));
         else if (name) {
           const made = button(key, keys.length > 1 ? key : name, help || name, "key", keys.length > 1 && name);
-          if (key === "Enter" || key === "Space") rest.unshift(made);
+          if (key === "Enter") first.unshift(made);
+          else if (key === "Space") first.push(made);
           else rest.push(made);
         }
       }
@@ -160,7 +173,7 @@ const input = (() => {
     if (numbers.length && digits) rest.push(...numbers, button("Backspace", "⌫", "take back"));
     rest.push(...last, button("type", "abc", "a keyboard for letters", "does"));
     rest.push(button("menu", "☰", "menu", "does"));
-    parts.push(`<div class="rest">${rest.join("")}</div>`);
+    parts.push(`<div class="rest">${[...first, ...rest].join("")}</div>`);
     return parts.join("");
   }
 

@@ -42,22 +42,22 @@ const painter = (() => {
   // Paints what has changed.
   function paint(painted) {
     const [columns, rows] = painted.size;
-    const cells = program.cells(columns * rows);
+    const count = columns * rows;
+    const cells = program.cells(count);
     const all = !before || before.length !== cells.length;
-    const changed = (i) => all || [0, 1, 2, 3].some((k) => cells[4 * i + k] !== before[4 * i + k]);
-    const fresh = [];
-    for (let i = 0; i < columns * rows; i++) {
-      if (changed(i)) fresh.push(i);
+    const fresh = new Uint8Array(count);
+    for (let i = 0, k = 0; i < count; i++, k += 4) {
+      const same = !all && cells[k] === before[k] && cells[k + 1] === before[k + 1] &&
+        cells[k + 2] === before[k + 2] && cells[k + 3] === before[k + 3];
+      if (same) continue;
+      fresh[i] = 1;
+      if (!(cells[k + 3] & VECTOR)) paintCell(cells, i, i % columns, Math.floor(i / columns));
     }
-    for (const i of fresh) {
-      if (!(cells[4 * i + 3] & VECTOR)) paintCell(cells, i, i % columns, Math.floor(i / columns));
-    }
-    const touched = new Set(fresh);
     painted.pictures.forEach((picture, at) => {
       const [x, y, w, h] = picture.area;
       let stale = picturesBefore[at] !== picture.svg;
       for (let row = y; row < y + h && !stale; row++) {
-        for (let column = x; column < x + w; column++) stale ||= touched.has(row * columns + column);
+        stale = fresh.subarray(row * columns + x, row * columns + x + w).includes(1);
       }
       if (stale && picture.svg) paintPicture(picture, cells, columns);
     });
@@ -118,10 +118,15 @@ const painter = (() => {
   function paintPicture(picture, cells, columns) {
     const [x, y, w, h] = picture.area;
     const own = new Path2D();
-    for (let row = y; row < y + h; row++) {
+    const isOwn = (column, row) => (cells[4 * (row * columns + column) + 3] & VECTOR) !== 0;
+    let whole = true;
+    for (let row = y; row < y + h && whole; row++) {
+      for (let column = x; column < x + w && whole; column++) whole = isOwn(column, row);
+    }
+    if (whole) own.rect(x * cell.width, y * cell.height, w * cell.width, h * cell.height);
+    for (let row = y; row < y + h && !whole; row++) {
       for (let start = x, column = x; column <= x + w; column++) {
-        const is = column < x + w && cells[4 * (row * columns + column) + 3] & VECTOR;
-        if (is) continue;
+        if (column < x + w && isOwn(column, row)) continue;
         if (column > start) {
           own.rect(start * cell.width, row * cell.height, (column - start) * cell.width, cell.height);
         }
@@ -142,26 +147,34 @@ const painter = (() => {
     pen.restore();
   }
 
+  // The colour of the disc drawn last: a letter on it needs no rim of that colour.
+  let disc = "";
+
   // Draws an element of SVG, of those that carrom writes.
   function element(name, of, text) {
     const number = (key, otherwise = 0) => (key in of ? Number(of[key]) : otherwise);
     if (name === "text") return writing(of, text, number);
-    const path = new Path2D(name === "path" ? of.d : undefined);
-    if (name === "circle") path.arc(number("cx"), number("cy"), Math.max(0, number("r")), 0, 2 * Math.PI);
-    else if (name === "rect") path.rect(number("x"), number("y"), number("width"), number("height"));
-    else if (name !== "path") return;
+    const path = name === "path" ? new Path2D(of.d) : null;
+    if (!path) pen.beginPath();
+    if (name === "circle") pen.arc(number("cx"), number("cy"), Math.max(0, number("r")), 0, 2 * Math.PI);
+    else if (name === "rect") pen.rect(number("x"), number("y"), number("width"), number("height"));
+    else if (!path) return;
     const opacity = number("opacity", 1);
     if (of.fill && of.fill !== "none") {
       pen.globalAlpha = opacity * number("fill-opacity", 1);
       pen.fillStyle = of.fill;
-      pen.fill(path);
+      if (name === "circle") disc = of.fill;
+      if (path) pen.fill(path);
+      else pen.fill();
     }
     if (of.stroke && of.stroke !== "none") {
       pen.globalAlpha = opacity * number("stroke-opacity", 1);
       pen.strokeStyle = of.stroke;
       pen.lineWidth = number("stroke-width", 1);
-      pen.setLineDash((of["stroke-dasharray"] || "").split(/[ ,]+/).filter(Boolean).map(Number));
-      pen.stroke(path);
+      const dashes = of["stroke-dasharray"];
+      pen.setLineDash(dashes ? dashes.split(/[ ,]+/).map(Number) : []);
+      if (path) pen.stroke(path);
+      else pen.stroke();
     }
     pen.globalAlpha = 1;
   }
@@ -173,7 +186,7 @@ const painter = (() => {
     pen.font = `14px ${SANS}`;
     pen.textAlign = { middle: "center", end: "right" }[of["text-anchor"]] || "left";
     pen.setLineDash([]);
-    if (of.stroke) {
+    if (of.stroke && of.stroke !== disc) {
       pen.strokeStyle = of.stroke;
       pen.lineWidth = number("stroke-width", 1);
       pen.strokeText(text, number("x"), number("y"));

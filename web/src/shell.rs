@@ -296,7 +296,11 @@ impl Shell {
         let mut all: Vec<_> = rows
             .map(|row| Keys {
                 id: row.id.clone(),
-                keys: row.keys().map(|key| key.to_string()).collect(),
+                keys: match row.keys().any(|key| matches!(key, Key::Char('0'..='9'))) {
+                    // With the point and the minus of a number, which are not shown.
+                    true => row.all_keys().map(|key| key.to_string()).collect(),
+                    false => row.keys().map(|key| key.to_string()).collect(),
+                },
                 name: row.name,
                 help: row.help,
             })

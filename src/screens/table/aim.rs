@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::game::{BaseLines, Game, Misplaced, Rules, Seat, Strike};
 use crate::physics::Board;
-use crate::physics::angle::unit_vector;
+use crate::physics::angle::heading;
 
 /// Slowest and fastest stroke, in m/s.
 pub(super) const SPEEDS: (f64, f64) = (0.2, 6.0);
@@ -64,7 +64,7 @@ impl Aim {
 
     /// The direction on the board, a unit vector.
     pub(super) fn heading(&self, seat: Seat) -> DVec2 {
-        seat.turn(unit_vector(self.direction_deg))
+        seat.turn(heading(self.direction_deg))
     }
 
     /// Why the striker may not stand there.

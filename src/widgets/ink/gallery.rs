@@ -8,6 +8,7 @@ use std::cell::RefCell;
 
 use ratatui::buffer::Buffer;
 
+use super::{Canvas, PlacedLabel};
 use crate::widgets::Look;
 use crate::widgets::picture::Picture;
 
@@ -22,6 +23,8 @@ pub struct DrawnPicture {
     pub(in crate::widgets) picture: Picture,
     /// How it looks.
     pub(in crate::widgets) look: Look,
+    /// Where its labels have found room.
+    pub(in crate::widgets) labels: Vec<PlacedLabel>,
     /// The cells of its area when it was drawn; what lies over it came later.
     pub(in crate::widgets) cells: Buffer,
 }
@@ -34,7 +37,7 @@ pub fn gather<T>(draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
 }
 
 /// Notes a picture that has just been drawn into cells, if anyone gathers them.
-pub(in crate::widgets) fn note(picture: &Picture, buffer: &Buffer, look: &Look) {
+pub(super) fn note(picture: &Picture, canvas: &Canvas, buffer: &Buffer, look: &Look) {
     GATHERED.with_borrow_mut(|gathered| {
         let Some(gathered) = gathered else {
             return;
@@ -46,6 +49,7 @@ pub(in crate::widgets) fn note(picture: &Picture, buffer: &Buffer, look: &Look) 
         gathered.push(DrawnPicture {
             picture: picture.clone(),
             look: *look,
+            labels: canvas.labels().to_vec(),
             cells,
         });
     });

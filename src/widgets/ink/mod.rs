@@ -21,6 +21,7 @@ mod tests;
 
 pub(super) use canvas::Canvas;
 pub(crate) use disc::token;
+pub(super) use label::PlacedLabel;
 
 use super::Charset;
 

@@ -68,7 +68,7 @@ impl Picture {
                 cells.write(buf, (start, row), &text, look.theme.style(*role));
             }
         }
-        gallery::note(self, buf, look);
+        gallery::note(self, &canvas, buf, look);
     }
 }
 

@@ -65,7 +65,7 @@ pub fn painted(
             area: drawn.cells.area,
             paper: code(drawn.look.theme.rgb(Role::Background)),
             svg: match is_vector {
-                true => vector::draw(&drawn.picture, &drawn.look),
+                true => vector::draw_labelled(&drawn.picture, &drawn.look, &drawn.labels),
                 false => String::new(),
             },
         }

@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Write};
 use glam::{DVec2, dvec2};
 
 use super::{CELL, Number, escape};
-use crate::widgets::ink::Canvas;
+use crate::widgets::ink::{Canvas, PlacedLabel};
 use crate::widgets::picture::{Axes, Body, Dash, DrawLayer, Mark, Pen, Picture, View};
 use crate::widgets::theme::Rgb;
 use crate::widgets::{Look, Role};
@@ -24,6 +24,11 @@ const DOT: f64 = 3.5;
 
 /// What is drawn of a picture, in units of a screen of [`CELL`]s.
 pub(super) fn draw(picture: &Picture, look: &Look) -> String {
+    draw_labelled(picture, look, Canvas::of(picture, look.charset).labels())
+}
+
+/// The same where its labels have their places already.
+pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabel]) -> String {
     let mut vectors = Vectors {
         view: picture.view(),
         look,
@@ -47,8 +52,7 @@ pub(super) fn draw(picture: &Picture, look: &Look) -> String {
             _ => {}
         }
     }
-    let canvas = Canvas::of(picture, look.charset);
-    for label in canvas.labels() {
+    for label in labels {
         let [left, right] = [label.place.left(), label.place.right()].map(f64::from);
         let (column, anchor) = match label.side.outwards() {
             (1, _) => (left, Anchor::Start),
