@@ -12,6 +12,7 @@ use crate::levels::{Shelf, Win};
 use crate::messages::{Effect, SearchTask, StoreCall, StoreRequest, Wanted};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
+use crate::widgets::hit::HitPace;
 use crate::widgets::input::Rebound;
 use crate::widgets::replay::WatchRate;
 use crate::widgets::{Charset, Depth, Look, Palette, Theme};
@@ -27,6 +28,8 @@ pub struct Settings {
     pub depth: Depth,
     /// Jump from before the contact to the contact to after it.
     pub reduced_motion: bool,
+    /// Each step of the explanation of a hit waits for a key, however long that takes.
+    pub wait_at_beats: bool,
     /// How fast shots are watched, once that was chosen.
     pub watch_rate: Option<WatchRate>,
     /// Ask for a prediction before each shot in the lab and in levels.
@@ -44,6 +47,7 @@ impl Default for Settings {
             palette: Palette::Dark,
             depth: Depth::None,
             reduced_motion: false,
+            wait_at_beats: false,
             watch_rate: None,
             predict: true,
             player: "player".into(),
@@ -56,6 +60,15 @@ impl Settings {
     /// The styles that follow from palette and colour depth.
     pub fn theme(&self) -> Theme {
         Theme::new(self.palette, self.depth)
+    }
+
+    /// How hits are played.
+    pub(crate) fn pace(&self) -> HitPace {
+        match (self.reduced_motion, self.wait_at_beats) {
+            (true, _) => HitPace::Still,
+            (false, true) => HitPace::Waiting,
+            (false, false) => HitPace::Flowing,
+        }
     }
 
     /// Glyphs and styles together.

@@ -48,13 +48,13 @@ const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens
 const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
 const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
 /// Two questions of a round answered.
-const LOOKING_BACK: &str = "60<Enter>30<Enter>2<Enter><Enter>60<Enter>30<Enter>2<Enter><Enter>";
+const LOOKING_BACK: &str = "60<Enter>30<Enter>2<End><Enter>60<Enter>30<Enter>2<End><Enter>";
 const TO_THE_SHOT: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter>";
-const TO_THE_SCORES: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter>";
+const TO_THE_SCORES: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter>";
 const TO_THE_SECOND: &str =
-    "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter><Enter>";
-const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter><Enter>\
-                          <Enter><Enter><End><Enter><Enter><End><Enter><Enter><Enter><Enter>";
+    "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>";
+const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>\
+                          <Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>";
 
 /// A moment of every phase of every screen.
 pub const TOUR: &[TourStop] = &[
@@ -78,17 +78,18 @@ pub const TOUR: &[TourStop] = &[
     moment("lab, a number typed", "lab", "12"),
     moment("lab, saying where", "lab", "<Enter>"),
     moment("lab, an angle typed", "lab", "<Enter>6"),
-    moment("lab, watched", "lab", "<Enter>80<Enter>10<Enter><End>"),
+    moment("lab, watched", "lab", "<Enter>80<Enter>10<Enter><End><End>"),
+    moment("lab, told", "lab", "<Enter>80<Enter>10<Enter><End>"),
     moment("lab, watching", "lab", "<Enter>60<Enter>30<Enter>"),
     moment(
         "lab, a mystery coin",
         "lab",
-        "m<Enter>60<Enter>30<Enter><Space><Space>",
+        "m<Enter>60<Enter>30<Enter><End>",
     ),
     moment(
         "lab, a mass typed",
         "lab",
-        "m<Enter>60<Enter>30<Enter><Space><Space>5",
+        "m<Enter>60<Enter>30<Enter><End>5",
     ),
     moment("foil, tracks", "foil", ""),
     moment("foil, counts", "foil", "<Tab>"),
@@ -108,12 +109,12 @@ pub const TOUR: &[TourStop] = &[
     moment("quiz, a number typed", "quiz speeds-7", "5"),
     moment("quiz, how sure", "quiz 7", "60<Enter>30<Enter>"),
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
-    moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<Enter>"),
+    moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<End>"),
     moment("quiz, looking back", "quiz from-angle2-7", LOOKING_BACK),
     moment(
         "quiz, one looked at again",
         "quiz from-angle1-7",
-        "60<Enter>30<Enter>2<Enter><Enter><Enter>",
+        "60<Enter>30<Enter>2<End><Enter><Enter>",
     ),
     moment("class, setting up", "class", "").taking_any(),
     moment("class, a team's name", "class", "Ants").taking_any(),

@@ -59,7 +59,7 @@ fn answer(game: &mut Headless) {
     if game.screen().contains("all answered") {
         game.press("n");
     }
-    game.press("60<Enter>30<Enter>2");
+    game.press("60<Enter>30<Enter>2<End>");
     let screen = game.screen();
     assert!(
         screen.contains("points  ") && screen.contains("credit"),
@@ -144,6 +144,7 @@ fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     for (i, question) in round.questions().iter().enumerate() {
         game.press(&said(&question.form, &question.form.truth()));
         game.press(if guessing && i % 2 == 0 { "1" } else { "3" });
+        game.press("<End>");
         let screen = game.screen();
         assert!(screen.contains(" of 10 points"), "{screen}");
         game.press("<Enter>");
@@ -208,6 +209,9 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
             pty.press("60\r30\r");
             pty.wait_for("How sure are you?");
             pty.press("2");
+            pty.wait_for("contact");
+            // All that the hit tells.
+            pty.press("\x1b[F");
             pty.wait_for("credit");
             answered += 1;
             assert_eq!(kept(folder.path(), None).len(), answered);
@@ -233,7 +237,7 @@ fn a_damaged_database_is_told_of_and_the_game_goes_on() {
     );
     game.press("x");
     assert!(!game.screen().contains("please note"));
-    game.press("<Enter>");
+    game.press("<End><Enter>");
     answer(&mut game);
     assert_eq!(kept(folder.path(), Some("Ada")).len(), 2);
     let aside = fs::read(folder.path().join("progress-damaged-1.db")).unwrap();
@@ -249,7 +253,7 @@ fn what_cannot_be_kept_is_told_once() {
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
     assert!(screen.contains("What you do cannot be kept"), "{screen}");
-    game.press("x<Enter>");
+    game.press("x<End><Enter>");
     for _ in 0..2 {
         answer(&mut game);
         assert!(!game.screen().contains("cannot be kept"));

@@ -17,7 +17,7 @@ use carrom::widgets::Charset;
 use crate::folder::Folder;
 use crate::keys::said;
 
-const LONG: Duration = Duration::from_secs(60);
+const LONG: Duration = Duration::from_secs(120);
 
 fn app(code: &str, teams: &[&str], charset: Charset) -> App {
     let settings = Settings {
@@ -96,7 +96,7 @@ fn three_teams_play_a_round_to_its_tables() {
         game.press("<Enter>");
         assert!(game.settle(LONG));
         if !game.screen().contains("after talking") {
-            game.press("<Enter>");
+            game.press("<End>");
         }
         let screen = game.screen();
         assert!(
@@ -167,7 +167,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
     // Talk, second vote, shot, scores.
     game.press("<Enter><Enter><Enter>");
     if !game.screen().contains("after talking") {
-        game.press("<Enter>");
+        game.press("<End>");
     }
     game.press("<Enter>");
     let points = |folder: &Path| -> Vec<f64> {

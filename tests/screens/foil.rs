@@ -7,7 +7,7 @@ use carrom::messages::Key;
 use carrom::screens::{Place, Settings};
 use carrom::shells::{FRAME, Headless};
 
-const LONG: Duration = Duration::from_secs(60);
+const LONG: Duration = Duration::from_secs(120);
 
 fn foil(predict: bool, seed: u64) -> Headless {
     let settings = Settings {

@@ -7,7 +7,7 @@ use carrom::messages::Key;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 
-const LONG: Duration = Duration::from_secs(60);
+const LONG: Duration = Duration::from_secs(120);
 
 /// The lab, with nothing to be said before a hit.
 fn lab() -> Headless {
@@ -46,7 +46,7 @@ fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
         assert!(board.contains("V = 2.00 m/s"), "{board}");
         game.press("f");
         let going_round = 4.0 * (offset_mm / 30.0_f64).abs() / 3.0;
-        for name in ["striker after", "coin after"] {
+        for name in ["striker w1", "coin w2"] {
             let shown = beside(&mut game, name);
             assert!((shown - going_round).abs() < 0.006, "{name} {shown}");
         }

@@ -9,9 +9,9 @@ use carrom::shells::Headless;
 pub(crate) fn answer(game: &mut Headless, page: &ChapterPage) {
     match page.checkpoint.as_ref().map(|checkpoint| &checkpoint.asked) {
         None => return,
-        Some(CheckpointKind::Rays) => game.press("40<Enter>40<Enter>"),
+        Some(CheckpointKind::Rays) => game.press("40<Enter>40<Enter><End>"),
         Some(CheckpointKind::Number { .. }) => game.press("1<Enter>"),
         Some(CheckpointKind::Choice(_)) => game.press("2<Enter>"),
     }
-    assert!(game.settle(Duration::from_secs(60)));
+    assert!(game.settle(Duration::from_secs(120)));
 }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
 
+use crate::physics::Frame;
+
 use super::{Answer, Difficulty, Family, Form, Illustration, Misconception, Ray, Response, Topic};
 
 /// Answers nearer to each other than this cannot be told apart, counted in the widest
@@ -73,6 +75,14 @@ pub enum Fit {
 }
 
 impl Question {
+    /// The frame in which its hit is shown once it is answered: the one it asks about.
+    pub fn seen_from(&self) -> Frame {
+        match self.family {
+            Family::CentreOfMass => Frame::CentreOfMass,
+            _ => Frame::Laboratory,
+        }
+    }
+
     /// How far apart the two nearest of the true answer and all that misconceptions
     /// would answer are, counted in the widest that can count as right. Choices are 0 or
     /// infinitely far apart.

@@ -253,15 +253,15 @@ impl Screen for Class {
         Next::Stay
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let ClassScene::Play(play) = &mut self.scene {
-            play.advance(passed);
+            play.advance(passed, cx.settings.pace());
         }
     }
 
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
+    fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.scene {
-            ClassScene::Play(play) if !self.paused => play.wake(),
+            ClassScene::Play(play) if !self.paused => play.wake(cx.settings.pace()),
             _ => None,
         }
     }

@@ -9,6 +9,7 @@ use crate::class::{ClassPlace, ClassRound, ClassStep, Vote};
 use crate::messages::{Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
 use crate::screens::{Context, Next};
+use crate::widgets::hit::HitPace;
 use crate::widgets::input::{KeyTable, ListView};
 use crate::widgets::{Outcome, Scroll};
 
@@ -132,7 +133,7 @@ impl ClassPlay {
             ClassStep::FirstVote => vote(Vote::First),
             ClassStep::SecondVote => vote(Vote::Second),
             ClassStep::Shot => {
-                let shown = ClassReveal::new(&self.round, question, cx.settings.reduced_motion);
+                let shown = ClassReveal::new(&self.round, question, cx.settings.pace());
                 shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
             }
             _ => ClassPhase::Look,
@@ -271,15 +272,12 @@ impl ClassPlay {
                     }
                 },
                 (ClassPhase::Shot(shown), _) => {
-                    let next = match shown.reveal.is_revealed() {
-                        true => "the scores",
-                        false => "show it",
-                    };
-                    // What is watched has the space bar.
+                    // What is watched has the space bar, and Enter until all is told.
                     let keys = match shown.reveal.watch() {
-                        Some(_) => keys.on(Key::Enter, Forward, next),
-                        None => forward(next),
+                        Some(_) => keys.on(Key::Enter, Forward, "the scores"),
+                        None => forward("the scores"),
                     };
+                    let keys = keys.when(!shown.reveal.is_telling());
                     keys.with(shown.reveal.keys(), Watch)
                 }
                 (ClassPhase::End(page), _) => forward("next page")
@@ -310,10 +308,6 @@ impl ClassPlay {
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) {
         match (action, &mut self.phase) {
-            (ClassAction::Forward, ClassPhase::Shot(shown)) if !shown.reveal.is_revealed() => {
-                // Nobody skips what happened by a key too many.
-                shown.reveal.at_once();
-            }
             (ClassAction::Forward, _) => self.forward(cx),
             (ClassAction::Scroll(rows), _) => {
                 view::scroll(self, rows, cx.body, &cx.settings.look());
@@ -390,16 +384,16 @@ impl ClassPlay {
     }
 
     /// Lets time pass.
-    pub(super) fn advance(&mut self, passed: Duration) {
+    pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if let ClassPhase::Shot(shown) = &mut self.phase {
-            shown.reveal.advance(passed);
+            shown.reveal.advance(passed, pace);
         }
     }
 
     /// When it next needs time.
-    pub(super) fn wake(&self) -> Option<Duration> {
+    pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
-            ClassPhase::Shot(shown) => shown.reveal.wake(),
+            ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 use crate::class::{ClassRound, Vote};
 use crate::quiz::misconceptions::most_held;
 use crate::quiz::{Answer, Confidence, Form, Question, Response, explain, letter};
-use crate::widgets::hit::{Reveal, Watch};
+use crate::widgets::hit::{HitPace, Reveal, Watch};
 
 /// What really happens, and why.
 #[derive(Debug, Clone)]
@@ -19,7 +19,7 @@ pub(super) struct ClassReveal {
 
 impl ClassReveal {
     /// The truth of a question, told from what the class said.
-    pub(super) fn new(round: &ClassRound, number: usize, reduced: bool) -> Option<Self> {
+    pub(super) fn new(round: &ClassRound, number: usize, pace: HitPace) -> Option<Self> {
         let question = round.questions().get(number)?;
         // What they say after talking, or what they said before it.
         let held = commonest(round, number, Vote::Second)
@@ -33,7 +33,7 @@ impl ClassReveal {
             None => question.why.clone(),
         };
         Some(Self {
-            reveal: Reveal::new(watch(question, said, reduced)),
+            reveal: Reveal::new(watch(question, said, pace)),
             held: held.map(|shared| (shared.name, shared.count)),
             why,
         })
@@ -42,7 +42,7 @@ impl ClassReveal {
 
 /// The hit as it really goes, with what was said beside it. What is to be answered by
 /// shooting is shot as it should be.
-fn watch(question: &Question, said: Option<Response>, reduced: bool) -> Option<Watch> {
+fn watch(question: &Question, said: Option<Response>, pace: HitPace) -> Option<Watch> {
     let collision = match &question.form {
         Form::Shot(aim) => Some(aim.with(aim.offset)),
         _ => question.picture.collision().copied(),
@@ -51,7 +51,8 @@ fn watch(question: &Question, said: Option<Response>, reduced: bool) -> Option<W
         Some(Response::Rays(rays)) => Some(rays),
         _ => None,
     };
-    collision.map(|collision| Watch::new(collision, rays, reduced))
+    let frame = question.seen_from();
+    collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
 }
 
 /// What several votes that were wrong have in common.

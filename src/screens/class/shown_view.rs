@@ -25,10 +25,10 @@ pub(super) fn draw<'a>(
         Illustration::Nothing if watch.is_none() => SplitLayout::text_alone(area),
         _ => SplitLayout::square(area),
     };
-    let title = watch.map_or_else(|| question.family.name().into(), Watch::title);
-    let aside = match shown.reveal.is_revealed() {
-        true => "and why",
-        false => "watch",
+    let title = watch.map_or_else(|| question.family.name().into(), Watch::slowed_title);
+    let aside = match shown.reveal.is_telling() {
+        true => "watch",
+        false => "and why",
     };
     layout.draw(buf, look, &title, aside);
     match watch {
@@ -40,11 +40,11 @@ pub(super) fn draw<'a>(
 }
 
 fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut Lines) {
-    if !shown.reveal.is_revealed() {
+    if shown.reveal.is_telling() {
         lines.paragraph(&question.text, Role::Dim);
         if let Some(watch) = shown.reveal.watch() {
             lines.gap();
-            lines.paragraph(watch.telling(), Role::Text);
+            watch.write_telling(lines);
         }
         return;
     }

@@ -27,7 +27,7 @@ impl Default for Home {
         let layers = Overlays::default().without([Overlay::Triangle]);
         Self {
             list: ListView::default(),
-            picture: Watch::new(worked_shot, None, true).with_layers(layers),
+            picture: Watch::told(worked_shot).with_layers(layers),
         }
     }
 }

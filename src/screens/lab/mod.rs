@@ -108,7 +108,7 @@ impl Lab {
     fn shoot(&mut self, rays: Option<&RayInput>, cx: &Context) {
         let said = rays.and_then(RayInput::said);
         let collision = self.settings.setup.collision();
-        let watch = Watch::new(collision, said, cx.settings.reduced_motion);
+        let watch = Watch::new(collision, said, cx.settings.pace());
         self.scroll = Scroll::default();
         self.phase = LabPhase::Watch(Box::new(watch));
     }
@@ -228,10 +228,12 @@ impl Screen for Lab {
                 table
                     .with(mass.unwrap_or(KeyTable::new("mystery")), LabAction::Weigh)
                     .on(key(' '), SetUp, "new shot")
+                    .or([(Key::Enter, SetUp)])
                     .when(watch.clock().is_over())
                     .with(watching, LabAction::Watch)
                     .on(Key::Escape, SetUp, "set up")
-                    .or([(Key::Enter, SetUp), (key('n'), SetUp)])
+                    .or([(key('n'), SetUp)])
+                    .on(Key::Enter, LabAction::Watch(WatchAction::GoOn), "")
                     .each(scroll_keys(Scroll), "")
                     .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
             }
@@ -240,7 +242,7 @@ impl Screen for Lab {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "One striker, one coin. Set how far off-centre they meet (the offset b), say where both will go, then watch: time slows at the contact and stops there, and the picture explains itself.",
+            "One striker, one coin. Set how far off-centre they meet (the offset b), say where both will go, then watch: time slows at the contact and stops there, and the picture explains itself step by step. Each step stands for as long as it takes to read; , and . go back and forth.",
             "The line of impact n joins the two centres at the contact. Along it the discs push each other; across it, along t, nothing pushes, so nothing changes. Everything else follows from that.",
             "Angles count from the striker's direction: for the striker to the side away from the coin, for the coin to its own side.",
             "The coin can be moved by the mouse, the rays too; the wheel changes the speed.",
@@ -293,15 +295,15 @@ impl Screen for Lab {
         }
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let LabPhase::Watch(watch) = &mut self.phase {
-            watch.advance(passed);
+            watch.advance(passed, cx.settings.pace());
         }
     }
 
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
+    fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.phase {
-            LabPhase::Watch(watch) => watch.wake(),
+            LabPhase::Watch(watch) => watch.wake(cx.settings.pace()),
             _ => None,
         }
     }

@@ -9,7 +9,7 @@ use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::Context;
-use crate::widgets::hit::{Watch, degrees};
+use crate::widgets::hit::{VelocityNames, Watch, degrees};
 use crate::widgets::panels::{reason, said_and_true, separation};
 use crate::widgets::{Lines, RayInput, Role, shown};
 
@@ -94,8 +94,7 @@ pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
     if !watch.is_told() {
         given(lab, lines);
         lines.gap();
-        lines.paragraph(watch.telling(), Role::Text);
-        return;
+        return watch.write_telling(lines);
     }
     if watch.frame() != Frame::Laboratory {
         given(lab, lines);
@@ -176,14 +175,17 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
     lines.line("From the centre of mass", Role::Title);
     lines.fact("V", &format!("{:.2} m/s", drift.length()));
     let [v1, v2] = collision.centres_after();
-    let speeds = [
-        ("striker before", collision.u1 - drift),
-        ("striker after", v1 - drift),
-        ("coin before", collision.u2 - drift),
-        ("coin after", v2 - drift),
-    ];
-    for (name, v) in speeds {
-        lines.fact(name, &format!("{:.2} m/s", v.length()));
+    let names = VelocityNames::new(collision, Frame::CentreOfMass);
+    let before = [collision.u1, collision.u2];
+    for (body, after) in [v1, v2].into_iter().enumerate() {
+        let disc = ["striker", "coin"][body];
+        for (name, v) in [
+            (names.before[body], before[body]),
+            (names.after[body], after),
+        ] {
+            let speed = format!("{:.2} m/s", (v - drift).length());
+            lines.fact(&format!("{disc} {name}"), &speed);
+        }
     }
     let turned = collision
         .alpha()

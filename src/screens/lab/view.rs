@@ -15,10 +15,7 @@ pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let (title, side_title) = match &lab.phase {
         LabPhase::Aim => ("set up the hit".into(), "settings"),
         LabPhase::Predict(_) => ("where will they go?".into(), "say it first"),
-        LabPhase::Watch(watch) => (
-            format!("the hit, slowed {:.0}×", watch.clock().slowed()),
-            "the shot",
-        ),
+        LabPhase::Watch(watch) => (watch.slowed_title(), "the shot"),
     };
     layout.draw(buf, &look, &title, side_title);
     let collision = lab.settings.setup.collision();

@@ -267,10 +267,6 @@ impl Quiz {
         let QuizPhase::Watch(watched) = &mut self.phase else {
             return;
         };
-        // Nobody skips what happened by a key too many.
-        if !watched.reveal.is_revealed() {
-            return watched.reveal.at_once();
-        }
         if let Some(remedy) = watched.remedy.take() {
             return watched.reveal.show(remedy);
         }
@@ -324,13 +320,18 @@ impl AnsweredQuestion {
     /// An answer just given. What was answered by shooting is what is watched.
     fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = answer.said.rays();
-        let reduced = cx.settings.reduced_motion;
-        let watch = |collision: Collision| Watch::new(collision, rays, reduced).with_layers(layers);
+        let pace = cx.settings.pace();
+        let frame = question.seen_from();
+        let watch = |collision: Collision| {
+            Watch::new(collision, rays, pace)
+                .with_layers(layers)
+                .seen_from(frame)
+        };
         let (watch, remedy) = match (&question.form, answer.said) {
             (Form::Shot(aim), Response::Shot(offset)) => {
                 let shot = |offset| watch(aim.with(offset)).with_wanted(*aim);
                 let right = Grade::new(&question, &answer).right;
-                let remedy = (!right).then(|| shot(aim.offset));
+                let remedy = (!right).then(|| shot(aim.offset).at_once());
                 (Some(shot(offset)), remedy)
             }
             _ => (question.picture.collision().copied().map(watch), None),
@@ -411,7 +412,6 @@ impl Screen for Quiz {
             }
             QuizPhase::Watch(watched) => {
                 let next = match watched.opened {
-                    _ if !watched.reveal.is_revealed() => "show it",
                     _ if watched.remedy.is_some() => "the right shot",
                     Some(_) => "back to the list",
                     None if !self.is_over() => "next question",
@@ -425,7 +425,9 @@ impl Screen for Quiz {
                     Some(_) => "",
                     None => "scroll",
                 };
+                // Until all is told Enter goes through what is told.
                 keys.on(Key::Enter, GoOn, next)
+                    .when(!watched.reveal.is_telling())
                     .with(watched.reveal.keys(), Watch)
                     .each(lines, scroll)
                     .or(pages)
@@ -543,15 +545,15 @@ impl Screen for Quiz {
         Next::Stay
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let QuizPhase::Watch(watched) = &mut self.phase {
-            watched.reveal.advance(passed);
+            watched.reveal.advance(passed, cx.settings.pace());
         }
     }
 
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
+    fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.phase {
-            QuizPhase::Watch(watched) => watched.reveal.wake(),
+            QuizPhase::Watch(watched) => watched.reveal.wake(cx.settings.pace()),
             _ => None,
         }
     }

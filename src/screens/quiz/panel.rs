@@ -137,7 +137,7 @@ pub(super) fn untold(watched: &AnsweredQuestion, lines: &mut Lines) {
     lines.paragraph(&watched.question.text, Role::Dim);
     lines.gap();
     if let Some(watch) = watched.reveal.watch() {
-        lines.paragraph(watch.telling(), Role::Text);
+        watch.write_telling(lines);
     }
 }
 

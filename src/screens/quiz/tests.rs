@@ -53,7 +53,12 @@ impl TestRound {
 
     fn press(&mut self, keys: &str) {
         for c in keys.chars() {
-            let key = if c == '\n' { Key::Enter } else { Key::Char(c) };
+            let key = match c {
+                '\n' => Key::Enter,
+                // All that a hit tells.
+                '$' => Key::End,
+                _ => Key::Char(c),
+            };
             if let Some(action) = self.quiz.keys(&self.cx).find(key) {
                 self.quiz.act(action, &mut self.cx);
             }
@@ -158,7 +163,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
             sitting.press("1\n");
         }
         look(&mut sitting, "How sure are you?");
-        sitting.press("2");
+        sitting.press("2$");
         look(&mut sitting, "of 10 points");
         assert_eq!(sitting.quiz.answers.len(), 1);
     }
@@ -167,7 +172,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
 #[test]
 fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
-    sitting.press("-5\n3");
+    sitting.press("-5\n3$");
     let screen = sitting.screen();
     assert!(screen.contains("offset 5.00 mm left"), "{screen}");
     // It takes two rows of the panel.
@@ -187,7 +192,7 @@ fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
     assert!(matches!(sitting.quiz.phase, QuizPhase::Asked(_)));
     // What hits the mark has nothing to be put right.
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
-    sitting.press("15\n3\n");
+    sitting.press("15\n3$\n");
     assert!(matches!(sitting.quiz.phase, QuizPhase::Asked(_)));
 }
 

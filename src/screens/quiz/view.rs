@@ -4,7 +4,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::{AnsweredQuestion, Quiz, QuizPhase, panel, summary};
-use crate::physics::Frame;
 use crate::quiz::{Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::input::ListView;
@@ -51,7 +50,7 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
             None => panel::asked(asked, lines),
             Some(chosen) => panel::confidence(asked, chosen, quiz.tells_at_end(), lines),
         },
-        QuizPhase::Watch(watched) if watched.reveal.is_revealed() => {
+        QuizPhase::Watch(watched) if !watched.reveal.is_telling() => {
             panel::told(watched, lines, look.charset);
         }
         QuizPhase::Watch(watched) => panel::untold(watched, lines),
@@ -78,10 +77,10 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             );
         }
         QuizPhase::Watch(watched) => {
-            let side = if watched.reveal.is_revealed() {
-                "and why"
-            } else {
+            let side = if watched.reveal.is_telling() {
                 "watch"
+            } else {
+                "and why"
             };
             draw_frames(&layout, buf, &look, &title(watched), side);
             match watched.reveal.watch() {
@@ -132,15 +131,11 @@ fn title(watched: &AnsweredQuestion) -> String {
     };
     if let Form::Shot(aim) = &watched.question.form
         && watched.reveal.is_revealed()
-        && watch.frame() == Frame::Laboratory
     {
-        let does_it = watch.collision().offset == aim.offset;
-        return if does_it {
-            "the shot that does it"
-        } else {
-            "your shot"
-        }
-        .into();
+        return watch.title(match watch.collision().offset == aim.offset {
+            true => "the shot that does it",
+            false => "your shot",
+        });
     }
-    watch.title()
+    watch.slowed_title()
 }

@@ -159,9 +159,9 @@ impl Screen for Table {
         }
     }
 
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
+    fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.page {
-            TablePage::Playing(game) => game.wake(),
+            TablePage::Playing(game) => game.wake(cx.settings.pace()),
             _ => None,
         }
     }

@@ -59,8 +59,7 @@ fn titles(active: &ActiveGame) -> (String, String) {
         TablePhase::Watch(replay) => {
             let (clock, player) = (replay.player.clock(), &replay.player);
             if let Some(watch) = player.zoom() {
-                let slowed = watch.clock().slowed();
-                return (format!("the impact, slowed {slowed:.0}×"), "why".into());
+                return (watch.slowed_title(), "why".into());
             }
             let time = format!("{:.2} s, {}", clock.time(), clock.rate().words());
             let name = if player.list().is_some() {

@@ -41,8 +41,10 @@ pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
         let tip = rim + room(rim, direction) * direction;
         sketch.picture.arrow(rim, tip, Pen::new(role).bold());
         sketch.label("after", tip, direction, role);
-        if sketch.arc(body, direction, Role::Arc.into()).is_none() {
-            sketch.angle(0.0, tip, direction);
+        let heading = stage.heading();
+        sketch.arc(body, [heading, direction], "", Role::Arc.into());
+        if !Sketch::has_arc(heading, direction) {
+            sketch.angle("", 0.0, tip, direction);
         }
     }
     sketch.picture.reserve(DVec2::ZERO);

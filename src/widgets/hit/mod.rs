@@ -2,8 +2,10 @@
 //! as they do. The lab, the quiz and every zoomed-in impact show this one picture.
 
 mod after;
+mod beat;
 mod layers;
 mod moment;
+mod names;
 mod pencil;
 mod playback;
 mod reveal;
@@ -17,8 +19,9 @@ mod watch;
 pub(crate) use crate::widgets::input::{degrees, side};
 pub(crate) use after::after_picture;
 pub(crate) use layers::{Overlay, Overlays};
+pub(crate) use names::VelocityNames;
 pub(crate) use pencil::{protractor_picture, scale_picture};
-pub(crate) use playback::FRAME;
+pub(crate) use playback::{FRAME, HitPace};
 pub(crate) use reveal::Reveal;
 pub(crate) use setup::{Markings, aim_picture, drag_offset, point_at, setup_picture};
 pub(crate) use stage::HitLayout;

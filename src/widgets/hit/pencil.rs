@@ -140,7 +140,7 @@ pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
         let start = heading.to_angle();
         picture.arc(zero, ARC * unit, start, start + turn, Role::Arc);
         let middle = DVec2::from_angle(turn / 2.0).rotate(heading);
-        sketch.angle(turn, zero + ARC * unit * middle, middle);
+        sketch.angle("", turn, zero + ARC * unit * middle, middle);
     }
     sketch.label(format!("{name}'s path"), tip, way, Role::CoinOut);
     for (side, name) in [(-right, "left, mm"), (right, "right, mm")] {

@@ -1,4 +1,4 @@
-//! How time runs while a hit is shown: up to the contact, a hold there, and on.
+//! How time runs while a hit is shown: up to the contact, step by step there, and on.
 
 use std::time::Duration;
 
@@ -9,52 +9,78 @@ pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 const APPROACH: f64 = 1.1;
 /// Time it takes to ease into the contact, and out of it, in seconds.
 const EASE: f64 = 0.35;
-/// Time between one layer of the explanation and the next, in seconds.
-const BEAT: f64 = 0.9;
-/// Overlays that come one after the other at the contact.
-pub(super) const BEATS: usize = 3;
+/// Share of the whole that a step in time goes.
+const STEP: f64 = 1.0 / 96.0;
+
+/// How a hit is played.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum HitPace {
+    /// It moves, and each step of the explanation stands for as long as it takes to read.
+    #[default]
+    Flowing,
+    /// It moves, and each step waits for a key.
+    Waiting,
+    /// Nothing moves: it goes from the contact, where each step waits for a key, to the end.
+    Still,
+}
 
 /// Where in its telling a hit is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PlaybackStage {
     /// Running towards the contact; seconds on the screen so far.
     Approach(f64),
-    /// Held at the contact; seconds on the screen so far, until the last layer.
-    Contact(f64),
+    /// Held at the contact, at this step of the explanation; seconds it has stood so far.
+    Contact { step: usize, stood: f64 },
     /// Running on from the contact; seconds on the screen so far.
     Departure(f64),
-    /// Halted by hand at this time of the shot.
+    /// Halted by hand at this time of the shot, before or after the contact.
     Halted(f64),
 }
-
-/// At the contact, with all layers to be seen.
-const TOLD: PlaybackStage = PlaybackStage::Contact(BEAT * BEATS as f64);
 
 /// The clock of a hit.
 ///
 /// `contact` and `end` are times of the shot, in its own seconds; what it shows
 /// is always derived from the stage, so that steps, scrubbing and slow motion are
-/// only other values of one number.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// only other values of one number. At the contact it holds for the steps of the
+/// explanation.
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Playback {
     pub(super) contact: f64,
     end: f64,
+    /// For how many seconds each step stands when it is left alone; the last one stays.
+    holds: Vec<f64>,
     stage: PlaybackStage,
 }
 
 impl Playback {
     /// A clock at the start of a shot whose discs meet at `contact` and that is
-    /// shown until `end`. With `reduced` motion it begins at the contact.
-    pub(crate) fn new(contact: f64, end: f64, reduced: bool) -> Self {
+    /// shown until `end`; where nothing moves it begins at the contact. There is at least
+    /// one step of the explanation.
+    pub(crate) fn new(contact: f64, end: f64, holds: Vec<f64>, pace: HitPace) -> Self {
         Self {
             contact,
             end,
-            stage: if reduced {
-                TOLD
-            } else {
-                PlaybackStage::Approach(0.0)
+            holds,
+            stage: match pace {
+                HitPace::Still => PlaybackStage::at_step(0),
+                _ => PlaybackStage::Approach(0.0),
             },
         }
+    }
+
+    /// The same with one step at the contact.
+    #[must_use]
+    pub(super) fn in_one_step(mut self) -> Self {
+        self.holds.truncate(1);
+        if let PlaybackStage::Contact { .. } = self.stage {
+            self.stage = PlaybackStage::at_step(0);
+        }
+        self
+    }
+
+    /// The last step of the explanation.
+    fn last(&self) -> usize {
+        self.holds.len().saturating_sub(1)
     }
 
     /// Time of the shot to show, in its own seconds.
@@ -67,7 +93,7 @@ impl Playback {
                 let time = self.rate() * (coasting + easing - easing * easing / (2.0 * EASE));
                 time.min(self.contact)
             }
-            PlaybackStage::Contact(_) => self.contact,
+            PlaybackStage::Contact { .. } => self.contact,
             PlaybackStage::Departure(s) => {
                 let easing = s.min(EASE);
                 let time = self.rate() * (easing * easing / (2.0 * EASE) + s - easing);
@@ -92,13 +118,26 @@ impl Playback {
         APPROACH - EASE / 2.0
     }
 
-    /// Whether time runs.
-    pub(crate) fn is_running(&self) -> bool {
+    /// When it next needs time; `None` while it waits for a key, or is over.
+    pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
+        match self.stage {
+            PlaybackStage::Approach(_) => Some(FRAME),
+            PlaybackStage::Contact { step, stood } => {
+                let goes_on = pace == HitPace::Flowing && step < self.last();
+                let left = self.holds.get(step).map_or(0.0, |hold| hold - stood);
+                goes_on.then(|| Duration::from_secs_f64(left.max(0.0)))
+            }
+            PlaybackStage::Departure(_) => (!self.is_over()).then_some(FRAME),
+            PlaybackStage::Halted(_) => None,
+        }
+    }
+
+    /// Whether discs are moving.
+    pub(crate) fn is_moving(&self) -> bool {
         match self.stage {
             PlaybackStage::Approach(_) => true,
-            PlaybackStage::Contact(s) => s < BEAT * BEATS as f64,
-            PlaybackStage::Departure(_) => self.time() < self.end,
-            PlaybackStage::Halted(_) => false,
+            PlaybackStage::Departure(_) => !self.is_over(),
+            _ => false,
         }
     }
 
@@ -117,44 +156,69 @@ impl Playback {
         self.time() >= self.end
     }
 
-    /// How many of the layers are to be seen: they come one by one at
-    /// the contact and stay.
-    pub(crate) fn beats(&self) -> usize {
+    /// The step of the explanation that has been reached: none before the contact, all
+    /// after it.
+    pub(crate) fn step_reached(&self) -> Option<usize> {
         match self.stage {
-            PlaybackStage::Contact(s) => ((s / BEAT) as usize + 1).min(BEATS),
-            _ if self.has_met() => BEATS,
-            _ => 0,
+            PlaybackStage::Contact { step, .. } => Some(step),
+            _ => self.has_met().then(|| self.last()),
         }
     }
 
-    /// Lets `passed` go by on the screen.
-    pub(crate) fn advance(&mut self, passed: Duration) {
-        if !self.is_running() {
+    /// Whether the last step of the explanation has been reached.
+    pub(crate) fn is_told(&self) -> bool {
+        self.step_reached() == Some(self.last())
+    }
+
+    /// Lets `passed` go by on the screen. What is left of it when a step has stood for its
+    /// time counts for the next.
+    pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
+        if self.wake(pace).is_none() {
             return;
         }
         let passed = passed.as_secs_f64();
         self.stage = match self.stage {
+            PlaybackStage::Approach(_) if pace == HitPace::Still => PlaybackStage::at_step(0),
             PlaybackStage::Approach(s) => {
                 let left = self.coasting() + EASE - s;
                 if passed < left {
                     PlaybackStage::Approach(s + passed)
                 } else {
-                    PlaybackStage::Contact(passed - left)
+                    PlaybackStage::Contact {
+                        step: 0,
+                        stood: passed - left,
+                    }
                 }
             }
-            PlaybackStage::Contact(s) => PlaybackStage::Contact(s + passed),
+            PlaybackStage::Contact { step, stood } => {
+                let left = self.holds.get(step).map_or(0.0, |hold| hold - stood);
+                if passed < left {
+                    let stood = stood + passed;
+                    PlaybackStage::Contact { step, stood }
+                } else {
+                    PlaybackStage::Contact {
+                        step: step + 1,
+                        stood: passed - left,
+                    }
+                }
+            }
+            PlaybackStage::Departure(_) if pace == HitPace::Still => {
+                PlaybackStage::Halted(self.end)
+            }
             PlaybackStage::Departure(s) => PlaybackStage::Departure(s + passed),
             halted @ PlaybackStage::Halted(_) => halted,
         };
     }
 
-    /// Goes on: to the contact at once while still approaching, to all the layers
-    /// while they are coming, and from a halt or from the contact on to the end.
+    /// Goes on: to the contact at once while still approaching, there to the next step, and
+    /// from a halt or from the last step on to the end.
     pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
-            PlaybackStage::Approach(_) => PlaybackStage::Contact(0.0),
-            PlaybackStage::Contact(s) if s < BEAT * (BEATS as f64 - 1.0) => TOLD,
-            PlaybackStage::Contact(_) => PlaybackStage::Departure(0.0),
+            PlaybackStage::Approach(_) => PlaybackStage::at_step(0),
+            PlaybackStage::Contact { step, .. } if step < self.last() => {
+                PlaybackStage::at_step(step + 1)
+            }
+            PlaybackStage::Contact { .. } => PlaybackStage::Departure(0.0),
             PlaybackStage::Departure(_) => PlaybackStage::Halted(self.end),
             PlaybackStage::Halted(time) if time < self.contact => {
                 PlaybackStage::Approach(self.screen_time_before(time))
@@ -166,9 +230,22 @@ impl Playback {
         };
     }
 
-    /// Goes to the contact at once, with all its layers.
+    /// Goes to the contact at once, with all that is told there.
     pub(crate) fn tell(&mut self) {
-        self.stage = TOLD;
+        self.stage = PlaybackStage::at_step(self.last());
+    }
+
+    /// To all that is told at the contact, and from there to the end.
+    pub(crate) fn finish(&mut self) {
+        match self.is_told() {
+            true => self.stage = PlaybackStage::Halted(self.end),
+            false => self.tell(),
+        }
+    }
+
+    /// Halts at the start.
+    pub(crate) fn halt_at_start(&mut self) {
+        self.stage = PlaybackStage::Halted(0.0);
     }
 
     /// Plays the whole again.
@@ -176,14 +253,32 @@ impl Playback {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
-    /// Halts, and moves by this share of the whole. A step that would leap over
-    /// the contact lands on it.
+    /// So many steps forwards or backwards: at the contact those of the explanation, before
+    /// and after it small ones in time.
+    pub(crate) fn step(&mut self, by: i8) {
+        let next = match self.stage {
+            PlaybackStage::Contact { step, .. } => step.checked_add_signed(by.into()),
+            _ => None,
+        };
+        match next.filter(|step| *step <= self.last()) {
+            Some(step) => self.stage = PlaybackStage::at_step(step),
+            None => self.scrub(STEP * f64::from(by)),
+        }
+    }
+
+    /// Halts, and moves by this share of the whole. A move that would leap over
+    /// the contact lands on it: at the first step of what is told there, or coming back at
+    /// the last.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
         let to = (from + share * self.end).clamp(0.0, self.end);
-        let leaps = (from < self.contact && to > self.contact)
-            || (from > self.contact && to < self.contact);
-        self.stage = PlaybackStage::Halted(if leaps { self.contact } else { to });
+        self.stage = if from < self.contact && to >= self.contact {
+            PlaybackStage::at_step(0)
+        } else if from > self.contact && to <= self.contact {
+            PlaybackStage::at_step(self.last())
+        } else {
+            PlaybackStage::Halted(to)
+        };
     }
 
     /// Inverse of the approach in [`Playback::time`].
@@ -207,76 +302,138 @@ impl Playback {
     }
 }
 
+impl PlaybackStage {
+    /// At a step of the explanation, from its beginning.
+    const fn at_step(step: usize) -> Self {
+        Self::Contact { step, stood: 0.0 }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn run(clock: &mut Playback, seconds: f64) {
+    const HOLDS: [f64; 3] = [6.0, 8.0, 5.0];
+
+    fn clock(pace: HitPace) -> Playback {
+        Playback::new(0.03, 0.06, HOLDS.into(), pace)
+    }
+
+    fn run(clock: &mut Playback, pace: HitPace, seconds: f64) {
         let frames = (seconds / FRAME.as_secs_f64()).round() as usize;
         for _ in 0..frames {
-            clock.advance(FRAME);
+            clock.advance(FRAME, pace);
         }
     }
 
     #[test]
-    fn it_slows_into_the_contact_and_holds_there() {
-        let mut clock = Playback::new(0.03, 0.06, false);
+    fn it_slows_into_the_contact_and_each_step_stands_for_its_time() {
+        let mut clock = clock(HitPace::Flowing);
         let mut last = -1.0;
         while !clock.has_met() {
             assert!(clock.time() > last, "time always runs on");
             last = clock.time();
-            clock.advance(FRAME);
+            clock.advance(FRAME, HitPace::Flowing);
         }
-        assert!(clock.at_contact());
-        assert_eq!(clock.beats(), 1);
-        run(&mut clock, 10.0);
-        assert!(clock.at_contact() && !clock.is_running());
-        assert_eq!(clock.beats(), BEATS);
+        for (step, hold) in HOLDS.into_iter().enumerate() {
+            assert_eq!(clock.step_reached(), Some(step));
+            run(&mut clock, HitPace::Flowing, hold - 0.3);
+            assert!(clock.at_contact());
+            assert_eq!(clock.step_reached(), Some(step), "it stands");
+            run(&mut clock, HitPace::Flowing, 0.4);
+        }
+        // The last one stays.
+        run(&mut clock, HitPace::Flowing, 100.0);
+        assert!(clock.at_contact() && clock.is_told());
+        assert_eq!(clock.wake(HitPace::Flowing), None);
+    }
+
+    #[test]
+    fn where_steps_wait_no_time_is_asked_for_and_none_moves_them_on() {
+        for pace in [HitPace::Waiting, HitPace::Still] {
+            let mut clock = clock(pace);
+            run(&mut clock, pace, 10.0);
+            for step in 0..HOLDS.len() {
+                assert_eq!(clock.step_reached(), Some(step), "{pace:?}");
+                assert_eq!(clock.wake(pace), None);
+                clock.advance(Duration::from_secs(1000), pace);
+                assert_eq!(clock.step_reached(), Some(step));
+                clock.go_on();
+            }
+            assert!(!clock.at_contact() || clock.is_moving());
+        }
+    }
+
+    #[test]
+    fn steps_go_both_ways_through_all_that_is_told() {
+        let mut clock = clock(HitPace::Still);
+        let mut met = vec![clock.step_reached()];
+        for by in [1, 1, 1, -1, -1, -1, -1] {
+            clock.step(by);
+            met.push(clock.step_reached());
+        }
+        let expected = [0, 1, 2, 2, 2, 1, 0].map(Some);
+        assert_eq!(met[..7], expected);
+        assert_eq!(met[7], None, "before the contact");
+        assert!(clock.time() < clock.contact);
+        clock.step(1);
+        assert_eq!(clock.step_reached(), Some(0));
+    }
+
+    #[test]
+    fn with_no_motion_it_goes_from_the_contact_to_the_end_at_once() {
+        let mut clock = clock(HitPace::Still);
+        clock.tell();
+        clock.go_on();
+        clock.advance(FRAME, HitPace::Still);
+        assert!(clock.is_over());
+        clock.rewind();
+        clock.advance(FRAME, HitPace::Still);
+        assert_eq!(clock.step_reached(), Some(0));
     }
 
     #[test]
     fn from_the_contact_it_goes_on_to_the_end() {
-        let mut clock = Playback::new(0.03, 0.06, true);
-        assert!(clock.at_contact() && !clock.is_running());
+        let mut clock = clock(HitPace::Flowing);
+        clock.finish();
+        assert!(clock.at_contact() && clock.is_told() && !clock.is_moving());
         clock.go_on();
-        assert!(clock.is_running());
-        run(&mut clock, 10.0);
-        assert!(clock.is_over() && !clock.is_running());
+        assert!(clock.is_moving());
+        run(&mut clock, HitPace::Flowing, 10.0);
+        assert!(clock.is_over() && !clock.is_moving());
     }
 
     #[test]
     fn scrubbing_never_leaps_over_the_contact() {
-        let mut clock = Playback::new(0.031, 0.06, true);
+        let mut clock = Playback::new(0.031, 0.06, HOLDS.into(), HitPace::Still);
         clock.scrub(0.05);
         assert!(clock.has_met() && !clock.at_contact());
         clock.scrub(-0.2);
-        assert!(clock.at_contact());
+        assert!(clock.at_contact() && clock.is_told());
         clock.scrub(-0.2);
         assert!(!clock.has_met());
         clock.scrub(-9.0);
         assert!(clock.time() == 0.0);
         clock.scrub(0.9);
-        assert!(clock.at_contact());
+        assert!(clock.at_contact() && !clock.is_told());
         clock.scrub(9.0);
         assert!(clock.is_over());
     }
 
     #[test]
     fn going_on_after_a_halt_starts_where_it_stood() {
-        for share in [0.1, 0.3, 0.45, 0.49] {
-            let mut clock = Playback::new(0.03, 0.06, false);
-            clock.scrub(share);
-            let before = clock.time();
-            clock.go_on();
-            assert!((clock.time() - before).abs() < 1e-12);
-            assert!(clock.is_running());
-        }
-        for share in [0.01, 0.1, 0.3, 0.45] {
-            let mut clock = Playback::new(0.03, 0.06, true);
-            clock.scrub(share);
-            let before = clock.time();
-            clock.go_on();
-            assert!((clock.time() - before).abs() < 1e-12);
+        for (pace, shares) in [
+            (HitPace::Flowing, [0.1, 0.3, 0.45, 0.49]),
+            (HitPace::Still, [0.01, 0.1, 0.3, 0.45]),
+        ] {
+            for share in shares {
+                let mut clock = clock(pace);
+                clock.scrub(share);
+                let before = clock.time();
+                clock.go_on();
+                assert!((clock.time() - before).abs() < 1e-12);
+                assert!(clock.is_moving());
+            }
         }
     }
 }

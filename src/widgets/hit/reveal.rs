@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Overlays, Watch, WatchAction};
+use super::{HitPace, Overlays, Watch, WatchAction};
 use crate::messages::Key;
 use crate::widgets::input::KeyTable;
 
@@ -14,8 +14,7 @@ pub(crate) struct Reveal {
 }
 
 impl Reveal {
-    /// Before it is watched; where there is nothing to be watched, or no motion is wanted,
-    /// it is revealed already.
+    /// Before it is watched; where there is nothing to be watched it is revealed already.
     pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
             revealed: watch.as_ref().is_none_or(Watch::is_told),
@@ -31,6 +30,14 @@ impl Reveal {
     /// Whether the outcome has been revealed; it stays so while the hit is seen again.
     pub(crate) fn is_revealed(&self) -> bool {
         self.revealed
+    }
+
+    /// Whether the picture is just explaining itself, step by step: for the first time, or
+    /// looked at again.
+    pub(crate) fn is_telling(&self) -> bool {
+        let watch = self.watch.as_ref();
+        let at_step = watch.is_some_and(|watch| watch.has_met() && !watch.is_told());
+        at_step || !self.revealed
     }
 
     /// Shows another hit; what has been revealed stays so.
@@ -58,16 +65,16 @@ impl Reveal {
     }
 
     /// Lets time pass.
-    pub(crate) fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if let Some(watch) = &mut self.watch {
-            watch.advance(passed);
+            watch.advance(passed, pace);
             self.revealed |= watch.is_told();
         }
     }
 
     /// When it next needs time; `None` while nothing moves.
-    pub(crate) fn wake(&self) -> Option<Duration> {
-        self.watch.as_ref().and_then(Watch::wake)
+    pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
+        self.watch.as_ref().and_then(|watch| watch.wake(pace))
     }
 
     /// Reveals what happened at once.

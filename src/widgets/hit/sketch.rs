@@ -5,16 +5,21 @@ use glam::DVec2;
 use super::stage::HitLayout;
 use crate::quiz::AimTask;
 use crate::widgets::Role;
-use crate::widgets::picture::{LabelSide, Pen, Picture};
+use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture};
 
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
-/// Longest arrow along n inside the discs, as a share of the way between the centres.
-const SHORT: f64 = 0.85;
+/// Longest arrow from a centre, in the same radii.
+const LONGEST_INSIDE: f64 = 2.9;
+/// Longest part along n of a velocity from a centre, as a share of the way between the
+/// centres: there begins what the other disc gets.
+const LONGEST_ALONG: f64 = 0.96;
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
 /// Radius of an arc, in radii of its disc.
 const ARC: f64 = 1.55;
+/// An angle this small, in radians, has no arc.
+const LEAST_ARC: f64 = 1e-6;
 /// An angle this near 90° is square, in radians.
 const SQUARE: f64 = 1e-9;
 /// A share of the greatest speed below which a disc counts as standing still.
@@ -45,22 +50,24 @@ impl ArrowScale {
         Self::scaled(room.fold(LONGEST * stage.unit(), f64::min), fastest)
     }
 
-    /// The largest scale at which u and its parts, drawn from the striker's centre, stay
-    /// within the picture, and the part along n short of the coin's letter.
-    pub(super) fn fit_split(stage: &HitLayout, u: DVec2, n: DVec2) -> Self {
-        let fastest = u.length();
-        let along = u.dot(n) * n;
-        let room = |v: DVec2| {
+    /// The largest scale at which velocities drawn from the centres of their discs at
+    /// contact stay within the picture, and a velocity `along` the line of impact from one
+    /// centre ends before the other.
+    pub(super) fn fit_inside(
+        stage: &HitLayout,
+        along: DVec2,
+        velocities: &[(usize, DVec2)],
+    ) -> Self {
+        let speeds = velocities.iter().map(|(_, v)| v.length());
+        let fastest = speeds.fold(0.0, f64::max);
+        let short = LONGEST_ALONG * stage.collision.contact_distance();
+        let short = short * fastest / along.length();
+        let room = velocities.iter().filter_map(|(body, v)| {
             let direction = v.try_normalize()?;
-            Some(stage.room(stage.centres[0], direction) * fastest / v.length())
-        };
-        let short = SHORT * stage.collision.contact_distance() * fastest / along.length();
-        let longest = [u, along, u - along]
-            .into_iter()
-            .filter_map(room)
-            .chain([short])
-            .fold(LONGEST * stage.unit(), f64::min);
-        Self::scaled(longest, fastest)
+            Some(stage.room(stage.centres[*body], direction) * fastest / v.length())
+        });
+        let longest = (LONGEST_INSIDE * stage.unit()).min(short);
+        Self::scaled(room.fold(longest, f64::min), fastest)
     }
 
     /// The scale at which the greatest speed is so long, in metres on the picture.
@@ -82,6 +89,14 @@ impl ArrowScale {
     pub(super) fn direction(&self, v: DVec2) -> Option<DVec2> {
         v.try_normalize().filter(|_| !self.is_still(v))
     }
+}
+
+/// A velocity as an arrow: its name, and what it is drawn as.
+#[derive(Debug, Clone)]
+pub(super) struct NamedVelocity {
+    pub(super) name: String,
+    pub(super) v: DVec2,
+    pub(super) role: Role,
 }
 
 /// A picture of a hit being made.
@@ -108,27 +123,33 @@ impl Sketch {
             .label(text, anchor, &LabelSide::towards(towards), role);
     }
 
-    /// The arc from the striker's direction to `v`, round the centre of `body`, with the
-    /// line it is measured from. Gives the middle of the arc.
-    pub(super) fn arc(&mut self, body: usize, v: DVec2, pen: Pen) -> Option<DVec2> {
-        let heading = self.stage.heading();
-        let turn = heading.angle_to(v.try_normalize()?);
-        if turn.abs() < 1e-6 {
-            return None;
+    /// The arc from one direction to another round the centre of `body`, with the line it
+    /// is measured from and the angle beside it.
+    pub(super) fn arc(&mut self, body: usize, [from, to]: [DVec2; 2], name: &str, pen: Pen) {
+        let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) else {
+            return;
+        };
+        let turn = from.angle_to(to);
+        if !Self::has_arc(from, to) {
+            return;
         }
         let (centre, rim) = (self.stage.centres[body], self.stage.radius(body));
-        let (radius, start) = (ARC * rim, heading.to_angle());
-        let measured = [rim, 1.25 * radius].map(|away| centre + away * heading);
+        let (radius, start) = (ARC * rim, from.to_angle());
+        let measured = [rim, 1.25 * radius].map(|away| centre + away * from);
         self.picture.line(measured[0], measured[1], pen.dotted());
         self.picture.arc(centre, radius, start, start + turn, pen);
         let middle = centre + radius * DVec2::from_angle(start + turn / 2.0);
-        self.angle(turn, middle, middle - centre);
-        Some(middle)
+        self.angle(name, turn, middle, middle - centre);
+    }
+
+    /// Whether there is an arc from one direction to another.
+    pub(super) fn has_arc(from: DVec2, to: DVec2) -> bool {
+        from.angle_to(to).abs() >= LEAST_ARC
     }
 
     /// An angle in radians, without its sign, beside `at`.
-    pub(super) fn angle(&mut self, angle: f64, at: DVec2, towards: DVec2) {
-        let text = format!("{:.1}°", angle.to_degrees().abs());
+    pub(super) fn angle(&mut self, name: &str, angle: f64, at: DVec2, towards: DVec2) {
+        let text = format!("{name}{:.1}°", angle.to_degrees().abs());
         self.label(text, at, towards, Role::Arc);
     }
 
@@ -217,43 +238,76 @@ impl Sketch {
             .or(centre + room * across, &LabelSide::towards(across));
     }
 
-    /// The striker's velocity and its parts along n and t, drawn from its centre, with
-    /// the sides that close the rectangle.
-    pub(super) fn split(&mut self, scale: &ArrowScale, u: DVec2, n: DVec2, t: DVec2) {
-        let stage = &self.stage;
-        let from = stage.centres[0];
-        // Labels stand beyond the discs, which they never cover.
-        let beyond = [
-            stage.collision.contact_distance() + stage.radius(1),
-            stage.radius(0),
-        ];
+    /// A velocity and its parts along n and t, drawn from the centre of its disc, with the
+    /// sides that close the rectangle. Where there is but one part the two are the same
+    /// arrow, and it says so.
+    pub(super) fn split(
+        &mut self,
+        scale: &ArrowScale,
+        body: usize,
+        whole: NamedVelocity,
+        parts: &[NamedVelocity; 2],
+    ) {
+        let from = self.stage.centres[body];
         let end = |v: DVec2| from + scale.per_speed * v;
-        let parts = [n, t].map(|axis| u.dot(axis) * axis);
-        let closing = Pen::new(Role::TangentLine).dotted();
-        for part in parts {
-            self.picture.line(end(part), end(u), closing);
-        }
-        self.picture.arrow(from, end(u), Pen::new(Role::Incoming));
-        let names = [("uₙ", Role::NormalPart), ("uₜ", Role::TangentPart)];
-        for ((part, beyond), (name, role)) in parts.into_iter().zip(beyond).zip(names) {
-            if scale.is_still(part) {
-                continue;
+        let some = parts.iter().filter(|part| !scale.is_still(part.v));
+        match some.collect::<Vec<_>>().as_slice() {
+            [] => {
+                let below = from + self.stage.radius(body) * DVec2::NEG_Y;
+                let text = format!("{} = 0: it stands still", whole.name);
+                self.label(text, below, DVec2::NEG_Y, whole.role);
             }
-            self.picture.arrow(from, end(part), Pen::new(role).bold());
-            let text = format!("{name} = {:.2} m/s", part.length());
-            let reach = (scale.per_speed * part.length()).max(beyond);
-            self.label(text, from + reach * part.normalize(), part, role);
+            [part] => {
+                let name = match part.name == whole.name {
+                    true => whole.name,
+                    false => format!("{} = {}", whole.name, part.name),
+                };
+                self.centred_arrow(scale, body, &NamedVelocity { name, ..whole });
+            }
+            both => {
+                // The side beyond a part is as long as the other one, and as it is coloured.
+                for (part, other) in both.iter().zip(both.iter().rev()) {
+                    let pen = Pen::new(other.role).dotted();
+                    let closing = pen.on(DrawLayer::Construction);
+                    self.picture.line(end(part.v), end(whole.v), closing);
+                }
+                // The longest below: near the centre they share cells.
+                self.centred_arrow(scale, body, &whole);
+                for part in both {
+                    self.centred_arrow(scale, body, part);
+                }
+            }
         }
     }
 
-    /// The speed that is split, where no arrow outside the disc tells it.
-    pub(super) fn whole(&mut self, scale: &ArrowScale, u: DVec2) {
-        let stage = &self.stage;
-        let reach = (scale.per_speed * u.length()).max(stage.radius(0));
-        let end = stage.centres[0] + reach * u.normalize_or_zero();
-        let away = u.perp() * stage.side();
-        let text = format!("u = {:.2} m/s", u.length());
-        self.label(text, end, u + 0.5 * away, Role::Incoming);
+    /// An arrow from the centre of a disc, with its speed beyond the discs, which labels
+    /// never cover.
+    pub(super) fn centred_arrow(
+        &mut self,
+        scale: &ArrowScale,
+        body: usize,
+        NamedVelocity { name, v, role }: &NamedVelocity,
+    ) {
+        let (v, role) = (*v, *role);
+        let Some(direction) = scale.direction(v) else {
+            return;
+        };
+        let from = self.stage.centres[body];
+        let tip = from + scale.per_speed * v;
+        self.picture.arrow(from, tip, Pen::new(role).bold());
+        // Out of the one disc it may be in the other.
+        let outside = (0..2).chain([0]).fold(tip, |at, body| {
+            let (centre, radius) = (self.stage.centres[body], self.stage.radius(body));
+            let to = centre - at;
+            if to.length() >= radius {
+                return at;
+            }
+            let across = to.perp_dot(direction);
+            let half = radius.mul_add(radius, -across * across).max(0.0).sqrt();
+            at + (to.dot(direction) + half) * direction
+        });
+        let text = format!("{name} = {:.2} m/s", v.length());
+        self.label(text, outside, direction, role);
     }
 
     /// The triangle of momenta in kg·m/s: total = p₁ + p₂, tail to tip, in the corner

@@ -1,15 +1,18 @@
 //! Pictures of all kinds of hits as they are printed, and what must hold of each.
 
 use glam::{DVec2, dvec2};
-use ratatui::layout::Rect;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
+use ratatui::style::Color;
 use roxmltree::Document;
 
 use super::*;
 use crate::physics::{Bond, Collision, Disc};
 use crate::quiz::{AimTask, Ray};
-use crate::widgets::picture::Picture;
+use crate::widgets::ink::Canvas;
+use crate::widgets::picture::{Mark, Picture};
 use crate::widgets::svg::Svg;
-use crate::widgets::{Charset, Look, Theme};
+use crate::widgets::{Charset, Depth, Look, Palette, Role, Theme};
 
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
@@ -78,7 +81,7 @@ fn labels(picture: &Picture) -> Vec<String> {
 fn told(collision: &Collision) -> Picture {
     let mut layers = Overlays::default();
     layers.toggle(Overlay::Triangle);
-    let watch = Watch::new(*collision, None, true).with_layers(layers);
+    let watch = Watch::told(*collision).with_layers(layers);
     watch.with_measures().picture(AREA)
 }
 
@@ -206,4 +209,119 @@ fn what_stands_still_and_what_misses_is_said() {
     assert!(found.contains(&still), "{found:?}");
     let miss = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.04);
     assert!(!labels(&told(&miss)).iter().any(|it| it.contains('α')));
+}
+
+/// A picture in cells, on the background of its theme.
+fn cells(picture: &Picture, look: &Look) -> Buffer {
+    let mut buffer = Buffer::empty(picture.area());
+    buffer.set_style(picture.area(), look.theme.base());
+    picture.draw(&mut buffer, look);
+    buffer
+}
+
+/// How far along an arrow, in columns from its tail, cells in a colour of their own lie
+/// that show something and are not like what lies beneath.
+fn seen_along(
+    buffer: &Buffer,
+    picture: &Picture,
+    [from, to]: [DVec2; 2],
+    colour: Color,
+) -> Vec<f64> {
+    let column = picture.view().per_column();
+    let along = (to - from).normalize();
+    let cells = buffer.area.positions().filter(|at| {
+        let cell = &buffer[*at];
+        cell.symbol() != " " && cell.fg == colour && cell.bg != colour
+    });
+    let offsets = cells.map(|at: Position| (picture.view().world_at(at.x, at.y) - from) / column);
+    let near = offsets.filter(|offset| offset.perp_dot(along).abs() < 1.6);
+    near.map(|offset| offset.dot(along)).collect()
+}
+
+/// The steps of a hit at which arrows are told, with their pictures.
+fn steps(collision: &Collision, area: Rect) -> impl Iterator<Item = (String, Picture)> {
+    let mut watch = Watch::new(*collision, None, HitPace::Still);
+    (0..6).map(move |step| {
+        if step > 0 {
+            watch.act(WatchAction::Step(1));
+        }
+        (format!("step {}", step + 1), watch.picture(area))
+    })
+}
+
+#[test]
+fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
+    let themes = [
+        (Palette::Dark, Depth::True),
+        (Palette::Dark, Depth::Indexed256),
+        (Palette::Dark, Depth::Ansi16),
+        (Palette::Light, Depth::True),
+        (Palette::Light, Depth::Ansi16),
+    ];
+    let areas = [Rect::new(0, 0, 48, 20), Rect::new(0, 0, 74, 36)];
+    let mut arrows = 0;
+    for (m2, alpha_deg) in [(15.0, 30.0_f64), (15.0, 50.0), (5.0, 40.0), (45.0, -35.0)] {
+        let (striker, coin) = (Disc::from_g_mm(15.0, 15.0), Disc::from_g_mm(m2, 15.0));
+        let hit = Collision::at_angle(striker, coin, dvec2(4.0, 0.0), alpha_deg.to_radians());
+        for (charset, (palette, depth), area) in [Charset::Ascii, Charset::Unicode]
+            .into_iter()
+            .flat_map(|charset| themes.map(|theme| (charset, theme)))
+            .flat_map(|(charset, theme)| areas.map(|area| (charset, theme, area)))
+        {
+            let theme = Theme::new(palette, depth);
+            let look = Look { charset, theme };
+            for (step, picture) in steps(&hit, area) {
+                let buffer = cells(&picture, &look);
+                let canvas = Canvas::of(&picture, &look);
+                let place = format!("{m2} g {alpha_deg} {charset:?} {palette:?} {depth:?} {step}");
+                for mark in &picture.marks {
+                    let Mark::Arrow { from, to, pen } = mark else {
+                        continue;
+                    };
+                    let colour = theme.colour(pen.role);
+                    let mut labels = canvas.labels().iter();
+                    let label = labels.find(|label| label.role == pen.role);
+                    let label = label.unwrap_or_else(|| panic!("{place}: {:?}", pen.role));
+                    assert_eq!(buffer[label.place.as_position()].fg, colour, "{place}");
+                    let length = from.distance(*to) / picture.view().per_column();
+                    let seen = seen_along(&buffer, &picture, [*from, *to], colour);
+                    let (first, last) = (
+                        seen.iter().copied().fold(f64::INFINITY, f64::min),
+                        seen.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                    );
+                    let role = pen.role;
+                    assert!(
+                        last > length - 2.0,
+                        "{place}: {role:?} ends at {last} of {length}"
+                    );
+                    // The arrow that comes in begins outside of the picture.
+                    if role != Role::Incoming || picture.view().cell_at(*from).is_some() {
+                        let shared = f64::max(3.0, 0.5 * length);
+                        assert!(first < shared, "{place}: {role:?} begins at {first}");
+                    }
+                    arrows += 1;
+                }
+            }
+        }
+    }
+    assert!(arrows > 500, "{arrows}");
+}
+
+#[test]
+fn what_a_step_tells_has_the_same_length_in_the_next() {
+    let piece = Disc::from_g_mm(15.0, 15.0);
+    let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
+    let steps: Vec<_> = steps(&hit, AREA).map(|(_, picture)| picture).collect();
+    let length = |step: usize, role: Role| {
+        steps[step].marks.iter().find_map(|mark| match mark {
+            Mark::Arrow { from, to, pen } if pen.role == role => Some(from.distance(*to)),
+            _ => None,
+        })
+    };
+    let part = length(2, Role::NormalPart).unwrap();
+    assert_eq!(length(3, Role::NormalPart), Some(part));
+    // What one gives the other takes: v₂ = uₙ, v₁ = uₜ.
+    assert!((length(3, Role::CoinOut).unwrap() - part).abs() < 1e-12);
+    let across = length(2, Role::TangentPart).unwrap();
+    assert!((length(4, Role::StrikerOut).unwrap() - across).abs() < 1e-12);
 }

@@ -6,15 +6,14 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::playback::{BEATS, FRAME, Playback};
+use super::beat::{Beat, BeatWords};
+use super::playback::{HitPace, Playback};
 use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
-use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Shot};
+use crate::physics::{Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::{AimTask, Rays};
-use crate::widgets::{Role, input::KeyTable, picture::Picture};
+use crate::widgets::{Lines, Role, input::KeyTable, picture::Picture};
 
-/// Share of the whole that `,` and `.` step by.
-const STEP: f64 = 1.0 / 96.0;
 /// Share of the whole that `<` and `>` scrub by.
 const SCRUB: f64 = 1.0 / 16.0;
 
@@ -31,21 +30,25 @@ pub(crate) struct Watch {
     pub(super) wanted: Option<AimTask>,
     pub(super) measured: bool,
     pub(super) faces: [Face; 2],
+    /// What is told at the contact, step by step.
+    beats: &'static [Beat],
+    /// The layer that was switched by the last key.
+    switched: Option<Overlay>,
 }
 
 /// What keys do to a hit that is watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {
-    /// go on from the contact
+    /// go on: to the contact, step by step through what is told there, and to the end
     GoOn,
-    /// step through the hit
+    /// one step back or forwards: at the contact through what is told there
     Step(i8),
-    /// bigger steps through the hit
+    /// bigger steps through the hit, past what is told at the contact
     Scrub(i8),
-    /// to its start, to its end
+    /// to its start
     Start,
-    /// to its end
+    /// to all that is told at the contact, and to its end
     End,
     /// play it again
     Again,
@@ -76,22 +79,52 @@ impl Face {
 }
 
 impl Watch {
-    /// The hit from its start, with what the player said of it. With `reduced`
-    /// motion it begins at the contact.
-    pub(crate) fn new(collision: Collision, said: Option<Rays>, reduced: bool) -> Self {
+    /// The hit from its start, with what the player said of it; where nothing is to move,
+    /// from the contact.
+    pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
+        let outcome = collision.outcome();
+        let (frame, faces) = (Frame::Laboratory, Face::STRIKER_AND_COIN);
+        let beats = Beat::of(outcome.meeting, collision.bond);
+        let words = BeatWords::new(&collision, &outcome, frame, faces);
+        let holds = beats.iter().map(|beat| words.hold(*beat)).collect();
         Self {
             collision,
-            outcome: collision.outcome(),
+            outcome,
             shot: collision.shot(contact, end),
-            clock: Playback::new(contact, end, reduced),
+            clock: Playback::new(contact, end, holds, pace),
             layers: Overlays::default(),
-            frame: Frame::Laboratory,
+            frame,
             said,
             wanted: None,
             measured: false,
-            faces: Face::STRIKER_AND_COIN,
+            faces,
+            beats,
+            switched: None,
         }
+    }
+
+    /// The hit at its contact, all of it told.
+    pub(crate) fn told(collision: Collision) -> Self {
+        let mut watch = Self::new(collision, None, HitPace::Still);
+        watch.tell();
+        watch
+    }
+
+    /// The same without steps at the contact: all is told there at once.
+    #[must_use]
+    pub(crate) fn at_once(self) -> Self {
+        Self {
+            beats: &[Beat::Whole],
+            clock: self.clock.in_one_step(),
+            ..self
+        }
+    }
+
+    /// The same seen from another frame.
+    #[must_use]
+    pub(crate) fn seen_from(self, frame: Frame) -> Self {
+        Self { frame, ..self }
     }
 
     /// The same hit of other pieces than a striker and a coin.
@@ -150,32 +183,59 @@ impl Watch {
         self.said.as_ref()
     }
 
-    /// Whether it may be told what happened: once the contact is reached and the
-    /// departures are drawn.
-    pub(crate) fn is_told(&self) -> bool {
-        self.clock.beats() == BEATS
+    /// The step of the explanation that has been reached; none before the contact.
+    pub(super) fn beat(&self) -> Option<Beat> {
+        self.clock
+            .step_reached()
+            .and_then(|step| self.beats.get(step).copied())
     }
 
-    /// What the picture shows, and how: its title.
-    pub(crate) fn title(&self) -> String {
-        match self.frame() {
-            Frame::Laboratory => format!("the hit, slowed {:.0}×", self.clock.slowed()),
-            Frame::CentreOfMass => "seen from the centre of mass".into(),
+    /// Whether the contact has been reached.
+    pub(crate) fn has_met(&self) -> bool {
+        self.clock.has_met()
+    }
+
+    /// Whether it may be told what happened: once all steps at the contact have been seen.
+    pub(crate) fn is_told(&self) -> bool {
+        self.clock.is_told()
+    }
+
+    /// What the picture shows, and how: its title. From the board that is `name`. A layer
+    /// that was just switched says so.
+    pub(crate) fn title(&self, name: &str) -> String {
+        if let Some(layer) = self.switched {
+            let state = if self.layers.shows(layer) {
+                "on"
+            } else {
+                "off"
+            };
+            return format!("{}: {state}", layer.name());
+        }
+        match self.frame {
+            Frame::Laboratory => name.to_owned(),
+            Frame::CentreOfMass => {
+                let drift = Frame::CentreOfMass.velocity(&self.collision).length();
+                format!("seen from the centre of mass, V = {drift:.2} m/s")
+            }
             Frame::Target => "seen riding with the target".into(),
         }
     }
 
-    /// What the picture is just showing, before it is told what happened.
-    pub(crate) fn telling(&self) -> &'static str {
-        match self.clock.beats() {
-            1 => {
-                "Contact. The line of impact n joins the two centres: only along it do they push. The tangent t is square to it."
+    /// [`Watch::title`] of a hit that is slowed down.
+    pub(crate) fn slowed_title(&self) -> String {
+        self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
+    }
+
+    /// Writes which step of the explanation it is, and what is said at it, until all is told.
+    pub(crate) fn write_telling(&self, lines: &mut Lines) {
+        let words = BeatWords::new(&self.collision, &self.outcome, self.frame, self.faces);
+        match self.beat() {
+            Some(beat) => {
+                lines.paragraph(&words.heading(beat), Role::Title);
+                lines.gap();
+                lines.paragraph(&words.of(beat), Role::Text);
             }
-            2 if self.collision.bond == Bond::Stick => {
-                "So split u into uₙ along n and uₜ along t. Rims that stick pull along t as well, so here both take part in the hit."
-            }
-            2 => "So split u: uₙ along n takes part in the hit, uₜ along t does not notice it.",
-            _ => "Watch the contact …",
+            None => lines.paragraph("Watch the contact …", Role::Text),
         }
     }
 
@@ -195,27 +255,27 @@ impl Watch {
         let last = if self.said.is_some() { '7' } else { '6' };
         KeyTable::new("hit")
             .on(' ', GoOn, "go on")
+            .or((!self.is_told()).then_some((Key::Enter, GoOn)))
             .when(!self.clock.is_over())
             .by([',', '.'], Step, [-1, 1], "step")
             .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
-            .on('a', Again, "again")
+            .on('a', Again, if self.is_told() { "again" } else { "" })
             .on('f', Frame, "frame")
             .each(('1'..=last).map(layer), "layers")
             .by(['<', '>'], Scrub, [-1, 1], "")
-            .each([(Key::Home, Start), (Key::End, End)], "")
+            .on(Key::End, End, if self.is_told() { "" } else { "all" })
+            .on(Key::Home, Start, "")
     }
 
     /// Does what a key stands for.
     pub(crate) fn act(&mut self, action: WatchAction) {
+        self.switched = None;
         match action {
             WatchAction::GoOn => self.clock.go_on(),
-            WatchAction::Step(by) => self.clock.scrub(STEP * f64::from(by)),
+            WatchAction::Step(by) => self.clock.step(by),
             WatchAction::Scrub(by) => self.clock.scrub(SCRUB * f64::from(by)),
-            WatchAction::Start => self.clock.scrub(-1.0),
-            WatchAction::End => {
-                self.clock.scrub(1.0);
-                self.clock.scrub(1.0);
-            }
+            WatchAction::Start => self.clock.halt_at_start(),
+            WatchAction::End => self.clock.finish(),
             WatchAction::Again => self.clock.rewind(),
             WatchAction::Frame => {
                 self.frame = match self.frame {
@@ -224,18 +284,21 @@ impl Watch {
                     _ => Frame::Laboratory,
                 }
             }
-            WatchAction::ToggleLayer(layer) => self.layers.toggle(layer),
+            WatchAction::ToggleLayer(layer) => {
+                self.layers.toggle(layer);
+                self.switched = Some(layer);
+            }
         }
     }
 
     /// Lets time pass on the screen.
-    pub(crate) fn advance(&mut self, passed: Duration) {
-        self.clock.advance(passed);
+    pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
+        self.clock.advance(passed, pace);
     }
 
     /// When it next needs time.
-    pub(crate) fn wake(&self) -> Option<Duration> {
-        self.clock.is_running().then_some(FRAME)
+    pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
+        self.clock.wake(pace)
     }
 
     /// The picture of the moment that its clock shows.

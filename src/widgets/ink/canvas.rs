@@ -6,7 +6,7 @@ use glam::{DVec2, dvec2};
 use ratatui::{
     buffer::Buffer,
     layout::Position,
-    style::{Modifier, Style},
+    style::{Color, Modifier, Style},
 };
 
 use super::{
@@ -14,10 +14,11 @@ use super::{
     glyphs::{ascii, block, braille},
     grid,
     label::PlacedLabel,
+    shades::Shades,
     stroke::StrokeSamples,
 };
 use crate::widgets::picture::{Dash, DrawLayer, Mark, Pen, Picture, View};
-use crate::widgets::{Charset, Role, Theme};
+use crate::widgets::{Charset, Look, Role, Theme};
 
 /// A cell of the canvas: column and row.
 pub(super) type CellPlace = (i32, i32);
@@ -33,6 +34,8 @@ pub(super) fn cell_of(paper: DVec2) -> CellPlace {
 pub(in crate::widgets) struct Canvas {
     view: View,
     pub(super) charset: Charset,
+    /// Whether there are colours between that of a disc and the background.
+    pub(super) has_shades: bool,
     pub(super) cells: Vec<Cell>,
     pub(super) labels: Vec<PlacedLabel>,
     /// What labels are written for, in cells from the corner of the area.
@@ -48,6 +51,7 @@ impl Canvas {
         Self {
             view,
             charset,
+            has_shades: false,
             cells: vec![Cell::EMPTY; size.0 * size.1],
             labels: Vec::new(),
             expected: Vec::new(),
@@ -56,8 +60,9 @@ impl Canvas {
     }
 
     /// A canvas with all of a picture on it.
-    pub(in crate::widgets) fn of(picture: &Picture, charset: Charset) -> Self {
-        let mut canvas = Self::new(*picture.view(), charset);
+    pub(in crate::widgets) fn of(picture: &Picture, look: &Look) -> Self {
+        let mut canvas = Self::new(*picture.view(), look.charset);
+        canvas.has_shades = look.theme.has_shades();
         for mark in &picture.marks {
             canvas.mark(mark);
         }
@@ -177,9 +182,11 @@ impl Canvas {
 
     /// What a cell looks like in the end.
     fn look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
+        let is_faint = cell.cover() != 0 && cell.is_faint();
         if let Some(glyph) = cell.glyph {
             let upon = glyph.upon && self.charset == Charset::Unicode;
             let mut style = match upon {
+                true if is_faint => theme.style(glyph.role).bg(self.paper_of(cell, theme)),
                 true => theme.on(glyph.role),
                 false => theme.style(glyph.role),
             };
@@ -196,11 +203,15 @@ impl Canvas {
         match self.charset {
             Charset::Ascii if cell.ink != 0 => (ascii::nearest(cell.ink), stroke),
             Charset::Ascii => (' ', Style::new()),
-            Charset::Unicode if cell.cover == u64::MAX && cell.ink != 0 => {
+            Charset::Unicode if is_faint && cell.ink != 0 => {
+                (braille(cell.ink), stroke.bg(self.paper_of(cell, theme)))
+            }
+            Charset::Unicode if cell.discs[0].bits == u64::MAX && cell.ink != 0 => {
+                let disc = cell.discs[0].role;
                 let upon = if pen.layer < DrawLayer::Vector {
-                    theme.faintly_on(cell.disc)
+                    theme.faintly_on(disc)
                 } else {
-                    theme.on(cell.disc)
+                    theme.on(disc)
                 };
                 (braille(cell.ink), upon)
             }
@@ -210,18 +221,36 @@ impl Canvas {
         }
     }
 
+    /// The mean colour of what lies below the strokes of a cell.
+    fn paper_of(&self, cell: &Cell, theme: &Theme) -> Color {
+        theme.shade(Shades::of(cell, theme).mean(u64::MAX))
+    }
+
     fn disc_look(&self, cell: &Cell, theme: &Theme) -> (char, Style) {
         let mono = theme.is_mono();
-        if cell.cover == u64::MAX {
-            let hollow = theme.is_hollow(cell.disc);
-            return (if hollow { ' ' } else { '█' }, theme.fill(cell.disc));
+        let [disc, beside] = cell.discs;
+        if disc.bits == u64::MAX && !disc.faint {
+            let hollow = theme.is_hollow(disc.role);
+            return (if hollow { ' ' } else { '█' }, theme.fill(disc.role));
         }
-        let block = block::nearest(cell.cover, !mono);
+        if theme.has_shades() {
+            let (symbol, [ink, paper]) = Shades::of(cell, theme).fitted();
+            let style = Style::new().fg(theme.shade(ink)).bg(theme.shade(paper));
+            return (symbol, style);
+        }
+        let block = block::nearest(disc.bits, !mono);
         if mono {
-            return (block.symbol, theme.style(cell.disc));
+            return (block.symbol, theme.style(disc.role));
         }
-        let disc = theme.colour(cell.disc);
-        let rest = theme.colour(cell.beside.unwrap_or(Role::Background));
+        // Another disc that fills most of the rest of the cell is what the edge lies on.
+        let others = beside.bits.count_ones();
+        let is_beside = others > 0 && 2 * others >= (!disc.bits).count_ones();
+        let rest = if is_beside {
+            beside.role
+        } else {
+            Role::Background
+        };
+        let (disc, rest) = (theme.colour(disc.role), theme.colour(rest));
         let (ink, paper) = match block.inverse {
             true => (rest, disc),
             false => (disc, rest),

@@ -11,16 +11,30 @@ pub(super) struct Cell {
     pub(super) ink: u16,
     /// The pen the cell looks like, where there is ink.
     pub(super) pen: Pen,
-    /// What a disc covers, in a grid of 8 × 8.
-    pub(super) cover: u64,
-    /// That disc, and …
-    pub(super) disc: Role,
-    /// … another one that fills most of the rest of the cell.
-    pub(super) beside: Option<Role>,
+    /// The disc on top, and what is still to be seen of the one below it.
+    pub(super) discs: [DiscCover; 2],
     /// A glyph that stands for all the cell.
     pub(super) glyph: Option<Glyph>,
     /// Labels keep off.
     pub(super) reserved: bool,
+}
+
+/// What a disc covers of a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct DiscCover {
+    /// In a grid of 8 × 8.
+    pub(super) bits: u64,
+    pub(super) role: Role,
+    /// So faint that what lies upon it and below it is to be seen.
+    pub(super) faint: bool,
+}
+
+impl DiscCover {
+    const NONE: Self = Self {
+        bits: 0,
+        role: Role::Background,
+        faint: false,
+    };
 }
 
 /// A glyph that stands for all of a cell.
@@ -39,39 +53,47 @@ impl Cell {
     pub(super) const EMPTY: Self = Self {
         ink: 0,
         pen: Pen::new(Role::Background),
-        cover: 0,
-        disc: Role::Background,
-        beside: None,
+        discs: [DiscCover::NONE; 2],
         glyph: None,
         reserved: false,
     };
 
     /// Whether nothing has been drawn here.
     pub(super) fn is_empty(&self) -> bool {
-        self.ink == 0 && self.cover == 0 && self.glyph.is_none()
+        self.ink == 0 && self.cover() == 0 && self.glyph.is_none()
+    }
+
+    /// What is covered by discs.
+    pub(super) fn cover(&self) -> u64 {
+        self.discs[0].bits | self.discs[1].bits
+    }
+
+    /// Whether all that is seen of discs here is faint.
+    pub(super) fn is_faint(&self) -> bool {
+        self.discs.iter().all(|disc| disc.faint || disc.bits == 0)
     }
 
     /// Whether the edge of a disc is plain to see in this cell.
     pub(super) fn has_edge(&self) -> bool {
-        (8..64).contains(&self.cover.count_ones())
+        (8..64).contains(&self.discs[0].bits.count_ones())
     }
 
     /// The topmost layer that has been drawn on here.
     pub(super) fn layer(&self) -> Option<DrawLayer> {
         let ink = (self.ink != 0).then_some(self.pen.layer);
-        let disc = (self.cover != 0).then_some(DrawLayer::Disc);
+        let disc = (self.cover() != 0).then_some(DrawLayer::Disc);
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
     /// Whether a label may stand here, over strokes up to a layer.
     pub(super) fn is_free(&self, over: Option<DrawLayer>) -> bool {
-        !self.reserved && self.cover == 0 && self.layer() <= over
+        !self.reserved && self.cover() == 0 && self.layer() <= over
     }
 
     /// A stroke goes through `samples`.
     pub(super) fn stroke(&mut self, mut samples: u16, pen: Pen, charset: Charset) {
-        if pen.layer < DrawLayer::Disc && self.cover != 0 {
-            samples &= !under(self.cover, charset);
+        if pen.layer < DrawLayer::Disc && self.cover() != 0 && !self.is_faint() {
+            samples &= !under(self.cover(), charset);
         }
         if samples == 0 {
             return;
@@ -89,16 +111,19 @@ impl Cell {
         }
     }
 
-    /// A disc covers part of the cell and hides what lies below.
-    pub(super) fn fill(&mut self, cover: u64, disc: Role, charset: Charset) {
-        if self.pen.layer < DrawLayer::Disc {
-            self.ink &= !under(cover, charset);
+    /// A disc covers part of the cell; unless it is faint it hides what lies below.
+    pub(super) fn fill(&mut self, disc: DiscCover, charset: Charset) {
+        if self.pen.layer < DrawLayer::Disc && !disc.faint {
+            self.ink &= !under(disc.bits, charset);
         }
-        let rest = (!cover).count_ones();
-        let other = (self.cover & !cover).count_ones();
-        self.beside = (other > 0 && 2 * other >= rest).then_some(self.disc);
-        self.cover = cover;
-        self.disc = disc;
+        let [top, below] = self.discs;
+        // Of three only the two that cover most are kept.
+        let rest = [top, below].map(|it| DiscCover {
+            bits: it.bits & !disc.bits,
+            ..it
+        });
+        let most = rest.into_iter().max_by_key(|it| it.bits.count_ones());
+        self.discs = [disc, most.unwrap_or(DiscCover::NONE)];
     }
 }
 

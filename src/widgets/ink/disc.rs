@@ -2,7 +2,8 @@
 
 use glam::{DVec2, dvec2};
 
-use super::{canvas::Canvas, cell::Glyph};
+use super::canvas::Canvas;
+use super::cell::{DiscCover, Glyph};
 use crate::widgets::picture::{Body, DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
@@ -53,7 +54,7 @@ impl Canvas {
                 (place / half / 2.0).floor() * half * 2.0 + half
             };
         }
-        self.cover(place, reach, role);
+        self.cover(place, reach, (role, false));
         if self.charset == Charset::Ascii {
             let rim = Pen::new(role).on(DrawLayer::Disc);
             self.circle(body.at, body.radius, rim);
@@ -64,21 +65,28 @@ impl Canvas {
         }
     }
 
-    /// A disc as an outline that hides nothing, with its letter at `letter`.
+    /// A disc that hides nothing, with its letter at `letter`: faint where there are shades
+    /// for it, else an outline.
     pub(super) fn ring(&mut self, body: &Body, letter: DVec2) {
         if self.is_token(body) {
             return self.disc(body);
         }
-        let rim = Pen::new(body.role).on(DrawLayer::Disc);
-        self.circle(body.at, body.radius, rim);
+        let faint = self.has_shades && self.charset == Charset::Unicode;
+        if faint {
+            let reach = body.radius / self.view().per_column();
+            self.cover(self.paper(body.at), reach, (body.role, true));
+        } else {
+            let rim = Pen::new(body.role).on(DrawLayer::Disc);
+            self.circle(body.at, body.radius, rim);
+        }
         let place = self.paper(letter);
-        let upon = self.charset == Charset::Ascii;
+        let upon = faint || self.charset == Charset::Ascii;
         let sign = body.letter.to_string();
         self.stamp(place, &self.charset.text(&sign), body.role, upon);
     }
 
     /// Covers the cells under a disc, span by span; all measures on paper.
-    fn cover(&mut self, centre: DVec2, radius: f64, role: Role) {
+    fn cover(&mut self, centre: DVec2, radius: f64, (role, faint): (Role, bool)) {
         if !(centre.is_finite() && radius.is_finite()) {
             return;
         }
@@ -96,14 +104,14 @@ impl Canvas {
             let left = clamp(centre.x - radius, columns);
             let right = clamp(centre.x + radius + 1.0, columns);
             for column in left..right {
-                let cover = spans.iter().enumerate().fold(0, |cover, (eighth, span)| {
+                let bits = spans.iter().enumerate().fold(0, |cover, (eighth, span)| {
                     let bits = span.map_or(0, |(from, to)| eighths(from, to, f64::from(column)));
                     cover | u64::from(bits) << (8 * eighth)
                 });
                 let charset = self.charset;
-                let cell = self.cell_mut((column, row)).filter(|_| cover != 0);
+                let cell = self.cell_mut((column, row)).filter(|_| bits != 0);
                 if let Some(cell) = cell {
-                    cell.fill(cover, role, charset);
+                    cell.fill(DiscCover { bits, role, faint }, charset);
                 }
             }
         }

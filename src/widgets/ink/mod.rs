@@ -15,6 +15,7 @@ pub(crate) mod gallery;
 mod glyphs;
 mod label;
 mod plot;
+mod shades;
 mod stroke;
 #[cfg(test)]
 mod tests;

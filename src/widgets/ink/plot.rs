@@ -46,7 +46,7 @@ impl Canvas {
 impl Picture {
     /// Draws it into cells.
     pub fn draw(&self, buf: &mut Buffer, look: &Look) {
-        let canvas = Canvas::of(self, look.charset);
+        let canvas = Canvas::of(self, look);
         let cells = Cells {
             canvas: &canvas,
             picture: self,

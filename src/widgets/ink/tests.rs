@@ -94,7 +94,7 @@ fn a_filled_disc_covers_its_own_area() {
         let covered: u32 = canvas
             .cells
             .iter()
-            .map(|cell| cell.cover.count_ones())
+            .map(|cell| cell.cover().count_ones())
             .sum();
         // A cell is two square columns in 64 parts.
         let area = f64::from(covered) / 32.0;
@@ -313,14 +313,12 @@ fn everything(view: View, charset: Charset, size: f64) -> Canvas {
     it.arc(DVec2::ZERO, size / 2.0, 0.2, 2.2, arc);
     let ways = [DVec2::X, DVec2::Y];
     it.square_corner(DVec2::ZERO, ways, size / 8.0, Role::SquareCorner);
-    it.draw(
-        &mut Buffer::empty(Rect::new(0, 0, 64, 32)),
-        &Look {
-            charset,
-            theme: Theme::default(),
-        },
-    );
-    Canvas::of(&it, charset)
+    let look = Look {
+        charset,
+        theme: Theme::default(),
+    };
+    it.draw(&mut Buffer::empty(Rect::new(0, 0, 64, 32)), &look);
+    Canvas::of(&it, &look)
 }
 
 #[test]

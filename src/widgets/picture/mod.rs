@@ -56,8 +56,8 @@ pub(crate) enum Mark {
     Dot { at: DVec2, pen: Pen },
     /// A disc. It hides what lies on lower layers.
     Disc(Body),
-    /// A disc as an outline that hides nothing, with its letter at `letter`: where it
-    /// has come to among things that are to be seen.
+    /// A disc that hides nothing, faint or an outline, with its letter at `letter`: among
+    /// things that are to be seen.
     Ring { body: Body, letter: DVec2 },
     /// Many discs, all drawn in one way, and every one of them to be seen.
     Discs(Vec<Body>),
@@ -206,7 +206,7 @@ impl Picture {
             .push(Mark::Disc(Body::new(at, radius, role, letter)));
     }
 
-    /// A disc as an outline, see `Mark::Ring`.
+    /// A disc that hides nothing, see `Mark::Ring`.
     pub fn ring(&mut self, at: DVec2, radius: f64, role: Role, (sign, letter): (char, DVec2)) {
         let body = Body::new(at, radius, role, sign);
         self.marks.push(Mark::Ring { body, letter });

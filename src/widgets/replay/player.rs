@@ -9,7 +9,7 @@ use super::{ShotClock, ShotImpact, WatchRate, impacts};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{DiscState, Shot};
 use crate::quiz::Rays;
-use crate::widgets::hit::{FRAME, Face, Watch, WatchAction};
+use crate::widgets::hit::{FRAME, Face, HitPace, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView, Outcome};
 
 /// Seconds that the keys for steps go.
@@ -221,8 +221,8 @@ impl ShotPlayer {
     }
 
     /// Does what a key stands for. A speed that is chosen goes into `rate`, to be
-    /// remembered; with `reduced` motion an enlarged impact begins at the contact.
-    pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, reduced: bool) {
+    /// remembered; an enlarged impact is played at this pace.
+    pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, pace: HitPace) {
         match action {
             ShotAction::GoOn => self.clock.go_on(),
             ShotAction::Step(by) => self.clock.step(STEP * f64::from(by)),
@@ -247,11 +247,11 @@ impl ShotPlayer {
                 if self.lists {
                     self.show_chosen();
                 } else {
-                    self.enlarge(reduced);
+                    self.enlarge(pace);
                 }
             }
             ShotAction::List(action) => match self.list.act(action, self.impacts.len()) {
-                Outcome::Done(_) => self.enlarge(reduced),
+                Outcome::Done(_) => self.enlarge(pace),
                 _ => self.show_chosen(),
             },
             ShotAction::Point(number) => {
@@ -260,7 +260,7 @@ impl ShotPlayer {
             }
             ShotAction::NextImpact(by) => {
                 self.list.act(ListAction::Choose(by), self.impacts.len());
-                self.enlarge(reduced);
+                self.enlarge(pace);
             }
             ShotAction::Watch(action) => {
                 if let Showing::Impact(watch) = &mut self.showing {
@@ -284,7 +284,7 @@ impl ShotPlayer {
         }
     }
 
-    fn enlarge(&mut self, reduced: bool) {
+    fn enlarge(&mut self, pace: HitPace) {
         self.show_chosen();
         if let Some((number, impact)) = self.chosen() {
             let said = self.said.filter(|_| number == 0);
@@ -292,23 +292,23 @@ impl ShotPlayer {
             let faces = impact
                 .discs
                 .map(|disc| face(disc).unwrap_or(Face::STRIKER_AND_COIN[1]));
-            let watch = Watch::new(impact.collision, said, reduced).with_faces(faces);
+            let watch = Watch::new(impact.collision, said, pace).with_faces(faces);
             self.showing = Showing::Impact(Box::new(watch));
         }
     }
 
     /// Lets time pass on the screen.
-    pub(crate) fn advance(&mut self, passed: Duration) {
+    pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.showing {
-            Showing::Impact(watch) => watch.advance(passed),
+            Showing::Impact(watch) => watch.advance(passed, pace),
             _ => self.clock.advance(passed),
         }
     }
 
     /// When it next needs time.
-    pub(crate) fn wake(&self) -> Option<Duration> {
+    pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.showing {
-            Showing::Impact(watch) => watch.wake(),
+            Showing::Impact(watch) => watch.wake(pace),
             _ => self.clock.is_running().then_some(FRAME),
         }
     }
@@ -334,7 +334,7 @@ mod tests {
     fn press(player: &mut ShotPlayer, key: Key) -> Option<WatchRate> {
         let mut rate = None;
         let action = player.keys().find(key).unwrap();
-        player.act(action, &mut rate, true);
+        player.act(action, &mut rate, HitPace::Still);
         rate
     }
 

@@ -24,7 +24,7 @@ const DOT: f64 = 3.5;
 
 /// What is drawn of a picture, in units of a screen of [`CELL`]s.
 pub(super) fn draw(picture: &Picture, look: &Look) -> String {
-    draw_labelled(picture, look, Canvas::of(picture, look.charset).labels())
+    draw_labelled(picture, look, Canvas::of(picture, look).labels())
 }
 
 /// The same where its labels have their places already.
@@ -48,7 +48,8 @@ pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabe
         match mark {
             Mark::Axes(axes) => vectors.axes(axes, picture),
             Mark::Text { at, text, role } => vectors.sign(*at, text, *role),
-            Mark::Disc(body) => vectors.letter(body),
+            Mark::Disc(body) => vectors.letter(body, body.at),
+            Mark::Ring { body, letter } => vectors.letter(body, *letter),
             _ => {}
         }
     }
@@ -156,14 +157,7 @@ impl Vectors<'_> {
             Mark::Arc { circle, turn, pen } => self.arc(*circle, *turn, *pen),
             Mark::Arrow { from, to, pen } => self.arrow(*from, *to, *pen),
             Mark::Dot { at, pen } => self.circle(*at, 1.2, self.inked(*pen), ""),
-            Mark::Disc(body) => self.disc(body),
-            Mark::Ring { body, letter } => {
-                let stroke = self.stroke(Pen::new(body.role).bold());
-                let radius = self.length(body.radius);
-                self.circle(body.at, radius, "none", &stroke);
-                let at = self.at(*letter);
-                self.text(&body.letter.to_string(), at, Anchor::Middle, body.role);
-            }
+            Mark::Disc(body) | Mark::Ring { body, .. } => self.disc(body),
             Mark::Discs(bodies) => bodies.iter().for_each(|body| self.solid(body)),
             Mark::Area { low, high, pen } => {
                 let (a, b) = (self.at(*low), self.at(*high));
@@ -292,19 +286,15 @@ impl Vectors<'_> {
             return self.circle(body.at, DOT, role, "");
         }
         let stroke = format!(" stroke=\"{role}\" stroke-width=\"1.8\"");
-        self.circle(body.at, radius, self.pale(body.role), &stroke);
-    }
-
-    fn pale(&self, role: Role) -> Rgb {
-        self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
+        self.circle(body.at, radius, self.look.theme.faint(body.role), &stroke);
     }
 
     /// The letter of a disc of a hit, over what is drawn on the disc.
-    fn letter(&mut self, body: &Body) {
+    fn letter(&mut self, body: &Body, at: DVec2) {
         let radius = self.length(body.radius);
         if body.letter != ' ' && radius > DOT {
-            let colours = [self.rgb(Role::Text), self.pale(body.role)];
-            let at = self.at(body.at);
+            let colours = [self.rgb(Role::Text), self.look.theme.faint(body.role)];
+            let at = self.at(at);
             self.write(&body.letter.to_string(), at, Anchor::Middle, colours);
         }
     }

@@ -206,6 +206,21 @@ impl Theme {
         role.rgb(self.palette)
     }
 
+    /// Whether there are colours between two others.
+    pub(super) fn has_shades(self) -> bool {
+        !self.is_mono() && matches!(self.depth, Depth::Indexed256 | Depth::True)
+    }
+
+    /// The colour of a disc of this role that is so faint that all upon it is plain to see.
+    pub(super) fn faint(self, role: Role) -> Rgb {
+        self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
+    }
+
+    /// A colour as the terminal has it.
+    pub(super) fn shade(self, rgb: Rgb) -> Color {
+        self.reduced(rgb)
+    }
+
     fn reduced(self, rgb: Rgb) -> Color {
         if self.depth == Depth::Indexed256 {
             Color::Indexed(rgb.indexed())

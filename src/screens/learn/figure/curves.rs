@@ -121,7 +121,7 @@ pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture;
     }
     // Only what can be seen in a small picture.
     let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
-    let watch = Watch::new(*shown.collision(), None, true).with_layers(layers);
+    let watch = Watch::told(*shown.collision()).with_layers(layers);
     let hit = watch.picture(hit.inner(Margin::new(1, 0)));
     [plot.picture(), hit]
 }

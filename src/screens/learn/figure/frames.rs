@@ -5,19 +5,17 @@ use ratatui::layout::Rect;
 
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Collision, Frame};
-use crate::widgets::hit::{Overlay, Overlays, Watch, WatchAction};
+use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, areas};
 
 /// The two: from the board, from the centre of mass.
-pub(super) fn watches(collision: &Collision, reduced: bool) -> [Watch; 2] {
+pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Lines]);
-    let watch = || Watch::new(*collision, None, reduced).with_layers(layers);
-    let mut moving = watch();
-    while moving.frame() != Frame::CentreOfMass {
-        moving.act(WatchAction::Frame);
-    }
-    [watch(), moving]
+    [Frame::Laboratory, Frame::CentreOfMass].map(|frame| {
+        let watch = Watch::told(*collision).at_once();
+        watch.with_layers(layers).seen_from(frame)
+    })
 }
 
 /// The room of each: side by side where there is room, else one above the other.

@@ -22,7 +22,7 @@ use crate::physics::{Bond, Collision, CollisionSpec, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil::{FoilFigure, FoilFigureAction, FoilPage};
 use crate::widgets::hit::{
-    Face, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
+    Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
 use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;
@@ -101,29 +101,31 @@ impl LiveFigure {
             hidden,
             state: FigureState::Plain,
         };
-        shown.set_up(None, true);
+        shown.set_up(None, HitPace::Still);
         shown
     }
 
     /// Starts the state anew from the collision.
-    fn set_up(&mut self, said: Option<Rays>, reduced: bool) {
-        let watch = |reduced| Watch::new(self.collision, said, reduced);
+    fn set_up(&mut self, said: Option<Rays>, pace: HitPace) {
+        let watch = || match said {
+            Some(_) => Watch::new(self.collision, said, pace),
+            None => Watch::told(self.collision),
+        };
         let hit = |watch| FigureState::Hit(Box::new(watch));
         self.state = match self.figure.kind {
             FigureKind::Split { lines } if said.is_none() => {
-                hit(watch(true).with_layers(split_layers(lines)))
+                hit(watch().with_layers(split_layers(lines)))
             }
-            FigureKind::Lab | FigureKind::Split { .. } => hit(watch(reduced)),
-            FigureKind::Frames => {
-                FigureState::Frames(Box::new(frames::watches(&self.collision, reduced)))
-            }
+            FigureKind::Lab | FigureKind::Split { .. } => hit(watch()),
+            FigureKind::Frames => FigureState::Frames(Box::new(frames::watches(&self.collision))),
             FigureKind::Worked { blank } => FigureState::Step(blank.map_or(0, |step| step - 1)),
             FigureKind::Solve => FigureState::Solve { field: 0, step: 0 },
             FigureKind::Foil {
                 levelled, rings, ..
             } if !self.hidden => {
                 let page = self.foil_page().unwrap_or_default();
-                let figure = FoilFigure::new(page, levelled, !reduced).counted_in(rings);
+                let watched = pace != HitPace::Still;
+                let figure = FoilFigure::new(page, levelled, watched).counted_in(rings);
                 FigureState::Foil(Box::new(figure))
             }
             _ => FigureState::Plain,
@@ -174,8 +176,8 @@ impl LiveFigure {
     }
 
     /// Shows the outcome. What the student said of it is watched from the start, unless
-    /// motion is `reduced`; anything else stands told.
-    pub(super) fn reveal(&mut self, said: Option<Rays>, reduced: bool) {
+    /// motion is reduced; anything else stands told.
+    pub(super) fn reveal(&mut self, said: Option<Rays>, pace: HitPace) {
         self.hidden = false;
         if self.figure.shot != self.figure.after {
             self.figure.shot = self.figure.after;
@@ -183,8 +185,14 @@ impl LiveFigure {
         }
         match self.figure.kind {
             FigureKind::Worked { .. } => {}
-            FigureKind::Foil { .. } => self.set_up(said, reduced),
-            _ => self.set_up(said, reduced || said.is_none()),
+            _ => self.set_up(said, pace),
+        }
+    }
+
+    /// Tells all of its hit at once.
+    pub(super) fn tell(&mut self) {
+        if let FigureState::Hit(watch) = &mut self.state {
+            watch.tell();
         }
     }
 
@@ -214,7 +222,10 @@ impl LiveFigure {
             return "before the hit".into();
         }
         match self.figure.kind {
-            FigureKind::Lab | FigureKind::Split { .. } => "the hit".into(),
+            FigureKind::Lab | FigureKind::Split { .. } => match self.watch() {
+                Some(watch) => watch.title("the hit"),
+                None => "the hit".into(),
+            },
             FigureKind::Triangle { .. } => triangle::title(&self.collision).into(),
             FigureKind::Frames => "one hit, two frames".into(),
             FigureKind::Curves => "speeds after the hit".into(),
@@ -327,7 +338,7 @@ impl LiveFigure {
         let alpha = rad_from_deg(alpha_deg.clamp(0.0, 90.0));
         self.collision = self.collision.with_alpha(alpha);
         if matches!(self.state, FigureState::Frames(_)) {
-            self.set_up(None, true);
+            self.set_up(None, HitPace::Still);
         }
     }
 
@@ -380,11 +391,12 @@ impl LiveFigure {
     }
 
     /// Lets time pass.
-    pub(super) fn advance(&mut self, passed: Duration) {
+    pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.state {
-            FigureState::Hit(watch) => watch.advance(passed),
+            FigureState::Hit(watch) => watch.advance(passed, pace),
             FigureState::Frames(watches) => {
-                watches.iter_mut().for_each(|watch| watch.advance(passed));
+                let each = watches.iter_mut();
+                each.for_each(|watch| watch.advance(passed, pace));
             }
             FigureState::Foil(plot) => plot.advance(),
             _ => {}
@@ -392,11 +404,11 @@ impl LiveFigure {
     }
 
     /// When it next needs time.
-    pub(super) fn wake(&self) -> Option<Duration> {
+    pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.state {
             _ if self.hidden => None,
-            FigureState::Hit(watch) => watch.wake(),
-            FigureState::Frames(watches) => watches.iter().find_map(Watch::wake),
+            FigureState::Hit(watch) => watch.wake(pace),
+            FigureState::Frames(watches) => watches.iter().find_map(|it| it.wake(pace)),
             FigureState::Foil(plot) => plot.wake(),
             _ => None,
         }

@@ -17,6 +17,7 @@ use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
 use crate::physics::Collision;
 use crate::quiz::Response;
 use crate::screens::{Confirmation, Context, Next, Place, Screen};
+use crate::widgets::hit::{HitPace, Watch};
 use crate::widgets::input::KeyTable;
 use crate::widgets::{Lines, Look, Outcome, Scroll, SplitLayout, overflow};
 
@@ -146,7 +147,8 @@ impl Reading {
         if let Some(answer) = answer
             && self.question.is_some()
         {
-            self.tell(answer, true);
+            self.tell(answer, HitPace::Still);
+            self.figure.iter_mut().for_each(LiveFigure::tell);
         }
     }
 
@@ -169,12 +171,18 @@ impl Reading {
         self.question.is_some() && self.answer.is_none()
     }
 
+    /// The hit that is just telling what happens, step by step.
+    fn telling(&self) -> Option<&Watch> {
+        let watch = self.figure.as_ref().and_then(LiveFigure::watch);
+        watch.filter(|watch| !self.is_asking() && !watch.is_told())
+    }
+
     /// Shows what belongs to an answer.
-    fn tell(&mut self, answer: Response, reduced: bool) {
+    fn tell(&mut self, answer: Response, pace: HitPace) {
         self.answer = Some(answer);
         self.scroll = Scroll::default();
         if let Some(figure) = &mut self.figure {
-            figure.reveal(answer.rays(), reduced);
+            figure.reveal(answer.rays(), pace);
         }
         self.on_figure = self.is_open_to_figure();
     }
@@ -193,7 +201,7 @@ impl Reading {
         let mark = Bookmark::answering(page, checkpoint, answer, attempt.right);
         cx.record(attempt);
         cx.mark(&self.chapter.id, mark);
-        self.tell(answer, cx.settings.reduced_motion);
+        self.tell(answer, cx.settings.pace());
     }
 
     fn begin_anew(&mut self, cx: &mut Context) {
@@ -372,6 +380,7 @@ impl Screen for Reading {
         let keys = || KeyTable::new("reading");
         let asking = self.is_asking();
         let answering = asking && !self.on_figure;
+        let telling = self.telling().is_some();
         if !self.is_open {
             return keys().on(Key::Escape, Leave, "contents");
         }
@@ -386,7 +395,10 @@ impl Screen for Reading {
             .when(asking && self.on_figure)
             .on(Key::Enter, Next, on)
             .or([(Key::Char('n'), Next)])
-            .when(!asking)
+            .when(!asking && !telling)
+            // Enter and Space go through what the hit tells.
+            .on(Key::Char('n'), Next, on)
+            .when(telling)
             .on(Key::Escape, Leave, "contents")
             .on(Key::Char('n'), Next, "skip")
             .when(asking);
@@ -496,14 +508,14 @@ impl Screen for Reading {
         }
     }
 
-    fn advance(&mut self, passed: Duration, _cx: &mut Context) {
+    fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let Some(figure) = &mut self.figure {
-            figure.advance(passed);
+            figure.advance(passed, cx.settings.pace());
         }
     }
 
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
-        self.figure.as_ref()?.wake()
+    fn wake(&self, cx: &Context) -> Option<Duration> {
+        self.figure.as_ref()?.wake(cx.settings.pace())
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {

@@ -57,6 +57,9 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
     let Some(page) = reading.page() else {
         return;
     };
+    if let Some(watch) = reading.telling() {
+        return watch.write_telling(lines);
+    }
     let collision = reading.collision();
     let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
     else {
@@ -76,12 +79,6 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
         }
         return;
     };
-    let watch = reading.figure.as_ref().and_then(LiveFigure::watch);
-    if let (Response::Rays(_), Some(watch)) = (&answer, watch)
-        && !watch.is_told()
-    {
-        return lines.paragraph(watch.telling(), Role::Text);
-    }
     let told = |lines: &mut Lines| told(reading, checkpoint, answer, lines);
     // What was read stays above it, if there is room for both.
     let asked_above = matches!(answer, Response::Rays(_));

@@ -256,8 +256,8 @@ impl LevelPlay {
         let shown = |made: &MadeShot| made.player.chosen().map(|(number, _)| number);
         let before = shown(made);
         let settings = &mut cx.settings;
-        let reduced = settings.reduced_motion;
-        made.player.act(action, &mut settings.watch_rate, reduced);
+        let pace = settings.pace();
+        made.player.act(action, &mut settings.watch_rate, pace);
         if shown(made) != before {
             self.scroll = Scroll::default();
         }
@@ -433,14 +433,14 @@ impl Screen for LevelPlay {
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let LevelPhase::Watch(made) = &mut self.phase {
-            made.player.advance(passed);
+            made.player.advance(passed, cx.settings.pace());
         }
         self.keep_if_told(cx);
     }
 
-    fn wake(&self, _cx: &Context) -> Option<Duration> {
+    fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.phase {
-            LevelPhase::Watch(made) => made.player.wake(),
+            LevelPhase::Watch(made) => made.player.wake(cx.settings.pace()),
             _ => None,
         }
     }

@@ -239,8 +239,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines)
     given(impact, secret, lines);
     if !watch.is_told() {
         lines.gap();
-        lines.paragraph(watch.telling(), Role::Text);
-        return;
+        return watch.write_telling(lines);
     }
     separation(&impact.collision, lines);
     match watch.frame() {

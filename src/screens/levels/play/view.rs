@@ -63,10 +63,7 @@ fn titles(play: &LevelPlay) -> (String, String) {
         LevelPhase::Aim => ("aim".into(), play.level().title.clone()),
         LevelPhase::Predict(_) => ("where will they go?".into(), "say it first".into()),
         LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => (
-                format!("the hit, slowed {:.0}×", watch.clock().slowed()),
-                panel::impact_title(made),
-            ),
+            Some(watch) => (watch.slowed_title(), panel::impact_title(made)),
             None => (
                 format!("shot {}", play.shots),
                 match (made.told, &made.win) {

@@ -29,6 +29,7 @@ use crate::messages::{Input, Mouse, StoreRequest};
 use crate::numbers::capital;
 use crate::physics::{Board, Shot};
 use crate::screens::{Confirmation, Context, Next};
+use crate::widgets::hit::HitPace;
 use crate::widgets::replay::ShotAction;
 use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, SplitLayout, board};
 pub(super) use keeping::Keeping;
@@ -281,14 +282,14 @@ impl ActiveGame {
     pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
         if let TablePhase::Watch(replay) = &mut self.phase {
-            replay.player.advance(passed);
+            replay.player.advance(passed, cx.settings.pace());
         }
     }
 
     /// When it next needs time.
-    pub(super) fn wake(&self) -> Option<Duration> {
+    pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
-            TablePhase::Watch(replay) => replay.player.wake(),
+            TablePhase::Watch(replay) => replay.player.wake(pace),
             TablePhase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
             _ => None,
         }
@@ -444,9 +445,9 @@ mod tests {
         };
         let mut active = ActiveGame::new(options, 4);
         // Nobody has to press a key for it.
-        assert!(active.wake().is_some());
+        assert!(active.wake(HitPace::Still).is_some());
         active.advance(Duration::ZERO, &mut cx);
-        assert_eq!(active.wake(), None);
+        assert_eq!(active.wake(HitPace::Still), None);
         let tasks = asked(&mut cx);
         assert_eq!(tasks.len(), 1);
         let SearchTask {
@@ -514,10 +515,10 @@ mod tests {
     fn nothing_moves_but_a_stroke_that_is_watched() {
         let mut cx = Context::new(Settings::default(), 1);
         let mut active = ActiveGame::new(Options::two_people(), 4);
-        assert_eq!(active.wake(), None);
+        assert_eq!(active.wake(HitPace::Still), None);
         press(&mut active, " ", &mut cx);
-        assert!(active.wake().is_some());
+        assert!(active.wake(HitPace::Still).is_some());
         active.advance(Duration::from_secs(60), &mut cx);
-        assert_eq!(active.wake(), None);
+        assert_eq!(active.wake(HitPace::Still), None);
     }
 }

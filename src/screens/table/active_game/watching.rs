@@ -47,8 +47,8 @@ impl ActiveGame {
     pub(super) fn act_on_replay(&mut self, action: ShotAction, cx: &mut Context) {
         if let TablePhase::Watch(replay) = &mut self.phase {
             let settings = &mut cx.settings;
-            let reduced = settings.reduced_motion;
-            replay.player.act(action, &mut settings.watch_rate, reduced);
+            let pace = settings.pace();
+            replay.player.act(action, &mut settings.watch_rate, pace);
         }
     }
 

@@ -16,7 +16,8 @@ pub(super) fn draw(replay: &StrokeReplay, watch: &Watch, lines: &mut Lines) {
     impact_angle(collision, lines);
     masses(collision, [false; 2], lines);
     if !watch.is_told() {
-        return;
+        lines.gap();
+        return watch.write_telling(lines);
     }
     separation(collision, lines);
     lines.gap();

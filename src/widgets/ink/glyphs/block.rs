@@ -46,6 +46,12 @@ fn grid(inside: impl Fn(u32, u32) -> bool) -> u64 {
         .fold(0, |cover, i| cover | 1 << i)
 }
 
+/// All of them but the inverse ones: each, and what it covers.
+pub(in super::super) fn shapes() -> impl Iterator<Item = (char, u64)> {
+    let upright = BLOCKS.iter().filter(|block| !block.inverse);
+    upright.map(|block| (block.symbol, block.cover))
+}
+
 /// The block nearest to `cover`; inverse ones only where `inverse` allows them.
 pub(in super::super) fn nearest(cover: u64, inverse: bool) -> BlockGlyph {
     BLOCKS

@@ -1,0 +1,317 @@
+//! The steps in which a hit explains itself at the contact, and what is said at each.
+
+use glam::DVec2;
+
+use super::Face;
+use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
+use crate::widgets::Role;
+
+/// Seconds to look at the picture, and for each word that is read: 150 words a minute.
+const LOOK: f64 = 3.0;
+const WORD: f64 = 0.4;
+/// The shortest time that a step stands, in seconds.
+const SHORTEST: f64 = 5.0;
+/// Parts of a velocity that differ by less, in m/s, are printed alike.
+const ALIKE: f64 = 0.005;
+
+/// One step of the explanation. Each adds to the picture of those before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Beat {
+    /// The rims touch.
+    Contact,
+    /// Line of impact and tangent.
+    Line,
+    /// The velocities before, split along both.
+    Split,
+    /// What the target has after the hit.
+    Coin,
+    /// What the striker has after the hit.
+    Striker,
+    /// Both departures with their angles, and the triangle of momenta.
+    Whole,
+}
+
+impl Beat {
+    /// The steps of a hit, in order.
+    pub(super) const fn of(meeting: Meeting, bond: Bond) -> &'static [Self] {
+        use Beat::{Coin, Contact, Line, Split, Striker, Whole};
+        match (meeting, bond) {
+            (Meeting::Miss, _) => &[Whole],
+            (Meeting::Graze, _) => &[Contact, Line, Whole],
+            (Meeting::Hit, Bond::Stick) => &[Contact, Line, Split, Whole],
+            (Meeting::Hit, Bond::Slip) => &[Contact, Line, Split, Coin, Striker, Whole],
+        }
+    }
+
+    /// Its name.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::Line => "line of impact",
+            Self::Split => "the split",
+            Self::Coin => "what was hit",
+            Self::Striker => "what hit it",
+            Self::Whole => "the whole",
+        }
+    }
+}
+
+/// The words for the steps of one hit, as seen from a frame.
+pub(super) struct BeatWords<'a> {
+    collision: &'a Collision,
+    outcome: &'a CollisionOutcome,
+    frame: Frame,
+    names: [&'static str; 2],
+}
+
+/// The parts of a velocity along n and t, in m/s.
+#[derive(Clone, Copy)]
+struct Parts {
+    n: f64,
+    t: f64,
+}
+
+impl<'a> BeatWords<'a> {
+    pub(super) fn new(
+        collision: &'a Collision,
+        outcome: &'a CollisionOutcome,
+        frame: Frame,
+        faces: [Face; 2],
+    ) -> Self {
+        Self {
+            collision,
+            outcome,
+            frame,
+            names: names(faces),
+        }
+    }
+
+    /// Seconds that a step stands when it is left alone: time to read what is said and to
+    /// find it in the picture.
+    pub(super) fn hold(&self, beat: Beat) -> f64 {
+        let words = self.of(beat).split_whitespace().count() as f64;
+        (LOOK + WORD * words).max(SHORTEST)
+    }
+
+    /// The number of a step among all, and its name.
+    pub(super) fn heading(&self, beat: Beat) -> String {
+        let beats = Beat::of(self.outcome.meeting, self.collision.bond);
+        let number = beats.iter().position(|it| *it == beat).map_or(1, |i| i + 1);
+        let name = match beat {
+            Beat::Coin => format!("what the {} gets", self.names[1]),
+            Beat::Striker => format!("what the {} keeps", self.names[0]),
+            _ => beat.name().to_owned(),
+        };
+        format!("{number} of {}: {name}", beats.len())
+    }
+
+    /// What is said at a step. The whole is explained by each screen in its own way.
+    pub(super) fn of(&self, beat: Beat) -> String {
+        let sticks = self.collision.bond == Bond::Stick;
+        match beat {
+            Beat::Contact if self.outcome.meeting == Meeting::Graze => {
+                "Only just: the rims brush past each other, and nothing is pushed.".into()
+            }
+            Beat::Contact => "The rims touch at one point. For this instant each disc pushes the other, equally hard and in opposite directions.".into(),
+            Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is square to it. Smooth rims push along n only. These stick, so they also pull along t.".into(),
+            Beat::Line => "The line of impact n joins the two centres: only along it do they push. The tangent t is square to it.".into(),
+            Beat::Split => self.split(sticks),
+            Beat::Coin => self.coin(),
+            Beat::Striker => self.striker(),
+            Beat::Whole => String::new(),
+        }
+    }
+
+    /// Whether the target stands still before the hit, seen from this frame and named as on
+    /// the board.
+    fn is_plain(&self) -> bool {
+        self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
+    }
+
+    fn parts(&self, v: DVec2) -> Parts {
+        let seen = v - self.frame.velocity(self.collision);
+        let along = |axis: Option<DVec2>| axis.map_or(0.0, |axis| seen.dot(axis));
+        Parts {
+            n: along(self.outcome.normal),
+            t: along(self.outcome.tangent),
+        }
+    }
+
+    fn split(&self, sticks: bool) -> String {
+        let u = self.parts(self.collision.u1);
+        match (sticks, self.is_plain()) {
+            (true, true) => "So split u into uₙ along n and uₜ along t. Rims that stick pull along t as well, so here both take part in the hit.".into(),
+            (true, false) => "So split the velocities along n and along t. Rims that stick pull along t as well, so here both parts take part in the hit.".into(),
+            (false, true) if is_none(u.t) => "So split u: it is all along n. Nothing of it lies along t, so all of it takes part in the hit.".into(),
+            (false, true) => format!(
+                "So split u: uₙ = {} along n takes part in the hit, uₜ = {} along t does not notice it.",
+                speed(u.n),
+                speed(u.t)
+            ),
+            (false, false) => "So split both velocities. The parts along t do not notice the hit; it is all between the parts along n.".into(),
+        }
+    }
+
+    fn coin(&self) -> String {
+        let name = self.names[1];
+        let (u1, v2) = (self.parts(self.collision.u1), self.parts(self.outcome.v2));
+        if !self.is_plain() {
+            return self.changed(1, &format!("What the {name} gets"));
+        }
+        let share = match is_none(v2.n - u1.n) {
+            true => "It takes all of uₙ".to_owned(),
+            false => format!("It gets {:.2} of uₙ", v2.n / u1.n),
+        };
+        format!(
+            "The {name} was pushed along n, so it leaves along n. {share}: v₂ = {}.",
+            speed(v2.n)
+        )
+    }
+
+    fn striker(&self) -> String {
+        let name = self.names[0];
+        let v1 = self.parts(self.outcome.v1);
+        if !self.is_plain() {
+            return self.changed(0, &format!("What the {name} keeps"));
+        }
+        let whole = speed(v1.n.hypot(v1.t));
+        match (is_none(v1.n), is_none(v1.t)) {
+            (true, true) => {
+                format!("The {name} has no uₜ to keep, and of uₙ nothing is left: it stands still.")
+            }
+            (true, false) => format!(
+                "The {name} keeps uₜ as it was. Of uₙ nothing is left, so v₁ = uₜ = {whole}, along t."
+            ),
+            (false, across) => {
+                let keeps = if across {
+                    "has no uₜ to keep"
+                } else {
+                    "keeps uₜ as it was"
+                };
+                let along = match v1.n > 0.0 {
+                    true => format!("Along n it has {} left", speed(v1.n)),
+                    false => format!("Along n it is thrown back with {}", speed(v1.n)),
+                };
+                let end = if across {
+                    String::new()
+                } else {
+                    format!(" Both together: v₁ = {whole}.")
+                };
+                format!("The {name} {keeps}. {along}.{end}")
+            }
+        }
+    }
+
+    /// What becomes of a body that moves before the hit as well.
+    fn changed(&self, body: usize, title: &str) -> String {
+        let before = self.parts([self.collision.u1, self.collision.u2][body]);
+        let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
+        let keeps = match is_none(after.t) {
+            true => "Along t it has nothing, before and after.".to_owned(),
+            false => format!("Along t it keeps its {}.", speed(after.t)),
+        };
+        format!(
+            "{title}. {keeps} Along n it had {} and now has {}.",
+            signed(before.n),
+            signed(after.n)
+        )
+    }
+}
+
+/// Whether a part is printed as none.
+fn is_none(v: f64) -> bool {
+    v.abs() < ALIKE
+}
+
+fn speed(v: f64) -> String {
+    format!("{:.2} m/s", v.abs())
+}
+
+/// A part along n with its direction in words.
+fn signed(v: f64) -> String {
+    match (is_none(v), v > 0.0) {
+        (true, _) => "nothing".into(),
+        (_, true) => format!("{} forwards", speed(v)),
+        (_, false) => format!("{} backwards", speed(v)),
+    }
+}
+
+/// What the two discs are called.
+fn names(faces: [Face; 2]) -> [&'static str; 2] {
+    let name = |face: Face| match face.role {
+        Role::Striker => "striker",
+        Role::Queen => "queen",
+        Role::Marble => "marble",
+        _ => "coin",
+    };
+    match faces.map(name) {
+        ["striker", other] => ["striker", other],
+        [one, other] if one == other => ["disc that struck", "disc that was struck"],
+        both => both,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::Disc;
+
+    fn words(collision: &Collision, frame: Frame, beat: Beat) -> String {
+        let outcome = collision.outcome();
+        BeatWords::new(collision, &outcome, frame, Face::STRIKER_AND_COIN).of(beat)
+    }
+
+    fn hit(m1: f64, m2: f64, alpha_deg: f64) -> Collision {
+        let [striker, coin] = [m1, m2].map(|mass| Disc::from_g_mm(mass, 15.0));
+        Collision::at_angle(striker, coin, 4.0 * DVec2::X, alpha_deg.to_radians())
+    }
+
+    /// 4 m/s at 30°: uₙ = 3.46, uₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of uₙ.
+    #[test]
+    fn the_figures_are_those_of_the_closed_forms() {
+        let lab = |m2, beat| words(&hit(15.0, m2, 30.0), Frame::Laboratory, beat);
+        assert!(lab(15.0, Beat::Split).contains("uₙ = 3.46 m/s along n"));
+        assert!(lab(15.0, Beat::Split).contains("uₜ = 2.00 m/s along t"));
+        assert!(lab(15.0, Beat::Coin).contains("all of uₙ: v₂ = 3.46 m/s"));
+        assert!(lab(15.0, Beat::Striker).contains("v₁ = uₜ = 2.00 m/s"));
+        assert!(lab(45.0, Beat::Coin).contains("0.50 of uₙ: v₂ = 1.73 m/s"));
+        assert!(lab(45.0, Beat::Striker).contains("thrown back with 1.73 m/s"));
+        assert!(lab(5.0, Beat::Coin).contains("1.50 of uₙ: v₂ = 5.20 m/s"));
+        assert!(lab(5.0, Beat::Striker).contains("1.73 m/s left"));
+        // √(4 + 3): both parts together.
+        assert!(lab(5.0, Beat::Striker).contains("v₁ = 2.65 m/s"));
+    }
+
+    #[test]
+    fn from_the_centre_of_mass_the_part_along_n_turns_round() {
+        let seen = words(&hit(15.0, 15.0, 30.0), Frame::CentreOfMass, Beat::Striker);
+        assert!(seen.contains("had 1.73 m/s forwards"), "{seen}");
+        assert!(seen.contains("now has 1.73 m/s backwards"), "{seen}");
+        assert!(seen.contains("keeps its 1.00 m/s"), "{seen}");
+    }
+
+    #[test]
+    fn every_step_stands_long_enough_to_be_read() {
+        let collision = hit(15.0, 15.0, 30.0);
+        let outcome = collision.outcome();
+        let all = BeatWords::new(
+            &collision,
+            &outcome,
+            Frame::Laboratory,
+            Face::STRIKER_AND_COIN,
+        );
+        for beat in Beat::of(Meeting::Hit, Bond::Slip) {
+            let words = all.of(*beat).split_whitespace().count() as f64;
+            // 200 words a minute is a quick reader's pace.
+            assert!(all.hold(*beat) >= f64::max(5.0, words / 200.0 * 60.0));
+        }
+    }
+
+    #[test]
+    fn head_on_nothing_is_said_of_a_part_that_is_not_there() {
+        let head_on = hit(15.0, 15.0, 0.0);
+        assert!(words(&head_on, Frame::Laboratory, Beat::Split).contains("all along n"));
+        let striker = words(&head_on, Frame::Laboratory, Beat::Striker);
+        assert!(striker.contains("stands still"), "{striker}");
+    }
+}

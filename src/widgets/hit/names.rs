@@ -1,0 +1,37 @@
+//! What velocities are called, seen from a frame.
+
+use glam::DVec2;
+
+use crate::physics::{Collision, Frame};
+
+/// The names of a collision's velocities: those of the striker and of the target.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct VelocityNames {
+    /// Before the hit; in another frame than the board's by what is taken off.
+    pub before: [&'static str; 2],
+    /// After the hit; from the centre of mass as chapter 11 calls them.
+    pub after: [&'static str; 2],
+}
+
+impl VelocityNames {
+    /// Those of a collision seen from a frame.
+    pub(crate) fn new(collision: &Collision, frame: Frame) -> Self {
+        let stands = collision.u2 == DVec2::ZERO;
+        let (before, after) = match (frame, stands) {
+            (Frame::Laboratory, true) => (["u", "u₂"], ["v₁", "v₂"]),
+            (Frame::Laboratory, false) => (["u₁", "u₂"], ["v₁", "v₂"]),
+            (Frame::CentreOfMass, true) => (["u − V", "−V"], ["w₁", "w₂"]),
+            (Frame::CentreOfMass, false) => (["u₁ − V", "u₂ − V"], ["w₁", "w₂"]),
+            (Frame::Target, _) => (["u₁ − u₂", "u₂ − u₂"], ["v₁ − u₂", "v₂ − u₂"]),
+        };
+        Self { before, after }
+    }
+}
+
+/// What the part of a velocity along n or t is called: uₙ, (u − V)ₙ.
+pub(super) fn part_name(name: &str, axis: char) -> String {
+    match name.contains(' ') {
+        true => format!("({name}){axis}"),
+        false => format!("{name}{axis}"),
+    }
+}
