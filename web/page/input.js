@@ -11,7 +11,7 @@ const input = (() => {
   const bar = document.getElementById("keys");
   const typing = document.getElementById("typing");
   let say = () => {};
-  let began = false, digits = false, shown = "";
+  let began = false, digits = false, shown = "", last = [];
 
   function start(speak) {
     say = speak;
@@ -54,7 +54,16 @@ const input = (() => {
       say({ do: "paint" });
     }
     if (does === "type") typing.focus();
-    if (does === "menu") document.getElementById("menu").showModal();
+    if (does === "menu") openMenu();
+  }
+
+  // The menu, with what can be set on every screen.
+  function openMenu() {
+    const sets = ({ id }) => /^everywhere\.(charset|theme|motion)$/.test(id);
+    const choices = last.filter(sets).map(({ keys, help }) =>
+      button(keys[keys.length - 1], help[0].toUpperCase() + help.slice(1), help));
+    document.getElementById("choices").innerHTML = choices.join("");
+    document.getElementById("menu").showModal();
   }
 
   const key = (name) => say({ do: "key", key: name });
@@ -133,6 +142,7 @@ const input = (() => {
   // The keys of the moment. Digits are folded away, arrows are a pad, and q has no button:
   // a page is left as pages are.
   function show(rows) {
+    last = rows;
     const buttons = layout(rows);
     if (buttons === shown) return;
     shown = buttons;
@@ -149,8 +159,9 @@ const input = (() => {
     const arrows = new Set();
     const numbers = [];
     const first = [], rest = [], last = [];
+    let explain = "<span></span>";
     for (const { id = "", keys, name, help } of rows) {
-      if (id === "everywhere.help") last.push(button(keys[0], "?", "help"));
+      if (id === "everywhere.help") explain = button(keys[0], "?", "help");
       if ((id.startsWith("everywhere.") && id !== "everywhere.back") || id.endsWith(".quit")) continue;
       const isNumber = keys.some((key) => /^[0-9]$/.test(key)) && keys.length > 5;
       for (const key of keys) {
@@ -165,17 +176,19 @@ const input = (() => {
         }
       }
     }
-    const pad = [null, "Up", null, "Left", "Down", "Right"].map((key) =>
-      key && arrows.has(key) ? button(key, ARROWS[key], key) : "<span></span>");
+    // The menu and the help are in the corners of the pad, or where there is none, last.
+    const menu = button("menu", "☰", "menu", "does");
+    const arrow = (key) => arrows.has(key) ? button(key, ARROWS[key], key) : "<span></span>";
+    const pad = [menu, arrow("Up"), explain, arrow("Left"), arrow("Down"), arrow("Right")];
+    if (!arrows.size) last.push(explain, menu);
     const parts = [];
     if (arrows.size) parts.push(`<div class="pad">${pad.join("")}</div>`);
     if (numbers.length) rest.push(button("digits", digits ? "123 ▾" : "123", "digits", "does"));
     if (numbers.length && digits) rest.push(...numbers, button("Backspace", "⌫", "take back"));
     rest.push(...last, button("type", "abc", "a keyboard for letters", "does"));
-    rest.push(button("menu", "☰", "menu", "does"));
     parts.push(`<div class="rest">${[...first, ...rest].join("")}</div>`);
     return parts.join("");
   }
 
-  return { start, show };
+  return { start, show, key };
 })();

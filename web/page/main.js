@@ -221,9 +221,10 @@ const page = (() => {
   }
 
   function chosen(event) {
-    const does = event.target.dataset?.does;
-    if (!does) return;
+    const { does, key } = event.target.dataset || {};
+    if (!does && !key) return;
     menu.close();
+    if (key) input.key(key);
     if (does === "open") chooser.click();
     if (does === "plain") location.hash = "plain";
     if (does === "take") {

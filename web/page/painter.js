@@ -59,7 +59,7 @@ const painter = (() => {
       for (let row = y; row < y + h && !stale; row++) {
         stale = fresh.subarray(row * columns + x, row * columns + x + w).includes(1);
       }
-      if (stale && picture.svg) paintPicture(picture, cells, columns);
+      if (stale && picture.svg) paintPicture(picture, painted.colours[1], cells, columns);
     });
     picturesBefore = painted.pictures.map((picture) => picture.svg);
     before = cells.slice();
@@ -115,7 +115,7 @@ const painter = (() => {
   }
 
   // Paints a picture where its cells show nothing else.
-  function paintPicture(picture, cells, columns) {
+  function paintPicture(picture, paper, cells, columns) {
     const [x, y, w, h] = picture.area;
     const own = new Path2D();
     const isOwn = (column, row) => (cells[4 * (row * columns + column) + 3] & VECTOR) !== 0;
@@ -134,7 +134,7 @@ const painter = (() => {
       }
     }
     pen.save();
-    pen.fillStyle = hex(picture.paper);
+    pen.fillStyle = hex(paper);
     pen.fill(own);
     pen.clip(own);
     pen.scale(cell.width / 9, cell.height / 18);
