@@ -9,7 +9,8 @@ use rand_pcg::Pcg64;
 use super::hand::{FASTEST, Slip};
 use super::rehearsal::Rehearsal;
 use super::shots::{
-    PocketPath, ProposedStroke, combinations, kicks, knocks, off_a_cushion, straight, strikes,
+    PocketPath, ProposedStroke, Unchecked, combinations, kicks, knocks, off_a_cushion, straight,
+    strikes,
 };
 use super::sight::Sight;
 use super::story::Chance;
@@ -110,15 +111,17 @@ impl Search<'_> {
         let sight = Sight::of(self.game);
         let mut aims = Vec::new();
         for course in self.courses(&sight) {
-            let mut own: Vec<ProposedStroke> = strikes(&sight, &course, places).collect();
+            let mut own: Vec<_> = strikes(&sight, &course, places).collect();
             let behind = self.straight_place(&course);
             own.extend(strikes(&sight, &course, behind.as_slice()));
             if self.skill.cushions {
                 own.extend(kicks(&sight, &course, places));
             }
-            aims.extend(most_forgiving(own, AIMS_A_COURSE));
+            aims.extend(clearest(own, &sight));
         }
-        most_forgiving(aims, self.skill.aims)
+        aims.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
+        aims.truncate(self.skill.aims);
+        aims
     }
 
     fn courses(&self, sight: &Sight) -> Vec<PocketPath> {
@@ -215,8 +218,12 @@ impl Search<'_> {
     }
 }
 
-fn most_forgiving(mut aims: Vec<ProposedStroke>, count: usize) -> Vec<ProposedStroke> {
-    aims.sort_by(|a, b| b.allowance.total_cmp(&a.allowance));
-    aims.truncate(count);
-    aims
+/// The aims of one course that forgive most, of those that nothing bars.
+fn clearest<'a>(
+    mut aims: Vec<Unchecked<ProposedStroke>>,
+    sight: &'a Sight,
+) -> impl Iterator<Item = ProposedStroke> + 'a {
+    aims.sort_by(|a, b| b.link.allowance.total_cmp(&a.link.allowance));
+    let clear = aims.into_iter().filter_map(|aim| aim.if_clear(sight));
+    clear.take(AIMS_A_COURSE)
 }

@@ -1,7 +1,7 @@
 //! What a position is worth to a team, in coins.
 
 use super::hand::Hand;
-use super::shots::{straight, strikes};
+use super::shots::{strikes, to_the_pockets};
 use super::sight::Sight;
 use super::strength::Skill;
 use super::wants::wants_from;
@@ -73,14 +73,23 @@ impl Judge {
         let sight = Sight::of(game);
         let places = BaseLines::new(sight.set, seat, sight.coins).candidates(PLACES);
         let wanted = game.coins().iter().enumerate();
-        let easiest = wanted
+        let courses = wanted
             .filter(|(_, coin)| wants_from(game, seat, coin.piece))
-            .flat_map(|(i, _)| straight(&sight, i))
-            .map(|course| {
-                let aims = strikes(&sight, &course, &places);
-                aims.map(|aim| aim.allowance).fold(0.0, f64::max)
-            })
-            .fold(0.0, f64::max);
+            .flat_map(|(i, _)| to_the_pockets(&sight, i));
+        let mut easiest = 0.0;
+        for course in courses {
+            // Looked along only if a stroke would be easier than all before.
+            let mut open = None;
+            for aim in strikes(&sight, &course.link, &places) {
+                let easier = aim.link.allowance > easiest;
+                if easier
+                    && *open.get_or_insert_with(|| course.is_clear(&sight))
+                    && aim.is_clear(&sight)
+                {
+                    easiest = aim.link.allowance;
+                }
+            }
+        }
         likelihood(easiest, self.skill.hand)
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::super::sight::{Sight, WALLS, Way};
-use super::THINNEST;
+use super::{THINNEST, Unchecked};
 use crate::game::pieces::Piece;
 
 /// What a coin must be given to end in a pocket, or to drive one there.
@@ -19,17 +19,25 @@ pub(in super::super) struct PocketPath {
     pub(in super::super) allowance: f64,
 }
 
-/// The straight ways of a coin into the pockets.
+/// The straight ways of a coin into the pockets that nothing bars.
 pub(in super::super) fn straight<'a>(
     sight: &'a Sight,
     coin: usize,
 ) -> impl Iterator<Item = PocketPath> + 'a {
+    to_the_pockets(sight, coin).filter_map(|course| course.if_clear(sight))
+}
+
+/// The straight ways of a coin to all pockets.
+pub(in super::super) fn to_the_pockets<'a>(
+    sight: &'a Sight,
+    coin: usize,
+) -> impl Iterator<Item = Unchecked<PocketPath>> + 'a {
     let from = sight.coins.get(coin).map(|coin| coin.at);
     let ways = from.into_iter().flat_map(move |from| {
         let pockets = sight.board.pockets();
         pockets.filter_map(move |pocket| Way::straight(from, pocket))
     });
-    ways.filter_map(move |way| into_pocket(sight, coin, &way))
+    ways.map(move |way| into_pocket(sight, coin, way))
 }
 
 /// The ways of a coin into a pocket by way of the wall opposite to it.
@@ -46,19 +54,24 @@ pub(in super::super) fn off_a_cushion<'a>(
                 .filter_map(move |pocket| sight.bounce(from, pocket, wall, sight.coin()))
         })
     });
-    ways.filter_map(move |way| into_pocket(sight, coin, &way))
+    ways.filter_map(move |way| into_pocket(sight, coin, way).if_clear(sight))
 }
 
-/// The course that leads a coin to the middle of a pocket, if nothing is in the way.
-fn into_pocket(sight: &Sight, coin: usize, way: &Way) -> Option<PocketPath> {
+/// The course that leads a coin to the middle of a pocket.
+fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
     let hole = sight.board.pocket_radius();
-    let clear = way.is_clear(sight, sight.coin(), Some(coin), None);
-    clear.then(|| PocketPath {
+    let link = PocketPath {
         coin,
         toward: way.toward,
         speed: way.speed(sight, hole, 0.0),
         allowance: hole / way.length(),
-    })
+    };
+    Unchecked {
+        link,
+        way,
+        radius: sight.coin(),
+        part: [Some(coin), None],
+    }
 }
 
 /// How other coins can give a coin its course.

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::super::sight::{Sight, WALLS, Way};
-use super::{PocketPath, THINNEST};
+use super::{PocketPath, THINNEST, Unchecked};
 use crate::game::pieces::Piece;
 use crate::physics::Motion;
 
@@ -40,12 +40,12 @@ pub(in super::super) fn strikes<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
     places: &'a [DVec2],
-) -> impl Iterator<Item = ProposedStroke> + 'a {
+) -> impl Iterator<Item = Unchecked<ProposedStroke>> + 'a {
     let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
         let places = places.iter();
         places.filter_map(move |&from| Way::straight(from, ghost))
     });
-    ways.filter_map(move |way| stroke(sight, course, &way))
+    ways.filter_map(move |way| stroke(sight, course, way))
 }
 
 /// The strokes from these places that come off a cushion first.
@@ -53,31 +53,39 @@ pub(in super::super) fn kicks<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
     places: &'a [DVec2],
-) -> impl Iterator<Item = ProposedStroke> + 'a {
+) -> impl Iterator<Item = Unchecked<ProposedStroke>> + 'a {
     let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
         let walls = places
             .iter()
             .flat_map(|&from| WALLS.map(|wall| (from, wall)));
         walls.filter_map(move |(from, wall)| sight.bounce(from, ghost, wall, sight.striker()))
     });
-    ways.filter_map(move |way| stroke(sight, course, &way))
+    ways.filter_map(move |way| stroke(sight, course, way))
 }
 
 /// The stroke by which the striker gives a coin its course at the end of this way, if it
-/// does and nothing is in the way.
+/// does.
 ///
 /// Along the line of impact it passes on a fixed share, and only the cosine of its speed
 /// counts. An error of its direction grows over its way to a shift, which the reach and
 /// the cosine turn into an error of the line of impact.
-fn stroke(sight: &Sight, course: &PocketPath, way: &Way) -> Option<ProposedStroke> {
+fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
-    let clear = cosine > THINNEST && way.is_clear(sight, sight.striker(), None, Some(course.coin));
+    if cosine <= THINNEST || cosine.is_nan() {
+        return None;
+    }
     let arriving = course.speed / (sight.passed_on(Piece::Striker) * cosine);
     let reach = sight.striker() + sight.coin();
-    clear.then(|| ProposedStroke {
+    let link = ProposedStroke {
         from: way.from,
         toward: way.toward,
         speed: way.speed(sight, 0.0, arriving),
         allowance: course.allowance * reach * cosine / way.length(),
+    };
+    Some(Unchecked {
+        link,
+        way,
+        radius: sight.striker(),
+        part: [None, Some(course.coin)],
     })
 }
