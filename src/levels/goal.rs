@@ -223,10 +223,10 @@ impl Goal {
         })
     }
 
-    /// The circle that belongs on the board.
-    pub fn circle(&self) -> Option<GoalCircle> {
+    /// The circle that belongs on the board, and the disc it is for.
+    pub fn circle(&self) -> Option<(GoalCircle, usize)> {
         match self {
-            Self::Rest { circle, .. } | Self::Pass { circle, .. } => Some(*circle),
+            Self::Rest { disc, circle } | Self::Pass { disc, circle } => Some((*circle, *disc)),
             _ => None,
         }
     }
@@ -254,9 +254,9 @@ impl Goal {
                 cushions(*least)
             ),
             Self::Rest { disc, .. } => {
-                format!("Bring {} to rest in the marked circle.", name(disc))
+                format!("Bring {} to rest in its circle.", name(disc))
             }
-            Self::Pass { disc, .. } => format!("Send {} through the marked circle.", name(disc)),
+            Self::Pass { disc, .. } => format!("Send {} through its circle.", name(disc)),
             Self::Bank {
                 disc,
                 target,

@@ -68,10 +68,10 @@ fn told(level: &Level, goal: &Goal, Judged { met, seen }: &Judged) -> String {
             let came = if rests { "came to rest" } else { "passed" };
             let place = if *met {
                 let off = figures(mm_from_m(circle.centre.distance(*point)));
-                format!("{off} mm from the middle of the circle")
+                format!("{off} mm from the middle of its circle")
             } else {
                 let off = figures(circle.outside_mm(*point));
-                format!("{off} mm outside the circle")
+                format!("{off} mm outside its circle")
             };
             format!("{} {came} {place}", name(disc))
         }

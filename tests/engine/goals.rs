@@ -107,11 +107,11 @@ fn circles_are_met_by_ways_and_by_resting_places() {
             "kind = \"rest\"\ndisc = 0\n{}",
             circle(x - 3.1 * cos, y + 3.1 * sin)
         ),
-        "the striker came to rest 3.00 mm outside the circle",
+        "the striker came to rest 3.00 mm outside its circle",
     );
     missed(
         &format!("kind = \"pass\"\ndisc = 2\n{}", circle(0.0, 290.0)),
-        "the queen passed 9.90 mm outside the circle",
+        "the queen passed 9.90 mm outside its circle",
     );
 }
 

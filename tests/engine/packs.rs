@@ -33,6 +33,7 @@ fn there_are_at_least_forty_from_the_first_hits_to_design() {
             "cushions",
             "combinations",
             "design",
+            "two-ideas",
         ]
     );
 }

@@ -10,6 +10,12 @@ pub(crate) fn offset(collision: &Collision, lines: &mut Lines) {
     lines.fact("offset b", &format!("{offset:.1} mm"));
 }
 
+/// How far apart their centres are when they touch.
+pub(crate) fn contact_distance(collision: &Collision, lines: &mut Lines) {
+    let apart = mm_from_m(collision.contact_distance());
+    lines.fact("r₁ + r₂", &format!("{apart:.1} mm"));
+}
+
 /// The angle between the motion and the line of impact; nothing for a miss.
 pub(crate) fn impact_angle(collision: &Collision, lines: &mut Lines) {
     if let Some(alpha) = collision.alpha() {

@@ -6,7 +6,7 @@ mod panel;
 mod said_true;
 mod split_layout;
 
-pub(crate) use impact_facts::{impact_angle, masses, offset, reason, separation};
+pub(crate) use impact_facts::{contact_distance, impact_angle, masses, offset, reason, separation};
 pub(crate) use panel::draw_panel;
 pub(crate) use said_true::said_and_true;
 pub use split_layout::SplitLayout;

@@ -67,7 +67,7 @@ fn ground(level: &Level, area: Rect) -> Picture {
         let half = DVec2::splat(0.5 * board.side);
         picture.rectangle(-half, half, Role::BoardLine);
     }
-    for circle in level.goals.iter().filter_map(|goal| goal.circle()) {
+    for (circle, _) in level.goals.iter().filter_map(|goal| goal.circle()) {
         let pen = Pen::new(Role::Good).on(DrawLayer::Ground);
         picture.circle(circle.centre, circle.radius, pen);
     }
@@ -76,12 +76,21 @@ fn ground(level: &Level, area: Rect) -> Picture {
 
 /// Writes which circle is whose, and tells discs of one kind apart.
 fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
-    for goal in &level.goals {
-        if let Some(circle) = goal.circle() {
-            let anchor = circle.centre + circle.radius * DVec2::Y;
-            let up = LabelSide::towards(DVec2::Y);
-            picture.label("goal", anchor, &up, Role::Good);
-        }
+    let circles: Vec<_> = level
+        .goals
+        .iter()
+        .filter_map(|goal| goal.circle())
+        .collect();
+    for (circle, disc) in &circles {
+        // One alone is the goal; of several each has the name of its disc.
+        let name = level.scene.name(*disc);
+        let text = match circles.as_slice() {
+            [_] => "goal",
+            _ => name.trim_start_matches("the ").trim_end_matches(" coin"),
+        };
+        let anchor = circle.centre + circle.radius * DVec2::Y;
+        let up = LabelSide::towards(DVec2::Y);
+        picture.label(text, anchor, &up, Role::Good);
     }
     let pieces = &level.scene.pieces;
     for (disc, at) in discs {

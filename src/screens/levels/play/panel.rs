@@ -6,12 +6,13 @@ use super::{LevelPhase, LevelPlay, PendingShot};
 use crate::levels::{FEW_SHOTS, Win};
 use crate::numbers;
 use crate::physics::Frame;
-use crate::physics::units::mm_from_m;
 use crate::quiz::{Ray, why};
 use crate::screens::Context;
 use crate::screens::levels::words;
 use crate::widgets::hit::Watch;
-use crate::widgets::panels::{impact_angle, masses, offset, reason, said_and_true, separation};
+use crate::widgets::panels::{
+    contact_distance, impact_angle, masses, offset, reason, said_and_true, separation,
+};
 use crate::widgets::replay::ShotImpact;
 use crate::widgets::{Lines, RayInput, Role};
 
@@ -100,8 +101,7 @@ fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
     offset(collision, lines);
     if pending.rays.asks(Ray::Target) {
         // The angle itself is what is asked for.
-        let reach = format!("{:.1} mm", mm_from_m(collision.contact_distance()));
-        lines.fact("r₁ + r₂", &reach);
+        contact_distance(collision, lines);
     } else {
         impact_angle(collision, lines);
     }
@@ -141,7 +141,11 @@ fn watching(play: &LevelPlay, made: &MadeShot, lines: &mut Lines) {
 fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
     match &made.win {
         Some(win) => {
-            lines.pair("Won!", &words::stars(win.stars()), Role::Good, Role::Good);
+            let won = match play.hints {
+                0 => "Won!".into(),
+                hints => format!("Won, with {}!", numbers::counted(hints, "hint")),
+            };
+            lines.pair(&won, &words::stars(win.stars()), Role::Good, Role::Good);
         }
         None => {
             let (met, all) = (made.verdict.met(), play.level().goals.len());
