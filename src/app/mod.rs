@@ -16,7 +16,7 @@ use ratatui::layout::Rect;
 
 use crate::lessons::Book;
 use crate::levels::Shelf;
-use crate::messages::{Effect, Input, Key, Mouse, StoreAnswer, StoreReply};
+use crate::messages::{Effect, Input, Key, Mouse, MouseKind, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::{
     AnyScreen, Context, Hosted, Next, Place, Screen, Settings, SharedAction,
@@ -151,7 +151,9 @@ impl App {
             _ if self.too_small() => {}
             Input::Key(key) => return self.press(*key),
             Input::Mouse(mouse) => {
-                if self.layers.is_empty() && self.in_body(mouse) {
+                // What was taken hold of may be led anywhere, and let go there.
+                let held = matches!(mouse.kind, MouseKind::Drag | MouseKind::Up);
+                if self.layers.is_empty() && (held || self.in_body(mouse)) {
                     return self.pass_on(input);
                 }
             }

@@ -40,6 +40,8 @@ const INSTRUCTIONS: &str = r#"Instructions:
                            Home End F1 Ctrl+C
   Click 40,12              column,row from the top left, which is 0,0
   Drag 40,12 44,12         from, to
+  Hold 40,12 44,12         the same without letting go
+  Release 44,12            and where that is done
   Scroll down 3            or up; perhaps over a cell: Scroll up 1 40,12
   Sleep 1.5s               or 200ms; simulated, so it takes no time
   Screenshot impact        writes impact.txt

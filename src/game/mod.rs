@@ -41,7 +41,7 @@ mod validity;
 
 pub use laws::{BoardWon, Law, Rules, Ruling, RulingEffect};
 pub use pieces::{Coin, Colour, Piece, PieceSet};
-pub use placing::{BaseLines, Misplaced};
+pub use placing::{BaseLines, Misplaced, Stand};
 pub use play::BoardInPlay;
 pub use record::{Call, Move, MoveError, Record, RecordError, Strike};
 pub use saved::{Aids, Company, Fingerprint, Player, SavedGame, is_player_name};

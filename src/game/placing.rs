@@ -47,6 +47,40 @@ pub struct BaseLines<'a> {
     coins: &'a [Coin],
 }
 
+/// Where between the base lines the striker stands, as it is seen on the screen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stand {
+    /// In the middle, to the millimetre.
+    Middle,
+    /// On a base circle: "left" or "upper".
+    Circle(&'static str),
+    /// So many millimetres beside the middle: "left" or "above".
+    Beside(f64, &'static str),
+}
+
+impl Stand {
+    /// In short: "12 mm left".
+    pub fn words(self) -> String {
+        match self {
+            Self::Middle => "the middle".into(),
+            Self::Circle(side) => format!("the {side} circle"),
+            Self::Beside(mm, side) => format!("{mm:.0} mm {side}"),
+        }
+    }
+
+    /// In a sentence: "place the striker 12 mm left of the middle".
+    pub fn phrase(self) -> String {
+        match self {
+            Self::Middle => "in the middle".into(),
+            Self::Circle(side) => format!("on the {side} circle"),
+            Self::Beside(mm, side @ ("left" | "right")) => {
+                format!("{mm:.0} mm {side} of the middle")
+            }
+            Self::Beside(mm, side) => format!("{mm:.0} mm {side} the middle"),
+        }
+    }
+}
+
 impl<'a> BaseLines<'a> {
     /// The base lines of the player at `seat`, with `coins` on the board.
     pub const fn new(set: PieceSet, seat: Seat, coins: &'a [Coin]) -> Self {
@@ -75,6 +109,26 @@ impl<'a> BaseLines<'a> {
     /// circle, in metres.
     pub const fn base_circle_along() -> f64 {
         BASE_LINE_LENGTH / 2.0 - BASE_CIRCLE_RADIUS
+    }
+
+    /// Where a striker at `at` stands, as it is seen on the screen.
+    pub fn stand(&self, at: DVec2) -> Stand {
+        let along = self.along(at);
+        // What the player has on the left hand and on the right.
+        let (sides, circles) = match self.seat {
+            Seat::South => (["left", "right"], ["left", "right"]),
+            Seat::East => (["below", "above"], ["lower", "upper"]),
+            Seat::North => (["right", "left"], ["right", "left"]),
+            Seat::West => (["above", "below"], ["upper", "lower"]),
+        };
+        let side = usize::from(along > 0.0);
+        if (along.abs() - Self::base_circle_along()).abs() < SLACK {
+            return Stand::Circle(circles[side]);
+        }
+        match (along.abs() * 1000.0).round() {
+            0.0 => Stand::Middle,
+            mm => Stand::Beside(mm, sides[side]),
+        }
     }
 
     /// Whether the striker may stand at `at`.

@@ -36,6 +36,16 @@ impl Seat {
         self.right().right()
     }
 
+    /// By how many degrees, anticlockwise, [`Seat::turn`] turns.
+    pub const fn turned_by_deg(self) -> f64 {
+        match self {
+            Self::South => 0.0,
+            Self::East => 90.0,
+            Self::North => 180.0,
+            Self::West => 270.0,
+        }
+    }
+
     /// Turns a point as seen from South into the same point as seen from here:
     /// quarter turns, without rounding.
     pub fn turn(self, from_south: DVec2) -> DVec2 {

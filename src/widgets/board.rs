@@ -76,15 +76,11 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     }
 }
 
-/// A disc where it touches, as a dotted ring; only its middle where it is too small to
-/// be round.
+/// A disc where it touches, as a ring: dotted where it is large enough for that.
 pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
     let pen = Pen::new(role).on(DrawLayer::Trail);
-    if radius > picture.view().per_row() {
-        picture.circle(at, radius, pen.dotted());
-    } else {
-        picture.dot(at, pen);
-    }
+    let large = radius > picture.view().per_row();
+    picture.circle(at, radius, if large { pen.dotted() } else { pen });
 }
 
 /// One pair of base lines, turned by so many quarters from the bottom.

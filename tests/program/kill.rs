@@ -23,7 +23,7 @@ use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
 /// The keys from the page of a new game to one of two people.
-const TWO_PEOPLE: &str = "<Down><Down><Down> <Enter>";
+const TWO_PEOPLE: &str = "<Down><Down><Down><Left><Left><Enter>";
 /// The keys to the game that was played last.
 const RESUME: &str = "s<Enter>";
 

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::thread;
 
 use carrom::app::App;
+use carrom::game::opponent::Strength;
 use carrom::game::{
     Aids, Company, Fingerprint, Game, GameSetup, Hands, Player, Record, Rules, SavedGame,
 };
@@ -37,7 +38,12 @@ fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
                 Player::Computer,
                 Player::Person,
             ],
-            strength: Default::default(),
+            strengths: [
+                Strength::Club,
+                Strength::Beginner,
+                Strength::Champion,
+                Strength::Club,
+            ],
             call: true,
             aids: Aids {
                 ghost: false,
@@ -45,6 +51,7 @@ fn saved(setup: GameSetup, moves: usize, seed: u64) -> SavedGame {
             },
         },
         record,
+        hints: vec![0, 2],
         end: Fingerprint::of(&game),
     }
 }
@@ -192,7 +199,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "misspelt",
             with("moves =", "movse ="),
-            "line 9: movse: unknown field; expected one of format, player, players, computer, call, aids, setup, moves, end; did you mean moves?",
+            "line 10: movse: unknown field; expected one of format, player, players, computer, computers, call, aids, setup, hints, moves, end; did you mean moves?",
         ),
         (
             "no-player",
@@ -413,7 +420,7 @@ fn table(store: Store) -> Headless {
     };
     let app = App::new(Place::Table, settings, 5);
     let mut game = Headless::keeping(app, 80, 24, store);
-    game.press("<Down><Down><Down> ");
+    game.press("<Down><Down><Down><Left><Left>");
     game
 }
 
@@ -427,7 +434,7 @@ fn a_save_that_fails_is_told_once_and_the_game_goes_on() {
     game.press("<Enter> ");
     let told = |game: &mut Headless| game.screen().contains("This game cannot be saved");
     assert!(told(&mut game), "{}", game.screen());
-    game.press("<Enter>80 ");
+    game.press("<Enter>260 ");
     assert!(!told(&mut game), "{}", game.screen());
     assert!(game.screen().contains("stroke 2 of 2"), "{}", game.screen());
     assert_eq!(fs::read_to_string(&in_the_way).unwrap(), "in the way");
@@ -442,7 +449,7 @@ fn a_save_that_fails_is_told_once_and_the_game_goes_on() {
 fn a_game_is_left_and_resumed_where_it_was() {
     let folder = Folder::new("resumed");
     let mut game = table(Store::in_folder(folder.path()));
-    game.press("<Enter> <Enter>80 <Enter>100 <Enter>");
+    game.press("<Enter> <Enter>260 <Enter>100 <Enter>");
     let left = game.screen();
     game.press("<Escape>y");
     assert!(game.screen().contains("a new game"), "{}", game.screen());

@@ -4,7 +4,8 @@
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Strike, Team};
+use carrom::game::opponent::Strength;
+use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Seat, Strike, Team};
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
@@ -63,7 +64,7 @@ impl Keyed {
     }
 
     /// The keys, when the strength stands at `tenths`.
-    fn keys(self, tenths: i32) -> String {
+    fn keys(self, tenths: i32, seat: Seat) -> String {
         let times = |key: &str, other: &str, count: i32| {
             let key = if count < 0 { other } else { key };
             key.repeat(count.unsigned_abs() as usize)
@@ -73,7 +74,7 @@ impl Keyed {
             2 * self.steps.abs(),
             if self.steps < 0 { "[" } else { "]" },
             times("+", "-", self.tenths - tenths),
-            f64::from(self.angle) / 100.0
+            (f64::from(self.angle) / 100.0 + seat.turned_by_deg()).rem_euclid(360.0)
         )
     }
 }
@@ -159,7 +160,7 @@ fn a_whole_board_with_queen_cover_and_a_due_is_played_by_keys() {
     for _ in 0..100 {
         let before_turn = game.seat();
         let tried = next_stroke(&game, &mut chance, due_made);
-        screen.press(&tried.keyed.keys(tenths));
+        screen.press(&tried.keyed.keys(tenths, before_turn));
         tenths = tried.keyed.tenths;
         let shown = panel(&mut screen);
         for ruling in &tried.rulings {
@@ -361,7 +362,7 @@ fn the_computer_plays_and_says_what_it_saw() {
     game.press(&"-".repeat(30));
     game.press(" <Enter>");
     let mut strokes = 0;
-    for _ in 0..6 {
+    for _ in 0..12 {
         let shown = panel(&mut game);
         if shown.contains("Computer:") {
             assert!(shown.contains("My hand"), "{shown}");
@@ -476,4 +477,206 @@ proptest! {
             prop_assert!(!screen.contains("NaN"));
         }
     }
+}
+
+/// The cell of the screen at a place of the board, in millimetres from its middle, on a
+/// screen of 80 × 24: the board is drawn in 39 columns and 20 rows from column 1, row 2.
+fn cell(x_mm: f64, y_mm: f64) -> (u16, u16) {
+    let column = 1.0 + 19.0 + x_mm / 740.0 * 38.0;
+    let row = 2.0 + 9.5 - y_mm / 740.0 * 19.0;
+    (column.round() as u16, row.round() as u16)
+}
+
+fn small(options: Options) -> Headless {
+    let table = Table::playing(options, SEED);
+    Headless::new(App::on(Box::new(Hosted::new(table)), still(), 1), 80, 24)
+}
+
+#[test]
+fn the_striker_is_pulled_back_and_let_go() {
+    let mut game = small(Options::two_people());
+    let striker = cell(0.0, -252.6);
+    // Straight back, with the aim as it was pointed.
+    game.click(cell(100.0, 200.0));
+    let aim = |game: &mut Headless| {
+        let screen = game.screen();
+        let row = screen.lines().find(|row| row.contains("aim "));
+        row.map(str::to_owned).unwrap_or_default()
+    };
+    let pointed = aim(&mut game);
+    assert!(!pointed.contains("90.0"), "{pointed}");
+    let back = (striker.0, striker.1 + 3);
+    game.mouse(MouseKind::Down, striker);
+    game.mouse(MouseKind::Drag, back);
+    assert!(
+        game.screen().contains("Let go: strike."),
+        "{}",
+        game.screen()
+    );
+    assert_eq!(aim(&mut game), pointed);
+    let near = game.screen();
+    game.mouse(MouseKind::Drag, (striker.0, striker.1 + 4));
+    assert_ne!(game.screen(), near, "farther is harder");
+    // To the side it turns the aim, to the other side of where it is pulled.
+    game.mouse(MouseKind::Drag, (striker.0 + 6, striker.1 + 3));
+    let turned = aim(&mut game);
+    assert_ne!(turned, pointed);
+    // Back to the striker there is no stroke, nor with Escape.
+    game.mouse(MouseKind::Drag, striker);
+    game.mouse(MouseKind::Up, striker);
+    assert_eq!(aim(&mut game), pointed);
+    game.mouse(MouseKind::Down, striker);
+    game.mouse(MouseKind::Drag, back);
+    game.press("<Escape>");
+    assert_eq!(aim(&mut game), pointed);
+    game.mouse(MouseKind::Drag, back);
+    game.mouse(MouseKind::Up, back);
+    assert!(
+        !game.screen().contains("stroke 1 of 1"),
+        "{}",
+        game.screen()
+    );
+    // Let go far enough back, also below the board, it is struck.
+    game.mouse(MouseKind::Down, striker);
+    game.mouse(MouseKind::Drag, (striker.0, 23));
+    game.mouse(MouseKind::Up, (striker.0, 23));
+    assert!(game.screen().contains("stroke 1 of 1"), "{}", game.screen());
+}
+
+#[test]
+fn north_pulls_upwards() {
+    let mut game = small(Options::two_people());
+    game.press("10]3.2+97.61 <Enter>");
+    assert!(
+        game.screen().contains("North's stroke"),
+        "{}",
+        game.screen()
+    );
+    let striker = cell(0.0, 252.6);
+    game.mouse(MouseKind::Down, striker);
+    game.mouse(MouseKind::Drag, (striker.0, 0));
+    game.mouse(MouseKind::Up, (striker.0, 0));
+    assert!(game.screen().contains("stroke 2 of 2"), "{}", game.screen());
+}
+
+#[test]
+fn in_practice_the_striker_is_moved_and_pulled_by_the_mouse() {
+    let options = Options {
+        rules: Rules::Practice,
+        ..Options::default()
+    };
+    let mut game = small(options);
+    game.drag(cell(0.0, -252.6), cell(-200.0, -150.0));
+    assert!(
+        !game.screen().contains("stroke 1 of 1"),
+        "{}",
+        game.screen()
+    );
+    assert!(game.screen().contains("-195, "), "{}", game.screen());
+    let at = cell(-200.0, -150.0);
+    game.drag(at, (at.0, at.1 + 4));
+    assert!(game.screen().contains("stroke 1 of 1"), "{}", game.screen());
+}
+
+/// Plays a game against the computer to its end, each of the player's strokes by `strike`,
+/// and going on by `go_on`.
+fn whole_game(
+    strength: Strength,
+    strike: impl Fn(&mut Headless, &mut Pcg64),
+    go_on: impl Fn(&mut Headless),
+) {
+    let options = Options {
+        strengths: [strength; 4],
+        ..Options::default()
+    };
+    let mut game = small(options);
+    let mut chance = Pcg64::seed_from_u64(9);
+    for _ in 0..4000 {
+        let screen = game.screen();
+        let ended = screen.contains("games before this") && screen.contains("the game");
+        if ended {
+            assert!(screen.contains("pocketing"), "{screen}");
+            return;
+        }
+        if screen.contains("your stroke") {
+            strike(&mut game, &mut chance);
+        } else {
+            go_on(&mut game);
+        }
+    }
+    panic!(
+        "the game against the {strength} never ended:\n{}",
+        game.screen()
+    );
+}
+
+#[test]
+fn a_whole_game_against_each_strength_by_mouse_alone() {
+    for strength in Strength::ALL {
+        let pull = |game: &mut Headless, chance: &mut Pcg64| {
+            // Point anywhere up the board, then pull back from wherever the striker stands.
+            let at = cell(
+                chance.random_range(-300.0..300.0),
+                chance.random_range(-100.0..300.0),
+            );
+            game.click(at);
+            let row = cell(0.0, -252.6).1;
+            let column = (2..39).find(|column| game.buffer()[(*column, row)].symbol() == "S");
+            let striker = (column.unwrap_or(20), row);
+            game.drag(striker, (striker.0, row + chance.random_range(3..6)));
+        };
+        whole_game(strength, pull, |game| game.click(cell(0.0, 0.0)));
+    }
+}
+
+#[test]
+fn a_whole_game_against_each_strength_by_keys_alone() {
+    for strength in Strength::ALL {
+        let strike = |game: &mut Headless, chance: &mut Pcg64| {
+            let turns = chance.random_range(0..60);
+            let way = if chance.random() { "<Left>" } else { "<Right>" };
+            game.press(&way.repeat(turns));
+            game.press(" ");
+        };
+        whole_game(strength, strike, |game| game.press("<Enter>"));
+    }
+}
+
+#[test]
+fn an_aim_that_is_too_soft_is_told_apart_from_one_that_misses() {
+    let mut game = small(Options::two_people());
+    game.press(&"-".repeat(60));
+    assert!(
+        game.screen().contains("too soft to reach the white"),
+        "{}",
+        game.screen()
+    );
+    game.press("0 ");
+    assert!(!game.screen().contains("too soft"), "{}", game.screen());
+}
+
+#[test]
+fn hints_are_counted_and_told_at_the_end_and_kept_with_the_game() {
+    let mut game = small(Options::two_people());
+    for _ in 0..200 {
+        let screen = game.screen();
+        if screen.contains("The board goes to") {
+            let told = screen.replace(['|', '\n'], " ");
+            assert!(told.contains("hint"), "{screen}");
+            assert!(screen.contains("b best stroke"), "{screen}");
+            game.press("b");
+            assert!(game.screen().contains("stroke "), "{}", game.screen());
+            assert!(
+                !game.screen().contains("The board goes to"),
+                "{}",
+                game.screen()
+            );
+            return;
+        }
+        match screen.contains("aim ") {
+            true => game.press("hhh "),
+            false => game.press("<Enter>"),
+        }
+    }
+    panic!("the board never ended:\n{}", game.screen());
 }

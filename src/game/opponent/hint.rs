@@ -1,17 +1,16 @@
 //! A hint for the player: the same search, told in two steps.
 
-use glam::DVec2;
-
 use super::reason::Reason;
-use super::words::{self, Teller, pocket_seen_from};
-use crate::game::{BaseLines, Piece};
+use super::words::{self, Teller};
+use crate::game::{Piece, Stand};
 use crate::numbers::capital;
 use crate::physics::Motion;
-use crate::physics::units::{deg_from_rad, mm_from_m};
 
 /// The best stroke that was found for the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrokeHint {
+    /// Where the striker stands in it.
+    pub stand: Stand,
     /// The stroke, if it is struck exactly so.
     pub stroke: Motion,
     /// What it does.
@@ -22,24 +21,12 @@ pub struct StrokeHint {
 }
 
 impl StrokeHint {
-    /// How far to the player's right of the middle the striker stands, in metres.
-    pub fn along(&self) -> f64 {
-        self.reason.seat.turn_back(self.stroke.position).x
-    }
-
-    /// The direction of the stroke in radians, anticlockwise from the player's
-    /// right.
-    pub fn direction(&self) -> f64 {
-        let DVec2 { x, y } = self.reason.seat.turn_back(self.stroke.velocity);
-        y.atan2(x)
-    }
-
     /// The first step: which piece, and where to.
     pub fn which(&self) -> String {
         let story = &self.reason.story;
         match (story.fall, story.first_hit) {
             (Some(fall), _) => {
-                let pocket = pocket_seen_from(self.reason.seat, fall.corner);
+                let pocket = words::pocket(fall.corner);
                 let driven = match fall.sent_by {
                     Piece::Striker => String::new(),
                     Piece::Queen => " The queen can drive it there.".to_owned(),
@@ -64,17 +51,13 @@ impl StrokeHint {
 
     /// The second step: where to stand, where to aim and how hard, and why.
     pub fn how(&self) -> String {
-        let along = mm_from_m(self.along());
-        let side = if along > 0.0 { "right" } else { "left" };
-        let circle = mm_from_m(BaseLines::base_circle_along());
-        let place = if along.abs() < 0.5 {
-            "in the middle".to_owned()
-        } else if (along.abs() - circle).abs() < 0.05 {
-            format!("on the {side} circle")
-        } else {
-            format!("{:.0} mm {side} of the middle", along.abs())
-        };
-        let aim = deg_from_rad(self.direction());
+        let place = self.stand.phrase();
+        let aim = self
+            .stroke
+            .velocity
+            .to_angle()
+            .to_degrees()
+            .rem_euclid(360.0);
         let speed = self.stroke.velocity.length();
         let why = capital(&words::met(&self.reason.story, Teller::You));
         let mut told =

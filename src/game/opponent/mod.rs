@@ -40,7 +40,6 @@ pub use hint::StrokeHint;
 pub use reason::Reason;
 pub use story::{Chance, Fall, FirstContact, Story};
 pub use strength::Strength;
-pub use words::pocket_seen_from;
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
@@ -72,7 +71,8 @@ impl Decision {
     /// What the opponent says of its stroke afterwards: the shot it saw and why, with
     /// the angles, and how its hand slipped.
     pub fn afterwards(&self) -> String {
-        format!("{} {}", self.reason.told(), words::slipped(self.slip))
+        let slipped = words::slipped(self.slip, self.meant.velocity);
+        format!("{} {slipped}", self.reason.told())
     }
 }
 
@@ -121,6 +121,7 @@ pub fn hint(game: &Game, seed: u64) -> Option<StrokeHint> {
     });
     let (choice, reason) = plain.or_else(|| seek(game, all, seed))?;
     Some(StrokeHint {
+        stand: game.base_lines().stand(choice.motion.position),
         stroke: choice.motion,
         reason,
         fouls: choice.fouls,
@@ -148,7 +149,6 @@ fn seek(game: &Game, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
         None => Story::default(),
     };
     let reason = Reason {
-        seat: game.seat(),
         breaking: game.play().is_unbroken(),
         chance: choice.chance,
         story,

@@ -2,14 +2,11 @@
 
 use super::story::{Chance, Story};
 use super::words;
-use crate::game::Seat;
 
 /// What a chosen stroke does when it is struck exactly as it was meant, and how sure
 /// it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reason {
-    /// From where it was seen: left, right, near and far are this player's.
-    pub seat: Seat,
     /// Whether the pack was unbroken.
     pub breaking: bool,
     /// How often it worked with an unsteady hand.
@@ -21,7 +18,7 @@ pub struct Reason {
 impl Reason {
     /// The shot that was seen and why, with its angles, told by who struck it.
     pub fn told(&self) -> String {
-        let plan = words::plan(&self.story, self.seat, self.breaking);
+        let plan = words::plan(&self.story, self.breaking);
         let odds = self.story.fall.and_then(|_| words::odds(self.chance));
         plan + &odds.map_or(String::new(), |odds| format!(" {odds}"))
     }

@@ -3,6 +3,8 @@
 //! Nothing is taken over from the search: the story of a shot is what the exact
 //! record says happened in it, so that the words are true of it.
 
+use glam::DVec2;
+
 use super::wants::wants;
 use crate::game::pieces::piece_of;
 use crate::game::{Coin, Game, Piece};
@@ -39,6 +41,8 @@ pub struct FirstContact {
     pub piece: Piece,
     /// Cushions it had met before.
     pub cushions: u8,
+    /// The striker's direction when they met, a unit vector.
+    pub heading: DVec2,
     /// Impact angle α in radians, positive when the coin lay to the right. It is the
     /// coin's recoil angle θ₂ too.
     pub alpha: f64,
@@ -121,6 +125,7 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
                     coin: disc.checked_sub(1)?,
                     piece: piece_of(game.coins(), disc)?,
                     cushions,
+                    heading: along,
                     alpha: signed_angle(normal, along)?,
                     offset: reach * normal.perp_dot(along),
                     theta1: signed_angle(u1, v1),

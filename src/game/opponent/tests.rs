@@ -110,7 +110,7 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
     let hint = hint(&game, 4).unwrap();
     assert_eq!(
         hint.which(),
-        "Look at the white coin and the far right pocket."
+        "Look at the white coin and the top right pocket."
     );
     apply(&mut game, hint.stroke);
     let won = game.play().won.unwrap();

@@ -1,10 +1,13 @@
-//! The opponent's stroke in plain words, with the angles.
+//! The opponent's stroke in plain words, with the angles. Left, right, top and bottom are
+//! those of the screen, with South below, whoever strikes.
 
 use std::f64::consts::PI;
 
+use glam::DVec2;
+
 use super::hand::Slip;
 use super::story::{Chance, Fall, FirstContact, Story};
-use crate::game::{Piece, Seat};
+use crate::game::Piece;
 use crate::numbers::capital;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
@@ -26,20 +29,64 @@ pub(super) enum Teller {
     You,
 }
 
-/// Where a corner lies as seen from `seat`: "far right pocket".
-pub fn pocket_seen_from(seat: Seat, corner: usize) -> &'static str {
-    let side = |bit: usize| if corner & bit == 0 { -1.0 } else { 1.0 };
-    let seen = seat.turn_back(glam::DVec2::new(side(1), side(2)));
-    match (seen.y > 0.0, seen.x > 0.0) {
-        (true, true) => "far right pocket",
-        (true, false) => "far left pocket",
-        (false, true) => "near right pocket",
-        (false, false) => "near left pocket",
+/// Which pocket is in a corner, numbered as the engine does: "top right pocket".
+pub(super) const fn pocket(corner: usize) -> &'static str {
+    match corner {
+        0 => "bottom left pocket",
+        1 => "bottom right pocket",
+        2 => "top left pocket",
+        _ => "top right pocket",
+    }
+}
+
+/// A side of a way, as it is seen on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Left,
+    Right,
+    Above,
+    Below,
+}
+
+impl Side {
+    /// The side to the left of a way that leads along `heading`, or to its right.
+    fn of(heading: DVec2, left: bool) -> Self {
+        let out = if left {
+            heading.perp()
+        } else {
+            -heading.perp()
+        };
+        match out.x.abs() >= out.y.abs() {
+            true if out.x < 0.0 => Self::Left,
+            true => Self::Right,
+            false if out.y > 0.0 => Self::Above,
+            false => Self::Below,
+        }
+    }
+
+    /// "45° to the left".
+    const fn towards(self) -> &'static str {
+        match self {
+            Self::Left => "to the left",
+            Self::Right => "to the right",
+            Self::Above => "upwards",
+            Self::Below => "downwards",
+        }
+    }
+
+    /// "20 mm to the left of its centre".
+    const fn beside(self) -> &'static str {
+        match self {
+            Self::Left => "to the left of",
+            Self::Right => "to the right of",
+            Self::Above => "above",
+            Self::Below => "below",
+        }
     }
 }
 
 /// What was played, and why the aim was where it was.
-pub(super) fn plan(story: &Story, seat: Seat, breaking: bool) -> String {
+pub(super) fn plan(story: &Story, breaking: bool) -> String {
     let Some(hit) = &story.first_hit else {
         return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();
     };
@@ -51,7 +98,7 @@ pub(super) fn plan(story: &Story, seat: Seat, breaking: bool) -> String {
         };
         return format!("{why} {}", capital(&met(story, Teller::I)));
     };
-    let pocket = pocket_seen_from(seat, fall.corner);
+    let pocket = pocket(fall.corner);
     let also = match story.also {
         0 => String::new(),
         1 => ", and one more piece after it".to_owned(),
@@ -65,6 +112,20 @@ pub(super) fn plan(story: &Story, seat: Seat, breaking: bool) -> String {
     let broke = if breaking { "broke the pack and " } else { "" };
     let (piece, route, met) = (fall.piece, route(fall), capital(&met(story, Teller::I)));
     format!("I {broke}sent the {piece} into the {pocket}{route}{also}. {met}")
+}
+
+impl Story {
+    /// What fell and where to, in a few words; `None` if nothing did.
+    pub fn brief(&self) -> Option<String> {
+        let fall = self.fall.as_ref()?;
+        let (piece, pocket, route) = (fall.piece, pocket(fall.corner), route(fall));
+        let also = match self.also {
+            0 => String::new(),
+            1 => ", and one more".to_owned(),
+            more => format!(", and {more} more"),
+        };
+        Some(format!("the {piece} into the {pocket}{route}{also}"))
+    }
 }
 
 /// By what way a piece fell, where it was not the plain one.
@@ -107,18 +168,21 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         // Positive α: the coin lies to the right of the way, so one aims to its left.
         let right = hit.alpha > 0.0;
         format!(
-            "the {piece} leaves along the line of impact, {} to the {}, so {i_aimed} {:.1} mm to the {} of its centre.",
+            "the {piece} leaves along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its centre.",
             degrees(hit.alpha),
-            side(!right),
+            Side::of(hit.heading, !right).towards(),
             mm_from_m(hit.offset.abs()),
-            side(right),
+            Side::of(hit.heading, right).beside(),
         )
     };
     let striker = match hit.theta1.filter(|_| hit.kept > ALL_BUT_STOPPED) {
         None => stops.to_owned(),
         Some(turn) if turn.abs() < FULL => format!("{goes} straight on"),
         Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
-        Some(turn) => format!("{goes} on {} to the {}", degrees(turn), side(turn > 0.0)),
+        Some(turn) => {
+            let side = Side::of(hit.heading, turn > 0.0);
+            format!("{goes} on {} {}", degrees(turn), side.towards())
+        }
     };
     format!("{before}{leaves} {} striker {striker}.", capital(my))
 }
@@ -141,12 +205,14 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
     })
 }
 
-/// How far the hand slipped.
-pub(super) fn slipped(slip: Slip) -> String {
+/// How far the hand slipped from a stroke that was meant along `heading`.
+pub(super) fn slipped(slip: Slip, heading: DVec2) -> String {
     let turned = slip.turn.atan();
     let percent = (100.0 * slip.push).round();
-    let direction = (turned.abs() >= SMALLEST_SLIP)
-        .then(|| format!("{} off to the {}", degrees(turned), side(turned > 0.0)));
+    let direction = (turned.abs() >= SMALLEST_SLIP).then(|| {
+        let side = Side::of(heading, turned > 0.0);
+        format!("{} off {}", degrees(turned), side.towards())
+    });
     let strength = (percent != 0.0).then(|| {
         let way = if percent > 0.0 { "hard" } else { "soft" };
         format!("{:.0} % too {way}", percent.abs())
@@ -156,10 +222,6 @@ pub(super) fn slipped(slip: Slip) -> String {
         return "My hand was just right.".to_owned();
     }
     format!("My hand was {}.", slips.join(" and "))
-}
-
-fn side(left: bool) -> &'static str {
-    if left { "left" } else { "right" }
 }
 
 /// The size of an angle, to a tenth of a degree below 10° and to a degree above.
@@ -174,8 +236,6 @@ fn degrees(angle: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec2;
-
     use super::*;
     use crate::game::laws::Rules;
     use crate::game::{Coin, Game, GameSetup, PieceSet};
@@ -198,7 +258,7 @@ mod tests {
         game.lay_out(coins.to_vec()).unwrap();
         let (discs, motions) = game.discs(striker);
         let shot = play(&Board::default(), &discs, &motions, Limits::default());
-        plan(&Story::of(&game, &shot.unwrap()), Seat::South, false)
+        plan(&Story::of(&game, &shot.unwrap()), false)
     }
 
     /// A stroke along +y that meets a coin at (100, 100) mm at `alpha_deg`.
@@ -213,12 +273,12 @@ mod tests {
 
     #[test]
     fn a_cut_is_told_with_its_angles() {
-        // Up the board, 45° to the right: along the diagonal into the far right pocket.
+        // Up the board, 45° to the right: along the diagonal into the top right pocket.
         let target = [coin(Piece::White, 100.0, 100.0)];
         let set = PieceSet::EqualMass;
         assert_eq!(
             told(&target, set, at_angle(set, 45.0, 2.0)),
-            "I cut the white coin into the far right pocket: the white coin leaves along \
+            "I cut the white coin into the top right pocket: the white coin leaves along \
              the line of impact, 45° to the right, so I aimed 25.8 mm to the left of its \
              centre. My striker went on 45° to the left."
         );
@@ -242,7 +302,7 @@ mod tests {
         let one = [coin(Piece::Queen, 100.0, 100.0)];
         assert_eq!(
             told(&one, set, diagonal),
-            "I played the queen into the far right pocket: a full hit sends the queen \
+            "I played the queen into the top right pocket: a full hit sends the queen \
              straight on along the line of impact. My striker all but stopped."
         );
         let two = [
@@ -251,7 +311,7 @@ mod tests {
         ];
         assert_eq!(
             told(&two, set, diagonal),
-            "I sent the white coin into the far right pocket by way of a black coin. My \
+            "I sent the white coin into the top right pocket by way of a black coin. My \
              striker met a black coin first: a full hit sends the black coin straight on \
              along the line of impact. My striker all but stopped."
         );
@@ -263,38 +323,29 @@ mod tests {
     }
 
     #[test]
-    fn a_pocket_is_named_from_the_seat() {
-        for (seat, names) in [
-            (
-                Seat::South,
-                ["near left", "near right", "far left", "far right"],
-            ),
-            (
-                Seat::East,
-                ["far left", "near left", "far right", "near right"],
-            ),
-            (
-                Seat::North,
-                ["far right", "far left", "near right", "near left"],
-            ),
-            (
-                Seat::West,
-                ["near right", "far right", "near left", "far left"],
-            ),
+    fn sides_are_those_of_the_screen_whoever_strikes() {
+        // Up the board from South, down it from North, across it from East.
+        for (heading, left, right) in [
+            (DVec2::Y, Side::Left, Side::Right),
+            (DVec2::NEG_Y, Side::Right, Side::Left),
+            (DVec2::NEG_X, Side::Below, Side::Above),
         ] {
-            for (corner, name) in names.iter().enumerate() {
-                assert_eq!(pocket_seen_from(seat, corner), format!("{name} pocket"));
-            }
+            let turned = DVec2::from_angle(0.3).rotate(heading);
+            assert_eq!(Side::of(turned, true), left);
+            assert_eq!(Side::of(turned, false), right);
+        }
+        for (corner, at) in Board::default().pockets().enumerate() {
+            let row = if at.y > 0.0 { "top" } else { "bottom" };
+            let column = if at.x > 0.0 { "right" } else { "left" };
+            assert_eq!(pocket(corner), format!("{row} {column} pocket"));
         }
     }
 
     #[test]
     fn a_slip_is_told_only_where_there_is_one() {
         let slip = |turn_deg: f64, push| {
-            slipped(Slip {
-                turn: rad_from_deg(turn_deg).tan(),
-                push,
-            })
+            let turn = rad_from_deg(turn_deg).tan();
+            slipped(Slip { turn, push }, DVec2::Y)
         };
         assert_eq!(slip(0.0, 0.0), "My hand was just right.");
         assert_eq!(slip(-1.24, 0.001), "My hand was 1.2° off to the right.");

@@ -43,22 +43,39 @@ impl Default for Aids {
 pub struct Company {
     /// Who plays from each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],
-    /// How strong the computer is.
-    pub strength: Strength,
+    /// How strong the computer is at each seat, in the same order.
+    pub strengths: [Strength; 4],
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
     /// Helps while aiming.
     pub aids: Aids,
 }
 
-/// The seats by name, as a file has them.
+/// One thing for each seat by name, as a file has them.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Players {
-    pub(super) south: Player,
-    pub(super) east: Player,
-    pub(super) north: Player,
-    pub(super) west: Player,
+pub(super) struct BySeat<T> {
+    south: T,
+    east: T,
+    north: T,
+    west: T,
+}
+
+impl<T> From<[T; 4]> for BySeat<T> {
+    fn from([south, east, north, west]: [T; 4]) -> Self {
+        Self {
+            south,
+            east,
+            north,
+            west,
+        }
+    }
+}
+
+impl<T> From<BySeat<T>> for [T; 4] {
+    fn from(seats: BySeat<T>) -> Self {
+        [seats.south, seats.east, seats.north, seats.west]
+    }
 }
 
 /// Whether this can be shown as the name of a player: 1 to 40 letters, all of them

@@ -26,6 +26,8 @@ pub struct SavedGame {
     pub company: Company,
     /// All that was done.
     pub record: Record,
+    /// The moves that were made with a hint, by their numbers from 0.
+    pub hints: Vec<usize>,
     /// What the game it leads to looks like.
     pub end: Fingerprint,
 }

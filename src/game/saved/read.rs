@@ -1,14 +1,25 @@
 //! Reads a game from a file, and believes nothing of it.
 
-use super::company::Players;
-use super::{Company, FORMAT, Fingerprint, SavedGame, is_player_name};
+use super::company::BySeat;
+use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
 use crate::files::{Fields, FileErrors, Source};
+use crate::game::opponent::Strength;
 use crate::game::record::Record;
 use crate::game::table::Game;
 
 /// What stands in a file.
-const FIELDS: [&str; 9] = [
-    "format", "player", "players", "computer", "call", "aids", "setup", "moves", "end",
+const FIELDS: [&str; 11] = [
+    "format",
+    "player",
+    "players",
+    "computer",
+    "computers",
+    "call",
+    "aids",
+    "setup",
+    "hints",
+    "moves",
+    "end",
 ];
 
 impl SavedGame {
@@ -29,12 +40,23 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         true => Ok(name.to_owned()),
         false => Err("expected a name of 1 to 40 visible letters".into()),
     });
-    let players = fields.parsed::<Players>("players", "who plays from each seat");
-    let strength = fields.parsed("computer", "how strong the computer is");
+    let players = fields.parsed::<BySeat<Player>>("players", "who plays from each seat");
+    let strengths = if fields.has("computers") {
+        let expected = "how strong the computer is at each seat";
+        fields
+            .parsed::<BySeat<Strength>>("computers", expected)
+            .map(Into::into)
+    } else {
+        let all = fields.parsed::<Strength>("computer", "how strong the computer is");
+        all.map(|strength| [strength; 4])
+    };
     let call = fields.parsed("call", "true or false");
     let aids = fields.parsed("aids", "which helps are drawn");
     let setup = fields.parsed("setup", "what was agreed before the first break");
     let moves = fields.all_parsed("moves", "a list of moves");
+    let hints = fields.or("hints", Vec::new(), |name| {
+        fields.all_parsed::<usize>(name, "the numbers of moves")
+    });
     let end = fields.text_as("end", |end| {
         let expected = "expected a fingerprint of 16 hexadecimal digits";
         Fingerprint::parse(end).ok_or_else(|| expected.into())
@@ -49,16 +71,16 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         let message = format!("expected the moves to lead to {end}, but they lead to {found}");
         return fields.refuse("end", message);
     }
-    let players = players?;
     let saved = SavedGame {
         player: player?,
         company: Company {
-            players: [players.south, players.east, players.north, players.west],
-            strength: strength?,
+            players: players?.into(),
+            strengths: strengths?,
             call: call?,
             aids: aids?,
         },
         record,
+        hints: hints?,
         end,
     };
     Some((saved, game))

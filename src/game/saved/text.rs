@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 use toml::ser::ValueSerializer;
 
-use super::company::Players;
+use super::company::BySeat;
 use super::{FORMAT, SavedGame, TooLarge};
 
 const HEAD: &str = "\
@@ -19,21 +19,22 @@ impl SavedGame {
     /// If it would be too large to be read again.
     pub fn text(&self) -> Result<String, TooLarge> {
         let company = &self.company;
-        let [south, east, north, west] = company.players;
-        let players = Players {
-            south,
-            east,
-            north,
-            west,
-        };
         let mut text = HEAD.to_owned();
         line(&mut text, "format", &FORMAT);
         line(&mut text, "player", &self.player);
-        line(&mut text, "players", &players);
-        line(&mut text, "computer", &company.strength);
+        line(&mut text, "players", &BySeat::from(company.players));
+        let [first, others @ ..] = company.strengths;
+        if others == [first; 3] {
+            line(&mut text, "computer", &first);
+        } else {
+            line(&mut text, "computers", &BySeat::from(company.strengths));
+        }
         line(&mut text, "call", &company.call);
         line(&mut text, "aids", &company.aids);
         line(&mut text, "setup", self.record.setup());
+        if !self.hints.is_empty() {
+            line(&mut text, "hints", &self.hints);
+        }
         text.push_str("moves = [\n");
         for made in self.record.moves() {
             let _ = writeln!(text, "  {},", value(made));

@@ -19,8 +19,8 @@ pub(super) struct Aim {
     /// Where the striker stands, in metres from the centre of the board.
     pub(super) place: DVec2,
     /// Direction in degrees as the player at that side sees it: 90 is straight
-    /// across the board. 0 to 360.
-    pub(super) direction_deg: f64,
+    /// across the board. 0 to 360. What is shown and typed counts as the screen does.
+    direction_deg: f64,
     /// Speed in m/s.
     pub(super) speed: f64,
 }
@@ -75,8 +75,22 @@ impl Aim {
         game.check_place(self.place)
     }
 
-    /// Aims in a direction in degrees; any number will do.
-    pub(super) fn set_direction(&mut self, degrees: f64) {
+    /// The direction on the screen in degrees, anticlockwise from the right, 0 to 360.
+    pub(super) fn shown_deg(&self, seat: Seat) -> f64 {
+        (self.direction_deg + seat.turned_by_deg()).rem_euclid(360.0)
+    }
+
+    /// Aims in a direction on the screen in degrees; any number will do.
+    pub(super) fn set_shown(&mut self, degrees: f64, seat: Seat) {
+        self.set_direction(degrees - seat.turned_by_deg());
+    }
+
+    /// Turns by so many degrees, anticlockwise.
+    pub(super) fn turn(&mut self, degrees: f64) {
+        self.set_direction(self.direction_deg + degrees);
+    }
+
+    fn set_direction(&mut self, degrees: f64) {
         // To a hundredth, so that steps do not gather rounding.
         let hundredths = (degrees * 100.0).round().rem_euclid(36_000.0);
         self.direction_deg = hundredths / 100.0;
@@ -126,22 +140,13 @@ impl Aim {
         self.place = lines.at(along.clamp(-end, end));
     }
 
-    /// Where the striker stands in words, as the player sees it: "12 mm left".
+    /// Where the striker stands in words, as it is seen on the screen: "12 mm left".
     pub(super) fn place_words(&self, game: &Game) -> String {
-        let seen = game.seat().turn_back(self.place);
         if game.setup().rules == Rules::Practice {
-            let [x, y] = [seen.x, seen.y].map(|x| x * 1000.0 + 0.0);
+            let [x, y] = [self.place.x, self.place.y].map(|x| x * 1000.0 + 0.0);
             return format!("{x:.0}, {y:.0} mm");
         }
-        if (seen.x.abs() - BaseLines::base_circle_along()).abs() < 1e-9 {
-            let side = if seen.x < 0.0 { "left" } else { "right" };
-            return format!("the {side} circle");
-        }
-        match (seen.x * 1000.0).round() {
-            0.0 => "the middle".to_owned(),
-            mm if mm < 0.0 => format!("{:.0} mm left", -mm),
-            mm => format!("{mm:.0} mm right"),
-        }
+        game.base_lines().stand(self.place).words()
     }
 }
 
@@ -216,7 +221,35 @@ mod tests {
             let way = (at - aim.place).normalize();
             assert!(aim.heading(Seat::South).distance(way) < 1e-4);
         }
-        aim.set_direction(-725.0);
-        assert_eq!(aim.direction_deg, 355.0);
+        aim.set_shown(-725.0, Seat::South);
+        assert_eq!(aim.shown_deg(Seat::South), 355.0);
+    }
+
+    #[test]
+    fn what_is_typed_shown_and_said_agrees_at_every_seat() {
+        for seat in Seat::ALL {
+            let game = Game::new(GameSetup {
+                hands: Hands::Four,
+                first_breaker: seat,
+                ..GameSetup::default()
+            });
+            let mut aim = Aim::begin(&game);
+            for degrees in [0.0, 90.0, 180.0, 270.0, 37.25] {
+                aim.set_shown(degrees, seat);
+                assert_eq!(aim.shown_deg(seat), degrees);
+                assert!(aim.heading(seat).distance(unit_vector(degrees)) < 1e-12);
+            }
+            let along = along_the_screen(seat, Rules::Tournament);
+            let words = if along.x > 0.0 {
+                ["right", "left"]
+            } else {
+                ["above", "below"]
+            };
+            for (step, word) in [0.05, -0.05].into_iter().zip(words) {
+                let middle = aim.place - along * aim.place.dot(along);
+                aim.put(middle + step * along, &game);
+                assert_eq!(aim.place_words(&game), format!("50 mm {word}"));
+            }
+        }
     }
 }

@@ -3,7 +3,12 @@
 use std::mem;
 
 use super::calls::Called;
-use crate::game::{ByTeam, Game, GameSetup, Move, MoveError, Record, RecordError, Ruling, Strike};
+use super::computer_stroke::ComputerStroke;
+use crate::game::opponent::Story;
+use crate::game::{
+    ByTeam, Game, GameSetup, Move, MoveError, Piece, Record, RecordError, Ruling, Seat, Strike,
+    Stroke, Team,
+};
 use crate::physics::Shot;
 
 /// A game and its record, always in step.
@@ -12,6 +17,8 @@ pub(super) struct GameHistory {
     record: Record,
     game: Game,
     past: Vec<Past>,
+    /// The moves that were made with a hint, by their numbers from 0.
+    hints: Vec<usize>,
     /// Whether it has changed since it was last given away to be saved.
     unsaved: bool,
 }
@@ -25,20 +32,27 @@ pub(super) struct Past {
     pub(super) rulings: Vec<Ruling>,
     /// How good the player's call was, if one was made and something was hit.
     pub(super) called: Option<Called>,
-    /// What the computer says of its stroke.
-    pub(super) told: Option<String>,
+    /// What fell in it, the striker among it.
+    pub(super) fallen: Vec<Piece>,
+    /// What it was about, if it was a stroke.
+    pub(super) story: Option<Story>,
+    /// What the computer meant by it, if it was the computer's in this sitting.
+    pub(super) meant: Option<Box<ComputerStroke>>,
 }
 
 impl Past {
     fn new(before: Game, made: &Move, shot: Option<&Shot>, rulings: Vec<Ruling>) -> Self {
+        let stroke = shot.and_then(|shot| Stroke::from_shot(before.coins(), shot).ok());
         Self {
-            before,
             rulings,
             called: match (made, shot) {
                 (Move::Strike(strike), Some(shot)) => Called::new(strike, shot),
                 _ => None,
             },
-            told: None,
+            fallen: stroke.map_or(Vec::new(), |stroke| stroke.pocketed),
+            story: shot.map(|shot| Story::of(&before, shot)),
+            meant: None,
+            before,
         }
     }
 }
@@ -59,15 +73,17 @@ impl GameHistory {
             record: Record::new(setup),
             game: Game::new(setup),
             past: Vec::new(),
+            hints: Vec::new(),
             unsaved: false,
         }
     }
 
-    /// The game that a record leads to, with all that led to it.
+    /// The game that a record leads to, with all that led to it, and which of its moves
+    /// were made with a hint.
     ///
     /// # Errors
     /// If the record cannot be played.
-    pub(super) fn from_record(record: Record) -> Result<Self, RecordError> {
+    pub(super) fn from_record(record: Record, hints: Vec<usize>) -> Result<Self, RecordError> {
         let mut past = Vec::new();
         let game = record.play_through(|before, made, shot, rulings| {
             past.push(Past::new(before, made, shot.as_ref(), rulings));
@@ -76,6 +92,7 @@ impl GameHistory {
             record,
             game,
             past,
+            hints,
             unsaved: false,
         })
     }
@@ -124,11 +141,29 @@ impl GameHistory {
         Ok(shot)
     }
 
-    /// Adds what the computer says of a stroke it has made.
-    pub(super) fn tell(&mut self, number: usize, told: String) {
+    /// Adds what the computer meant by a stroke it has made.
+    pub(super) fn tell(&mut self, number: usize, meant: ComputerStroke) {
         if let Some(past) = self.past.get_mut(number) {
-            past.told = Some(told);
+            past.meant = Some(Box::new(meant));
         }
+    }
+
+    /// Notes that a hint was taken for the next move.
+    pub(super) fn take_hint(&mut self) {
+        if self.hints.last() != Some(&self.len()) {
+            self.hints.push(self.len());
+        }
+    }
+
+    /// The moves that were made with a hint, by their numbers from 0.
+    pub(super) fn hints(&self) -> &[usize] {
+        &self.hints
+    }
+
+    /// The game after a move.
+    pub(super) fn after(&self, number: usize) -> &Game {
+        let next = self.past.get(number + 1);
+        next.map_or(&self.game, |next| &next.before)
     }
 
     /// Takes the last move back; says whether there was one.
@@ -174,12 +209,13 @@ impl GameHistory {
         (number..self.len()).find(|i| self.strike(*i).is_some())
     }
 
-    /// What the calls have brought so far; they never count in the score.
-    pub(super) fn calls(&self) -> ByTeam<CallTally> {
+    /// What the calls have brought so far, to the team that calls the strokes from each
+    /// seat; they never count in the score.
+    pub(super) fn calls(&self, caller: impl Fn(&Game, Seat) -> Team) -> ByTeam<CallTally> {
         let mut calls = ByTeam::<CallTally>::default();
         for past in &self.past {
             if let Some(called) = &past.called {
-                let tally = &mut calls[past.before.team(past.before.seat())];
+                let tally = &mut calls[caller(&past.before, past.before.seat())];
                 tally.points += called.points();
                 tally.most += Called::MOST;
             }

@@ -25,6 +25,8 @@ pub enum TableAction {
     Saved(KeptAction),
     /// watch the whole game again, stroke by stroke
     WatchAll,
+    /// the best stroke of the board again
+    WatchBest,
     /// export: write the game to a file of its own
     Export,
     /// turn the aim: Left and Right by 1°, Up and Down by 0.1°
@@ -47,6 +49,10 @@ pub enum TableAction {
     Hint,
     /// strike
     Strike,
+    /// let the computer strike at once
+    StrikeShown,
+    /// your call: say first where the two of the computer's hit will go
+    CallShown,
     /// turn the rays of the call
     Ray(RayAction),
     /// the last stroke again, with its impacts
@@ -125,6 +131,11 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
     let table = match &game.phase {
         TablePhase::Aim => return aiming(game, table),
         TablePhase::Think { .. } => table.on(Key::Escape, Do::Back, "leave"),
+        TablePhase::Show(_) => table
+            .on(' ', Do::StrikeShown, "strike")
+            .or([(Key::Enter, Do::StrikeShown)])
+            .on('c', Do::CallShown, "your call")
+            .on(Key::Escape, Do::Back, "leave"),
         TablePhase::Call(calling) => {
             let rays = calling.rays.keys("next, then strike");
             table.with(rays, Do::Ray).on(Key::Escape, Do::Back, "back")
@@ -174,6 +185,7 @@ pub(crate) fn end_of_board() -> KeyTable<TableAction> {
         .on(Key::Enter, Do::NextBoard, "next")
         .or([(' ', Do::NextBoard)])
         .on('i', Do::LookBack, "strokes")
+        .on('b', Do::WatchBest, "best stroke")
 }
 
 fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableAction> {
@@ -192,12 +204,12 @@ fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableActi
         .when(typing)
         .by(['[', ']', '{', '}'], Do::Place, [-1, 1, -10, 10], "place")
         .or([('a', Do::Place(-1)), ('d', Do::Place(1))])
-        .on('h', Do::Hint, "hint")
-        .with(game.entry.keys(), Do::Number)
         .on('p', Do::LayOut, "lay out")
         .when(practice)
         .on('z', Do::Undo, "undo")
         .when(practice)
+        .on('h', Do::Hint, "hint")
+        .with(game.entry.keys(), Do::Number)
         .on('c', Do::Call, "call")
         .by(['l', 'g', 'r'], Do::Aid, AimAid::ALL, "aids")
         .on('i', Do::LookBack, "impacts")
@@ -209,7 +221,11 @@ fn aiming(game: &ActiveGame, table: KeyTable<TableAction>) -> KeyTable<TableActi
         .when(reads)
         .by([Key::PageUp, Key::PageDown], Do::TurnFar, [-1, 1], "")
         .when(!reads)
-        .on(Key::Escape, Do::Back, "")
+        .on(
+            Key::Escape,
+            Do::Back,
+            if game.is_pulling() { "not now" } else { "" },
+        )
         .when(!typing)
 }
 
@@ -241,6 +257,8 @@ pub(super) fn about() -> Vec<&'static str> {
         "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
         "After any stroke press i: choose one of its impacts and look at it as in the lab; p and n go to other strokes.",
         "Every game is saved after each stroke. On the page of a new game, s shows the games there are: resume one, or watch it stroke by stroke. What e writes can be played again on any machine: carrom replay FILE.",
-        "Angles of the aim are as you see the board from your own side: 90 is straight across. With the mouse, drag the striker, or point where to aim.",
+        "Angles, left and right are those of the screen, whoever strikes: 0 is to the right, 90 up, 180 to the left, 270 down.",
+        "With the mouse or a finger: point where to aim, drag the striker along its base lines, pull it back and let go to strike. The farther you pull, the harder; a pull to the side turns the aim. Back to the striker, or Escape: no stroke.",
+        "The computer is seen aiming before it strikes: Space strikes at once, and c lets you say first where the two of its first hit will go. Afterwards the line it meant is drawn beside the line it played.",
     ]
 }

@@ -4,6 +4,7 @@ mod active_game;
 mod aim;
 mod arrange;
 mod calls;
+mod computer_stroke;
 mod game_history;
 mod keys;
 mod new_game;
@@ -14,6 +15,8 @@ mod pointer;
 mod preview;
 mod replay;
 mod saved_games;
+mod tale;
+mod trays;
 mod view;
 mod words;
 
@@ -140,7 +143,10 @@ impl Screen for Table {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match (input, &mut self.page) {
-            (Input::Mouse(mouse), TablePage::NewGame(page)) => page.mouse(mouse, cx),
+            (Input::Mouse(mouse), TablePage::NewGame(page)) => match page.plays(mouse, cx) {
+                true => self.act(TableAction::Play, cx),
+                false => page.mouse(mouse, cx),
+            },
             (Input::Mouse(mouse), TablePage::SavedGames(page)) => page.mouse(mouse, cx),
             (Input::Kept(answer), TablePage::SavedGames(page)) => {
                 if let Some(game) = page.take_answer(answer, cx) {

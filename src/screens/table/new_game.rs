@@ -8,7 +8,7 @@ use super::{picture, words};
 use crate::game::opponent::Strength;
 use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
-use crate::messages::Mouse;
+use crate::messages::{Mouse, MouseKind};
 use crate::screens::{Context, Next};
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, ListView, SettingsForm};
 use crate::widgets::{Lines, Role, SplitLayout};
@@ -30,18 +30,24 @@ struct Agreement {
 impl Agreement {
     /// What is agreed `now`, and its choices: the options with each, how it reads and what
     /// it is.
-    fn new<const N: usize>(
+    fn new(
         now: Options,
         name: &'static str,
-        choices: [(Options, impl ToString, &'static str); N],
+        choices: impl IntoIterator<Item = (Options, impl ToString, &'static str)>,
     ) -> Self {
+        let choices: Vec<_> = choices.into_iter().collect();
         let at = choices.iter().position(|choice| choice.0 == now);
         let at = at.unwrap_or(0);
-        let (_, shown, about) = &choices[at];
-        let value = FieldValue::Choice { at, count: N };
-        let field = Field::new(name, shown.to_string(), value, *about);
-        let options = choices.map(|choice| choice.0).into();
-        Self { field, options }
+        let count = choices.len();
+        let value = FieldValue::Choice { at, count };
+        let chosen = choices.get(at);
+        let shown = chosen.map_or(String::new(), |(_, shown, _)| shown.to_string());
+        let about = chosen.map_or("", |(_, _, about)| about);
+        let options = choices.iter().map(|choice| choice.0).collect();
+        Self {
+            field: Field::new(name, shown, value, about),
+            options,
+        }
     }
 }
 
@@ -49,6 +55,12 @@ impl NewGame {
     /// Does what a key of the form stands for.
     pub(super) fn act(&mut self, action: FormAction) {
         self.form.act(action, &mut self.options);
+    }
+
+    /// Whether a click is on the board: then the game begins.
+    pub(super) fn plays(&self, mouse: &Mouse, cx: &Context) -> bool {
+        let board = SplitLayout::square(cx.body).picture;
+        mouse.kind == MouseKind::Down && board.contains(mouse.cell().into())
     }
 
     /// A click on a row selects it and changes it; the wheel goes through the rows.
@@ -70,7 +82,7 @@ impl NewGame {
         lines.gap();
         self.form.write_about(&self.options, &mut lines);
         lines.gap();
-        lines.paragraph("Enter: play!", Role::Key);
+        lines.paragraph("Enter, or a click on the board: play!", Role::Key);
         lines.paragraph("s: saved games", Role::Key);
     }
 }
@@ -105,12 +117,6 @@ fn agreements(now: Options) -> Vec<Agreement> {
         let hands = hands.map(|(hands, shown, about)| (Options { hands, ..now }, shown, about));
         rows.push(Agreement::new(now, "hands", hands));
         rows.extend(now.seats().map(|seat| seated(seat, now)));
-        if now.count(Player::Computer) > 0 {
-            let about = "How far the computer looks, and how steady its hand is. It always says what it saw.";
-            let strengths =
-                Strength::ALL.map(|strength| (Options { strength, ..now }, strength, about));
-            rows.push(Agreement::new(now, "computer", strengths));
-        }
     }
     let sets = [
         (
@@ -137,22 +143,26 @@ fn agreements(now: Options) -> Vec<Agreement> {
 
 /// Who plays from a seat.
 fn seated(seat: Seat, now: Options) -> Agreement {
-    let choice = |player: Player| {
-        let mut options = now;
-        options.set_player(seat, player);
-        let shown = match player {
-            Player::Person if options.count(Player::Person) == 1 => "you",
-            Player::Person => "a person",
-            Player::Computer => "computer",
-        };
-        let about = "A person at this keyboard, or the computer.";
-        (options, shown, about)
+    let mut person = now;
+    person.set_player(seat, Player::Person);
+    let shown = match person.count(Player::Person) {
+        1 => "you",
+        _ => "a person",
     };
-    Agreement::new(
-        now,
-        seat.into(),
-        [Player::Person, Player::Computer].map(choice),
-    )
+    let about = "A person at this keyboard, or the computer in five strengths.";
+    let mut choices = vec![(person, shown.to_owned(), about)];
+    choices.extend(Strength::ALL.map(|strength| {
+        let mut options = now;
+        options.set_player(seat, Player::Computer);
+        options.strengths[seat as usize] = strength;
+        let about = "The computer: the stronger, the farther it looks and the steadier its hand is. It always says what it saw.";
+        (options, format!("computer, {strength}"), about)
+    }));
+    // How strong a computer would be where a person sits makes no other game.
+    if now.player(seat) == Player::Person {
+        choices[0].0 = now;
+    }
+    Agreement::new(now, seat.into(), choices)
 }
 
 /// What is on or off: its name, where it stands, and what it is.

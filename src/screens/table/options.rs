@@ -16,8 +16,8 @@ pub struct Options {
     /// Who plays from each seat, in the order of [`Seat::ALL`]; in singles only
     /// South and North count.
     pub players: [Player; 4],
-    /// How strong the computer is.
-    pub strength: Strength,
+    /// How strong the computer is at each seat, in the same order.
+    pub strengths: [Strength; 4],
     /// The pieces.
     pub set: PieceSet,
     /// Whether the players call the first impact before each stroke.
@@ -34,7 +34,7 @@ impl Default for Options {
             rules: Rules::default(),
             hands: Hands::default(),
             players: [Person, Computer, Computer, Computer],
-            strength: Strength::default(),
+            strengths: [Strength::default(); 4],
             set: PieceSet::default(),
             call: false,
             aids: Aids::default(),
@@ -72,7 +72,7 @@ impl Options {
             rules: setup.rules,
             hands: setup.hands,
             players: company.players,
-            strength: company.strength,
+            strengths: company.strengths,
             set: setup.set,
             call: company.call,
             aids: company.aids,
@@ -83,7 +83,7 @@ impl Options {
     pub fn company(&self) -> Company {
         Company {
             players: self.players,
-            strength: self.strength,
+            strengths: self.strengths,
             call: self.call,
             aids: self.aids,
         }
@@ -94,6 +94,25 @@ impl Options {
         match self.rules {
             Rules::Practice => Player::Person,
             Rules::Tournament | Rules::Friendly => self.players[seat as usize],
+        }
+    }
+
+    /// How strong the computer is at a seat.
+    pub fn strength(&self, seat: Seat) -> Strength {
+        self.strengths[seat as usize]
+    }
+
+    /// The team whose people call the strokes from a seat: their own, and the computer's
+    /// where it plays against them.
+    pub(super) fn caller(&self, game: &Game, seat: Seat) -> Team {
+        let own = game.team(seat);
+        let has_person = |team: Team| {
+            let mut seats = self.seats().filter(|seat| game.team(*seat) == team);
+            seats.any(|seat| self.player(seat) == Player::Person)
+        };
+        match has_person(own) || !has_person(own.other()) {
+            true => own,
+            false => own.other(),
         }
     }
 

@@ -3,11 +3,12 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::active_game::{ActiveGame, Hinted};
+use super::active_game::{ActiveGame, Grip, Hinted, ShownStroke};
 use super::arrange::Arrange;
+use super::computer_stroke::ComputerStroke;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
-use super::replay::StrokeReplay;
+use super::replay::{FALL, StrokeReplay};
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::physics::{Board, DiscState, stopping_distance};
@@ -22,6 +23,8 @@ const SHADES: usize = 4;
 const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim where the whole line is not drawn.
 const STUB: f64 = 0.09;
+/// Length of the arrow that shows the strength, in metres for each m/s.
+const ARROW: f64 = 0.03;
 
 fn ground(area: Rect) -> Picture {
     let view = board::view(board::square(area), &Board::default());
@@ -66,6 +69,9 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     if let Some(pointer) = pointer {
         point_out(&mut picture, pointer);
     }
+    if let Grip::Pull { to, .. } = active.grip {
+        pulled(&mut picture, active, to);
+    }
     if let Some(preview) = active.preview.as_ref().filter(|_| aids.line) {
         picture.curve(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
     } else {
@@ -80,10 +86,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     discs.push(striker);
     picture.discs(discs);
     if let Some(hit) = &hit {
-        let collision = &hit.impact.collision;
-        // It has a line of impact, or it would be no hit.
-        let normal = collision.normal().unwrap_or(DVec2::ZERO);
-        let ghost = hit.at - collision.contact_distance() * normal;
+        let ghost = hit.ghost();
         if aids.ghost {
             board::ghost(&mut picture, ghost, radius, Role::Predicted);
         }
@@ -94,7 +97,72 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     picture
 }
 
-/// Draws the coin's way into the pocket that a hint speaks of, and the pocket.
+/// The striker pulled back, and how hard it would be struck.
+fn pulled(picture: &mut Picture, active: &ActiveGame, to: DVec2) {
+    let place = active.aim.place;
+    let pen = Pen::new(Role::Key).on(DrawLayer::Trail);
+    picture.line(place, to, pen.dashed());
+    let says = match active.is_drawn() {
+        true => format!("{:.1} m/s", active.aim.speed),
+        false => "no stroke".into(),
+    };
+    // Beside the striker, for the mouse may be beyond the picture.
+    let sides = LabelSide::towards(place - to);
+    picture.label(says, place, &sides, Role::Key);
+}
+
+/// The board with a stroke that the computer is about to make, as much of it as is seen.
+pub(super) fn of_show(active: &ActiveGame, shown: &ShownStroke, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    let seat = active.seat();
+    own_side(&mut picture, seat);
+    let (aim, radius) = (&shown.stroke.aim, active.set().striker_radius());
+    if shown.parts > 1 {
+        meant(&mut picture, &shown.stroke, Role::Aim);
+        let preview = shown.stroke.preview.as_ref();
+        if let Some(ghost) = preview.and_then(Preview::first_hit).map(|hit| hit.ghost()) {
+            board::ghost(&mut picture, ghost, radius, Role::Predicted);
+        }
+    }
+    let striker = body(active.set(), Piece::Striker, aim.place);
+    picture.discs(bodies(active.set(), active.game().coins()).chain([striker]));
+    if shown.parts > 2 {
+        let heading = aim.heading(seat);
+        let from = aim.place + radius * heading;
+        picture.arrow(from, from + ARROW * aim.speed * heading, Role::Incoming);
+    }
+    picture
+}
+
+/// The way of the striker as the computer meant it.
+fn meant(picture: &mut Picture, stroke: &ComputerStroke, role: Role) {
+    let way = stroke.preview.iter().flat_map(|preview| &preview.way);
+    let pen = Pen::new(role).on(DrawLayer::Trail);
+    picture.curve(way.copied(), pen.dotted());
+}
+
+/// The stroke as the computer meant it, beside the one that was played: its way, by how
+/// much it was off, and the pocket it was meant for.
+fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
+    if let Some(pointer) = &stroke.pointer {
+        point_out(picture, pointer);
+    }
+    meant(picture, stroke, Role::Predicted);
+    let way = stroke.preview.as_ref().map_or(&[][..], |it| &it.way);
+    if let (&[from, to, ..], Some(off)) = (way, stroke.off()) {
+        let out = (to - from).perp().normalize_or_zero();
+        let sides = LabelSide::towards(out * stroke.decision.slip.turn.signum() * -1.0);
+        let label = picture.label(
+            format!("meant: {off}"),
+            from.lerp(to, 0.6),
+            &sides,
+            Role::Predicted,
+        );
+        label.or(to, &LabelSide::ALL);
+    }
+}
+
+/// Draws the coin's way into the pocket that is spoken of, and the pocket.
 fn point_out(picture: &mut Picture, pointer: &Pointer) {
     let pen = Pen::new(Role::Good).on(DrawLayer::Trail);
     picture.curve(pointer.way.iter().copied(), pen.dotted());
@@ -135,6 +203,15 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
     for disc in 0..replay.pieces.len() {
         trail(&mut picture, replay, disc);
     }
+    let (clock, zoomed) = (replay.player.clock(), replay.player.chosen().is_some());
+    let past = active.history.past(replay.number);
+    let meant = past.and_then(|past| past.meant.as_deref());
+    if let Some(stroke) = meant.filter(|_| clock.is_over() && !zoomed) {
+        beside(&mut picture, stroke);
+    }
+    for fall in &replay.falls {
+        answer(&mut picture, (clock.time() - fall.time) / FALL, fall.corner);
+    }
     let discs = replay.discs();
     picture.discs(discs.map(|(piece, at)| body(active.set(), piece, at)));
     if let Some((number, impact)) = replay.player.chosen() {
@@ -147,6 +224,18 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
         picture.label(format!("{number}"), contact, &LabelSide::ALL, Role::Contact);
     }
     picture
+}
+
+/// The pocket answers a disc that has fallen into it: a ring runs out of it. `share` is how
+/// much of its moment has gone by.
+fn answer(picture: &mut Picture, share: f64, corner: usize) {
+    let board = Board::default();
+    if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
+        let pen = Pen::new(Role::Good).bold().aged(share);
+        let radius = board.pocket_radius();
+        picture.circle(pocket, radius * (0.4 + share), pen);
+        picture.circle(pocket, radius, pen);
+    }
 }
 
 /// Where a disc has been: fading while time runs; at the end the whole way of the

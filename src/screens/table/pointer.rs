@@ -1,13 +1,13 @@
-//! What a hint speaks of, to be marked on the board.
+//! What a hint or the computer speaks of, to be marked on the board.
 
 use glam::DVec2;
 
-use crate::game::opponent::StrokeHint;
+use crate::game::opponent::Story;
 use crate::game::{Game, Strike};
 use crate::physics::Board;
 use crate::widgets::board;
 
-/// The coin a hint speaks of, and its way into the pocket.
+/// The coin that is spoken of, and its way into the pocket.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Pointer {
     /// Which coin, counted as the game counts them: the one that falls, else the one
@@ -20,9 +20,8 @@ pub(super) struct Pointer {
 }
 
 impl Pointer {
-    /// What this hint for `game` speaks of, with its stroke; `None` if no coin is met.
-    pub(super) fn of(hint: &StrokeHint, stroke: &Strike, game: &Game) -> Option<Self> {
-        let story = &hint.reason.story;
+    /// What this story of a stroke in `game` speaks of; `None` if no coin is met.
+    pub(super) fn of(story: &Story, stroke: &Strike, game: &Game) -> Option<Self> {
         let Some(fall) = story.fall else {
             return Some(Self {
                 coin: story.first_hit?.coin,

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::aim::SPEEDS;
 use crate::game::{Game, Strike};
 use crate::physics::{DiscState, Shot};
 use crate::widgets::replay::{ShotImpact, impacts};
@@ -24,6 +25,19 @@ pub(super) enum WayEnd {
     Falls,
     /// It comes to rest without touching anything.
     Stops,
+    /// It comes to rest before the coin that it would touch if it were struck harder,
+    /// counted as the game counts them.
+    TooSoft(usize),
+}
+
+impl FirstHit {
+    /// Where the striker is when they touch.
+    pub(super) fn ghost(&self) -> DVec2 {
+        let collision = &self.impact.collision;
+        // It has a line of impact, or it would be no hit.
+        let normal = collision.normal().unwrap_or(DVec2::ZERO);
+        self.at - collision.contact_distance() * normal
+    }
 }
 
 /// The first impact of a stroke.
@@ -52,7 +66,7 @@ impl Preview {
         let end = match first {
             Some(hit) => WayEnd::Meets(hit),
             None if shot.at(0, shot.duration()).state == DiscState::Pocketed => WayEnd::Falls,
-            None => WayEnd::Stops,
+            None => too_soft(strike, game).map_or(WayEnd::Stops, WayEnd::TooSoft),
         };
         Some(Self { way, end })
     }
@@ -61,9 +75,19 @@ impl Preview {
     pub(super) fn first_hit(&self) -> Option<FirstHit> {
         match self.end {
             WayEnd::Meets(hit) => Some(hit),
-            WayEnd::Falls | WayEnd::Stops => None,
+            WayEnd::Falls | WayEnd::Stops | WayEnd::TooSoft(_) => None,
         }
     }
+}
+
+/// The coin that a stroke in this direction would meet if it were as hard as can be.
+fn too_soft(strike: &Strike, game: &Game) -> Option<usize> {
+    let velocity = strike.velocity.try_normalize()? * SPEEDS.1;
+    let hardest = Strike {
+        velocity,
+        ..*strike
+    };
+    Some(first_hit(&hardest.shot(game).ok()?)?.coin)
 }
 
 /// The first impact of a stroke's shot: always the striker's, as nothing else moves
@@ -110,6 +134,11 @@ mod tests {
         };
         let preview = Preview::of(&strike, &game).unwrap();
         assert_eq!((preview.end, preview.way.len()), (WayEnd::Stops, 2));
+        strike.velocity = DVec2::new(0.0, 0.3);
+        let soft = Preview::of(&strike, &game).unwrap().end;
+        strike.velocity.y = 3.0;
+        let hit = Preview::of(&strike, &game).unwrap().first_hit().unwrap();
+        assert_eq!(soft, WayEnd::TooSoft(hit.coin));
         // Into the corner next to the base line.
         let corner = DVec2::new(0.370 - 0.022_25, -0.370 + 0.022_25);
         strike.velocity = (corner - strike.place).normalize() * 2.0;

@@ -5,9 +5,22 @@ use glam::DVec2;
 use super::game_history::Past;
 use super::words;
 use crate::game::Piece;
-use crate::physics::Shot;
+use crate::physics::{EventKind, Shot};
 use crate::screens::Settings;
 use crate::widgets::replay::{ShotClock, ShotPlayer, WatchRate};
+
+/// Seconds for which a piece that has fallen is seen on its way to its tray.
+pub(super) const FALL: f64 = 0.6;
+
+/// A piece that falls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FallingPiece {
+    pub(super) piece: Piece,
+    /// When, in seconds since the start of the stroke.
+    pub(super) time: f64,
+    /// Into which corner, as the engine counts them.
+    pub(super) corner: usize,
+}
 
 /// A stroke being watched.
 #[derive(Debug, Clone)]
@@ -19,6 +32,8 @@ pub(super) struct StrokeReplay {
     pub(super) live: bool,
     /// What each disc of the shot is.
     pub(super) pieces: Vec<Piece>,
+    /// What falls in it, in order.
+    pub(super) falls: Vec<FallingPiece>,
     /// Its shot, its clock and its impacts.
     pub(super) player: ShotPlayer,
 }
@@ -37,13 +52,25 @@ impl StrokeReplay {
         let pieces: Vec<_> = std::iter::once(Piece::Striker).chain(coins).collect();
         let faces = pieces.iter().copied().map(words::face).collect();
         let rate = settings.watch_rate.unwrap_or(WatchRate::REAL);
-        let clock = ShotClock::new(shot.duration(), rate, at_end);
+        let falls = shot.events().iter().filter_map(|event| match event.kind {
+            EventKind::Pocket { disc, corner } => Some(FallingPiece {
+                piece: *pieces.get(disc)?,
+                time: event.time,
+                corner,
+            }),
+            _ => None,
+        });
+        let falls: Vec<_> = falls.collect();
+        // The last one is seen on its way too.
+        let last = falls.last().map_or(0.0, |fall| fall.time + FALL);
+        let clock = ShotClock::new(shot.duration().max(last), rate, at_end);
         let called = past.called.as_ref().map(|called| called.said);
         let player = ShotPlayer::new(shot, 0, clock).with_faces(faces);
         Self {
             number,
             live: false,
             pieces,
+            falls,
             player: player.with_said(called).with_list(),
         }
     }

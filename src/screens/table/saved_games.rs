@@ -7,7 +7,7 @@ use super::active_game::ActiveGame;
 use super::keys::TableAction;
 use super::options::Options;
 use super::picture;
-use crate::game::{Game, GameStage, Rules, SavedGame};
+use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame, Team};
 use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
 use crate::screens::kept_files::{KeptFiles, KeptKind};
@@ -146,6 +146,10 @@ fn title(kept: &KeptGame) -> String {
     let options = Options::of(saved);
     match options.rules {
         Rules::Practice => "practice".into(),
+        Rules::Tournament if game.score().games != ByTeam::default() => {
+            let [first, second] = Team::BOTH.map(|team| game.score().games[team]);
+            format!("{} ({first} : {second})", options.score(game))
+        }
         Rules::Tournament | Rules::Friendly => options.score(game),
     }
 }
@@ -154,9 +158,16 @@ fn title(kept: &KeptGame) -> String {
 fn about(saved: &SavedGame, game: &Game) -> String {
     let options = Options::of(saved);
     let strokes = counted(saved.record.strokes(), "stroke");
-    let board = match options.rules {
-        Rules::Tournament => format!(", board {}", game.board_number()),
-        Rules::Friendly | Rules::Practice => String::new(),
+    let (board, games) = match options.rules {
+        Rules::Tournament => {
+            let [first, second] = Team::BOTH.map(|team| game.score().games[team]);
+            let board = game.board_number();
+            (
+                format!(", board {board}"),
+                format!(", games won {first} : {second}"),
+            )
+        }
+        Rules::Friendly | Rules::Practice => Default::default(),
     };
     let rules = capital(options.rules.into());
     let stands = match game.stage() {
@@ -177,5 +188,5 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         "player" => String::new(),
         name => format!("{name}'s game. "),
     };
-    format!("{whose}{rules}{board}, {strokes}.{stands}")
+    format!("{whose}{rules}{board}, {strokes}{games}.{stands}")
 }

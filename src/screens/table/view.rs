@@ -4,11 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::active_game::{ActiveGame, TablePhase};
-use super::{panel, picture};
+use super::{panel, picture, trays};
 use crate::game::{Rules, Team};
 use crate::screens::Context;
-use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Face, Markings, setup_picture};
+use crate::widgets::{SplitLayout, board};
 
 /// Where picture and panel are: for a whole board, which is square, or for one enlarged
 /// impact, which takes all there is.
@@ -31,8 +31,14 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
         TablePhase::Call(calling) => {
             let collision = &calling.hit.impact.collision;
             let rays = Some(&calling.rays);
-            setup_picture(area, Face::STRIKER_AND_COIN, collision, Markings::ALL, rays)
+            // Not the impact angle: along the line of impact the coin leaves.
+            let shown = Markings {
+                angle: false,
+                ..Markings::ALL
+            };
+            setup_picture(area, Face::STRIKER_AND_COIN, collision, shown, rays)
         }
+        TablePhase::Show(shown) => picture::of_show(active, shown, area),
         TablePhase::Aim => picture::of_aim(active, area),
         TablePhase::Watch(replay) => match replay.player.zoom() {
             Some(watch) => watch.picture(area),
@@ -44,6 +50,7 @@ pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Conte
         }
     };
     picture.draw(buf, &look);
+    trays::draw(active, board::square(layout.picture), buf, &look);
     panel::draw(active, layout.panel, buf, cx);
 }
 
@@ -71,7 +78,9 @@ fn titles(active: &ActiveGame) -> (String, String) {
             };
             (time, name)
         }
-        TablePhase::Aim | TablePhase::Think { .. } => (board_title(active), turn()),
+        TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Show(_) => {
+            (board_title(active), turn())
+        }
         TablePhase::Over => (board_title(active), "the end of the board".into()),
     }
 }

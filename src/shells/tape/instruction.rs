@@ -18,6 +18,10 @@ pub enum Instruction {
     Click((u16, u16)),
     /// Drag from one cell to another.
     Drag((u16, u16), (u16, u16)),
+    /// Press the button over one cell and move to another, without letting go.
+    Hold((u16, u16), (u16, u16)),
+    /// Let the button go over a cell.
+    Release((u16, u16)),
     /// Turn the wheel this many notches, over a cell or over the middle.
     Scroll(MouseKind, u32, Option<(u16, u16)>),
     /// Let simulated time pass.

@@ -127,6 +127,14 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
             let [from, to] = arguments.exactly("two cells, such as 40,12 44,12")?;
             Instruction::Drag(cell(from)?, cell(to)?)
         }
+        "Hold" => {
+            let [from, to] = arguments.exactly("two cells, such as 40,12 44,12")?;
+            Instruction::Hold(cell(from)?, cell(to)?)
+        }
+        "Release" => {
+            let [at] = arguments.exactly("a cell, such as 44,12")?;
+            Instruction::Release(cell(at)?)
+        }
         "Scroll" => scroll(arguments)?,
         "Sleep" => {
             let [time] = arguments.exactly("a time, such as 1.5s or 200ms")?;
@@ -139,8 +147,8 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
         other => {
             let Some(key) = Key::named(other) else {
                 return Err(format!(
-                    "unknown instruction {other}; expected Run, Set, Type, Click, Drag, Scroll, \
-                     Sleep, Screenshot, Expect, Refuse or the name of a key"
+                    "unknown instruction {other}; expected Run, Set, Type, Click, Drag, Hold, \
+                     Release, Scroll, Sleep, Screenshot, Expect, Refuse or the name of a key"
                 ));
             };
             let times = match arguments.rest {

@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 use thiserror::Error;
 
 use super::{Instruction, ScreenSetting, Screenshot, Tape};
-use crate::messages::Key;
+use crate::messages::{Key, MouseKind};
 use crate::shells::Headless;
 
 /// Why a tape did not play to its end.
@@ -83,6 +83,11 @@ pub fn play<G: Into<Headless>>(
             Instruction::Press(key, times) => (0..*times).for_each(|_| game.key(*key)),
             Instruction::Click(at) => game.click(*at),
             Instruction::Drag(from, to) => game.drag(*from, *to),
+            Instruction::Hold(from, to) => {
+                game.mouse(MouseKind::Down, *from);
+                game.mouse(MouseKind::Drag, *to);
+            }
+            Instruction::Release(at) => game.mouse(MouseKind::Up, *at),
             Instruction::Scroll(way, notches, at) => {
                 let at = at.unwrap_or_else(|| middle(game.buffer().area));
                 (0..*notches).for_each(|_| game.mouse(*way, at));

@@ -9,6 +9,10 @@ use crate::widgets::{Charset, Role, picture::Body};
 /// How far from its own cell a token may have to go, in cells.
 const FARTHEST: i32 = 4;
 
+/// Columns that a small round disc has to itself: so its letter is in its middle, and no
+/// neighbour takes a bite of it.
+const SMALL_WIDTH: i32 = 3;
+
 /// The ring round a disc that is pointed out, in its radii.
 const RING: f64 = 1.25;
 
@@ -25,27 +29,47 @@ impl Canvas {
     /// Discs of one scale: round ones if even the smallest has room for it, else
     /// [tokens](token) for all.
     ///
-    /// Every token has cells of its own. Where two would share one, the one that lies
+    /// Every token and every small disc with a letter has cells of its own. Where two would share one, the one that lies
     /// farther from the cell's middle moves over to the nearest free cell; the queen
     /// never does. No stroke and no arrow hides a token, whatever is drawn when.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
-            for body in bodies.iter().filter(|body| body.radius > 0.0) {
+            let (small, large): (Vec<_>, Vec<_>) = bodies
+                .iter()
+                .filter(|body| body.radius > 0.0)
+                .partition(|body| self.is_small(body));
+            for body in large {
                 self.round(body);
+            }
+            for (place, body) in self.places(small, |_| SMALL_WIDTH) {
+                self.round_at(middle(place), body);
             }
             for body in bodies.iter().filter(|body| body.pointed_out) {
                 self.circle(body.at, RING * body.radius, Role::Good);
             }
         } else {
-            self.tokens(bodies);
+            let charset = self.charset;
+            let width = |body: &Body| token(body.role, charset).chars().count() as i32;
+            for (place, body) in self.places(bodies, width) {
+                self.stamp(middle(place), token(body.role, charset), body.role, false);
+                let glyph = self.cell_mut(place).and_then(|cell| cell.glyph.as_mut());
+                if let Some(glyph) = glyph.filter(|_| body.pointed_out) {
+                    glyph.reversed = true;
+                }
+            }
         }
     }
 
-    fn tokens(&mut self, bodies: &[Body]) {
+    /// Cells of their own for bodies of so many columns, one row high.
+    fn places<'a>(
+        &self,
+        bodies: impl IntoIterator<Item = &'a Body>,
+        width: impl Fn(&Body) -> i32,
+    ) -> Vec<(CellPlace, &'a Body)> {
         let mut crowd: Vec<(DVec2, &Body)> = bodies
-            .iter()
+            .into_iter()
             .map(|body| (self.paper(body.at), body))
             .filter(|(at, _)| self.index(cell_of(*at)).is_some())
             .collect();
@@ -60,10 +84,9 @@ impl Canvas {
             ranks.then_with(|| apart(a).total_cmp(&apart(b)))
         });
         let mut taken: Vec<CellPlace> = Vec::with_capacity(crowd.len() + 2);
+        let mut places = Vec::with_capacity(crowd.len());
         for (at, body) in crowd {
-            let text = token(body.role, self.charset);
-            let width = text.chars().count() as i32;
-            let beside = width / 2;
+            let beside = width(body) / 2;
             let is_free = |(column, row): CellPlace| {
                 (column - beside..=column + beside).all(|column| !taken.contains(&(column, row)))
             };
@@ -71,12 +94,9 @@ impl Canvas {
                 continue;
             };
             taken.extend((place.0 - beside..=place.0 + beside).map(|column| (column, place.1)));
-            self.stamp(middle(place), text, body.role, false);
-            let glyph = self.cell_mut(place).and_then(|cell| cell.glyph.as_mut());
-            if let Some(glyph) = glyph.filter(|_| body.pointed_out) {
-                glyph.reversed = true;
-            }
+            places.push((place, body));
         }
+        places
     }
 
     /// The cell nearest to a point on paper that is free.

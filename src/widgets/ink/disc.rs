@@ -39,21 +39,32 @@ impl Canvas {
         2.0 * body.radius / self.view().per_row() < token_rows(self.charset)
     }
 
+    /// Whether a disc is so small that it has to stand where it looks round, with a letter
+    /// that has to be in its middle.
+    pub(super) fn is_small(&self, body: &Body) -> bool {
+        self.charset == Charset::Unicode
+            && body.letter != ' '
+            && body.radius / self.view().per_column() < SMALL
+    }
+
     /// A disc in its own shape, however small it is.
     pub(super) fn round(&mut self, body: &Body) {
+        let place = self.paper(body.at);
+        // On halves of cells it is as round to the left as to the right; a letter stands
+        // in the middle of a cell.
+        let half = dvec2(0.5, 1.0);
+        let place = match body.radius / self.view().per_column() < SMALL {
+            false => place,
+            true if body.letter == ' ' => (place / half).round() * half,
+            true => (place / half / 2.0).floor() * half * 2.0 + half,
+        };
+        self.round_at(place, body);
+    }
+
+    /// A disc in its own shape with its middle at a point on paper.
+    pub(super) fn round_at(&mut self, place: DVec2, body: &Body) {
         let (role, letter) = (body.role, body.letter);
-        let mut place = self.paper(body.at);
         let reach = body.radius / self.view().per_column();
-        if reach < SMALL {
-            // On halves of cells it is as round to the left as to the right; a
-            // letter stands in the middle of a cell.
-            let half = dvec2(0.5, 1.0);
-            place = if letter == ' ' {
-                (place / half).round() * half
-            } else {
-                (place / half / 2.0).floor() * half * 2.0 + half
-            };
-        }
         self.cover(place, reach, (role, false));
         if self.charset == Charset::Ascii {
             let rim = Pen::new(role).on(DrawLayer::Disc);

@@ -117,12 +117,29 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
         } else if gap == 1 {
             line.push(' ');
         }
-        for c in word.chars() {
-            if width(line) + c.to_string().width() > columns && !line.is_empty() {
+        // A path breaks between its folders rather than within a name.
+        let names = if width(&word) > columns && word.contains(['/', '\\']) {
+            word.split_inclusive(['/', '\\']).collect()
+        } else {
+            vec![word.as_str()]
+        };
+        for name in names {
+            let fits = width(line) + width(name) <= columns || width(name) > columns;
+            if !fits && !line.is_empty() {
                 lines.push(std::mem::take(line));
             }
-            line.push(c);
+            break_word(lines, line, name, columns);
         }
+    }
+}
+
+/// Goes on from `line` with a word, which is broken where it must be.
+fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: usize) {
+    for c in word.chars() {
+        if width(line) + c.to_string().width() > columns && !line.is_empty() {
+            lines.push(std::mem::take(line));
+        }
+        line.push(c);
     }
 }
 
@@ -256,6 +273,12 @@ mod tests {
     #[test]
     fn a_word_longer_than_a_line_is_broken() {
         assert_eq!(wrap("a striking", 5), ["a", "strik", "ing"]);
+        // A path between its folders, as long as they fit.
+        assert_eq!(
+            wrap("to /home/ada/carrom/game.toml", 12),
+            ["to", "/home/ada/", "carrom/", "game.toml"]
+        );
+        assert_eq!(wrap("x /striking/ab", 6), ["x", "/strik", "ing/ab"]);
     }
 
     #[test]

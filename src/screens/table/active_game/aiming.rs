@@ -20,8 +20,6 @@ use crate::widgets::hit::side;
 const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
 /// A step of the direction, in degrees.
 const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
-/// How near the mouse has to be to take hold of the striker, in its radii.
-const HOLD: f64 = 1.6;
 
 impl ActiveGame {
     /// Aims, or does what can be done beside it. A number that was typed is a direction,
@@ -32,7 +30,7 @@ impl ActiveGame {
                 TableAction::Strength(1) => self.aim.set_speed(number),
                 TableAction::Place(1) => self.stand(m_from_mm(number)),
                 TableAction::Place(-1) => self.stand(-m_from_mm(number)),
-                _ => self.aim.set_direction(number),
+                _ => self.aim.set_shown(number, self.seat()),
             }
             self.look_ahead();
             if let TableAction::Strength(1) | TableAction::Place(1 | -1) = action {
@@ -61,7 +59,7 @@ impl ActiveGame {
     }
 
     fn turn(&mut self, degrees: f64) {
-        self.aim.set_direction(self.aim.direction_deg + degrees);
+        self.aim.turn(degrees);
         self.look_ahead();
     }
 
@@ -101,7 +99,7 @@ impl ActiveGame {
     }
 
     /// From aiming to the stroke, or to the call before it.
-    fn strike(&mut self, cx: &Context) {
+    pub(super) fn strike(&mut self, cx: &Context) {
         let lines = self.game().base_lines();
         if !self.is_practice() && lines.nearest(DVec2::ZERO).is_none() {
             self.pass();
@@ -114,7 +112,8 @@ impl ActiveGame {
         match self.preview.as_ref().and_then(Preview::first_hit) {
             Some(hit) if self.options.call => {
                 let rays = RayInput::new(side(&hit.impact.collision));
-                self.phase = TablePhase::Call(Box::new(Calling { hit, rays }));
+                let of = None;
+                self.phase = TablePhase::Call(Box::new(Calling { hit, rays, of }));
             }
             _ => self.play(Move::Strike(self.aim.strike(self.seat())), cx),
         }
@@ -138,25 +137,12 @@ impl ActiveGame {
         match mouse.kind {
             MouseKind::ScrollUp => self.aim.set_speed(self.aim.speed + SPEED_STEP),
             MouseKind::ScrollDown => self.aim.set_speed(self.aim.speed - SPEED_STEP),
-            MouseKind::Down if inside => {
-                let reach = HOLD * self.game().setup().set.striker_radius();
-                self.holds_striker = self.aim.place.distance(at) < reach;
-                self.lead(at);
-            }
+            MouseKind::Down if inside => self.take_hold(at),
             MouseKind::Drag => self.lead(at),
-            _ => return false,
+            MouseKind::Up => return self.let_go(at, cx),
+            MouseKind::Down => return false,
         }
         self.look_ahead();
         true
-    }
-
-    /// Moves what the mouse holds.
-    fn lead(&mut self, at: DVec2) {
-        self.entry.take();
-        self.notice = None;
-        match self.holds_striker {
-            true => self.aim.put(at, self.history.game()),
-            false => self.aim.point_at(at, self.history.game().seat()),
-        }
     }
 }

@@ -15,12 +15,26 @@ impl ActiveGame {
             && let Outcome::Done(()) = calling.rays.act(action)
             && let Some(said) = calling.rays.said()
         {
+            let (of, call) = (calling.of.take(), Some(call(&said)));
             self.phase = TablePhase::Aim;
-            let strike = Strike {
-                call: Some(call(&said)),
-                ..self.aim.strike(self.seat())
-            };
-            self.play(Move::Strike(strike), cx);
+            match of {
+                Some(stroke) => self.play_for_the_computer(&stroke, call, cx),
+                None => {
+                    let strike = self.aim.strike(self.seat());
+                    self.play(Move::Strike(Strike { call, ..strike }), cx);
+                }
+            }
+        }
+    }
+
+    /// Away from a call: back to the aim, or to the computer's.
+    pub(super) fn leave_call(&mut self, cx: &Context) {
+        let TablePhase::Call(calling) = &mut self.phase else {
+            return;
+        };
+        match calling.of.take() {
+            Some(stroke) => self.show(*stroke, cx),
+            None => self.phase = TablePhase::Aim,
         }
     }
 

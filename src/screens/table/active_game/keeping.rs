@@ -29,7 +29,7 @@ impl ActiveGame {
         saved: &SavedGame,
         ticket: u64,
     ) -> Result<Self, RecordError> {
-        let history = GameHistory::from_record(saved.record.clone())?;
+        let history = GameHistory::from_record(saved.record.clone(), saved.hints.clone())?;
         let mut active = Self::with(Options::of(saved), history);
         active.go_on();
         active.keeping.ticket = Some(ticket);
@@ -60,6 +60,7 @@ impl ActiveGame {
             player: cx.settings.player.clone(),
             company: self.options.company(),
             record: self.history.record().clone(),
+            hints: self.history.hints().to_vec(),
             end: Fingerprint::of(self.game()),
         }
     }

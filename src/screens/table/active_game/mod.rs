@@ -7,6 +7,8 @@ mod aiming;
 mod arranging;
 mod calling;
 mod keeping;
+mod pulling;
+mod showing;
 mod thinking;
 mod watching;
 
@@ -16,16 +18,18 @@ use glam::DVec2;
 
 use super::aim::Aim;
 use super::arrange::Arrange;
-use super::game_history::GameHistory;
+use super::computer_stroke::ComputerStroke;
+use super::game_history::{CallTally, GameHistory};
 use super::keys::TableAction;
 use super::options::Options;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
 use super::replay::StrokeReplay;
+use super::tale::BoardTale;
 use super::{panel, view};
 use crate::game::opponent::StrokeHint;
-use crate::game::{Game, GameStage, Move, PieceSet, Rules, Seat};
-use crate::messages::{Input, Mouse, StoreRequest};
+use crate::game::{ByTeam, Game, GameStage, Move, PieceSet, Rules, Seat};
+use crate::messages::{Input, Mouse, MouseKind, StoreRequest};
 use crate::numbers::capital;
 use crate::physics::{Board, Shot};
 use crate::screens::{Confirmation, Context, Next};
@@ -33,6 +37,8 @@ use crate::widgets::hit::HitPace;
 use crate::widgets::replay::ShotAction;
 use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, SplitLayout, board};
 pub(super) use keeping::Keeping;
+pub(super) use pulling::Grip;
+pub(super) use showing::ShownStroke;
 
 /// A game in progress, and what is being done at the table.
 #[derive(Debug, Clone)]
@@ -53,8 +59,8 @@ pub(super) struct ActiveGame {
     pub(super) scroll: Scroll,
     /// How it is kept.
     pub(super) keeping: Keeping,
-    /// Whether the mouse holds the striker while its button is down, or else the aim.
-    holds_striker: bool,
+    /// What the mouse holds while its button is down.
+    pub(super) grip: Grip,
 }
 
 /// What is being done at the table.
@@ -67,6 +73,8 @@ pub(super) enum TablePhase {
         /// By which the answer is known.
         ticket: u64,
     },
+    /// Seeing the computer's stroke before it is struck.
+    Show(Box<ShownStroke>),
     /// Saying where the two of the first impact will go.
     Call(Box<Calling>),
     /// Watching a stroke.
@@ -100,6 +108,8 @@ pub(super) enum Hinted {
 pub(super) struct Calling {
     pub(super) hit: FirstHit,
     pub(super) rays: RayInput,
+    /// The computer's stroke, if it is one of those.
+    pub(super) of: Option<Box<ComputerStroke>>,
 }
 
 impl ActiveGame {
@@ -120,7 +130,7 @@ impl ActiveGame {
             hint: None,
             scroll: Scroll::default(),
             keeping: Keeping::default(),
-            holds_striker: false,
+            grip: Grip::default(),
         };
         active.look_ahead();
         active
@@ -172,7 +182,7 @@ impl ActiveGame {
         match action {
             TableAction::Number(action) => {
                 if let Outcome::Done(degrees) = self.entry.act(action) {
-                    self.aim.set_direction(degrees);
+                    self.aim.set_shown(degrees, self.seat());
                 }
                 self.look_ahead();
             }
@@ -193,6 +203,12 @@ impl ActiveGame {
                 self.look_at(last, true, cx);
             }
             TableAction::WatchAll => self.watch_all(cx),
+            TableAction::WatchBest => {
+                let best = self.tale().best;
+                self.look_at(best, cx.settings.reduced_motion, cx);
+            }
+            TableAction::StrikeShown => self.strike_shown(cx),
+            TableAction::CallShown => self.call_shown(cx),
             TableAction::Export => {
                 let game = Box::new(self.saved(cx));
                 cx.ask(StoreRequest::Export(game));
@@ -204,7 +220,7 @@ impl ActiveGame {
                 self.make(Move::NextBoard);
                 self.go_on();
             }
-            TableAction::Back => return self.back(),
+            TableAction::Back => return self.back(cx),
             action if matches!(self.phase, TablePhase::Arrange(_)) => self.act_on_layout(action),
             action => self.act_on_aim(action, cx),
         }
@@ -213,9 +229,11 @@ impl ActiveGame {
 
     /// One step back: out of a call, a stroke that is watched, or laying out; from there
     /// out of the game.
-    fn back(&mut self) -> Next {
+    fn back(&mut self, cx: &Context) -> Next {
         match self.phase {
-            TablePhase::Call(_) | TablePhase::Arrange(_) => self.phase = TablePhase::Aim,
+            TablePhase::Aim if self.is_pulling() => self.let_slip(),
+            TablePhase::Call(_) => self.leave_call(cx),
+            TablePhase::Arrange(_) => self.phase = TablePhase::Aim,
             TablePhase::Watch(ref replay) if !replay.live || !self.is_running() => self.go_on(),
             _ if self.is_running() => return Next::Confirm(self.parting()),
             _ => return Next::Back,
@@ -252,14 +270,27 @@ impl ActiveGame {
         Next::after(used)
     }
 
+    /// A click on the board at its end is the key to go on with.
+    fn over_mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
+        let on_board = view::layout(self, cx.body).picture;
+        let clicked = mouse.kind == MouseKind::Down && on_board.contains(mouse.cell().into());
+        // The match is left by a key: by a click it would be gone unread.
+        if clicked && !matches!(self.game().stage(), GameStage::MatchOver(_)) {
+            self.act_now(TableAction::NextBoard, cx);
+        }
+        clicked
+    }
+
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
         self.notice = None;
         match &mut self.phase {
             TablePhase::Aim => self.aiming_mouse(mouse, cx),
+            TablePhase::Show(_) => self.showing_mouse(mouse, cx),
             TablePhase::Call(_) => self.calling_mouse(mouse, cx),
             TablePhase::Watch(_) => self.watching_mouse(mouse, cx),
             TablePhase::Arrange(_) => self.arranging_mouse(mouse, cx),
-            TablePhase::Think { .. } | TablePhase::Over => false,
+            TablePhase::Over => self.over_mouse(mouse, cx),
+            TablePhase::Think { .. } => false,
         }
     }
 
@@ -284,12 +315,14 @@ impl ActiveGame {
         if let TablePhase::Watch(replay) = &mut self.phase {
             replay.player.advance(passed, cx.settings.pace());
         }
+        self.advance_shown(passed, cx);
     }
 
     /// When it next needs time.
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
             TablePhase::Watch(replay) => replay.player.wake(pace),
+            TablePhase::Show(shown) => shown.wake(),
             TablePhase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
             _ => None,
         }
@@ -335,7 +368,19 @@ impl ActiveGame {
         }
         self.entry.take();
         self.hint = None;
+        self.grip = Grip::default();
         self.look_ahead();
+    }
+
+    /// What the calls have brought.
+    pub(super) fn calls(&self) -> ByTeam<CallTally> {
+        self.history
+            .calls(|game, seat| self.options.caller(game, seat))
+    }
+
+    /// What there is to tell of the present board.
+    pub(super) fn tale(&self) -> BoardTale {
+        BoardTale::of(&self.history)
     }
 
     /// Passes, because coins bar every place for the striker.
@@ -352,7 +397,7 @@ impl ActiveGame {
     pub(super) fn aimed(&self) -> Aim {
         let mut aim = self.aim;
         if let Some(degrees) = self.entry.value() {
-            aim.set_direction(degrees);
+            aim.set_shown(degrees, self.seat());
         }
         aim
     }
@@ -413,7 +458,7 @@ mod tests {
         let again = ActiveGame::resume_saved(&read, 1).unwrap();
         assert_eq!(again.options, active.options);
         assert_eq!(again.history.len(), active.history.len());
-        assert_eq!(again.history.calls(), active.history.calls());
+        assert_eq!(again.calls(), active.calls());
     }
 
     #[test]
@@ -421,7 +466,7 @@ mod tests {
         let mut cx = context();
         let mut active = ActiveGame::new(Options::two_people(), 4);
         press(&mut active, "c[[97.3 60\n30\n\n", &mut cx);
-        press(&mut active, "c]]]]88 \n+++++}101 \n{{120.55 \n", &mut cx);
+        press(&mut active, "c]]]]268 \n+++++}101 \n{{300.55 \n", &mut cx);
         assert_eq!(active.history.len(), 4);
         assert!(active.history.past(0).unwrap().called.is_some());
         assert_recorded(&active, &cx);
@@ -480,8 +525,11 @@ mod tests {
         }
         let mut failing = active.clone();
         active.input(&Input::Searched(Box::new(result)), &mut cx);
+        assert!(matches!(active.phase, TablePhase::Show(_)));
+        assert_eq!(active.history.len(), 0);
+        active.advance(Duration::from_secs(2), &mut cx);
         assert!(matches!(active.phase, TablePhase::Watch(_)));
-        assert!(active.history.past(0).unwrap().told.is_some());
+        assert!(active.history.past(0).unwrap().meant.is_some());
         // The same result again comes too late.
         active.input(&Input::Searched(Box::new(result)), &mut cx);
         assert_eq!(active.history.len(), 1);

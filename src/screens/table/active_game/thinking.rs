@@ -1,12 +1,11 @@
 //! The computer's strokes and the player's hints: asked for, and what comes back.
 
 use super::{ActiveGame, Hinted, TablePhase};
-use crate::game::opponent::{Decision, StrokeHint};
-use crate::game::{Move, Strike};
+use crate::game::opponent::StrokeHint;
 use crate::messages::{Found, SearchResult, Wanted};
-use crate::physics::Motion;
 use crate::screens::Context;
 use crate::screens::table::aim::Aim;
+use crate::screens::table::computer_stroke::{ComputerStroke, strike};
 use crate::screens::table::options::Player;
 use crate::screens::table::pointer::Pointer;
 
@@ -20,7 +19,7 @@ impl ActiveGame {
     /// Asks the computer for its stroke, if it is to play.
     pub(super) fn hand_over(&mut self, cx: &mut Context) {
         if self.is_computers_turn() {
-            let wanted = Wanted::Stroke(self.options.strength);
+            let wanted = Wanted::Stroke(self.options.strength(self.seat()));
             let ticket = cx.think(self.game().clone(), self.next_seed(), wanted);
             self.phase = TablePhase::Think { ticket };
         }
@@ -31,13 +30,14 @@ impl ActiveGame {
         match &mut self.hint {
             Some(Hinted::Told { hint, whole, .. }) if *whole => {
                 let stroke = hint.stroke;
-                self.aim = Aim::of(&meant(stroke), self.seat());
+                self.aim = Aim::of(&strike(stroke), self.seat());
                 self.look_ahead();
             }
             Some(Hinted::Told { whole, .. }) => *whole = true,
             Some(Hinted::Asked { .. }) => {}
             None => {
                 let ticket = cx.think(self.game().clone(), self.next_seed(), Wanted::Hint);
+                self.history.take_hint();
                 self.hint = Some(Hinted::Asked { ticket });
             }
         }
@@ -56,7 +56,9 @@ impl ActiveGame {
         let thinks = matches!(self.phase, TablePhase::Think { ticket } if is_it(ticket));
         let hints = matches!(self.hint, Some(Hinted::Asked { ticket }) if is_it(ticket));
         match result.found {
-            Found::Stroke(Some(decision)) if thinks => self.play_for_the_computer(&decision, cx),
+            Found::Stroke(Some(decision)) if thinks => {
+                self.show(ComputerStroke::new(decision, self.game()), cx);
+            }
             Found::Stroke(None) if thinks => self.pass(),
             Found::Hint(hint) if hints => self.take_hint(hint),
             Found::Failed if thinks => {
@@ -75,23 +77,8 @@ impl ActiveGame {
         }
     }
 
-    fn play_for_the_computer(&mut self, decision: &Decision, cx: &Context) {
-        self.phase = TablePhase::Aim;
-        let number = self.history.len();
-        for motion in [decision.struck(), decision.meant] {
-            self.play(Move::Strike(meant(motion)), cx);
-            if self.history.len() > number {
-                self.history.tell(number, decision.afterwards());
-                self.notice = None;
-                return;
-            }
-        }
-        // Neither can be played.
-        self.hand_to_person();
-    }
-
     /// Lets a person play where the computer cannot: else the game would stand still.
-    fn hand_to_person(&mut self) {
+    pub(super) fn hand_to_person(&mut self) {
         let seat = self.seat();
         self.options.set_player(seat, Player::Person);
     }
@@ -99,7 +86,7 @@ impl ActiveGame {
     fn take_hint(&mut self, hint: Option<StrokeHint>) {
         self.hint = match hint {
             Some(hint) => Some(Hinted::Told {
-                pointer: Pointer::of(&hint, &meant(hint.stroke), self.game()),
+                pointer: Pointer::of(&hint.reason.story, &strike(hint.stroke), self.game()),
                 hint: Box::new(hint),
                 whole: false,
             }),
@@ -108,13 +95,5 @@ impl ActiveGame {
                 None
             }
         };
-    }
-}
-
-fn meant(motion: Motion) -> Strike {
-    Strike {
-        place: motion.position,
-        velocity: motion.velocity,
-        call: None,
     }
 }

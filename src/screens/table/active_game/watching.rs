@@ -1,7 +1,7 @@
 //! Watching strokes, and looking into their impacts.
 
 use super::{ActiveGame, TablePhase};
-use crate::messages::Mouse;
+use crate::messages::{Mouse, MouseKind};
 use crate::screens::Context;
 use crate::screens::table::replay::StrokeReplay;
 use crate::screens::table::{panel, view};
@@ -59,8 +59,12 @@ impl ActiveGame {
         let layout = view::layout(self, cx.body);
         let on_picture = layout.picture.contains(mouse.cell().into());
         let line = panel::impact_at(replay, layout.panel, mouse.cell());
+        let ended = replay.player.clock().is_over() && replay.player.chosen().is_none();
         match replay.player.pointed(mouse, on_picture, line) {
             Some(action) => self.act_on_replay(action, cx),
+            None if ended && on_picture && mouse.kind == MouseKind::Down => {
+                self.go_on_from_stroke(cx);
+            }
             None => return false,
         }
         true

@@ -3,9 +3,9 @@
 use super::{notice, score};
 use crate::game::Game;
 use crate::numbers::{capital, fixed};
-use crate::screens::table::active_game::{ActiveGame, Hinted};
-use crate::screens::table::aim::SPEEDS;
-use crate::screens::table::preview::{FirstHit, WayEnd};
+use crate::screens::table::active_game::{ActiveGame, Hinted, ShownStroke};
+use crate::screens::table::aim::{Aim, SPEEDS};
+use crate::screens::table::preview::{FirstHit, Preview, WayEnd};
 use crate::screens::table::words;
 use crate::widgets::bar::bar;
 use crate::widgets::{Lines, Role};
@@ -23,15 +23,20 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     let direction = if active.entry.is_open() {
         format!("{}_", active.entry.text())
     } else {
-        format!("{:.1}°", aim.direction_deg)
+        direction(active, &aim)
     };
     lines.fact("aim", &direction);
-    let bar_width = lines.width().saturating_sub(NAME_AND_SPEED).min(BAR);
-    let bar = bar(aim.speed / SPEEDS.1, bar_width, lines.charset());
-    lines.fact("strength", &format!("{bar} {:.1} m/s", aim.speed));
+    strength(&aim, lines);
     lines.fact("place", &aim.place_words(game));
     if active.entry.is_open() {
         lines.paragraph("[ ]: as the place, +: as the strength", Role::Key);
+    }
+    if active.is_pulling() {
+        let what = match active.is_drawn() {
+            true => "Let go: strike. Back to the striker: not now.",
+            false => "Pull farther back to strike.",
+        };
+        lines.paragraph(what, Role::Key);
     }
     lines.gap();
     if active.notice.is_some() {
@@ -45,6 +50,39 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
     }
     lines.gap();
     score::draw(active, lines);
+}
+
+/// A stroke of the computer before it is struck: as much of it as is seen.
+pub(super) fn show(active: &ActiveGame, shown: &ShownStroke, lines: &mut Lines) {
+    turn(active, lines);
+    let aim = &shown.stroke.aim;
+    lines.fact("place", &aim.place_words(active.game()));
+    if shown.parts > 1 {
+        lines.fact("aim", &direction(active, aim));
+    }
+    if shown.parts > 2 {
+        strength(aim, lines);
+    }
+    lines.gap();
+    let hit = shown.stroke.preview.as_ref().and_then(Preview::first_hit);
+    if let Some(hit) = hit.filter(|_| shown.parts > 2) {
+        first_hit(active.game(), &hit, false, lines);
+    }
+    lines.gap();
+    lines.paragraph("What will happen? Say it first.", Role::Text);
+    lines.paragraph("c: your call.  Space: strike.", Role::Key);
+    lines.gap();
+    score::draw(active, lines);
+}
+
+fn direction(active: &ActiveGame, aim: &Aim) -> String {
+    format!("{:.1}°", aim.shown_deg(active.seat()))
+}
+
+fn strength(aim: &Aim, lines: &mut Lines) {
+    let bar_width = lines.width().saturating_sub(NAME_AND_SPEED).min(BAR);
+    let bar = bar(aim.speed / SPEEDS.1, bar_width, lines.charset());
+    lines.fact("strength", &format!("{bar} {:.1} m/s", aim.speed));
 }
 
 /// Whose turn it is, with what colour, and what the laws ask of the stroke.
@@ -84,23 +122,33 @@ fn ahead(active: &ActiveGame, lines: &mut Lines) {
         return;
     };
     match &preview.end {
-        WayEnd::Meets(hit) => first_hit(active.game(), hit, lines),
+        // While one calls, the impact angle is the coin's answer.
+        WayEnd::Meets(hit) => first_hit(active.game(), hit, !active.options.call, lines),
         WayEnd::Falls => lines.line("no hit: into the pocket", Role::Warn),
         WayEnd::Stops => lines.line("no hit", Role::Dim),
+        WayEnd::TooSoft(coin) => {
+            let text = format!("too soft to reach the {}", piece(active.game(), *coin));
+            lines.line(&text, Role::Warn);
+        }
     }
     if active.options.call {
         lines.line("you will call this hit", Role::Key);
     }
 }
 
-/// A first hit in numbers: which coin, b and α.
-fn first_hit(game: &Game, hit: &FirstHit, lines: &mut Lines) {
-    let piece = game.coins().get(hit.coin).map(|coin| coin.piece);
-    lines.fact("first hit", piece.map_or("coin", Into::into));
+/// What a coin is.
+fn piece(game: &Game, coin: usize) -> &'static str {
+    let coin = game.coins().get(coin);
+    coin.map_or("coin", |coin| coin.piece.into())
+}
+
+/// A first hit in numbers: which coin, b, and α if it may be told.
+fn first_hit(game: &Game, hit: &FirstHit, tells_angle: bool, lines: &mut Lines) {
+    lines.fact("first hit", piece(game, hit.coin));
     let collision = &hit.impact.collision;
     let offset = (collision.offset * 1000.0 * 10.0).round() / 10.0;
     lines.fact("  offset b", &format!("{} mm", fixed(offset, 1)));
-    if let Some(alpha) = collision.alpha() {
+    if let Some(alpha) = collision.alpha().filter(|_| tells_angle) {
         lines.fact("  angle α", &format!("{:.1}°", alpha.to_degrees().abs()));
     }
 }

@@ -2,14 +2,15 @@
 
 use crate::quiz::Ray;
 use crate::screens::table::active_game::Calling;
-use crate::widgets::panels::{impact_angle, masses, offset};
+use crate::widgets::panels::{contact_distance, masses, offset};
 use crate::widgets::{Lines, Role};
 
 /// The hit, and both rays as said so far.
 pub(super) fn draw(calling: &Calling, lines: &mut Lines) {
     let collision = &calling.hit.impact.collision;
     offset(collision, lines);
-    impact_angle(collision, lines);
+    // Not the impact angle: that is the coin's answer.
+    contact_distance(collision, lines);
     masses(collision, [false; 2], lines);
     lines.gap();
     lines.line("Where will they go?", Role::Title);

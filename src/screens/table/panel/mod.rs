@@ -37,6 +37,7 @@ pub(super) fn write(active: &ActiveGame, lines: &mut Lines) {
     match &active.phase {
         TablePhase::Aim => aim::draw(active, lines),
         TablePhase::Think { .. } => thinking(active, lines),
+        TablePhase::Show(shown) => aim::show(active, shown, lines),
         TablePhase::Call(calling) => call::draw(calling, lines),
         TablePhase::Watch(replay) if replay.player.list().is_some() => stroke::list(replay, lines),
         TablePhase::Watch(replay) => match replay.player.zoom() {

@@ -45,7 +45,7 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
 
 /// The tally of the calls; it is no part of the score.
 pub(super) fn calls(active: &ActiveGame, lines: &mut Lines) {
-    let calls = active.history.calls();
+    let calls = active.calls();
     for team in Team::BOTH.into_iter().filter(|team| calls[*team].most > 0) {
         let name = format!("calls {}", active.options.team_name(team));
         let points = format!("{} of {}", calls[team].points, calls[team].most);

@@ -37,9 +37,9 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
         return;
     }
     rulings(past, lines);
-    if let Some(told) = &past.told {
+    if let Some(meant) = &past.meant {
         lines.line(&format!("{}:", capital(name)), Role::Title);
-        lines.paragraph(told, Role::Text);
+        lines.paragraph(&meant.decision.afterwards(), Role::Text);
         lines.gap();
     }
     if let Some(called) = &past.called {

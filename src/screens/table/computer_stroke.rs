@@ -1,0 +1,60 @@
+//! A stroke of the computer as it was meant: seen before it is struck, and afterwards
+//! beside the one that was played.
+
+use super::aim::Aim;
+use super::pointer::Pointer;
+use super::preview::Preview;
+use crate::game::opponent::Decision;
+use crate::game::{Game, Strike};
+use crate::numbers::fixed;
+use crate::physics::Motion;
+
+/// The smallest slip of the hand that is told, in degrees.
+const SMALLEST_SLIP_DEG: f64 = 0.05;
+
+/// What the computer has decided, and what it meant by it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ComputerStroke {
+    pub(super) decision: Decision,
+    /// The stroke as it was meant, as a player would set it.
+    pub(super) aim: Aim,
+    /// What it would meet.
+    pub(super) preview: Option<Preview>,
+    /// The coin and the pocket it was meant for.
+    pub(super) pointer: Option<Pointer>,
+}
+
+impl ComputerStroke {
+    /// What was decided for `game`, at the seat whose turn it is.
+    pub(super) fn new(decision: Decision, game: &Game) -> Self {
+        let meant = strike(decision.meant);
+        Self {
+            aim: Aim::of(&meant, game.seat()),
+            preview: Preview::of(&meant, game),
+            pointer: Pointer::of(&decision.reason.story, &meant, game),
+            decision,
+        }
+    }
+
+    /// The stroke as the hand makes it; the second is what was meant, for when that cannot
+    /// be played.
+    pub(super) fn strikes(&self) -> [Strike; 2] {
+        [self.decision.struck(), self.decision.meant].map(strike)
+    }
+
+    /// By how much the direction slipped, in words; `None` if it did not.
+    pub(super) fn off(&self) -> Option<String> {
+        let degrees = self.decision.slip.turn.atan().abs().to_degrees();
+        let words = || format!("{}° off", fixed(degrees, 1));
+        (degrees >= SMALLEST_SLIP_DEG).then(words)
+    }
+}
+
+/// A motion of the striker as a stroke.
+pub(super) fn strike(motion: Motion) -> Strike {
+    Strike {
+        place: motion.position,
+        velocity: motion.velocity,
+        call: None,
+    }
+}

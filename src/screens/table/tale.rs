@@ -1,0 +1,125 @@
+//! What there is to tell of a board at its end.
+
+use super::game_history::{GameHistory, Past};
+use crate::game::opponent::Story;
+use crate::game::{ByTeam, Move, Piece, RulingEffect, Team};
+use crate::physics::units::deg_from_rad;
+
+/// A board in numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BoardTale {
+    /// What each team did.
+    pub(super) teams: ByTeam<TeamTale>,
+    /// The number of the move that was the best stroke; `None` if nothing fell.
+    pub(super) best: Option<usize>,
+    /// The points of both in this game after each of its boards.
+    pub(super) run: Vec<ByTeam<u8>>,
+}
+
+/// What a team did on a board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct TeamTale {
+    /// Strokes.
+    pub(super) strokes: u32,
+    /// Those in which something wanted fell, and the striker did not.
+    pub(super) pocketing: u32,
+    /// Those in which the striker fell.
+    pub(super) fouls: u32,
+    /// Own coins that were put back.
+    pub(super) put_back: u32,
+    /// Strokes with a hint.
+    pub(super) hints: u32,
+}
+
+impl TeamTale {
+    /// The share of strokes that pocketed something, in per cent.
+    pub(super) fn share(&self) -> u32 {
+        (100 * self.pocketing + self.strokes / 2) / self.strokes.max(1)
+    }
+}
+
+impl BoardTale {
+    /// The tale of the last board of a game.
+    pub(super) fn of(history: &GameHistory) -> Self {
+        let moves = history.record().moves();
+        let last_pack = moves.iter().rposition(|made| *made == Move::NextBoard);
+        let first = last_pack.map_or(0, |number| number + 1);
+        let mut tale = Self {
+            teams: ByTeam::default(),
+            best: None,
+            run: run(history),
+        };
+        let mut best = 0.0;
+        for number in (first..history.len()).filter(|number| history.strike(*number).is_some()) {
+            let Some(past) = history.past(number) else {
+                continue;
+            };
+            tale.count(past, history.hints().contains(&number));
+            let rank = rank(past);
+            if rank > best {
+                (best, tale.best) = (rank, Some(number));
+            }
+        }
+        tale
+    }
+
+    fn count(&mut self, past: &Past, hinted: bool) {
+        let team = past.before.team(past.before.seat());
+        let own = past.before.colour(team).piece();
+        let is_own = |effect: &&RulingEffect| matches!(effect, RulingEffect::PutBack(coin) if coin.piece == own);
+        let effects = past.rulings.iter().flat_map(|ruling| &ruling.effects);
+        let tale = &mut self.teams[team];
+        tale.strokes += 1;
+        tale.pocketing += u32::from(rank(past) > 0.0);
+        tale.fouls += u32::from(past.fallen.contains(&Piece::Striker));
+        tale.put_back += effects.filter(is_own).count() as u32;
+        tale.hints += u32::from(hinted);
+    }
+}
+
+/// How good a stroke was: by what it pocketed first, then by how hard that was. 0 if it
+/// pocketed nothing, or the striker too.
+fn rank(past: &Past) -> f64 {
+    let Some(Story {
+        first_hit: Some(hit),
+        fall: Some(fall),
+        also,
+    }) = &past.story
+    else {
+        return 0.0;
+    };
+    if past.fallen.contains(&Piece::Striker) {
+        return 0.0;
+    }
+    let driven = u8::from(fall.sent_by != Piece::Striker);
+    let cushions = fall.cushions + hit.cushions;
+    1000.0 * f64::from(1 + also)
+        + 100.0 * f64::from(cushions + driven)
+        + deg_from_rad(hit.alpha).abs()
+}
+
+/// The points after each board of the present game.
+fn run(history: &GameHistory) -> Vec<ByTeam<u8>> {
+    let mut run = Vec::new();
+    for number in 0..history.len() {
+        let rulings = history.past(number).map(|past| &past.rulings);
+        let mut effects = rulings.into_iter().flatten().flat_map(|it| &it.effects);
+        if effects.any(|effect| matches!(effect, RulingEffect::BoardWon(_))) {
+            let score = history.after(number).score();
+            if score.boards <= 1 {
+                run.clear();
+            }
+            run.push(score.points);
+        }
+    }
+    run
+}
+
+/// The run of points in words: "5:0, 5:3".
+pub(super) fn run_words(run: &[ByTeam<u8>]) -> String {
+    let boards = run.iter().map(|points| {
+        let [first, second] = Team::BOTH.map(|team| points[team]);
+        format!("{first}:{second}")
+    });
+    boards.collect::<Vec<_>>().join(", ")
+}
