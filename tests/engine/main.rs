@@ -5,3 +5,4 @@
 mod collisions;
 mod goals;
 mod packs;
+mod rare_laws;
