@@ -14,11 +14,11 @@ fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
     let laws = rulings.iter().filter_map(|ruling| ruling.law);
     let laws = laws.map(|law| law.to_string()).collect();
     let won = rulings.iter().flat_map(|ruling| &ruling.effects);
-    let won = won.filter_map(|effect| match effect {
+    let mut won = won.filter_map(|effect| match effect {
         RulingEffect::BoardWon(won) => Some(*won),
         _ => None,
     });
-    let won = won.last().unwrap();
+    let won = won.next_back().unwrap();
     (before, after, laws, won)
 }
 

@@ -129,6 +129,10 @@ fn commands(tape: &Tape) -> Vec<Value> {
             Instruction::Drag(from, to) => {
                 commands.extend([mouse("down", *from), mouse("drag", *to), mouse("up", *to)]);
             }
+            Instruction::Hold(from, to) => {
+                commands.extend([mouse("down", *from), mouse("drag", *to)]);
+            }
+            Instruction::Release(at) => commands.push(mouse("up", *at)),
             Instruction::Scroll(way, notches, at) => {
                 let kind = match way {
                     MouseKind::ScrollUp => "scroll-up",
