@@ -142,7 +142,7 @@ pub const TOUR: &[TourStop] = &[
     moment("a level, aiming", "level 4", ""),
     moment("a level, saying where", "level 4", "<Enter>"),
     moment("a level, watching", "level 4", "p<Enter>"),
-    moment("a level, missed", "level 21", "p<Enter><End>"),
+    moment("a level, missed", "level 47", "p<Enter><End>"),
     moment("a level, an impact", "level 4", "p<Enter><End>i"),
     moment("a level, an impact told", "level 4", "p<Enter><End>i<End>"),
     moment("table, a new game", "table", ""),
