@@ -24,6 +24,8 @@ const LEAST_ARC: f64 = 1e-6;
 const SQUARE: f64 = 1e-9;
 /// A share of the greatest speed below which a disc counts as standing still.
 const STILL: f64 = 1e-9;
+/// A speed below this, in m/s, is printed as 0.00.
+const LEAST_SPEED: f64 = 0.005;
 /// Width and height of the triangle of momenta as a share of the picture.
 const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
@@ -250,7 +252,7 @@ impl Sketch {
     ) {
         let from = self.stage.centres[body];
         let end = |v: DVec2| from + scale.per_speed * v;
-        let some = parts.iter().filter(|part| !scale.is_still(part.v));
+        let some = parts.iter().filter(|part| part.v.length() >= LEAST_SPEED);
         match some.collect::<Vec<_>>().as_slice() {
             [] => {
                 let below = from + self.stage.radius(body) * DVec2::NEG_Y;
