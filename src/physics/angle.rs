@@ -27,7 +27,7 @@ pub fn unit_vector(angle_deg: f64) -> DVec2 {
     along(angle_deg, DVec2::from_angle)
 }
 
-/// The same for the direction of a stroke, alike on every machine to the last bit: of one
+/// The same for the direction of a stroke, equal on every machine to the last bit: of one
 /// bit a whole board becomes another.
 pub fn heading(angle_deg: f64) -> DVec2 {
     along(angle_deg, direction)

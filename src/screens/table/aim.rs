@@ -237,7 +237,7 @@ mod tests {
             for degrees in [0.0, 90.0, 180.0, 270.0, 37.25] {
                 aim.set_shown(degrees, seat);
                 assert_eq!(aim.shown_deg(seat), degrees);
-                assert!(aim.heading(seat).distance(unit_vector(degrees)) < 1e-12);
+                assert!(aim.heading(seat).distance(heading(degrees)) < 1e-12);
             }
             let along = along_the_screen(seat, Rules::Tournament);
             let words = if along.x > 0.0 {
