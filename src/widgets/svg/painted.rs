@@ -55,7 +55,7 @@ pub fn painted(
         })
         .collect();
     let vectors = pictures.iter().map(|drawn| {
-        let is_vector = drawn.look.charset == Charset::Unicode;
+        let is_vector = drawn.look.charset == Charset::Unicode && !drawn.is_erased(screen);
         for at in drawn.uncovered(screen).filter(|_| is_vector) {
             if let Some(cell) = cells.get_mut(screen.index_of(at.x, at.y)) {
                 cell.is_vector = true;
@@ -84,6 +84,21 @@ pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
 }
 
 impl DrawnPicture {
+    /// Whether most of what it drew is no longer there: a page lies over it.
+    fn is_erased(&self, screen: &Buffer) -> bool {
+        let drawn = |at: &Position| {
+            self.cells
+                .cell(*at)
+                .is_some_and(|cell| cell.symbol() != " ")
+        };
+        let (mut all, mut gone) = (0, 0);
+        for at in self.cells.area.positions().filter(drawn) {
+            all += 1;
+            gone += usize::from(screen.cell(at) != self.cells.cell(at));
+        }
+        2 * gone > all
+    }
+
     /// The cells that nothing was written over: in each row those outside of all that has
     /// changed since, for what lies over a picture may have blanks in it.
     fn uncovered(&self, screen: &Buffer) -> impl Iterator<Item = Position> {
@@ -147,6 +162,9 @@ mod tests {
             16 * 8 - 4,
             "blanks within are covered too"
         );
+        let erased = Buffer::empty(AREA);
+        let (cells, left) = painted(&erased, &pictures);
+        assert!(left[0].svg.is_empty() && cells.iter().all(|cell| !cell.is_vector));
     }
 
     #[test]
