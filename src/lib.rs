@@ -22,7 +22,7 @@
 //!   app/           App: the stack of screens, what every screen shares
 //!   ─────────────────────────────────────────────────────────────
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · learn · lab · foil · quiz · class · table · levels · progress
+//!                  home · learn · lab · foil · quiz · class · table · levels · progress · settings
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   ─────────────────────────────────────────────────────────────
 //!   widgets/       the drawn things: pictures as lists of marks (picture) with two

@@ -261,9 +261,22 @@ mod tests {
 
         #[test]
         fn nothing_has_no_sign(x in -1e-2..1e-2_f64, decimals in 0_usize..3) {
-            for text in [fixed(x, decimals), short(x, decimals), points(x), bare_degrees(x), four_figures(x)] {
-                let read: f64 = text.parse().unwrap();
-                prop_assert!(read != 0.0 || !text.starts_with('-'), "{text}");
+            for x in [x, x * 1e-3, x * 1e-9, -0.0, 0.0] {
+                let printed = [
+                    fixed(x, decimals),
+                    short(x, decimals),
+                    significant(x),
+                    four_figures(x),
+                    typed(x),
+                    typed(tidy(x)),
+                    points(x),
+                    bare_degrees(x),
+                    bare_millimetres(x),
+                ];
+                for text in printed {
+                    let read: f64 = text.parse().unwrap();
+                    prop_assert!(read != 0.0 || !text.starts_with('-'), "{text}");
+                }
             }
         }
     }

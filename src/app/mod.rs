@@ -19,7 +19,7 @@ use crate::levels::Shelf;
 use crate::messages::{Effect, Input, Key, Mouse, MouseKind, StoreAnswer, StoreReply};
 use crate::quiz::concepts::Library;
 use crate::screens::{
-    AnyScreen, Context, Hosted, Next, Place, Screen, Settings, SharedAction,
+    AnyScreen, Context, Hosted, KeptSettings, Next, Place, Screen, Settings, SharedAction,
     class::Class,
     foil::FoilScreen,
     home::Home,
@@ -28,6 +28,7 @@ use crate::screens::{
     levels::{LevelPlay, Levels},
     progress::Progress,
     quiz::{Choosing, Quiz},
+    settings::SettingsScreen,
     table::Table,
 };
 use crate::widgets::Outcome;
@@ -47,6 +48,8 @@ pub struct Data {
     pub book: Book,
     /// Written questions besides those of the program.
     pub own: Arc<Library>,
+    /// The folder where all is kept, in words.
+    pub folder: Option<String>,
 }
 
 /// The whole game, headless.
@@ -76,6 +79,7 @@ impl App {
         context.shelf = data.shelf;
         context.book = data.book;
         context.own = data.own;
+        context.folder = data.folder;
         let mut app = Self {
             stack: vec![hosted(Home::default())],
             context,
@@ -90,8 +94,9 @@ impl App {
             Place::Chapter { .. } => app.open(Place::Learn),
             _ => {}
         }
-        if place != Place::Home {
-            app.open(place);
+        match place {
+            Place::Home => app.resume(),
+            _ => app.open(place),
         }
         app
     }
@@ -128,8 +133,21 @@ impl App {
         &mut self.context.settings
     }
 
+    /// What was kept of the settings when the app began; `None` leaves that alone.
+    pub fn set_kept(&mut self, kept: Option<KeptSettings>) {
+        self.context.kept = kept;
+    }
+
     /// Takes one input and says what the shell is to do about it.
     pub fn update(&mut self, input: &Input) -> Vec<Effect> {
+        let before = self.context.settings.clone();
+        let mut effects = self.take(input);
+        self.context.keep_settings(&before);
+        effects.extend(self.context.take_asked());
+        effects
+    }
+
+    fn take(&mut self, input: &Input) -> Vec<Effect> {
         match input {
             Input::Resize(columns, rows) => {
                 self.size = Rect::new(0, 0, *columns, *rows);
@@ -329,6 +347,7 @@ impl App {
                     self.open(Place::Home);
                     return vec![Effect::Quit];
                 }
+                self.resume();
             }
             Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
             Next::Shared(action) => return self.share(action),
@@ -337,14 +356,25 @@ impl App {
         vec![]
     }
 
+    /// The screen on top is seen again.
+    fn resume(&mut self) {
+        if let Some(screen) = self.stack.last_mut() {
+            screen.resumed(&mut self.context);
+        }
+    }
+
     fn open(&mut self, place: Place) {
         let cx = &mut self.context;
         self.stack.push(match place {
-            Place::Home => hosted(Home::default()),
-            Place::Lab => hosted(Lab::default()),
+            Place::Home => hosted(Home::ask(cx)),
+            Place::Lab => hosted(Lab::resume(cx)),
             Place::LabOf { setup } => hosted(Lab::of(setup)),
             Place::Learn => hosted(Contents::new(cx)),
             Place::Chapter { number } => match Reading::new(number, cx) {
+                Some(reading) => hosted(reading),
+                None => return,
+            },
+            Place::Page { number, page } => match Reading::visit(number, page, cx) {
                 Some(reading) => hosted(reading),
                 None => return,
             },
@@ -360,6 +390,7 @@ impl App {
             Place::FoilAt { page } => hosted(FoilScreen::at(page)),
             Place::Table => hosted(Table::default()),
             Place::Progress => hosted(Progress::ask(cx)),
+            Place::Settings => hosted(SettingsScreen::default()),
         });
     }
 }

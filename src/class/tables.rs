@@ -1,7 +1,7 @@
 //! The tables a teacher takes home, as comma-separated values.
 
 use super::{ClassRound, Vote, items};
-use crate::numbers::bare_degrees;
+use crate::numbers::{self, bare_degrees};
 use crate::progress::table;
 use crate::quiz::{Question, Response};
 
@@ -55,7 +55,7 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
             for vote in Vote::BOTH {
                 row.extend(judged(round, i, ballot.vote(vote)));
             }
-            let points = |_| format!("{:.1}", round.points(i, team));
+            let points = |_| numbers::points(round.points(i, team));
             row.push(cell(ballot.counts(), points));
             rows.push(row);
         }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::options::Auto;
 use super::{Failure, GlobalOptions, print, written};
+use crate::screens::KeptSettings;
 use crate::screens::learn::draw_figure;
 use crate::widgets::{Charset, Depth, Palette};
 
@@ -39,7 +40,7 @@ const AUTO: Auto = Auto {
 };
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
-    let mut settings = options.settings(AUTO);
+    let mut settings = options.settings(AUTO, &KeptSettings::default());
     if args.light {
         settings.palette = Palette::Light;
     }

@@ -18,6 +18,7 @@ mod plain;
 mod play;
 mod progress;
 mod replay;
+mod settings;
 mod simulate;
 mod solve;
 mod tape;
@@ -42,7 +43,7 @@ use crate::class::team_names;
 use crate::files::{escape_control_lines, is_invisible};
 use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
-use crate::screens::Place;
+use crate::screens::{KeptSettings, Place};
 use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
@@ -291,9 +292,22 @@ fn app(
         shelf: options.shelf(),
         book: options.book(),
         own: options.own(),
+        folder: folder.map(|folder| folder.display().to_string()),
     };
     let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&data, options))?;
-    let mut app = App::with_data(data, place, options.settings(auto), seed);
+    let kept = folder.map(|folder| settings::read(&folder.join(KeptSettings::FILE)));
+    let (kept, unread) = match kept.unwrap_or_else(|| Ok(KeptSettings::default())) {
+        Ok(kept) => (Some(kept), None),
+        Err(errors) => (None, Some(errors)),
+    };
+    let set = options.settings(auto, &kept.clone().unwrap_or_default());
+    let mut app = App::with_data(data, place, set, seed);
+    app.set_kept(kept);
+    if let Some(errors) = unread {
+        app.tell(format!(
+            "Settings are as at first, and what you set is not kept: the file stays as it is. {errors}"
+        ));
+    }
     match folder.map(|folder| keys::read(&folder.join(keys::FILE))) {
         None => {}
         Some(Ok(rebound)) => app.settings_mut().keys = rebound,

@@ -10,12 +10,13 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use etcetera::BaseStrategy;
 use strum::VariantNames;
 
+use super::settings;
 use crate::files::{FileError, tidy_name};
 use crate::game::is_player_name;
 use crate::lessons::{Book, ChapterLibrary};
 use crate::levels::{LevelLibrary, Shelf};
 use crate::quiz::concepts::Library;
-use crate::screens::Settings;
+use crate::screens::{KeptSettings, Settings};
 use crate::shells::terminal;
 use crate::store::Store;
 use crate::widgets::{Charset, Depth, Palette};
@@ -121,21 +122,30 @@ impl GlobalOptions {
         self.charset(terminal::charset(|name| env::var(name).ok()))
     }
 
-    /// The name of the player.
+    /// The name of the player: the one given, or else who played last.
     pub(super) fn player_name(&self) -> String {
-        let name = self.player.clone();
+        let kept = || {
+            let file = self.data_dir()?.join(KeptSettings::FILE);
+            Some(settings::read(&file).ok()?.over(Settings::default()).player)
+        };
+        let name = self.player.clone().or_else(kept);
         name.unwrap_or_else(|| Settings::default().player)
     }
 
     /// What the player has set, with `auto` standing for the given look.
-    pub(super) fn settings(&self, auto: Auto) -> Settings {
-        let defaults = Settings::default();
+    /// What they leave open is as it was `kept` from the run before.
+    pub(super) fn settings(&self, auto: Auto, kept: &KeptSettings) -> Settings {
+        let found = kept.over(Settings {
+            charset: auto.charset,
+            depth: auto.depth,
+            ..Settings::default()
+        });
         Settings {
-            charset: self.charset(auto.charset),
-            depth: self.color.unwrap_or(auto.depth),
-            palette: self.palette.unwrap_or(defaults.palette),
-            player: self.player_name(),
-            ..defaults
+            charset: self.charset(found.charset),
+            depth: self.color.unwrap_or(found.depth),
+            palette: self.palette.unwrap_or(found.palette),
+            player: self.player.clone().unwrap_or(found.player),
+            ..found
         }
     }
 

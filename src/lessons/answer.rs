@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Checkpoint, CheckpointKind};
+use super::{Checkpoint, CheckpointKind, GivenAnswer};
 use crate::physics::Collision;
 use crate::quiz::{Rays, RaysGrade, Response};
 
@@ -36,6 +36,16 @@ impl Checkpoint {
         }
     }
 
+    /// Whether a first answer gets a hint and a second try: it is wrong, there is something
+    /// to say, and more than one answer is left.
+    pub fn offers_second_try(&self, said: &Response, figure: Option<&Collision>) -> bool {
+        !self.is_right(said, figure)
+            && match &self.asked {
+                CheckpointKind::Choice(choices) => choices.len() > 2,
+                _ => !self.hint.is_empty(),
+            }
+    }
+
     /// Whether an answer counts as right.
     pub fn is_right(&self, said: &Response, figure: Option<&Collision>) -> bool {
         match said {
@@ -44,6 +54,9 @@ impl Checkpoint {
         }
     }
 }
+
+/// Share of the credit that an answer after a hint earns.
+pub const AFTER_HINT: f64 = 0.5;
 
 /// An answer as it is kept: angles in degrees, a line of a choice counted from 1.
 pub fn answer_json(said: &Response) -> Value {
@@ -54,6 +67,21 @@ pub fn answer_json(said: &Response) -> Value {
         // No checkpoint asks for one.
         Response::Shot(_) => Value::Null,
     }
+}
+
+/// An answer at a checkpoint as it is kept, with the first try where there was one.
+pub(crate) fn given_json(given: &GivenAnswer) -> Value {
+    let mut value = answer_json(&given.answer);
+    if let (Some(first), Some(object)) = (&given.first, value.as_object_mut()) {
+        object.insert("first".into(), answer_json(first));
+    }
+    value
+}
+
+/// Both tries as [`given_json`] writes them.
+pub(crate) fn tries_of_json(value: &Value) -> Option<(Response, Option<Response>)> {
+    let first = value.get("first").and_then(answer_of_json);
+    Some((answer_of_json(value)?, first))
 }
 
 /// An answer as [`answer_json`] writes it; `None` if it is none.
@@ -81,6 +109,23 @@ fn grade(rays: &Rays, figure: Option<&Collision>) -> Option<RaysGrade> {
 mod tests {
     use super::*;
     use crate::quiz::Ray;
+
+    #[test]
+    fn both_tries_are_read_as_they_are_written_and_one_alone_as_ever() {
+        for first in [None, Some(Response::Choice(2))] {
+            let given = GivenAnswer {
+                asked: "Which?".into(),
+                answer: Response::Choice(1),
+                right: true,
+                first,
+            };
+            let read = tries_of_json(&given_json(&given));
+            assert_eq!(read, Some((given.answer, first)));
+        }
+        // As it was written before there were second tries.
+        let before = serde_json::from_str("{\"choice\":2}").unwrap();
+        assert_eq!(tries_of_json(&before), Some((Response::Choice(1), None)));
+    }
 
     #[test]
     fn an_answer_is_read_as_it_is_written() {

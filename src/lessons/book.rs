@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{Bookmark, Chapter, ChapterLibrary};
+use crate::quiz::Passage;
 
 /// What is to be forgotten of bookmarks. The record of answers stays in any case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,6 +54,28 @@ impl Book {
         self.library().chapters.get(number)
     }
 
+    /// Where a page is: its chapter's place among all and its own in it, both from 0;
+    /// `None` where there is no such page.
+    pub fn find(&self, passage: Passage) -> Option<(usize, usize)> {
+        let chapters = &self.library().chapters;
+        let of_it = |chapter: &Chapter| chapter.id == passage.chapter;
+        let number = chapters.iter().position(of_it)?;
+        let mut pages = chapters[number].pages.iter();
+        let page = pages.position(|page| page.title == passage.page)?;
+        Some((number, page))
+    }
+
+    /// A page in words: "chapter 3, page 7: When energy is lost".
+    pub fn named(&self, passage: Passage) -> Option<String> {
+        let (number, page) = self.find(passage)?;
+        let chapter = self.chapter(number)?.number;
+        Some(format!(
+            "chapter {chapter}, page {}: {}",
+            page + 1,
+            passage.page
+        ))
+    }
+
     /// Whether it is known how far the chapters have been read.
     pub fn is_known(&self) -> bool {
         self.marks.is_some()
@@ -61,6 +84,11 @@ impl Book {
     /// Takes the bookmarks that were kept; from then on the book knows them itself.
     pub(crate) fn recall(&mut self, marks: BTreeMap<String, Bookmark>) {
         self.marks.get_or_insert(marks);
+    }
+
+    /// Knows no bookmarks any more: another player's are to be asked for.
+    pub(crate) fn close(&mut self) {
+        self.marks = None;
     }
 
     /// The bookmark in a chapter, if it was ever opened.
@@ -92,6 +120,23 @@ impl Book {
         }
     }
 
+    /// Where to read on: a chapter that was opened and is not done, the last of them, with
+    /// the page where it was left; or else the next one that is not done, with no page if
+    /// it was never opened. `None` where nothing was opened or all is done.
+    pub fn reading_on(&self) -> Option<(usize, Option<usize>)> {
+        let chapters = &self.library().chapters;
+        let opened = |chapter: &&Chapter| {
+            let mark = self.mark(&chapter.id);
+            mark.is_some_and(|mark| mark.place.is_some())
+        };
+        let last = chapters.iter().rposition(|chapter| opened(&chapter))?;
+        let undone = |at: &usize| !self.is_done(&chapters[*at]);
+        let at = (last..chapters.len()).chain(0..last).find(undone)?;
+        let mark = self.mark(&chapters[at].id);
+        let left = mark.filter(|_| opened(&&chapters[at]));
+        Some((at, left.map(|mark| mark.page(&chapters[at]))))
+    }
+
     /// Whether anything has been read.
     pub fn is_begun(&self) -> bool {
         self.marks.as_ref().is_some_and(|marks| !marks.is_empty())
@@ -108,6 +153,15 @@ impl Book {
         let chapters = &self.library().chapters;
         let done = chapters.iter().filter(|chapter| self.is_done(chapter));
         format!("{} of {}", done.count(), chapters.len())
+    }
+
+    /// The chapters of which every page has been seen.
+    pub fn read_through(&self) -> impl Iterator<Item = &Chapter> {
+        let seen = |chapter: &&Chapter| {
+            let mark = self.mark(&chapter.id);
+            mark.is_some_and(|mark| mark.seen(chapter) == chapter.pages.len())
+        };
+        self.library().chapters.iter().filter(seen)
     }
 
     /// The first chapter that is not done; `None` if all are.

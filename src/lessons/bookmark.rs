@@ -29,6 +29,8 @@ pub struct GivenAnswer {
     pub answer: Response,
     /// Whether it was right.
     pub right: bool,
+    /// The wrong answer before it, after which there was a hint.
+    pub first: Option<Response>,
 }
 
 impl Bookmark {
@@ -46,7 +48,7 @@ impl Bookmark {
     pub fn answering(
         page: &ChapterPage,
         asked: &Checkpoint,
-        answer: Response,
+        (answer, first): (Response, Option<Response>),
         right: bool,
     ) -> Self {
         let mut mark = Self::at(page);
@@ -55,6 +57,7 @@ impl Bookmark {
             asked,
             answer,
             right,
+            first,
         };
         mark.pages.insert(page.title.clone(), Some(given));
         mark
@@ -94,9 +97,20 @@ impl Bookmark {
         self.answers(chapter).filter(|given| given.right).count()
     }
 
+    /// How many of those took a second try.
+    pub fn right_after_hint(&self, chapter: &Chapter) -> usize {
+        let answers = self.answers(chapter).filter(|given| given.right);
+        answers.filter(|given| given.first.is_some()).count()
+    }
+
     /// Whether all of the chapter has been read and answered.
     pub fn is_done(&self, chapter: &Chapter) -> bool {
         self.seen(chapter) == chapter.pages.len() && self.answered(chapter) == chapter.checkpoints()
+    }
+
+    /// Whether all that it asks was answered right.
+    pub fn is_right(&self, chapter: &Chapter) -> bool {
+        self.right(chapter) == chapter.checkpoints()
     }
 
     /// How far the chapter has been read and answered, in words: "read 7 of 7, right 2
@@ -146,6 +160,7 @@ mod tests {
             asked: page.checkpoint.as_ref().unwrap().written.clone(),
             answer: Response::Choice(line),
             right,
+            first: None,
         };
         Bookmark {
             pages: BTreeMap::from([(page.title.clone(), Some(given))]),

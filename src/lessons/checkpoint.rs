@@ -18,6 +18,9 @@ pub struct Checkpoint {
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
+    /// What helps whoever was wrong, without telling the answer; a wrong line of a choice
+    /// may have it in what is said to it.
+    pub hint: Vec<TextBlock>,
     /// What is said after the answer.
     pub after: Vec<TextBlock>,
     /// All that it asks, as it is written: an answer belongs to this and to nothing else.
@@ -95,6 +98,11 @@ impl Checkpoint {
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
         let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
         let telling = telling.get(1..).unwrap_or_default();
+        let rule = asking
+            .iter()
+            .position(|(_, text)| text.trim() == "--- hint");
+        let (asking, hint) = asking.split_at(rule.unwrap_or(asking.len()));
+        let hint = hint.get(1..).unwrap_or_default();
         let texts = asking.iter().map(|(_, text)| text.trim());
         let written: Vec<_> = std::iter::once(words.trim()).chain(texts).collect();
         let mut words = source.accept(line, Words::of(words))?;
@@ -118,7 +126,11 @@ impl Checkpoint {
             source.accept(line, words.finish());
         }
         let question = block::read(source, question, meaning);
+        let hint = block::read(source, hint, meaning);
         let after = block::read(source, telling, meaning);
+        if rule.is_some() && hint.as_ref().is_some_and(Vec::is_empty) {
+            source.refuse::<()>(line, "expected a hint after --- hint, found none");
+        }
         if question.as_ref().is_some_and(Vec::is_empty) {
             source.refuse::<()>(line, "expected a question, found none");
         }
@@ -127,6 +139,7 @@ impl Checkpoint {
         }
         Some(Self {
             question: question?,
+            hint: hint?,
             after: after?,
             asked: asked?,
             written: written.join("\n").trim().to_owned(),

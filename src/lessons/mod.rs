@@ -26,7 +26,8 @@ mod tests;
 mod words;
 mod written;
 
-pub use answer::{answer_json, answer_of_json};
+pub use answer::{AFTER_HINT, answer_json, answer_of_json};
+pub(crate) use answer::{given_json, tries_of_json};
 pub use block::{Inline, TextBlock, Tone};
 pub use book::{Book, Forget};
 pub use bookmark::{Bookmark, GivenAnswer};

@@ -87,6 +87,11 @@ impl Shelf {
         self.recall(&starred).then_some(starred)
     }
 
+    /// Knows of no stars any more: another player's are to be asked for.
+    pub(crate) fn forget(&mut self) {
+        self.best.clear();
+    }
+
     /// Notes stars that were won before; says whether they are more than was known.
     pub fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());

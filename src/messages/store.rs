@@ -67,6 +67,8 @@ pub enum StoreRequest {
     Forget(String, Forget),
     /// Say how far this player has read the chapters.
     Marks(String),
+    /// Keep this text as the file of the settings.
+    KeepSettings(String),
 }
 
 /// What came of a [`StoreCall`]; where it failed, the reason in words.
@@ -97,7 +99,7 @@ pub enum StoreReply {
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars or the bookmark are safe.
+    /// The answer, the stars, the bookmark or the settings are safe.
     Noted(Result<(), String>),
     /// What was done so far.
     Recalled(Result<Box<History>, String>),
@@ -153,7 +155,8 @@ impl StoreCall {
                 StoreRequest::Record(_)
                 | StoreRequest::Star(..)
                 | StoreRequest::Mark { .. }
-                | StoreRequest::Forget(..) => StoreReply::Noted(Err(reason)),
+                | StoreRequest::Forget(..)
+                | StoreRequest::KeepSettings(_) => StoreReply::Noted(Err(reason)),
                 StoreRequest::Recall(_) => StoreReply::Recalled(Err(reason)),
                 StoreRequest::Stars(_) => StoreReply::Stars(Err(reason)),
                 StoreRequest::Marks(_) => StoreReply::Marks(Err(reason)),

@@ -33,7 +33,9 @@ pub use families::where_to::hits;
 pub use misconceptions::{Explanation, explain, reasoning, why, why_of_hit};
 pub use question::{
     AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Fit, Form, Grade, Hit,
-    Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Pieces, Question, RIGHT_DEG,
-    Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
+    Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Passage, Pieces, Question,
+    RIGHT_DEG, Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
 };
-pub use rounds::{Code, Course, CourseKind, ENOUGH_ANGLES, Round, Summary, SummaryLine};
+pub use rounds::{
+    ChaptersRead, Code, Course, CourseKind, ENOUGH_ANGLES, Round, Summary, SummaryLine,
+};

@@ -6,6 +6,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
+use super::lab::LabSettings;
+use super::settings::KeptSettings;
 use crate::game::Game;
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
@@ -34,6 +36,9 @@ pub struct Settings {
     pub watch_rate: Option<WatchRate>,
     /// Ask for a prediction before each shot in the lab and in levels.
     pub predict: bool,
+    /// How often both ways were said rightly in the lab, as far as that counts: it unlocks
+    /// the live picture.
+    pub foretold: u8,
     /// Name of the player, as shown.
     pub player: String,
     /// Keys of the player's own choice.
@@ -50,6 +55,7 @@ impl Default for Settings {
             wait_at_beats: false,
             watch_rate: None,
             predict: true,
+            foretold: 0,
             player: "player".into(),
             keys: Rebound::default(),
         }
@@ -94,6 +100,12 @@ pub struct Context {
     pub book: Book,
     /// Written questions of a teacher's own.
     pub own: Arc<Library>,
+    /// How the lab was left.
+    pub(in crate::screens) lab: Option<LabSettings>,
+    /// The folder where all is kept, in words; `None` where nothing is.
+    pub folder: Option<String>,
+    /// What is kept of the settings; `None` where that cannot be read, and is left alone.
+    pub kept: Option<KeptSettings>,
     seed: u64,
     rounds: u64,
     tickets: u64,
@@ -110,6 +122,9 @@ impl Context {
             shelf: Shelf::default(),
             book: Book::default(),
             own: Arc::default(),
+            lab: None,
+            folder: None,
+            kept: Some(KeptSettings::default()),
             seed,
             rounds: 0,
             tickets: 0,
@@ -149,6 +164,26 @@ impl Context {
     pub fn won(&mut self, number: usize, win: Win) {
         if let Some(starred) = self.shelf.won(number, win) {
             self.ask(StoreRequest::Star(self.settings.player.clone(), starred));
+        }
+    }
+
+    /// Has what was changed of the settings since `before` kept.
+    pub fn keep_settings(&mut self, before: &Settings) {
+        if let Some(kept) = &mut self.kept
+            && kept.note(before, &self.settings)
+        {
+            let text = kept.text();
+            self.ask(StoreRequest::KeepSettings(text));
+        }
+    }
+
+    /// Lets someone else play: what is known of the one before is forgotten here.
+    pub fn change_player(&mut self, name: String) {
+        if name != self.settings.player {
+            self.settings.player = name;
+            self.settings.foretold = 0;
+            self.book.close();
+            self.shelf.forget();
         }
     }
 

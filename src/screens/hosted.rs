@@ -65,6 +65,8 @@ pub trait AnyScreen {
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
+    /// See [`Screen::resumed`].
+    fn resumed(&mut self, cx: &mut Context);
     /// See [`Screen::advance`].
     fn advance(&mut self, passed: Duration, cx: &mut Context);
     /// See [`Screen::wake`].
@@ -137,6 +139,10 @@ impl<S: Screen> AnyScreen for Hosted<S> {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         self.screen.input(input, cx)
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        self.screen.resumed(cx);
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {

@@ -3,6 +3,7 @@
 mod context;
 mod hosted;
 mod kept_files;
+mod leads;
 mod place;
 mod recall;
 
@@ -14,6 +15,7 @@ pub mod learn;
 pub(crate) mod levels;
 pub(crate) mod progress;
 pub(crate) mod quiz;
+pub(crate) mod settings;
 pub mod table;
 
 use std::time::Duration;
@@ -24,6 +26,7 @@ use ratatui::layout::Rect;
 pub use context::{Context, Settings};
 pub use hosted::{AnyScreen, Hosted, SharedAction};
 pub use place::Place;
+pub use settings::KeptSettings;
 
 use crate::messages::{Input, Key, Mouse};
 use crate::widgets::Outcome;
@@ -79,6 +82,9 @@ pub trait Screen {
             _ => Next::Ignored,
         }
     }
+
+    /// It is on top again, after another screen was left.
+    fn resumed(&mut self, _cx: &mut Context) {}
 
     /// Lets time pass; called only while [`Screen::wake`] asks for time.
     fn advance(&mut self, _passed: Duration, _cx: &mut Context) {}

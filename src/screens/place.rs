@@ -23,6 +23,13 @@ pub enum Place {
         /// Its place among all chapters, from 0.
         number: usize,
     },
+    /// A page of a chapter, to look something up: where the chapter was left stays.
+    Page {
+        /// The chapter's place among all, from 0.
+        number: usize,
+        /// The page, from 0.
+        page: usize,
+    },
     /// The quiz.
     Quiz {
         /// The code of the round to play; with `None` one is chosen there.
@@ -46,6 +53,8 @@ pub enum Place {
     Table,
     /// What the player has done so far.
     Progress,
+    /// What the player has set.
+    Settings,
     /// The list of levels.
     Levels,
     /// A level.

@@ -56,6 +56,9 @@ const TO_THE_SECOND: &str =
 const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>\
                           <Enter><Enter><End><Enter><Enter><End><Enter><End><Enter><Enter>";
 
+/// Both ways said rightly three times, then the live picture.
+const THREE_RIGHT: &str = "<Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape>v";
+
 /// A moment of every phase of every screen.
 pub const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
@@ -64,18 +67,20 @@ pub const TOUR: &[TourStop] = &[
     moment("a chapter, a number asked", "chapter 1", ""),
     moment("a chapter, a choice asked", "chapter 2", ""),
     moment("a chapter, rays asked", "chapter 2", "nnn"),
-    moment("a chapter, an answer told", "chapter 2", "a<Enter>"),
+    moment("a chapter, a second try", "chapter 2", "a<Enter>"),
+    moment("a chapter, an answer told", "chapter 2", "b<Enter>"),
     moment("a chapter, a hit watched", "chapter 2", "n"),
     moment("a chapter, a hit turned", "chapter 1", "nnnnnn"),
     moment("a chapter, its figure", "chapter 2", "<Tab>"),
     moment("a chapter, a worked shot", "chapter 5", "n"),
     moment("a chapter, a shot to solve", "chapter 5", "nnnnnn"),
     moment("a chapter, two frames", "chapter 11", "nnnn"),
-    moment("a chapter, the foil", "chapter 10", "nn5<Enter>"),
-    moment("a chapter, a beam", "chapter 10", "nnnna<Enter>"),
-    moment("a chapter, 1913", "chapter 10", "nnnnna<Enter>"),
+    moment("a chapter, the foil", "chapter 10", "nn90<Enter>"),
+    moment("a chapter, a beam", "chapter 10", "nnnnc<Enter>"),
+    moment("a chapter, 1913", "chapter 10", "nnnnnb<Enter>"),
     moment("lab, setting up", "lab", ""),
     moment("lab, a number typed", "lab", "12"),
+    moment("lab, live", "lab", THREE_RIGHT),
     moment("lab, saying where", "lab", "<Enter>"),
     moment("lab, an angle typed", "lab", "<Enter>6"),
     moment("lab, watched", "lab", "<Enter>80<Enter>10<Enter><End><End>"),
@@ -168,6 +173,10 @@ pub const TOUR: &[TourStop] = &[
         "<Enter><Space><End><Escape>ys",
     ),
     moment("progress", "progress", ""),
+    moment("settings", "settings", ""),
+    moment("settings, the player", "settings", "<End>"),
+    moment("settings, a name typed", "settings", "<End><Enter>").taking_any(),
+    moment("a page looked up", "quiz 7", "20<Enter>20<Enter>2<End>c"),
     moment("help", "lab", "?").taking_any(),
     moment("a question", "home", "<Escape>"),
 ];
@@ -196,6 +205,7 @@ impl TourStop {
             "level" => Place::Level { number: number() },
             "table" => Place::Table,
             "progress" => Place::Progress,
+            "settings" => Place::Settings,
             _ => Place::Home,
         };
         let mut game = Headless::new(App::new(place, settings, 7), 80, 24);

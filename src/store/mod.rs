@@ -18,17 +18,19 @@ mod memory;
 mod open_files;
 mod text_store;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::Timestamp;
 use jiff::tz::{Offset, TimeZone};
 
 use crate::class::{ClassRound, answers_csv, items_csv};
+use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
 use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::progress::{Attempt, Calendar};
 use crate::quiz::concepts::Library;
+use crate::screens::KeptSettings;
 use database::Database;
 use disk::Disk;
 pub use kept_elsewhere::FileBytes;
@@ -53,6 +55,8 @@ pub struct Store {
     aside: Vec<FileBytes>,
     /// What the player should know of them, once.
     told: Option<String>,
+    /// The file of the settings; `None` where they are gone with the process.
+    settings: Option<PathBuf>,
     clock: Clock,
     closed: bool,
 }
@@ -77,13 +81,17 @@ impl Store {
     }
 
     /// A store in `folder`, which is made when it is first needed: saved games in
-    /// `games`, rounds of classes in `classes`, what is exported in `exports`, all else
-    /// in `progress.db`.
+    /// `games`, rounds of classes in `classes`, what is exported in `exports`, settings in
+    /// `settings.toml`, all else in `progress.db`.
     pub fn in_folder(folder: &Path) -> Self {
         let progress = Database::in_folder(folder.to_owned());
-        Self::of(progress, |name, ending, largest| {
+        let texts = Self::of(progress, |name, ending, largest| {
             Box::new(Disk::new(folder.join(name), ending, largest))
-        })
+        });
+        Self {
+            settings: Some(folder.join(KeptSettings::FILE)),
+            ..texts
+        }
     }
 
     /// No store: there is no folder for it, and it refuses everything.
@@ -149,6 +157,7 @@ impl Store {
             progress,
             aside: Vec::new(),
             told: None,
+            settings: None,
             clock: Clock::Computer,
             closed: false,
         }
@@ -195,6 +204,7 @@ impl Store {
                 StoreReply::Noted(self.progress.forget(player, what))
             }
             StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
+            StoreRequest::KeepSettings(text) => StoreReply::Noted(self.keep_settings(text)),
         };
         StoreAnswer {
             ticket,
@@ -204,6 +214,14 @@ impl Store {
                 .or_else(|| self.games.take_notice())
                 .or_else(|| self.classes.take_notice()),
         }
+    }
+
+    fn keep_settings(&self, text: &str) -> Result<(), String> {
+        let Some(path) = &self.settings else {
+            return Ok(());
+        };
+        let document = (path.clone(), text.to_owned());
+        files::put(&[document], Existing::Go).map_err(|error| error.to_string())
     }
 
     fn save(&mut self, ticket: u64, game: &SavedGame) -> Result<(), String> {

@@ -56,7 +56,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
     let mut game = open(folder.path(), "Ada", Some(2));
     shows(&mut game, "page 3 of 5");
     let mut game = open(folder.path(), "Ada", None);
-    shows(&mut game, "3/5");
+    shows(&mut game, "read 3 of 5");
     game.press("<Down>");
     shows(&mut game, "go on at page 3");
     shows(&mut game, "3 of 5");
@@ -80,7 +80,7 @@ fn a_chapter_read_to_its_end_begins_at_its_first_page() {
     game.press("nnnnn");
     shows(&mut game, "carrom : learn");
     let mut game = open(folder.path(), "Ada", None);
-    shows(&mut game, "5/5");
+    shows(&mut game, "right 0 of 3");
     game.press("<Down>");
     shows(&mut game, "Enter: read it.");
     game.press("<Enter>");
@@ -135,10 +135,10 @@ fn a_chapter_is_forgotten_and_so_are_all() {
     shows(&mut game, "Forget chapter 2?");
     shows(&mut game, "y forget it");
     game.press("n");
-    shows(&mut game, "2/5");
+    shows(&mut game, "read 2 of 5");
     assert!(!game.screen().contains("Forget"));
     game.press("Ry");
-    assert!(!game.screen().contains("2/5"));
+    assert!(!game.screen().contains("read 2 of 5"));
     shows(&mut open(folder.path(), "Ada", Some(2)), "page 1 of 5");
     shows(&mut open(folder.path(), "Ada", Some(3)), "page 2 of");
     let mut game = open(folder.path(), "Ada", None);
@@ -229,7 +229,7 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
         // Back to what it was: what fits it is there again.
         let mut game = own(folder.path(), &before);
         game.press("<Escape>");
-        shows(&mut game, "/3");
+        shows(&mut game, "right 1 of 1");
     }
 }
 
@@ -270,7 +270,7 @@ fn nothing_is_said_and_nothing_kept_before_it_is_known_where_a_chapter_was_left(
         let _ = app.update(&Input::Kept(Box::new(answer)));
         let screen = drawn(&app);
         assert!(
-            screen.contains("3/5") || screen.contains("page 3 of 5"),
+            screen.contains("read 3 of 5") || screen.contains("page 3 of 5"),
             "{screen}"
         );
     }
@@ -290,11 +290,11 @@ fn where_nothing_can_be_kept_it_is_kept_in_memory() {
         game.press("2<Enter>nn");
         assert!(!game.screen().contains("cannot be kept"), "it is told once");
         game.press("<Escape>");
-        shows(&mut game, "3/5");
+        shows(&mut game, "read 3 of 5");
         game.press("<Escape>e<Home><Down><Enter>");
         shows(&mut game, "page 3 of 5");
         game.press("<Escape>Ry");
-        assert!(!game.screen().contains("3/5"));
+        assert!(!game.screen().contains("read 3 of 5"));
     }
 }
 
@@ -411,9 +411,9 @@ fn the_real_game_opens_tomorrow_where_it_was_left_today() {
     let mut pty = start(&["learn", "2"]);
     pty.wait_for("page 3 of 5");
     pty.press("\x1b");
-    pty.wait_for("3/5");
+    pty.wait_for("read 3 of 5");
     pty.press("Ry");
-    pty.wait_until("no page seen", |screen| !screen.contains("3/5"));
+    pty.wait_until("no page seen", |screen| !screen.contains("read 3 of 5"));
     pty.press("\x03");
     assert_eq!(pty.wait(), 0);
     let pty = start(&["learn", "2"]);

@@ -62,7 +62,7 @@ fn answer(game: &mut Headless) {
     game.press("60<Enter>30<Enter>2<End>");
     let screen = game.screen();
     assert!(
-        screen.contains("points  ") && screen.contains("credit"),
+        screen.contains("points  ") && screen.contains("of 10 points"),
         "{screen}"
     );
 }
@@ -212,7 +212,7 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
             pty.wait_for("contact");
             // All that the hit tells.
             pty.press("\x1b[F");
-            pty.wait_for("credit");
+            pty.wait_for("of 10 points");
             answered += 1;
             assert_eq!(kept(folder.path(), None).len(), answered);
             pty.press("\r");

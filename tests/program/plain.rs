@@ -263,7 +263,7 @@ fn a_checkpoint_is_answered_and_kept() {
         said.contains("Your answer in metres per second?\nRight.\n"),
         "{said}"
     );
-    let said = talk("learn 1 --plain", folder.path(), b"1\nquit\n");
+    let said = talk("learn 1 --plain", folder.path(), b"1\n1\nquit\n");
     assert!(
         said.contains("Not quite.\nIt is 2 metres per second.\n"),
         "{said}"

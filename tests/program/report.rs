@@ -279,6 +279,7 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
                 asked: checkpoint.written.clone(),
                 answer: Response::Choice(0),
                 right: asked <= right,
+                first: None,
             }
         });
         mark.pages.insert(page.title.clone(), given);

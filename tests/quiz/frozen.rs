@@ -213,3 +213,14 @@ fn a_code_brings_the_same_round_for_ever() {
     }
     insta::assert_snapshot!("codes", kept("codes", &text));
 }
+
+#[test]
+fn a_code_of_what_was_read_brings_the_same_round_for_ever() {
+    let mut text = String::new();
+    for code in ["read-a-7", "read-abc-7", "read-bdfghijkl-42", "read-l5-3"] {
+        let round = Round::of(Code::parse(code).unwrap());
+        let questions: Vec<Value> = round.questions().iter().map(written).collect();
+        let _ = writeln!(text, "{}", json!({ "code": code, "questions": questions }));
+    }
+    insta::assert_snapshot!("codes-read", kept("codes-read", &text));
+}

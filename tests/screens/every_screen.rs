@@ -27,6 +27,8 @@ fn places() -> Vec<Place> {
         Place::Table,
         Place::Levels,
         Place::Progress,
+        Place::Settings,
+        Place::Page { number: 6, page: 4 },
         Place::Level { number: 4 },
     ];
     let topics = CourseKind::topics().map(CourseKind::Topic);
@@ -44,6 +46,17 @@ fn places() -> Vec<Place> {
             }),
     );
     places
+}
+
+/// Whether a screen shows a nought with a sign, as "-0.0".
+pub(crate) fn shows_negative_nothing(screen: &str) -> bool {
+    screen.match_indices(['-', '−']).any(|(at, sign)| {
+        let after = &screen[at + sign.len()..];
+        let number = |c: char| c.is_ascii_digit() || c == '.';
+        let figure = &after[..after.find(|c| !number(c)).unwrap_or(after.len())];
+        let alone = !screen[..at].ends_with(char::is_alphanumeric);
+        alone && figure.contains('.') && figure.parse() == Ok(0.0)
+    })
 }
 
 fn opened(place: Place, charset: Charset, seed: u64) -> Headless {
@@ -114,6 +127,7 @@ proptest! {
             }
             let ascii = game.app().settings().charset == Charset::Ascii;
             let screen = game.screen();
+            prop_assert!(!shows_negative_nothing(&screen), "{screen}");
             prop_assert!(!ascii || screen.bytes().all(|b| b == b'\n' || (b' '..=b'~').contains(&b)));
             prop_assert!(!screen.contains("NaN"));
         }

@@ -7,6 +7,8 @@ use carrom::messages::Key;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 
+use crate::every_screen::shows_negative_nothing;
+
 const LONG: Duration = Duration::from_secs(120);
 
 /// The lab, with nothing to be said before a hit.
@@ -102,4 +104,81 @@ fn at_the_end_both_arrows_can_be_seen_and_both_discs_are_whole() {
             assert!(letters('S') && letters('C'), "{set} {ratio}\n{end}");
         }
     }
+}
+
+#[test]
+fn what_is_as_good_as_nothing_has_no_sign() {
+    for (field, values) in [
+        (0, ["-0.04", "-0", "0", "-1e-9"]),
+        (1, ["-0.04", "-0", "0", "-1e-9"]),
+        (2, ["-0.4", "-0", "360", "-360"]),
+        (11, ["-0.4", "-0", "360", "-360"]),
+    ] {
+        for value in values {
+            let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 100, 30);
+            game.press(&"<Down>".repeat(field));
+            game.press(&format!("{value}<Enter>"));
+            let mut seen = vec![game.screen()];
+            game.press("<Enter>-0.04<Enter>");
+            seen.push(game.screen());
+            game.press("-0.04<Enter>");
+            assert!(game.settle(LONG));
+            seen.push(game.screen());
+            for screen in seen {
+                assert!(
+                    !shows_negative_nothing(&screen),
+                    "{field} {value}\n{screen}"
+                );
+            }
+        }
+    }
+}
+
+/// Says both ways of the worked shot rightly.
+fn say_it_right(game: &mut Headless) {
+    game.press("<Enter>60<Enter>30<Enter>");
+    assert!(game.settle(LONG));
+    game.press("<Escape>");
+}
+
+#[test]
+fn the_picture_is_live_after_three_right_predictions_and_not_before() {
+    let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 100, 30);
+    game.press("<Enter>10<Enter>80<Enter>");
+    assert!(game.settle(LONG));
+    game.press("<Escape>");
+    for _ in 0..3 {
+        game.press("v");
+        assert!(!game.screen().contains("live:"), "{}", game.screen());
+        say_it_right(&mut game);
+    }
+    assert!(
+        !game.screen().contains("60.0"),
+        "it is not live unless asked for"
+    );
+    game.press("v");
+    assert!(game.screen().contains("live:") && game.screen().contains("60.0"));
+    // α = 45° at b = 30 mm sin 45° = 21.2 mm; what sticks has no curves.
+    game.press("<Down>45<Enter>");
+    assert!(game.screen().contains("45.0 deg") && game.screen().contains("speed, in units"));
+    game.press("b");
+    assert!(
+        !game.screen().contains("speed, in units"),
+        "{}",
+        game.screen()
+    );
+    // A mass to be found is not given away.
+    game.press("bm");
+    assert!(!game.screen().contains("live:"), "{}", game.screen());
+}
+
+#[test]
+fn the_set_up_is_there_when_one_comes_back_but_not_that_of_a_chapter() {
+    let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 80, 24);
+    game.press("-12<Enter><Escape>l");
+    assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());
+    game.press("<Escape>e<Home><Down><Enter>o");
+    assert!(game.screen().contains("30.0"), "{}", game.screen());
+    game.press("7<Enter><Escape><Escape><Escape>l");
+    assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());
 }

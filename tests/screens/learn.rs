@@ -88,7 +88,7 @@ fn an_answer_is_kept_and_explained_at_once() {
         ("{\"choice\":2}".into(), "{\"choice\":2}".into())
     );
     // Asked again, and answered wrongly this time.
-    game.press("r1<Enter>");
+    game.press("r1<Enter>s");
     let screen = game.screen();
     assert!(screen.contains("x The way"), "{screen}");
     assert!(
@@ -104,7 +104,7 @@ fn the_place_is_kept_and_can_be_reset() {
     let mut game = open(number, Charset::Ascii, (80, 24));
     game.press("2<Enter>nn<Escape>");
     let screen = game.screen();
-    assert!(screen.contains("3/5"), "{screen}");
+    assert!(screen.contains("read 3 of 5"), "{screen}");
     assert!(screen.contains("go on at page 3"), "{screen}");
     game.press("<Enter>");
     assert!(game.screen().contains("page 3 of 5"));
@@ -130,7 +130,7 @@ fn the_place_is_kept_and_can_be_reset() {
     game.press("<Escape>R");
     let screen = game.screen();
     assert!(
-        screen.contains("Forget chapter 2?") && screen.contains("1/5"),
+        screen.contains("Forget chapter 2?") && screen.contains("read 1 of 5"),
         "{screen}"
     );
     game.press("n");
@@ -294,9 +294,51 @@ fn the_text_of_a_page_stays_above_its_answer_where_there_is_room() {
         let mut game = open(number, Charset::Ascii, size);
         game.press("nn");
         assert!(game.screen().contains("The new paths make"));
-        game.press("3<Enter>");
+        game.press("3<Enter>s");
         let screen = game.screen();
         assert_eq!(screen.contains("The new paths make"), stays, "{screen}");
         assert!(screen.contains("Not this time"), "{screen}");
     }
+}
+
+#[test]
+fn a_second_try_after_a_hint_earns_half_the_credit() {
+    let (number, chapter) = chapter("the-line-of-impact");
+    let mut game = open(number, Charset::Ascii, (80, 24));
+    game.press("1<Enter>");
+    let screen = game.screen();
+    assert!(screen.contains("Not yet. A hint:"), "{screen}");
+    assert!(!screen.contains("Newton"), "the truth waits\n{screen}");
+    game.press("2<Enter>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("half the credit") && screen.contains("Newton"),
+        "{screen}"
+    );
+    let credits: Vec<_> = game
+        .attempts()
+        .iter()
+        .map(|it| (it.right, it.credit))
+        .collect();
+    assert_eq!(credits, [(false, 0.0), (true, 0.5)]);
+    let mark = game.app().book().mark(&chapter.id).unwrap();
+    assert_eq!(
+        (mark.right(chapter), mark.right_after_hint(chapter)),
+        (1, 1)
+    );
+    // Of two rays the right one stays, and a second wrong answer is told.
+    game.press("nnn45<Enter>30<Enter>");
+    assert!(
+        game.screen().contains("The coin is right."),
+        "{}",
+        game.screen()
+    );
+    game.press("50<Enter><Enter>");
+    assert!(game.settle(std::time::Duration::from_secs(120)));
+    let screen = game.screen();
+    assert!(
+        screen.contains("60.0") && !screen.contains("half the credit"),
+        "{screen}"
+    );
+    assert_eq!(game.attempts().len(), 4);
 }

@@ -82,6 +82,7 @@ fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
         ("h", "question 1 of 10"),
         ("t", "choose a topic"),
         ("e", "question 1 of 15"),
+        ("w", "Read one of them in"),
         ("c", "The code of the round"),
     ]
     .into_iter()
@@ -375,7 +376,7 @@ fn own_questions_make_a_round_of_their_own() {
     let mut game = open("quiz --code mixed-7");
     game.press("<Escape>");
     let screen = game.screen();
-    assert!(screen.contains("8 your own questions"), "{screen}");
+    assert!(screen.contains("9 your own questions"), "{screen}");
     assert!(screen.contains("of 2, 1 left out"), "{screen}");
     game.press("<End>");
     let screen = game.screen();

@@ -19,8 +19,12 @@ const DATABASE: &[u8] = b"SQLite format 3\0";
 /// What there is to read, play and answer with these files beside what is in the program:
 /// `levels/PACK/FILE.toml`, `lessons/FILE.md` and `concepts/SUBJECT.toml`.
 pub(crate) fn data(files: &[FileBytes]) -> Data {
+    let folder = Some("This browser.".to_owned());
     if files.is_empty() {
-        return Data::default();
+        return Data {
+            folder,
+            ..Data::default()
+        };
     }
     let mut levels = LevelLibrary::embedded();
     let mut chapters = ChapterLibrary::embedded();
@@ -45,6 +49,7 @@ pub(crate) fn data(files: &[FileBytes]) -> Data {
         shelf: Shelf::new(levels),
         book: Book::new(chapters),
         own: Arc::new(concepts),
+        folder,
     }
 }
 

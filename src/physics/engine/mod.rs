@@ -9,7 +9,7 @@
 //! Only + − × ÷ and √ are used, which IEEE 754 rounds the same way everywhere: every
 //! machine and every build plays the same shot bit for bit.
 
-mod body;
+mod bodies;
 mod broad_phase;
 mod check;
 mod contact;
@@ -30,10 +30,9 @@ pub(super) use check::check;
 pub use error::EngineError;
 
 use super::{Board, Disc, Motion, Shot};
-use body::Body;
-use broad_phase::BroadPhase;
+use bodies::Bodies;
 use grid::Grid;
-use play::ShotInPlay;
+use play::{Scratch, ShotInPlay};
 use schedule::Schedule;
 use work::Work;
 
@@ -96,10 +95,10 @@ pub fn play(
 /// An engine that keeps its working memory from shot to shot.
 #[derive(Debug, Default, Clone)]
 pub struct Engine {
-    bodies: Vec<Body>,
+    bodies: Bodies,
     schedule: Schedule,
     grid: Grid,
-    broad_phase: BroadPhase,
+    scratch: Scratch,
 }
 
 impl Engine {
@@ -120,12 +119,8 @@ impl Engine {
         check(board, discs, start, limits)?;
         shot.begin(board, discs, start);
         let deceleration = board.deceleration();
-        self.bodies.clear();
-        let slides = discs.iter().zip(start);
-        self.bodies
-            .extend(slides.map(|(disc, &start)| Body::new(disc, start, deceleration)));
+        self.bodies.begin(discs, start, deceleration);
         self.schedule.begin(discs.len());
-        self.broad_phase.begin(discs.len());
         self.grid.begin(board, discs, start);
         let duration = ShotInPlay {
             board,
@@ -133,7 +128,7 @@ impl Engine {
             bodies: &mut self.bodies,
             schedule: &mut self.schedule,
             grid: &mut self.grid,
-            broad_phase: &mut self.broad_phase,
+            scratch: &mut self.scratch,
             shot,
             deceleration,
             events: 0,

@@ -3,7 +3,7 @@
 
 use crate::numbers::{degrees, tenths};
 use crate::quiz::question::{
-    Answer, Diagnosis, Form, Grade, Question, Ray, Rays, RaysGrade, Response,
+    Answer, Diagnosis, Form, Grade, Passage, Question, Ray, Rays, RaysGrade, Response,
 };
 
 /// An explanation, to be shown as a title over a text.
@@ -15,19 +15,32 @@ pub struct Explanation {
     pub text: String,
     /// The misconception it begins with.
     pub diagnosis: Option<Diagnosis>,
+    /// The page where a wrong answer leads: that which settles the misconception, or else
+    /// teaches the topic.
+    pub passage: Option<Passage>,
 }
 
 /// Explains a question to a player who gave this answer.
 pub fn explain(question: &Question, answer: &Answer) -> Explanation {
-    let (title, opening) = match question.belief_of(answer) {
-        Some((belief, _)) => (belief.misconception.name(), belief.says.clone()),
-        None if Grade::new(question, answer).right => ("right", "Right, and this is why.".into()),
-        None => undiagnosed(question, answer),
+    let taught = question.topic.taught_on();
+    let (title, opening, passage) = match question.belief_of(answer) {
+        Some((belief, _)) => {
+            let it = belief.misconception;
+            (it.name(), belief.says.clone(), Some(it.settled_by()))
+        }
+        None if Grade::new(question, answer).right => {
+            ("right", "Right, and this is why.".into(), None)
+        }
+        None => {
+            let (title, opening) = undiagnosed(question, answer);
+            (title, opening, taught)
+        }
     };
     Explanation {
         title,
         text: format!("{opening} {}", question.why).trim().to_owned(),
         diagnosis: question.diagnose(answer),
+        passage,
     }
 }
 

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::{explain, reasoning};
+use crate::numbers::fixed;
 use crate::physics::{Collision, Meeting};
 use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 
@@ -36,13 +37,10 @@ fn both_moving(collision: &Collision) -> String {
     let (Some(n), Some(t)) = (outcome.normal, outcome.tangent) else {
         return String::new();
     };
+    let [u1n, u2n] = [collision.u1, collision.u2].map(|u| fixed(u.dot(n), 2));
+    let [v1n, v2n] = [outcome.v1, outcome.v2].map(|v| fixed(v.dot(n), 2));
+    let [u1t, u2t] = [collision.u1, collision.u2].map(|u| fixed(u.dot(t), 2));
     format!(
-        "Both move, but the rule is the same. Along n: {:.2} and {:.2} m/s become {:.2} and {:.2}. Across, along t, both keep what they had: {:.2} and {:.2}.",
-        collision.u1.dot(n),
-        collision.u2.dot(n),
-        outcome.v1.dot(n) + 0.0,
-        outcome.v2.dot(n) + 0.0,
-        collision.u1.dot(t) + 0.0,
-        collision.u2.dot(t) + 0.0,
+        "Both move, but the rule is the same. Along n: {u1n} and {u2n} m/s become {v1n} and {v2n}. Across, along t, both keep what they had: {u1t} and {u2t}."
     )
 }

@@ -11,6 +11,7 @@ mod hit;
 mod illustration;
 mod measure;
 mod misconception;
+mod passage;
 mod pieces;
 #[expect(
     clippy::module_inception,
@@ -31,6 +32,7 @@ pub use hit::Hit;
 pub use illustration::{Illustration, Markings};
 pub use measure::Measure;
 pub use misconception::Misconception;
+pub use passage::Passage;
 pub use pieces::Pieces;
 pub(super) use question::nearest;
 pub use question::{Diagnosis, Fit, MIN_SEPARATION, Question, WrongAnswer};

@@ -75,7 +75,7 @@ impl Topic {
 
     /// The topics of the families of figures.
     #[cfg(test)]
-    pub(in crate::quiz) fn all() -> impl Iterator<Item = Self> {
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
         TOPICS.iter().map(|(id, ..)| Self::with_id(*id))
     }
 

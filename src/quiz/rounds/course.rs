@@ -5,9 +5,13 @@ use std::fmt;
 use std::sync::Arc;
 use thiserror::Error;
 
+use super::ChaptersRead;
 use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Topic};
+
+/// What stands in codes before the letters of chapters.
+const READ: &str = "read";
 
 /// What a round is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +35,8 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
+    /// What these chapters teach.
+    Read(ChaptersRead),
     /// A question about each of these topics, because they are due, the longest due
     /// first; where they are many, about the first of them.
     Review(Vec<Topic>),
@@ -67,6 +73,7 @@ impl CourseKind {
             Self::Mixed => ("mixed", "mixed ten", 10),
             Self::Exam => ("exam", "exam", 15),
             Self::Topic(family) => (family.id(), family.name(), 6),
+            Self::Read(_) => (READ, "what you have read", 10),
             Self::Review(due) => ("review", "review", due.len().min(Course::REVIEWED)),
             Self::Own(_) => ("own", "your own questions", 10),
         }
@@ -75,11 +82,13 @@ impl CourseKind {
     /// The kind of an `id`; a review has none, for it is its player's alone.
     pub fn with_id(id: &str) -> Option<Self> {
         let topic = || Self::topics().find(|family| family.id() == id);
+        let read = || ChaptersRead::parse(id.strip_prefix(READ)?.strip_prefix('-')?);
         Self::ALWAYS
             .into_iter()
             .chain([Self::Own(Arc::default())])
             .find(|kind| kind.id() == id)
             .or_else(|| topic().map(Self::Topic))
+            .or_else(|| read().map(Self::Read))
     }
 
     /// The families that make a round of one topic: all but the hits of every kind,
@@ -121,8 +130,8 @@ impl Course {
 /// The code of a round: the same code brings the same questions on every machine and in
 /// every version.
 ///
-/// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, and `hits-7` or
-/// simply `7` for ten hits. Only `own-7` hangs on something else: on the files of own
+/// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, what some chapters
+/// teach `read-abd-7`, and `hits-7` or simply `7` for ten hits. Only `own-7` hangs on something else: on the files of own
 /// questions being the same.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
@@ -227,6 +236,10 @@ impl fmt::Display for Code {
         let Course { kind, count } = &self.course;
         match kind {
             CourseKind::Hits => write!(f, "{}", self.seed),
+            CourseKind::Read(chapters) if *count == kind.length() => {
+                write!(f, "{READ}-{chapters}-{}", self.seed)
+            }
+            CourseKind::Read(chapters) => write!(f, "{READ}-{chapters}{count}-{}", self.seed),
             _ if *count == kind.length() => write!(f, "{}-{}", kind.id(), self.seed),
             _ => write!(f, "{}{count}-{}", kind.id(), self.seed),
         }
@@ -249,6 +262,8 @@ mod tests {
             "from-angle4-12",
             "own-7",
             "own3-7",
+            "read-a-7",
+            "read-abdl5-12",
         ] {
             let code = Code::parse(text).unwrap_or_else(|| panic!("{text}"));
             assert_eq!(code.to_string(), text);
@@ -276,6 +291,11 @@ mod tests {
             "mixed-18446744073709551616",
             "7.5",
             "sieben",
+            "read-7",
+            "read--7",
+            "read-ba-7",
+            "read-az-7",
+            "read-e-7",
         ] {
             assert_eq!(Code::parse(text), None, "{text}");
         }

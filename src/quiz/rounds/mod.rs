@@ -1,10 +1,12 @@
 //! Rounds: what they are made of, the codes that fix them, and a look back over them.
 
+mod chapters_read;
 mod course;
 mod review;
 mod round;
 mod summary;
 
+pub use chapters_read::ChaptersRead;
 pub use course::{Code, Course, CourseKind};
 pub use round::Round;
 pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};

@@ -42,6 +42,10 @@ impl Round {
                 rising(MIXED, &course, seed)
             }
             CourseKind::Topic(family) => rising(&[*family], &course, seed),
+            CourseKind::Read(chapters) => {
+                let salt = salted(&format!("{}-{chapters}", course.kind.id()), seed);
+                chapters.questions(course.count, &mut Dice::new(salt))
+            }
             CourseKind::Own(library) => own(&library.concepts, &course, seed),
             CourseKind::Review(due) => {
                 let topics = &due[..due.len().min(course.count)];

@@ -2,7 +2,9 @@
 
 use crate::numbers;
 use crate::quiz::misconceptions::most_held;
-use crate::quiz::question::{Answer, Confidence, Diagnosis, Grade, Misconception, Question, Topic};
+use crate::quiz::question::{
+    Answer, Confidence, Diagnosis, Grade, Misconception, Passage, Question, Topic,
+};
 
 /// Fewest angles whose mean error says something.
 pub const ENOUGH_ANGLES: usize = 3;
@@ -143,6 +145,18 @@ impl Summary {
             1 => format!("Once it looked like this: {name}."),
             _ => format!("Most often, {count} times: {name}."),
         })
+    }
+
+    /// The page of the chapters to read next: that which settles the misconception held
+    /// most, or else teaches the first topic that was missed, one that was missed surely
+    /// before the others; `None` if nothing was.
+    pub fn passage(&self) -> Option<Passage> {
+        if let Some((misconception, _)) = self.most_held() {
+            return Some(misconception.settled_by());
+        }
+        let missed = self.lines.iter().filter(|line| !line.grade.right);
+        let missed = missed.min_by_key(|line| line.grade.confidence != Confidence::Sure);
+        missed?.topic.taught_on()
     }
 
     /// One piece of advice on what to try next.

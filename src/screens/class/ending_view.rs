@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::play::{ClassPlay, EndPage};
 use super::view::{Text, column};
 use crate::class::{ClassRound, ItemAnalysis, Vote, items};
+use crate::numbers::fixed;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::Misconception;
 use crate::widgets::{Lines, Role, text};
@@ -106,12 +107,9 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
 fn row(item: &ItemAnalysis, about: &str, topic: usize) -> String {
     let percent =
         |share: Option<f64>| share.map_or("-".into(), |it| format!("{:.0} %", 100.0 * it));
-    let mean = |vote: usize| {
-        item.spread[vote].map_or("-".into(), |it| format!("{:.1}", deg_from_rad(it.mean)))
-    };
-    let tells = item
-        .discrimination
-        .map_or("-".into(), |it| format!("{:.2}", it + 0.0));
+    let mean =
+        |vote: usize| item.spread[vote].map_or("-".into(), |it| fixed(deg_from_rad(it.mean), 1));
+    let tells = item.discrimination.map_or("-".into(), |it| fixed(it, 2));
     let filled = " ".repeat(topic.saturating_sub(text::width(about)));
     format!(
         "{:>2} {about}{filled} {:>5} {:>5} {:>6} {:>5} {tells:>8}",

@@ -6,6 +6,7 @@ use ratatui::layout::{Margin, Rect};
 use super::heading::below;
 use super::view::{column, slot};
 use crate::class::{ClassRound, standings};
+use crate::numbers;
 use crate::quiz::Grade;
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
@@ -36,8 +37,8 @@ pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffe
     let most = Grade::MOST * asked.max(1) as f64;
     let standings = standings(round, asked).into_iter().map(|it| ScoreRow {
         name: format!("{}. {}", it.place, round.teams()[it.team]),
-        points: format!("{:.1}", it.points),
-        gain: format!("+{:.1}", it.gain),
+        points: numbers::points(it.points),
+        gain: format!("+{}", numbers::points(it.gain)),
         share: it.points / most,
     });
     let rows: Vec<_> = standings.collect();

@@ -3,6 +3,7 @@
 use super::FoilPage;
 use super::setup::{FoilSetup, Obstacle};
 use crate::beams::{CountedFor, METALS};
+use crate::numbers::fixed;
 use crate::physics::beam::Beam;
 use crate::widgets::input::{Field, FieldValue, FormFields};
 
@@ -141,8 +142,8 @@ impl FoilField {
             }
             (Self::Energy, ..) => format!("{:.2} MeV", setup.energy_mev),
             (Self::Thickness, ..) => format!("{:.2} µm", setup.thickness_um),
-            (Self::Offset, Obstacle::Hard, _) => format!("{:.2} R", setup.offset_share),
-            (Self::Offset, Obstacle::Nucleus, _) => format!("{:.1} fm", setup.offset_fm),
+            (Self::Offset, Obstacle::Hard, _) => fixed(setup.offset_share, 2) + " R",
+            (Self::Offset, Obstacle::Nucleus, _) => fixed(setup.offset_fm, 1) + " fm",
             (Self::Particles, ..) => super::words::count(setup.particles()),
             (Self::CountedFor, ..) => Self::shown_counts(setup.counted_for).into(),
         }

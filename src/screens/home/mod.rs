@@ -1,22 +1,27 @@
-//! The first screen: where to go.
+//! The first screen: what to do next, and where to go.
 
+mod suggestion;
 mod view;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
+use super::recall::Recall;
 use super::{Confirmation, Context, Next, Place, Screen};
-use crate::messages::{Key, Mouse};
+use crate::messages::{Input, Key};
 use crate::physics::CollisionSpec;
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
+use suggestion::{Suggestion, suggestions};
 
 /// The first screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Home {
     list: ListView,
     picture: Watch,
+    /// What the player has done; nothing is asked for below another screen.
+    history: Recall,
 }
 
 impl Default for Home {
@@ -28,14 +33,47 @@ impl Default for Home {
         Self {
             list: ListView::default(),
             picture: Watch::told(worked_shot).with_layers(layers),
+            history: Recall::Asked(0),
         }
     }
 }
 
 impl Home {
-    fn open(&mut self, line: usize) -> Next {
+    /// The first screen, with what the player has done asked for.
+    pub(crate) fn ask(cx: &mut Context) -> Self {
+        let mut home = Self::default();
+        home.resumed(cx);
+        home
+    }
+
+    fn suggestions(&self, cx: &Context) -> Vec<Suggestion> {
+        suggestions(&self.history, &cx.book)
+    }
+
+    /// How many lines there are: what is suggested, and the menu.
+    fn lines(&self, cx: &Context) -> usize {
+        self.suggestions(cx).len() + ENTRIES.len()
+    }
+
+    /// Opens a line, counted from the first suggestion on.
+    fn open(&mut self, line: usize, cx: &mut Context) -> Next {
         self.list.choose(line);
-        Next::Open(ENTRIES[line].place.clone())
+        let suggestions = self.suggestions(cx);
+        Next::Open(match suggestions.get(line) {
+            Some(suggestion) => suggestion.place(cx),
+            None => ENTRIES[line - suggestions.len()].place.clone(),
+        })
+    }
+
+    /// Moves the mark, or opens its line.
+    fn listed(
+        &mut self,
+        cx: &mut Context,
+        act: impl FnOnce(&mut ListView, usize) -> crate::widgets::Outcome<usize>,
+    ) -> Next {
+        let count = self.lines(cx);
+        let outcome = act(&mut self.list, count);
+        Next::of(outcome, |line| self.open(line, cx))
     }
 }
 
@@ -45,6 +83,8 @@ impl Home {
 pub enum HomeAction {
     /// choose and open
     List(ListAction),
+    /// do what is suggested: read on, review what is due, find out what you believe
+    Suggested(usize),
     /// open a line of the menu by its letter
     Open(usize),
     /// leave carrom
@@ -75,9 +115,9 @@ impl Entry {
     }
 }
 
-static ENTRIES: [Entry; 8] = [
+static ENTRIES: [Entry; 9] = [
     Entry::new('e', "Learn", "chapters, read by doing", Place::Learn),
-    Entry::new('l', "Lab", "one hit: set it, say, watch", Place::Lab),
+    Entry::new('l', "Lab", "set a hit, say, watch", Place::Lab),
     Entry::new(
         'z',
         "Quiz",
@@ -87,16 +127,17 @@ static ENTRIES: [Entry; 8] = [
     Entry::new(
         'c',
         "Class",
-        "teams, one screen, two votes",
+        "teams, one shared screen",
         Place::Class {
             code: None,
             teams: Vec::new(),
         },
     ),
-    Entry::new('t', "Table", "carrom, every hit explained", Place::Table),
+    Entry::new('t', "Table", "carrom, hits explained", Place::Table),
     Entry::new('v', "Levels", "puzzles, solved by aiming", Place::Levels),
     Entry::new('f', "Foil", "beams: from board to atom", Place::Foil),
     Entry::new('p', "Progress", "how far you have come", Place::Progress),
+    Entry::new('s', "Settings", "colours, motion, player", Place::Settings),
 ];
 
 impl Screen for Home {
@@ -106,12 +147,15 @@ impl Screen for Home {
         "home".into()
     }
 
-    fn keys(&self, _cx: &Context) -> KeyTable<HomeAction> {
+    fn keys(&self, cx: &Context) -> KeyTable<HomeAction> {
+        let suggested = self.suggestions(cx);
+        let suggested = suggested.iter().map(Suggestion::key);
         let letters = ENTRIES.iter().map(|entry| entry.key);
         let letters = letters.zip((0..).map(HomeAction::Open));
         KeyTable::new("home")
             .with(ListView::keys("open"), HomeAction::List)
             .on(Key::Char('q'), HomeAction::Quit, "quit")
+            .each(suggested.zip((0..).map(HomeAction::Suggested)), "")
             .each(letters, "")
             // What the class had before its own letter was free.
             .or([(Key::Char('g'), HomeAction::Open(CLASS))])
@@ -122,17 +166,16 @@ impl Screen for Home {
         vec![
             "carrom teaches one thing well: what happens when one disc hits another off-centre.",
             "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
+            "The first lines say what would be good to do next: to read on where you stopped, to review what is due, or, if you are new, to find out what you believe about hits.",
             "New here? Open the lab and press Enter: a hit in a minute. Then read the first chapter of Learn.",
         ]
     }
 
-    fn act(&mut self, action: HomeAction, _cx: &mut Context) -> Next {
+    fn act(&mut self, action: HomeAction, cx: &mut Context) -> Next {
         match action {
-            HomeAction::List(action) => {
-                let outcome = self.list.act(action, ENTRIES.len());
-                Next::of(outcome, |line| self.open(line))
-            }
-            HomeAction::Open(line) => self.open(line),
+            HomeAction::List(action) => self.listed(cx, |list, count| list.act(action, count)),
+            HomeAction::Suggested(line) => self.open(line, cx),
+            HomeAction::Open(entry) => self.open(self.suggestions(cx).len() + entry, cx),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
             HomeAction::Quit => Next::Quit,
         }
@@ -142,10 +185,24 @@ impl Screen for Home {
         Next::Quit
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let line = view::choice_at(cx.body, mouse.cell());
-        let outcome = self.list.mouse(mouse, ENTRIES.len(), line);
-        Next::of(outcome, |line| self.open(line))
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match input {
+            Input::Mouse(mouse) => {
+                let line = view::choice_at(self, cx, mouse.cell());
+                self.listed(cx, |list, count| list.mouse(mouse, count, line))
+            }
+            Input::Kept(answer) => {
+                self.history.take(answer);
+                Next::Stay
+            }
+            _ => Next::Ignored,
+        }
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        cx.ask_for_marks();
+        self.history = Recall::ask(cx);
+        self.list = ListView::default();
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {

@@ -1,12 +1,13 @@
 //! What can be set in the lab: one place for a setting's name, unit, range and step.
 
 use super::mystery::Mystery;
+use crate::numbers::fixed;
 use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 use crate::widgets::input::{Field, FieldValue, FormFields};
 
 /// What the lab is set to.
 #[derive(Debug, Clone, Default)]
-pub(super) struct LabSettings {
+pub(crate) struct LabSettings {
     pub(super) setup: CollisionSpec,
     /// The coin's mass is hidden, or was until it had been weighed.
     pub(super) mystery: Option<Mystery>,
@@ -117,12 +118,20 @@ impl LabField {
             Self::CoinSpeed => (" m/s", 2, (0.0, 20.0), 0.25),
         };
         let value = self.value(setup);
+        // Of a distance off-centre the picture shows the side.
+        let side = match setup.offset_mm() {
+            mm if mm > 0.0 => " right",
+            mm if mm < 0.0 => " left",
+            _ => "",
+        };
         let is_miss = setup.offset_mm().abs() > setup.contact_distance_mm();
         let shown = match (self, setup.bond) {
             (Self::Contact, Bond::Slip) => "slip".into(),
             (Self::Contact, Bond::Stick) => "stick".into(),
             (Self::ImpactAngle, _) if is_miss => "a miss".into(),
-            _ => format!("{value:.decimals$}{unit}"),
+            (Self::Offset, _) => format!("{}{unit}{side}", fixed(value.abs(), decimals)),
+            (Self::ImpactAngle, _) => fixed(value.abs(), decimals) + unit,
+            _ => fixed(value, decimals) + unit,
         };
         let value = match self {
             Self::Contact => FieldValue::Choice {
@@ -142,24 +151,48 @@ impl LabField {
     /// Its name, and what it is.
     const fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::Offset => ("offset b", "how far off-centre they meet"),
+            Self::Offset => (
+                "offset b",
+                "how far off-centre they meet: + the coin lies to the right, - to the left",
+            ),
             Self::ImpactAngle => (
                 "impact angle",
-                "the same, as the angle of the line of impact",
+                "the same offset, as the angle between the striker's way and n",
             ),
-            Self::Aim => ("aim", "which way the striker comes"),
-            Self::Speed => ("speed", "how fast the striker comes"),
+            Self::Aim => ("aim", "which way the striker comes; all turns with it"),
+            Self::Speed => (
+                "speed",
+                "how fast the striker comes; no angle depends on it",
+            ),
             Self::Restitution => (
                 "restitution e",
-                "how much of the closing speed is given back",
+                "how fast they part along n, over how fast they meet: 1 loses no energy",
             ),
-            Self::Contact => ("contact", "smooth rims slip, others stick together"),
-            Self::StrikerMass => ("striker mass", "how heavy the striker is"),
-            Self::CoinMass => ("coin mass", "how heavy the coin is"),
-            Self::StrikerRadius => ("striker radius", "half as wide as the striker"),
-            Self::CoinRadius => ("coin radius", "half as wide as the coin"),
-            Self::CoinSpeed => ("coin speed", "how fast the coin comes"),
-            Self::CoinAim => ("coin aim", "which way the coin comes"),
+            Self::Contact => (
+                "contact",
+                "slip: smooth rims push along n alone; stick: they hold together",
+            ),
+            Self::StrikerMass => (
+                "striker mass",
+                "how heavy the striker is; what counts is the ratio",
+            ),
+            Self::CoinMass => (
+                "coin mass",
+                "how heavy the coin is; equal masses part at 90°",
+            ),
+            Self::StrikerRadius => (
+                "striker radius",
+                "with the coin's it sets how wide the target is",
+            ),
+            Self::CoinRadius => (
+                "coin radius",
+                "with the striker's it sets how wide the target is",
+            ),
+            Self::CoinSpeed => (
+                "coin speed",
+                "how fast the coin moves before; 0: it is at rest",
+            ),
+            Self::CoinAim => ("coin aim", "which way the coin moves before"),
         }
     }
 

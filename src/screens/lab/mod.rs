@@ -15,17 +15,20 @@ use ratatui::layout::Rect;
 use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::{CollisionSpec, Frame};
+use crate::quiz::{Rays, RaysGrade};
 use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at, side};
 use crate::widgets::input::{
     EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
 };
 use crate::widgets::{Outcome, RayInput, Scroll, SplitLayout, scroll_keys};
 
-use field::LabSettings;
 use mystery::Mystery;
 
 pub(super) use explain::explain;
-pub(crate) use field::LabField;
+pub(crate) use field::{LabField, LabSettings};
+
+/// How often both ways are to be said rightly before the picture may be live.
+pub(crate) const ENOUGH_FORETOLD: u8 = 3;
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
@@ -36,6 +39,10 @@ pub(crate) struct Lab {
     phase: LabPhase,
     /// How far the explanation of the shot is scrolled.
     scroll: Scroll,
+    /// Whether the picture follows what is set, outcome and all.
+    live: bool,
+    /// Whether the set-up is another screen's, and not to be found here the next time.
+    lent: bool,
 }
 
 /// What one is doing in the lab.
@@ -66,6 +73,8 @@ pub(crate) enum LabAction {
     MysteryCoin,
     /// predict before each shot, or just watch
     Predict,
+    /// live: the picture follows what you set, outcome and all
+    Live,
     /// back to the first setting
     Reset,
     /// say where the two will go
@@ -87,7 +96,27 @@ impl Lab {
     pub(crate) fn of(setup: CollisionSpec) -> Self {
         let mut lab = Self::default();
         lab.settings.setup = setup;
+        lab.lent = true;
         lab
+    }
+
+    /// The lab as it was left.
+    pub(crate) fn resume(cx: &Context) -> Self {
+        Self {
+            settings: cx.lab.clone().unwrap_or_default(),
+            ..Self::default()
+        }
+    }
+
+    /// Whether the picture may be live: once enough was said rightly, and while there is
+    /// no mass to be found.
+    fn may_live(&self, cx: &Context) -> bool {
+        cx.settings.foretold >= ENOUGH_FORETOLD && !self.hides_mass()
+    }
+
+    /// Whether it is.
+    fn is_live(&self, cx: &Context) -> bool {
+        self.live && self.may_live(cx)
     }
 
     /// Whether the coin's mass must not be seen.
@@ -96,8 +125,8 @@ impl Lab {
     }
 
     /// From aiming to predicting, or to the shot where no prediction is asked.
-    fn go(&mut self, cx: &Context) {
-        if cx.settings.predict {
+    fn go(&mut self, cx: &mut Context) {
+        if cx.settings.predict && !self.is_live(cx) {
             let side = side(&self.settings.setup.collision());
             self.phase = LabPhase::Predict(RayInput::new(side));
         } else {
@@ -105,15 +134,19 @@ impl Lab {
         }
     }
 
-    fn shoot(&mut self, rays: Option<&RayInput>, cx: &Context) {
+    fn shoot(&mut self, rays: Option<&RayInput>, cx: &mut Context) {
         let said = rays.and_then(RayInput::said);
         let collision = self.settings.setup.collision();
+        let truth = Rays::from(&collision.outcome());
+        if said.is_some_and(|said| RaysGrade::new(&said, &truth).is_right()) {
+            cx.settings.foretold = ENOUGH_FORETOLD.min(cx.settings.foretold + 1);
+        }
         let watch = Watch::new(collision, said, cx.settings.pace());
         self.scroll = Scroll::default();
         self.phase = LabPhase::Watch(Box::new(watch));
     }
 
-    fn say(&mut self, action: RayAction, cx: &Context) {
+    fn say(&mut self, action: RayAction, cx: &mut Context) {
         if let LabPhase::Predict(rays) = &mut self.phase
             && let Outcome::Done(()) = rays.act(action)
         {
@@ -137,13 +170,13 @@ impl Lab {
         let on_picture = layout.picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;
+        let hit = view::hit_area(self, layout.picture, cx);
         let (settings, form) = (&mut self.settings, &mut self.form);
         let speed = LabField::Speed.place();
         match (&mut self.phase, mouse.kind) {
             (LabPhase::Aim, _) if held && on_picture => {
                 form.give_up();
-                let offset =
-                    drag_offset(layout.picture, &settings.setup.collision(), mouse.place());
+                let offset = drag_offset(hit, &settings.setup.collision(), mouse.place());
                 settings.set(LabField::Offset.place(), (offset * 2000.0).round() / 2.0);
             }
             (LabPhase::Aim, MouseKind::Down) => match panel::field_at(layout.panel, cell) {
@@ -191,12 +224,14 @@ impl Screen for Lab {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<LabAction> {
-        use LabAction::{Back, Contact, Go, MysteryCoin, NextSet, Predict, Reset, Scroll, SetUp};
+        use LabAction::{
+            Back, Contact, Go, Live, MysteryCoin, NextSet, Predict, Reset, Scroll, SetUp,
+        };
         let key = Key::Char;
         let table = KeyTable::new("lab");
         let go = match cx.settings.predict {
-            true => "say where",
-            false => "shoot",
+            true if !self.is_live(cx) => "say where",
+            _ => "shoot",
         };
         match &self.phase {
             LabPhase::Aim => table
@@ -208,6 +243,8 @@ impl Screen for Lab {
                 .on(key('b'), Contact, "slip/stick")
                 .when(self.settings.field(LabField::Contact).locked.is_none())
                 .on(key('m'), MysteryCoin, "mystery coin")
+                .on(key('v'), Live, "live")
+                .when(self.may_live(cx))
                 .on(Key::Escape, Back, "back")
                 .when(!self.form.is_typing())
                 .on(key('p'), Predict, "")
@@ -246,6 +283,7 @@ impl Screen for Lab {
             "The line of impact n joins the two centres at the contact. Along it the discs push each other; across it, along t, nothing pushes, so nothing changes. Everything else follows from that.",
             "Angles count from the striker's direction: for the striker to the side away from the coin, for the coin to its own side.",
             "The coin can be moved by the mouse, the rays too; the wheel changes the speed.",
+            "Say three times rightly where both will go, and v switches the live picture on: arrows, angles and curves follow the offset as you turn it. What you have set up is still there when you come back.",
         ]
     }
 
@@ -266,6 +304,7 @@ impl Screen for Lab {
                 settings.mystery = Some(coin);
             }
             LabAction::Predict => cx.settings.predict = !cx.settings.predict,
+            LabAction::Live => self.live = !self.live,
             LabAction::Reset => {
                 form.give_up();
                 *settings = LabSettings::default();
@@ -283,7 +322,12 @@ impl Screen for Lab {
             }
             LabAction::SetUp => self.phase = LabPhase::Aim,
             LabAction::Scroll(rows) => self.scroll_by(rows, cx),
-            LabAction::Back => return Next::Back,
+            LabAction::Back => {
+                if !self.lent {
+                    cx.lab = Some(settings.clone());
+                }
+                return Next::Back;
+            }
         }
         Next::Stay
     }

@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::explain::{explain, turns_a_second};
+use super::view::live_hit;
 use super::{Lab, LabField};
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
@@ -26,13 +27,20 @@ pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> 
 pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
     let mut lines = Lines::new(area, buf, cx.settings.look());
     lab.form.write(&lab.settings, &mut lines);
-    let next = if cx.settings.predict {
+    let live = lab.is_live(cx);
+    let next = if live {
+        "Enter: watch it. v: live off."
+    } else if cx.settings.predict && lab.may_live(cx) {
+        "Enter: say where both will go. v: live."
+    } else if cx.settings.predict {
         "Enter: now say where both will go."
     } else {
         "Enter: shoot. (p: predict first)"
     };
     let about = |lines: &mut Lines| lab.form.write_about(&lab.settings, lines);
-    let mut spare = lines.spare(GEOMETRY_ROWS + 1 + lines.rows_of(next));
+    let followed = if live { ANSWER_ROWS } else { 0 };
+    let mut spare = lines.spare(GEOMETRY_ROWS + followed + lines.rows_of(next));
+    let apart = spare.take(1);
     if spare.take(lines.rows_by(about)) {
         about(&mut lines);
     }
@@ -40,7 +48,12 @@ pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Contex
         lines.gap();
     }
     geometry(lab, &mut lines);
-    lines.gap();
+    if live {
+        answers(&live_hit(lab), &mut lines);
+    }
+    if apart {
+        lines.gap();
+    }
     lines.paragraph(next, Role::Key);
 }
 

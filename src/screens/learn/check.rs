@@ -23,14 +23,18 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
             let told = checkpoint
                 .map(|checkpoint| answers(&checkpoint.asked))
                 .unwrap_or_default();
-            let states = std::iter::once(None).chain(told.into_iter().map(Some));
-            for answer in states {
-                let reading = Reading::of_page(chapter, at, answer);
-                if let Some(message) = too_long(&reading, answer, charset) {
-                    let line = match (answer, checkpoint) {
-                        (Some(_), Some(checkpoint)) => checkpoint.line,
-                        _ => page.line,
-                    };
+            let hit = page.figure.map(|figure| figure.shot.collision());
+            let hinted = |it: &&Response| {
+                checkpoint.is_some_and(|asks| asks.offers_second_try(it, hit.as_ref()))
+            };
+            let hinted = told.iter().filter(hinted).map(|it| (Some(*it), None));
+            let answered = told.iter().map(|it| (None, Some(*it)));
+            let states = std::iter::once((None, None)).chain(hinted).chain(answered);
+            for (first, answer) in states {
+                let reading = Reading::of_page(chapter, at, first, answer);
+                if let Some(message) = too_long(&reading, first, answer, charset) {
+                    let said = first.or(answer).and(checkpoint);
+                    let line = said.map_or(page.line, |checkpoint| checkpoint.line);
                     faults.push(chapter.fault(line, message));
                 }
             }
@@ -54,7 +58,12 @@ fn answers(asked: &CheckpointKind) -> Vec<Response> {
     }
 }
 
-fn too_long(reading: &Reading, answer: Option<Response>, charset: Charset) -> Option<String> {
+fn too_long(
+    reading: &Reading,
+    first: Option<Response>,
+    answer: Option<Response>,
+    charset: Charset,
+) -> Option<String> {
     let settings = Settings {
         charset,
         ..Settings::default()
@@ -66,8 +75,9 @@ fn too_long(reading: &Reading, answer: Option<Response>, charset: Charset) -> Op
     let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
     reading.draw(BODY, &mut buf, &cx);
     let what = match answer {
+        None if first.is_some() => format!("the hint{}", line_of(first)),
         None => "the page".to_owned(),
-        Some(Response::Choice(line)) => format!("what is said to choice {}", line + 1),
+        Some(Response::Choice(_)) => format!("what is said{}", line_of(answer)),
         Some(_) => "what is said to the answer".to_owned(),
     };
     (rows > room).then(|| {
@@ -76,6 +86,14 @@ fn too_long(reading: &Reading, answer: Option<Response>, charset: Charset) -> Op
             name(charset)
         )
     })
+}
+
+/// To which choice something is said.
+fn line_of(said: Option<Response>) -> String {
+    match said {
+        Some(Response::Choice(line)) => format!(" to choice {}", line + 1),
+        _ => String::new(),
+    }
 }
 
 fn name(charset: Charset) -> &'static str {
@@ -94,8 +112,7 @@ fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<File
     // Less the margin, and what formulas are set in by.
     let room = usize::from(layout.panel.width).saturating_sub(3);
     let checkpoint = page.checkpoint.iter();
-    let asked =
-        checkpoint.flat_map(|checkpoint| checkpoint.question.iter().chain(&checkpoint.after));
+    let asked = checkpoint.flat_map(|it| it.question.iter().chain(&it.hint).chain(&it.after));
     let blocks = page.text.iter().chain(asked);
     blocks
         .filter_map(|block| match block {

@@ -46,6 +46,19 @@ impl CheckpointInput {
         }
     }
 
+    /// The same to be answered once more: rays stay as they were said, to be changed.
+    pub(super) fn anew(&self, checkpoint: &Checkpoint, figure: Option<&Collision>) -> Self {
+        match (
+            Self::new(checkpoint, figure),
+            self.rays().and_then(RayInput::said),
+        ) {
+            (Self::Given(AnswerInput::Rays(rays)), Some(said)) => {
+                Self::Given(AnswerInput::Rays(rays.saying(&said)))
+            }
+            (new, _) => new,
+        }
+    }
+
     /// The rays that are turned.
     pub(super) fn rays(&self) -> Option<&RayInput> {
         match self {

@@ -2,25 +2,29 @@
 
 use serde_json::{Value, json};
 
-use crate::lessons::{Chapter, Checkpoint, CheckpointKind, answer_json};
+use crate::lessons::{AFTER_HINT, Chapter, Checkpoint, CheckpointKind, answer_json};
 use crate::physics::Collision;
 use crate::physics::units::deg_from_rad;
 use crate::progress::{Attempt, LESSON};
 use crate::quiz::{Rays, RaysGrade, Response};
 
 /// An answer to the checkpoint of page `at` (from 0), marked; `figure` is the collision
-/// as the page's figure has it.
+/// as the page's figure has it. After a hint it earns half the credit.
 pub fn attempt(
     player: &str,
     chapter: &Chapter,
     at: usize,
-    answer: &Response,
+    (answer, after_hint): (&Response, bool),
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Attempt {
     let (asked, truth) = truly(&checkpoint.asked, figure);
     let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
-    let question = json!({"chapter": chapter.id, "page": number, "asked": asked});
+    let mut question = json!({"chapter": chapter.id, "page": number, "asked": asked});
+    if after_hint {
+        question["try"] = 2.into();
+    }
+    let share = if after_hint { AFTER_HINT } else { 1.0 };
     Attempt {
         time_s: None,
         player: player.to_owned(),
@@ -32,7 +36,7 @@ pub fn attempt(
         answer: answer_json(answer).to_string(),
         truth: truth.to_string(),
         error_deg: error_deg(answer, &checkpoint.asked, figure),
-        credit: checkpoint.credit(answer, figure),
+        credit: share * checkpoint.credit(answer, figure),
         right: checkpoint.is_right(answer, figure),
         confidence: None,
         misconception: None,

@@ -53,6 +53,14 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
     );
 }
 
+/// The belief that is still held most.
+pub(super) fn held(history: &History) -> Option<HeldBelief> {
+    let beliefs = beliefs(&history.attempts).into_iter();
+    beliefs
+        .into_iter()
+        .find(|belief| belief.trend() != Trend::Gone)
+}
+
 /// What helps against the one held most, or that they are gone.
 pub(super) fn panel(history: &History, lines: &mut Lines) {
     let beliefs = beliefs(&history.attempts);
@@ -64,8 +72,7 @@ pub(super) fn panel(history: &History, lines: &mut Lines) {
         lines.pair("gone or fading", &fading.to_string(), Role::Dim, Role::Good);
         lines.gap();
     }
-    let held = beliefs.iter().find(|belief| belief.trend() != Trend::Gone);
-    match held {
+    match held(history) {
         Some(belief) => {
             lines.paragraph(belief.misconception.name(), Role::Title);
             lines.paragraph(belief.misconception.advice(), Role::Text);

@@ -15,10 +15,12 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Context, Next, Place, Screen};
+use super::{Context, Next, Place, Screen, leads};
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::numbers::counted;
+use crate::progress::Due;
+use crate::quiz::{Code, Course, CourseKind, Passage};
 use crate::widgets::input::KeyTable;
 use crate::widgets::{Lines, Role, Scroll, SplitLayout, scroll_keys};
 use page::ProgressPage;
@@ -33,10 +35,45 @@ pub enum ProgressAction {
     TurnTo(usize),
     /// scroll what is longer than its place; PageUp and PageDown by eight rows
     Scroll(i16),
-    /// a round of the quiz
-    Quiz,
+    /// do what the page suggests: a review, the page of a chapter, a round of the quiz
+    DoNext,
     /// go back
     Back,
+}
+
+/// What is to be done next, by the page that is shown.
+enum NextStep {
+    /// A review of what is due.
+    Review(CourseKind),
+    /// The page that settles what is still believed.
+    Read(Passage),
+    /// A round of the quiz, to be chosen.
+    Choose,
+}
+
+impl NextStep {
+    /// What Enter does, in a line.
+    fn words(&self, book: &Book) -> String {
+        match self {
+            Self::Review(kind) => {
+                format!("Enter: review {}.", counted(kind.length(), "topic"))
+            }
+            Self::Read(passage) => {
+                let page = book.named(*passage).unwrap_or_default();
+                format!("Enter: read {page}.")
+            }
+            Self::Choose => "Enter: choose a round of the quiz.".into(),
+        }
+    }
+
+    /// The same in a word or two.
+    const fn name(&self) -> &'static str {
+        match self {
+            Self::Review(_) => "review",
+            Self::Read(_) => "its chapter",
+            Self::Choose => "quiz",
+        }
+    }
 }
 
 /// Columns from which on the panel need not be narrow.
@@ -73,6 +110,22 @@ impl Progress {
     /// What was done, where there is something.
     fn history(&self) -> Option<&History> {
         self.history.history()
+    }
+
+    /// What Enter does on this page.
+    fn next_step(&self) -> NextStep {
+        let step = self.history().and_then(|history| match self.page {
+            ProgressPage::Topics => {
+                let due = Due::of(&history.attempts, &history.calendar);
+                due.course().map(NextStep::Review)
+            }
+            ProgressPage::Beliefs => {
+                let held = beliefs::held(history)?;
+                Some(NextStep::Read(held.misconception.settled_by()))
+            }
+            _ => None,
+        });
+        step.unwrap_or(NextStep::Choose)
     }
 
     fn turn_to(&mut self, page: ProgressPage) {
@@ -128,7 +181,7 @@ impl Progress {
             }
             lines.gap();
         }
-        lines.paragraph("Enter: a round of the quiz.", Role::Key);
+        lines.paragraph(&self.next_step().words(book), Role::Key);
     }
 
     fn draw_picture(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
@@ -183,7 +236,7 @@ impl Screen for Progress {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
-        use ProgressAction::{Back, Quiz, Scroll, Turn, TurnTo};
+        use ProgressAction::{Back, DoNext, Scroll, Turn, TurnTo};
         let pages = ('1'..).zip((0..ProgressPage::ALL.len()).map(TurnTo));
         let some = self.history().is_some();
         KeyTable::new("progress")
@@ -199,7 +252,7 @@ impl Screen for Progress {
             .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
             .or(scroll_keys(Scroll))
             .when(some)
-            .on(Key::Enter, Quiz, "quiz")
+            .on(Key::Enter, DoNext, self.next_step().name())
             .on(Key::Escape, Back, "back")
     }
 
@@ -208,7 +261,17 @@ impl Screen for Progress {
             ProgressAction::Turn(by) => self.turn_to(self.page.beside(by)),
             ProgressAction::TurnTo(page) => self.turn_to(ProgressPage::ALL[page]),
             ProgressAction::Scroll(rows) => self.scroll_by(rows, cx),
-            ProgressAction::Quiz => return Next::Replace(Place::Quiz { code: None }),
+            ProgressAction::DoNext => {
+                let code = match self.next_step() {
+                    NextStep::Read(passage) => return leads::open(Some(passage), cx),
+                    NextStep::Choose => None,
+                    NextStep::Review(kind) => Some(Code {
+                        course: Course::new(kind),
+                        seed: cx.next_seed(),
+                    }),
+                };
+                return Next::Replace(Place::Quiz { code });
+            }
             ProgressAction::Back => return Next::Back,
         }
         Next::Stay

@@ -16,13 +16,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Confirmation, Context, Next, Place, Screen};
+use super::{Confirmation, Context, Next, Place, Screen, leads};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Question, Response, Round, Summary,
+    Answer, Code, Confidence, CourseKind, Form, Grade, Passage, Question, Response, Round, Summary,
+    explain,
 };
 use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
@@ -51,6 +52,8 @@ pub(crate) enum QuizAction {
     LookBack(ListAction),
     /// another round of the same kind
     Another,
+    /// open the page of the chapters that settles it
+    ReadUp,
     /// scroll a text that is longer than its place
     Scroll(i16),
     /// go back, or leave the round
@@ -221,8 +224,8 @@ impl Quiz {
     fn show_line(&mut self, at: usize, cx: &Context) {
         let look = cx.settings.look();
         let text = view::text_area(self, cx.body);
-        let row = view::first_line(self, text, look).saturating_add(at as u16);
-        let write = |lines: &mut Lines| view::write(self, lines, look);
+        let row = view::first_line(self, text, cx).saturating_add(at as u16);
+        let write = |lines: &mut Lines| view::write(self, lines, cx);
         self.scroll = self.scroll.show(row, text, look, write);
     }
 
@@ -260,6 +263,17 @@ impl Quiz {
         };
         let told = self.answers.len().saturating_sub(untold);
         Summary::new(self.round.questions().iter().zip(&self.answers).take(told))
+    }
+
+    /// The page where a wrong answer leads, once that has been told; after a round where
+    /// most of them do.
+    fn passage(&self) -> Option<Passage> {
+        match &self.phase {
+            QuizPhase::Asked(_) => None,
+            QuizPhase::Watch(watched) if !watched.reveal.is_telling() => watched.passage(),
+            QuizPhase::Watch(_) => None,
+            QuizPhase::Summary(_) => self.summary().passage(),
+        }
     }
 
     /// Goes on from a hit that was watched, or from its explanation.
@@ -311,7 +325,7 @@ impl Quiz {
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
         let area = view::text_area(self, cx.body);
-        let write = |lines: &mut Lines| view::write(self, lines, look);
+        let write = |lines: &mut Lines| view::write(self, lines, cx);
         self.scroll = self.scroll.by(rows, area, look, write);
     }
 }
@@ -343,6 +357,11 @@ impl AnsweredQuestion {
             remedy,
             opened: None,
         }
+    }
+
+    /// The page where the answer leads, if it was wrong.
+    fn passage(&self) -> Option<Passage> {
+        explain(&self.question, &self.answer).passage
     }
 }
 
@@ -379,7 +398,7 @@ impl Screen for Quiz {
 
     fn keys(&self, _cx: &Context) -> KeyTable<QuizAction> {
         use QuizAction::{
-            Another, Answer, GoOn, Leave, LookBack, MoreSure, Scroll, Sure, Take, Watch,
+            Another, Answer, GoOn, Leave, LookBack, MoreSure, ReadUp, Scroll, Sure, Take, Watch,
         };
         let keys = KeyTable::new("quiz");
         let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
@@ -428,15 +447,19 @@ impl Screen for Quiz {
                 // Until all is told Enter goes through what is told.
                 keys.on(Key::Enter, GoOn, next)
                     .when(!watched.reveal.is_telling())
+                    .on(Key::Char('c'), ReadUp, "chapter")
+                    .when(self.passage().is_some())
+                    .on(Key::Escape, Leave, away)
                     .with(watched.reveal.keys(), Watch)
                     .each(lines, scroll)
                     .or(pages)
-                    .on(Key::Escape, Leave, away)
             }
             QuizPhase::Summary(_) => keys
                 .with(ListView::keys("look at it"), LookBack)
                 .on(Key::Char('n'), Another, "another round")
-                .on(Key::Escape, Leave, "other rounds"),
+                .on(Key::Escape, Leave, "other rounds")
+                .on(Key::Char('c'), ReadUp, "chapter")
+                .when(self.passage().is_some()),
         }
     }
 
@@ -446,6 +469,7 @@ impl Screen for Quiz {
             "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
             "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
             "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below nothing: else a wrong \"sure\" would cost nothing there.",
+            "A wrong answer names the page of the chapters that settles it: c opens it, Esc brings you back to where you were.",
             "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
             "With the mouse: drag the rays, or the coin before a shot; click an answer, how sure you are, a line of the look back.",
         ]
@@ -472,6 +496,7 @@ impl Screen for Quiz {
             (QuizAction::GoOn, _) => self.go_on(cx),
             (QuizAction::LookBack(action), _) => self.look_back(action, cx),
             (QuizAction::Another, _) => return self.again(cx),
+            (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
             (QuizAction::Scroll(rows), _) => self.scroll_by(rows, cx),
             (QuizAction::Leave, _) => return self.leave(cx),
             _ => return Next::Ignored,
@@ -498,7 +523,7 @@ impl Screen for Quiz {
             (QuizPhase::Summary(list), _) => {
                 let mut moved = *list;
                 let count = self.answers.len();
-                let line = view::line_at(self, cx.body, look, cell);
+                let line = view::line_at(self, cx, cell);
                 match moved.mouse(mouse, count, line) {
                     Outcome::Ignored => return Next::Ignored,
                     Outcome::Done(at) => self.open(at, cx),

@@ -4,11 +4,13 @@
 use ratatui::layout::Rect;
 
 use super::{AnsweredQuestion, OpenQuestion};
+use crate::lessons::Book;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
+use crate::screens::leads;
 use crate::widgets::bar::bar;
 use crate::widgets::input::ListView;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{AnswerInput, Charset, Lines, Look, Role, rehearsed};
+use crate::widgets::{AnswerInput, Lines, Look, Role, rehearsed};
 
 /// The question, and what is being said to it.
 pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
@@ -143,19 +145,21 @@ pub(super) fn untold(watched: &AnsweredQuestion, lines: &mut Lines) {
 
 /// The points, the answer beside the truth, and the one explanation, which comes
 /// whole: where there is not room for all, other things give way.
-pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Charset) {
+pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, book: &Book) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);
     let explanation = explain(question, &watched.answer);
     let again = &question.text;
     let title_rows = lines.rows_of(explanation.title);
     let answers = answer_rows(watched, lines);
-    let needed = 1 + answers + title_rows + lines.rows_of(&explanation.text);
+    let lead = |lines: &mut Lines| leads::write(explanation.passage, book, lines);
+    let needed = 1 + answers + title_rows + lines.rows_of(&explanation.text) + lines.rows_by(lead);
     let mut spare = lines.spare(needed);
     let credit = spare.take(1);
     let gap = spare.take(1);
     let gap_before = spare.take(1);
-    let next = spare.take(2);
+    let apart = spare.take(1);
+    let next = spare.take(1);
     if spare.take(lines.rows_of(again) + 1) {
         lines.paragraph(again, Role::Dim);
         lines.gap();
@@ -163,7 +167,7 @@ pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Chars
     let role = if grade.right { Role::Good } else { Role::Text };
     lines.pair(&grade.score(), grade.confidence.name(), role, Role::Dim);
     if credit {
-        credit_bar(&grade, lines, charset);
+        credit_bar(&grade, lines);
     }
     if gap_before {
         lines.gap();
@@ -174,8 +178,11 @@ pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Chars
     }
     lines.paragraph(explanation.title, Role::Title);
     lines.paragraph(&explanation.text, Role::Text);
-    if next {
+    if apart {
         lines.gap();
+    }
+    lead(lines);
+    if next {
         let next = match watched.opened {
             _ if watched.remedy.is_some() => "Enter: the right shot.",
             Some(_) => "Enter: back to the list.",
@@ -185,11 +192,11 @@ pub(super) fn told(watched: &AnsweredQuestion, lines: &mut Lines, charset: Chars
     }
 }
 
-fn credit_bar(grade: &Grade, lines: &mut Lines, charset: Charset) {
+fn credit_bar(grade: &Grade, lines: &mut Lines) {
     let percent = format!("{:.0} %", 100.0 * grade.credit);
     // A name of eight columns, five and a blank for the share.
     let width = lines.width().saturating_sub(8 + 1 + 6);
-    let bar = bar(grade.credit, width, charset);
+    let bar = bar(grade.credit, width, lines.charset());
     lines.pair(&format!("credit  {bar}"), &percent, Role::Text, Role::Text);
 }
 

@@ -1,16 +1,18 @@
 //! The look back over a round.
 
 use super::Quiz;
+use crate::lessons::Book;
 use crate::numbers;
 use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain,
 };
+use crate::screens::leads;
 use crate::widgets::{Lines, Role};
 
 /// Writes the look back: the score, a row a question with a mark at the one `at`, how
 /// well confidence and answers went together, and what to try next. Gives the row of
 /// the first question.
-pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
+pub(super) fn write(quiz: &Quiz, at: usize, book: &Book, lines: &mut Lines) -> u16 {
     let summary = quiz.summary();
     let answered = quiz.round.questions().iter().zip(&quiz.answers);
     let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
@@ -22,7 +24,9 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
     let score = score(&summary);
     let friend = for_a_friend(quiz.round.code());
     let friend_rows = friend.as_ref().map_or(0, |text| lines.rows_of(text));
-    let needed = lines.rows_of(&score) + HEAD + rows + closing_rows + friend_rows;
+    let lead = |lines: &mut Lines| leads::write(summary.passage(), book, lines);
+    let lead_rows = lines.rows_by(lead);
+    let needed = lines.rows_of(&score) + HEAD + rows + closing_rows + lead_rows + friend_rows;
     let mut spare = lines.spare(needed);
     let gap_after = spare.take(1);
     let gap_before = spare.take(1);
@@ -46,6 +50,7 @@ pub(super) fn write(quiz: &Quiz, at: usize, lines: &mut Lines) -> u16 {
         }
         lines.paragraph(text, Role::Text);
     }
+    lead(lines);
     if let Some(command) = friend {
         if before_friend {
             lines.gap();

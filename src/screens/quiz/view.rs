@@ -44,18 +44,18 @@ pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
 }
 
 /// Writes the text of the phase at hand.
-pub(super) fn write(quiz: &Quiz, lines: &mut Lines, look: Look) {
+pub(super) fn write(quiz: &Quiz, lines: &mut Lines, cx: &Context) {
     match &quiz.phase {
         QuizPhase::Asked(asked) => match asked.sure {
             None => panel::asked(asked, lines),
             Some(chosen) => panel::confidence(asked, chosen, quiz.tells_at_end(), lines),
         },
         QuizPhase::Watch(watched) if !watched.reveal.is_telling() => {
-            panel::told(watched, lines, look.charset);
+            panel::told(watched, lines, &cx.book);
         }
         QuizPhase::Watch(watched) => panel::untold(watched, lines),
         QuizPhase::Summary(list) => {
-            summary::write(quiz, list.chosen(quiz.answers.len()), lines);
+            summary::write(quiz, list.chosen(quiz.answers.len()), &cx.book, lines);
         }
     }
 }
@@ -95,7 +95,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     }
     let text = text_area(quiz, area);
     quiz.scroll
-        .draw(text, buf, look, |lines| write(quiz, lines, look));
+        .draw(text, buf, look, |lines| write(quiz, lines, cx));
 }
 
 /// The frames with their titles; where there is no picture its title goes to the text.
@@ -109,20 +109,19 @@ fn draw_frames(layout: &SplitLayout, buf: &mut Buffer, look: &Look, picture: &st
 }
 
 /// The line of the look back at a cell.
-pub(super) fn line_at(quiz: &Quiz, area: Rect, look: Look, cell: (u16, u16)) -> Option<usize> {
-    let text = text_area(quiz, area);
+pub(super) fn line_at(quiz: &Quiz, cx: &Context, cell: (u16, u16)) -> Option<usize> {
+    let (text, look) = (text_area(quiz, cx.body), cx.settings.look());
     let row = ListView::row_at(text, cell)?;
-    let scrolled = quiz
-        .scroll
-        .rows(text, look, |lines| write(quiz, lines, look));
-    let first = usize::from(first_line(quiz, text, look));
+    let scrolled = quiz.scroll.rows(text, look, |lines| write(quiz, lines, cx));
+    let first = usize::from(first_line(quiz, text, cx));
     let line = (row + usize::from(scrolled)).checked_sub(first)?;
     (line < quiz.answers.len()).then_some(line)
 }
 
 /// Row of the first line of the look back.
-pub(super) fn first_line(quiz: &Quiz, text: Rect, look: Look) -> u16 {
-    rehearsed(text, look, |lines| summary::write(quiz, 0, lines))
+pub(super) fn first_line(quiz: &Quiz, text: Rect, cx: &Context) -> u16 {
+    let look = cx.settings.look();
+    rehearsed(text, look, |lines| summary::write(quiz, 0, &cx.book, lines))
 }
 
 fn title(watched: &AnsweredQuestion) -> String {

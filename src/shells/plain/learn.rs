@@ -174,18 +174,46 @@ fn ask(
     figure: Option<&Collision>,
 ) -> Result<bool, Leave> {
     let question = texts(&checkpoint.question, figure);
-    let Some(answer) = hear(recorder.talk, &question, checkpoint, figure)? else {
+    let Some(mut answer) = hear(recorder.talk, &question, checkpoint, figure)? else {
         recorder.talk.say("Left open.")?;
         return Ok(false);
     };
-    let attempt = attempt(recorder.player, chapter, at, &answer, checkpoint, figure);
-    let right = attempt.right;
-    recorder.record(attempt)?;
-    let later = Bookmark::answering(page, checkpoint, answer, right);
+    let tried = (&answer, false);
+    let once = attempt(recorder.player, chapter, at, tried, checkpoint, figure);
+    let mut right = once.right;
+    let mut first = None;
+    recorder.record(once)?;
+    if checkpoint.offers_second_try(&answer, figure) {
+        recorder
+            .talk
+            .say("Not yet. Here is a hint, for a second try.")?;
+        let hint = hint(&answer, checkpoint, figure);
+        if let Some(second) = hear(recorder.talk, &hint, checkpoint, figure)? {
+            let tried = (&second, true);
+            let again = attempt(recorder.player, chapter, at, tried, checkpoint, figure);
+            right = again.right;
+            recorder.record(again)?;
+            first = Some(std::mem::replace(&mut answer, second));
+        }
+    }
+    let later = Bookmark::answering(page, checkpoint, (answer, first), right);
     mark(recorder, chapter, later)?;
     tell(recorder.talk, &answer, right, checkpoint, figure)?;
     recorder.talk.say_all(texts(&checkpoint.after, figure))?;
     Ok(true)
+}
+
+/// What helps after a first wrong answer.
+fn hint(first: &Response, checkpoint: &Checkpoint, figure: Option<&Collision>) -> Vec<String> {
+    match (first, &checkpoint.asked) {
+        (Response::Choice(chosen), CheckpointKind::Choice(choices))
+            if checkpoint.hint.is_empty() =>
+        {
+            let chosen = choices.get(*chosen).into_iter();
+            chosen.map(|chosen| pieces(&chosen.why, figure)).collect()
+        }
+        _ => texts(&checkpoint.hint, figure),
+    }
 }
 
 /// Hears the answer to a checkpoint; `None` if it is skipped.
@@ -292,7 +320,7 @@ mod tests {
             .flat_map(|page| {
                 let hit = page.figure.map(|figure| figure.shot.collision());
                 let checkpoint = page.checkpoint.iter();
-                let asked = checkpoint.flat_map(|it| [&it.question[..], &it.after]);
+                let asked = checkpoint.flat_map(|it| [&it.question[..], &it.hint, &it.after]);
                 std::iter::once(&page.text[..])
                     .chain(asked)
                     .map(move |text| (text, hit))

@@ -7,11 +7,12 @@ use super::picture::describe;
 use super::recorder::Recorder;
 use super::spoken::{sentence, verbatim};
 use super::talk::{Leave, Talk};
+use crate::lessons::Book;
 use crate::messages::{StoreReply, StoreRequest};
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Grade, Question, Round, Summary, Topic, explain,
+    Answer, Code, Course, CourseKind, Grade, Passage, Question, Round, Summary, Topic, explain,
 };
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
@@ -161,7 +162,14 @@ fn tell(talk: &mut Talk, question: &Question, answer: &Answer) -> Result<(), Lea
         format!("It is: {}", sentence(&form.words(&form.truth()))),
         explanation.text,
         format!("{}.", grade.score()),
-    ])
+    ])?;
+    talk.say_all(explanation.passage.and_then(read_up))
+}
+
+/// Where to read about it.
+fn read_up(passage: Passage) -> Option<String> {
+    let page = Book::default().named(passage)?;
+    Some(format!("More about it in Learn: {}", sentence(&page)))
 }
 
 /// Looks back over what was answered.
@@ -172,6 +180,7 @@ fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> R
     talk.say(&summary.calibration_words())?;
     talk.say_all(summary.held_words())?;
     talk.say(&summary.advice())?;
+    talk.say_all(summary.passage().and_then(read_up))?;
     match round.course().kind {
         CourseKind::Review(_) | CourseKind::Own(_) => Ok(()),
         _ => talk.say(&format!(

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use rusqlite::{Row, Transaction, params};
 
 use super::Database;
-use crate::lessons::{Bookmark, Forget, GivenAnswer, answer_json, answer_of_json};
+use crate::lessons::{Bookmark, Forget, GivenAnswer, given_json, tries_of_json};
 
 const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player = ?1";
 
@@ -47,7 +47,7 @@ impl Database {
                     chapter,
                     page,
                     given.map(|given| &given.asked),
-                    given.map(|given| answer_json(&given.answer).to_string()),
+                    given.map(|given| given_json(given).to_string()),
                     given.map(|given| given.right),
                 ])?;
             }
@@ -114,11 +114,14 @@ fn forget_all(
 fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
     let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
     let right: Option<bool> = row.get("is_right")?;
-    let answer = answer.and_then(|text| answer_of_json(&serde_json::from_str(&text).ok()?));
-    let given = asked.zip(answer).map(|(asked, answer)| GivenAnswer {
-        asked,
-        answer,
-        right: right.unwrap_or_default(),
-    });
+    let tries = answer.and_then(|text| tries_of_json(&serde_json::from_str(&text).ok()?));
+    let given = asked
+        .zip(tries)
+        .map(|(asked, (answer, first))| GivenAnswer {
+            asked,
+            answer,
+            right: right.unwrap_or_default(),
+            first,
+        });
     Ok(given)
 }

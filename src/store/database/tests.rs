@@ -139,6 +139,7 @@ fn answered(page: &str, answer: Response, right: bool) -> Bookmark {
         asked: "choice\nWhich?".into(),
         answer,
         right,
+        first: None,
     };
     Bookmark {
         pages: BTreeMap::from([(page.into(), Some(given))]),

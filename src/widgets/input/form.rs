@@ -284,7 +284,10 @@ impl SettingsForm {
                 role => role,
             };
             let typed = self.entry.shown().filter(|_| i == selected);
-            let shown = typed.unwrap_or(field.shown);
+            let shown = match field.locked {
+                Some(_) => format!("({})", field.shown),
+                None => typed.unwrap_or(field.shown),
+            };
             lines.pair(&format!("{mark} {}", field.name), &shown, name_role, role);
         }
     }

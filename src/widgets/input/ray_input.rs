@@ -4,7 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
-use crate::numbers::true_minus;
+use crate::numbers::{fixed, true_minus};
 use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::{Lines, Role};
@@ -254,7 +254,7 @@ pub fn shown(angle_deg: Option<f64>) -> String {
 /// The same in as little room as a table has: no unit, and one word for a disc that
 /// stays still.
 pub fn brief(angle_deg: Option<f64>) -> String {
-    angle_deg.map_or("still".into(), |angle| true_minus(&format!("{angle:.1}")))
+    angle_deg.map_or("still".into(), |angle| true_minus(&fixed(angle, 1)))
 }
 
 fn other(ray: Ray) -> Ray {

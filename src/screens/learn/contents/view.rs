@@ -58,11 +58,28 @@ pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
 }
 
 fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
-    let done = if book.is_done(chapter) { "✓" } else { " " };
+    let mark = book.mark(&chapter.id);
+    let done = match mark {
+        Some(mark) if mark.is_done(chapter) && mark.is_right(chapter) => "✓",
+        Some(mark) if mark.is_done(chapter) => "~",
+        _ => " ",
+    };
     let text = format!(" {done}{:>2} {}", chapter.number, chapter.title);
-    let seen = |mark: &Bookmark| format!("{}/{}", mark.seen(chapter), chapter.pages.len());
-    let side = book.mark(&chapter.id).map(seen).unwrap_or_default();
-    (text, side, Role::Text)
+    (
+        text,
+        mark.map(|mark| standing(mark, chapter)).unwrap_or_default(),
+        Role::Text,
+    )
+}
+
+/// How far a chapter is: its page while it is being read, then how many answers are right.
+fn standing(mark: &Bookmark, chapter: &Chapter) -> String {
+    let (seen, pages) = (mark.seen(chapter), chapter.pages.len());
+    match chapter.checkpoints() {
+        _ if seen < pages => format!("read {seen} of {pages}"),
+        0 => "read".into(),
+        asked => format!("right {} of {asked}", mark.right(chapter)),
+    }
 }
 
 fn about_chapter(book: &Book, chapter: &Chapter, lines: &mut Lines) {
@@ -80,6 +97,10 @@ fn about_chapter(book: &Book, chapter: &Chapter, lines: &mut Lines) {
     if asked > 0 {
         lines.fact("answered", &of(mark.answered(chapter), asked));
         lines.fact("right", &of(mark.right(chapter), asked));
+        match mark.right_after_hint(chapter) {
+            0 => {}
+            hinted => lines.fact("  after a hint", &hinted.to_string()),
+        }
     }
     lines.gap();
     let next = match mark.page(chapter) {

@@ -4,7 +4,8 @@ use glam::DVec2;
 use ratatui::layout::{Margin, Rect};
 
 use super::LiveFigure;
-use crate::lessons::FigureKind;
+use crate::lessons::{CollisionSpec, Figure, FigureKind};
+use crate::numbers::fixed;
 use crate::physics::RestingTarget;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
@@ -97,10 +98,30 @@ fn heavier_target(shown: &LiveFigure) -> bool {
     pair(shown).k() > 1.0 + 1e-9
 }
 
+/// How both speeds go with the impact angle, with the point of a hit on a disc at rest.
+pub(in crate::screens) fn speeds_picture(shot: &CollisionSpec, area: Rect, look: &Look) -> Picture {
+    let figure = Figure {
+        kind: FigureKind::Curves,
+        shot: *shot,
+        after: *shot,
+        own: false,
+    };
+    plot(&LiveFigure::new(figure, None, false), area, look)
+}
+
 /// The plot with the point, and the hit at that point.
 pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture; 2] {
     use Overlay::{Angles, Lines, Trails, Triangle};
     let [room, hit] = rooms(area);
+    // Only what can be seen in a small picture.
+    let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
+    let watch = Watch::told(*shown.collision()).with_layers(layers);
+    let hit = watch.picture(hit.inner(Margin::new(1, 0)));
+    [plot(shown, room, look), hit]
+}
+
+/// The plot with the point.
+fn plot(shown: &LiveFigure, room: Rect, look: &Look) -> Picture {
     let mut plot = empty(shown, room, look);
     let pair = pair(shown);
     let alpha_deg = shown.alpha_deg().abs();
@@ -112,18 +133,15 @@ pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture;
             if let Some(theta1) = theta1(alpha_deg) {
                 let at = DVec2::new(alpha_deg, theta1);
                 mark(&mut plot, look, at, Role::Title);
-                let text = format!("θ₁ = {theta1:.1}°, θ₂ = {alpha_deg:.1}°");
+                let theta1_deg = fixed(theta1, 1);
+                let text = format!("θ₁ = {theta1_deg}°, θ₂ = {alpha_deg:.1}°");
                 plot.label(&text, at, &LabelSide::towards(DVec2::ONE), Role::Text);
             }
         }
         FigureKind::Energy => curves(&mut plot, look, &SHARES, &pair, alpha),
         _ => curves(&mut plot, look, &SPEEDS, &pair, alpha),
     }
-    // Only what can be seen in a small picture.
-    let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
-    let watch = Watch::told(*shown.collision()).with_layers(layers);
-    let hit = watch.picture(hit.inner(Margin::new(1, 0)));
-    [plot.picture(), hit]
+    plot.picture()
 }
 
 /// Draws curves against α with the points at one angle.

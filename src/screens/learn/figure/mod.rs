@@ -28,6 +28,7 @@ use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, RayInput};
 
+pub(in crate::screens) use curves::speeds_picture;
 pub(super) use export::svg_of;
 pub use export::{FigureError, draw_figure};
 

@@ -39,6 +39,8 @@ pub(crate) enum ReadingAction {
     Page(i16),
     /// scroll
     Scroll(i16),
+    /// show how it is, without a second try
+    ShowIt,
     /// ask this page's question again
     AskAgain,
     /// forget all answers of this chapter and begin anew
@@ -60,6 +62,9 @@ pub(crate) struct Reading {
     figure: Option<LiveFigure>,
     question: Option<CheckpointInput>,
     answer: Option<Response>,
+    /// The wrong answer before it, after which there was a hint; while there is no answer
+    /// yet, the second try is being made.
+    first: Option<Response>,
     /// Whether keys go to the figure first.
     on_figure: bool,
     /// The impact angle that was set since the bookmark was moved last, in degrees.
@@ -68,6 +73,8 @@ pub(crate) struct Reading {
     notice: Option<String>,
     /// Whether a page is open; none is before it is known where the chapter was left.
     is_open: bool,
+    /// The page that it was opened at to look something up.
+    visited: Option<usize>,
 }
 
 impl Reading {
@@ -75,6 +82,18 @@ impl Reading {
     pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         let mut reading = Self::closed(number, cx.book.chapter(number)?);
         cx.book.at = number;
+        if cx.book.is_known() {
+            reading.open_where_left(cx);
+        }
+        Some(reading)
+    }
+
+    /// A chapter, opened at a page to look something up; `None` beyond the last. Where it
+    /// was left stays.
+    pub(crate) fn visit(number: usize, page: usize, cx: &mut Context) -> Option<Self> {
+        let mut reading = Self::closed(number, cx.book.chapter(number)?);
+        reading.visited = Some(page);
+        cx.ask_for_marks();
         if cx.book.is_known() {
             reading.open_where_left(cx);
         }
@@ -89,27 +108,35 @@ impl Reading {
             figure: None,
             question: None,
             answer: None,
+            first: None,
             on_figure: false,
             alpha_deg: None,
             scroll: Scroll::default(),
             notice: None,
             is_open: false,
+            visited: None,
         }
     }
 
-    /// A page as it is before and, with an `answer`, after its checkpoint: to see
-    /// whether it fits.
-    pub(super) fn of_page(chapter: &Chapter, at: usize, answer: Option<Response>) -> Self {
+    /// A page as it is before its checkpoint, after a `first` wrong answer to it, or with an
+    /// `answer` after it: to see whether it fits.
+    pub(super) fn of_page(
+        chapter: &Chapter,
+        at: usize,
+        first: Option<Response>,
+        answer: Option<Response>,
+    ) -> Self {
         let mut reading = Self::closed(0, chapter);
         reading.at = at;
-        reading.lay_out(None, answer);
+        reading.lay_out(None, answer.map(|answer| (answer, first)));
+        reading.first = first;
         reading
     }
 
     fn open_where_left(&mut self, cx: &mut Context) {
         let mark = cx.book.mark(&self.chapter.id);
-        let at = mark.map_or(0, |mark| mark.page(&self.chapter));
-        self.open(at, cx);
+        let left = mark.map_or(0, |mark| mark.page(&self.chapter));
+        self.open(self.visited.unwrap_or(left), cx);
     }
 
     /// Opens a page.
@@ -122,14 +149,22 @@ impl Reading {
             alpha_deg: self.alpha_deg.take(),
             ..Bookmark::at(page)
         };
-        cx.mark(&self.chapter.id, here);
+        self.mark(here, cx);
         let mark = cx.book.mark(&self.chapter.id);
         let answer = mark.and_then(|mark| mark.given(page));
-        let answer = answer.map(|given| given.answer);
+        let answer = answer.map(|given| (given.answer, given.first));
         self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
     }
 
-    fn lay_out(&mut self, alpha_deg: Option<f64>, answer: Option<Response>) {
+    /// Keeps what was done; who looks something up keeps the place where they read on.
+    fn mark(&self, mut later: Bookmark, cx: &mut Context) {
+        if self.visited.is_some() {
+            later.place = None;
+        }
+        cx.mark(&self.chapter.id, later);
+    }
+
+    fn lay_out(&mut self, alpha_deg: Option<f64>, tries: Option<(Response, Option<Response>)>) {
         self.is_open = true;
         self.scroll = Scroll::default();
         self.notice = None;
@@ -143,10 +178,12 @@ impl Reading {
         self.question = checkpoint.map(|asked| CheckpointInput::new(asked, collision));
         self.figure = figure;
         self.answer = None;
+        self.first = None;
         self.on_figure = self.is_open_to_figure();
-        if let Some(answer) = answer
+        if let Some((answer, first)) = tries
             && self.question.is_some()
         {
+            self.first = first;
             self.tell(answer, HitPace::Still);
             self.figure.iter_mut().for_each(LiveFigure::tell);
         }
@@ -187,7 +224,8 @@ impl Reading {
         self.on_figure = self.is_open_to_figure();
     }
 
-    /// Takes an answer: marks it, keeps it, and tells what is so.
+    /// Takes an answer: marks it and keeps it. A first wrong one gets a hint, if there is
+    /// one, else it is told what is so.
     fn answered(&mut self, answer: Response, cx: &mut Context) {
         let Some(page) = self.page() else {
             return;
@@ -197,11 +235,32 @@ impl Reading {
         };
         let figure = self.collision();
         let player = &cx.settings.player;
-        let attempt = record::attempt(player, &self.chapter, self.at, &answer, checkpoint, figure);
-        let mark = Bookmark::answering(page, checkpoint, answer, attempt.right);
+        let tried = (&answer, self.first.is_some());
+        let attempt = record::attempt(player, &self.chapter, self.at, tried, checkpoint, figure);
+        let right = attempt.right;
         cx.record(attempt);
-        cx.mark(&self.chapter.id, mark);
+        if self.first.is_none() && checkpoint.offers_second_try(&answer, figure) {
+            let anew = |question: &CheckpointInput| question.anew(checkpoint, figure);
+            self.question = self.question.as_ref().map(anew);
+            self.first = Some(answer);
+            self.scroll = Scroll::default();
+            return;
+        }
+        let mark = Bookmark::answering(page, checkpoint, (answer, self.first), right);
+        self.mark(mark, cx);
         self.tell(answer, cx.settings.pace());
+    }
+
+    /// Tells what is so after the first try alone.
+    fn show_it(&mut self, cx: &mut Context) {
+        let first = self.first.take();
+        if let Some((page, answer)) = self.page().zip(first)
+            && let Some(checkpoint) = &page.checkpoint
+        {
+            let mark = Bookmark::answering(page, checkpoint, (answer, None), false);
+            self.mark(mark, cx);
+            self.tell(answer, cx.settings.pace());
+        }
     }
 
     fn begin_anew(&mut self, cx: &mut Context) {
@@ -242,9 +301,11 @@ impl Reading {
             alpha_deg: self.alpha_deg.take(),
             ..Bookmark::default()
         };
-        cx.mark(&self.chapter.id, first);
-        // The next chapter, or after the last one how far one has come.
-        cx.book.at = self.number + 1;
+        self.mark(first, cx);
+        if self.visited.is_none() {
+            // The next chapter, or after the last one how far one has come.
+            cx.book.at = self.number + 1;
+        }
         Next::Back
     }
 
@@ -375,14 +436,15 @@ impl Screen for Reading {
     fn keys(&self, _cx: &Context) -> KeyTable<ReadingAction> {
         use ReadingAction::{
             Answer, AskAgain, Back, Export, Figure, Forget, FullSize, Leave, Next, Page, Scroll,
-            Switch,
+            ShowIt, Switch,
         };
         let keys = || KeyTable::new("reading");
         let asking = self.is_asking();
         let answering = asking && !self.on_figure;
         let telling = self.telling().is_some();
+        let away = self.visited.map_or("contents", |_| "back");
         if !self.is_open {
-            return keys().on(Key::Escape, Leave, "contents");
+            return keys().on(Key::Escape, Leave, away);
         }
         let question = self.question.iter().filter(|_| answering);
         let mut table = question.fold(keys(), |table, it| table.with(it.keys(), Answer));
@@ -391,6 +453,8 @@ impl Screen for Reading {
             false => "next page",
         };
         let here = keys()
+            .on(Key::Char('s'), ShowIt, "show it")
+            .when(asking && self.first.is_some())
             .on(Key::Enter, Switch, "text")
             .when(asking && self.on_figure)
             .on(Key::Enter, Next, on)
@@ -399,7 +463,7 @@ impl Screen for Reading {
             // Enter and Space go through what the hit tells.
             .on(Key::Char('n'), Next, on)
             .when(telling)
-            .on(Key::Escape, Leave, "contents")
+            .on(Key::Escape, Leave, away)
             .on(Key::Char('n'), Next, "skip")
             .when(asking);
         table = table.with(here, |action| action);
@@ -436,7 +500,7 @@ impl Screen for Reading {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "A chapter: a few lines to read, beside a figure that is the real thing. Where a question is asked, say first what you think; only then the figure shows what happens. Your place is kept.",
-            "Every page can be read again, skipped, or asked again. A wrong answer is a good start: the explanation begins from it.",
+            "Every page can be read again, skipped, or asked again. A wrong answer is a good start: mostly you get a hint and a second try, for half the credit, and the explanation begins from what you said.",
         ]
     }
 
@@ -468,6 +532,7 @@ impl Screen for Reading {
             ReadingAction::Scroll(by) => {
                 self.scroll_by(by, cx);
             }
+            ReadingAction::ShowIt => self.show_it(cx),
             ReadingAction::AskAgain => self.ask_again(cx),
             ReadingAction::Forget => {
                 return Next::Confirm(Confirmation::new(

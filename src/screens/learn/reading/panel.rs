@@ -6,7 +6,7 @@ use super::Reading;
 use crate::lessons::{Checkpoint, CheckpointChoice, CheckpointKind};
 use crate::numbers::{fixed, true_minus, with_unit};
 use crate::physics::Collision;
-use crate::quiz::{Rays, Response, why_of_hit};
+use crate::quiz::{Rays, RaysGrade, Response, why_of_hit};
 use crate::screens::lab::explain;
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
@@ -66,16 +66,35 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
         return prose::write(&page.text, lines, collision);
     };
     let Some(answer) = reading.answer else {
-        prose::write(&page.text, lines, collision);
-        lines.gap();
-        prose::write(&checkpoint.question, lines, collision);
+        match &reading.first {
+            None => {
+                prose::write(&page.text, lines, collision);
+                lines.gap();
+                prose::write(&checkpoint.question, lines, collision);
+            }
+            Some(first) => {
+                let hinted = |lines: &mut Lines| hinted(checkpoint, first, collision, lines);
+                let asked = |lines: &mut Lines| {
+                    hinted(lines);
+                    lines.gap();
+                    question.write(checkpoint, lines, |_| {});
+                };
+                let mut spare = lines.spare(lines.rows_by(asked));
+                let read = |lines: &mut Lines| prose::write_dimmed(&page.text, lines, collision);
+                if spare.take(lines.rows_by(read) + 1) {
+                    read(lines);
+                    lines.gap();
+                }
+                hinted(lines);
+            }
+        }
         lines.gap();
         question.write(checkpoint, lines, rows);
-        let hint = question.hint();
+        let next = question.hint();
         let mut spare = lines.spare(0);
-        if spare.take(lines.rows_of(hint) + 1) {
+        if spare.take(lines.rows_of(next) + 1) {
             lines.gap();
-            lines.paragraph(hint, Role::Key);
+            lines.paragraph(next, Role::Key);
         }
         return;
     };
@@ -97,6 +116,40 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
     told(lines);
 }
 
+/// The question once more, and what helps after a first wrong answer to it.
+fn hinted(
+    checkpoint: &Checkpoint,
+    first: &Response,
+    figure: Option<&Collision>,
+    lines: &mut Lines,
+) {
+    prose::write(&checkpoint.question, lines, figure);
+    lines.gap();
+    let verdict = match (first, figure) {
+        (Response::Rays(said), Some(collision)) => {
+            let grade = RaysGrade::new(said, &Rays::from(&collision.outcome()));
+            match (grade.striker.is_right(), grade.target.is_right()) {
+                (true, _) => "The striker is right. The coin is not, yet.",
+                (_, true) => "The coin is right. The striker is not, yet.",
+                _ => "Not yet. A hint:",
+            }
+        }
+        _ if checkpoint.credit(first, figure) > 0.0 => "Nearly. A hint:",
+        _ => "Not yet. A hint:",
+    };
+    lines.paragraph(verdict, Role::Warn);
+    match (first, &checkpoint.asked) {
+        (Response::Choice(chosen), CheckpointKind::Choice(choices))
+            if checkpoint.hint.is_empty() =>
+        {
+            if let Some(choice) = choices.get(*chosen) {
+                lines.flowing("", 0, &prose::runs(&choice.why, Role::Text, figure));
+            }
+        }
+        _ => prose::write(&checkpoint.hint, lines, figure),
+    }
+}
+
 /// What is said to an answer.
 fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mut Lines) {
     let collision = reading.collision();
@@ -116,6 +169,9 @@ fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mu
             choice_told(*chosen, choices, collision, lines);
         }
         _ => number_told(&answer, checkpoint, collision, lines),
+    }
+    if reading.first.is_some() && checkpoint.is_right(&answer, collision) {
+        lines.paragraph("At the second try: half the credit.", Role::Dim);
     }
     if !checkpoint.after.is_empty() {
         lines.gap();

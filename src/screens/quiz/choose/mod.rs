@@ -8,10 +8,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
+use crate::lessons::Book;
 use crate::messages::{Input, Key};
 use crate::progress::Due;
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, Course, CourseKind, Family};
+use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
 use crate::screens::{Context, Next, Place, Screen};
 use crate::widgets::Outcome;
@@ -25,7 +26,8 @@ pub(crate) enum ChoosingAction {
     List(ListAction),
     /// begin at once
     Begin(usize),
-    /// begin at once: quick, mixed, review, hits, topic, exam, code, own questions
+    /// begin at once: quick, mixed, review, hits, topic, exam, what you have read, code,
+    /// own questions
     BeginByLetter(usize),
     /// begin the round of the code that was typed
     Enter,
@@ -72,6 +74,8 @@ enum RoundChoice {
     Always(CourseKind),
     /// What is due.
     Review,
+    /// What the chapters that were read teach.
+    Read,
     /// One topic, to be chosen.
     Topic,
     /// The round of a code, to be typed.
@@ -81,13 +85,14 @@ enum RoundChoice {
 }
 
 /// The kinds of round, each with the letter that chooses it, besides its number.
-static CHOICES: [(char, RoundChoice); 8] = [
+static CHOICES: [(char, RoundChoice); 9] = [
     ('q', RoundChoice::Always(CourseKind::Quick)),
     ('m', RoundChoice::Always(CourseKind::Mixed)),
     ('r', RoundChoice::Review),
     ('h', RoundChoice::Always(CourseKind::Hits)),
     ('t', RoundChoice::Topic),
     ('e', RoundChoice::Always(CourseKind::Exam)),
+    ('w', RoundChoice::Read),
     ('c', RoundChoice::Code),
     ('o', RoundChoice::Own),
 ];
@@ -95,6 +100,7 @@ static CHOICES: [(char, RoundChoice); 8] = [
 impl Choosing {
     /// The screen, with what the player has done asked for.
     pub(crate) fn ask(cx: &mut Context) -> Self {
+        cx.ask_for_marks();
         Self {
             history: Recall::ask(cx),
             page: ChoosingPage::Rounds,
@@ -151,6 +157,9 @@ impl Choosing {
             (ChoosingPage::Code { .. }, _) => return self.enter_code(),
             (ChoosingPage::Rounds, RoundChoice::Always(kind)) => Some(kind.clone()),
             (ChoosingPage::Rounds, RoundChoice::Review) => self.due().course(),
+            (ChoosingPage::Rounds, RoundChoice::Read) => {
+                chapters_read(&cx.book).map(CourseKind::Read)
+            }
             (ChoosingPage::Rounds, RoundChoice::Own) => {
                 let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
                 own.map(CourseKind::Own)
@@ -190,6 +199,11 @@ impl Choosing {
             }
         }
     }
+}
+
+/// The chapters that were read to their end, if a question is about any.
+fn chapters_read(book: &Book) -> Option<ChaptersRead> {
+    ChaptersRead::of(book.read_through().map(|chapter| chapter.id.as_str()))
 }
 
 /// The code that a text is, capitals and blanks around it aside.

@@ -3,7 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Choosing, ChoosingPage, RoundChoice, code as code_of};
+use super::{Choosing, ChoosingPage, RoundChoice, chapters_read, code as code_of};
+use crate::lessons::Book;
+use crate::numbers::counted;
 use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
@@ -53,13 +55,13 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
     let each = rows_of_a_round(choosing, layout.picture, look);
     let mut lines = Lines::new(layout.picture, buf, look);
     match &choosing.page {
-        ChoosingPage::Rounds => rounds(choosing, each, &mut lines),
+        ChoosingPage::Rounds => rounds(choosing, &cx.book, each, &mut lines),
         ChoosingPage::Topics => topics(choosing, &mut lines),
         ChoosingPage::Code { typed, refused } => code(choosing, typed, *refused, &mut lines),
     }
     let mut lines = Lines::new(layout.panel, buf, look);
     match choosing.page {
-        ChoosingPage::Rounds => about_round(choosing, &mut lines),
+        ChoosingPage::Rounds => about_round(choosing, &cx.book, &mut lines),
         ChoosingPage::Topics => about_topic(choosing, &mut lines),
         ChoosingPage::Code { .. } => about_codes(&mut lines),
     }
@@ -79,7 +81,7 @@ fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
     lines.pair(&name, value, role, value_role);
 }
 
-fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
+fn rounds(choosing: &Choosing, book: &Book, each: u16, lines: &mut Lines) {
     let chosen = choosing.rounds.chosen(choosing.choices().len());
     let (due, own) = (choosing.due().now.len(), &choosing.own);
     for (i, (_, choice)) in choosing.choices().iter().enumerate() {
@@ -91,6 +93,13 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
             RoundChoice::Topic => {
                 let value = format!("{} to choose from", CourseKind::topics().count());
                 ("one topic", value)
+            }
+            RoundChoice::Read => {
+                let value = match chapters_read(book) {
+                    None => "nothing read yet".into(),
+                    Some(_) => counted(book.read_through().count(), "chapter"),
+                };
+                ("what you have read", value)
             }
             RoundChoice::Code => ("a round by its code", String::new()),
             RoundChoice::Own => {
@@ -106,6 +115,7 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
         let role = match choice {
             RoundChoice::Review if due == 0 => Role::Dim,
             RoundChoice::Own if own.concepts.is_empty() => Role::Dim,
+            RoundChoice::Read if chapters_read(book).is_none() => Role::Dim,
             _ => Role::Text,
         };
         let name = format!("{} {name}", i + 1);
@@ -120,7 +130,7 @@ fn rounds(choosing: &Choosing, each: u16, lines: &mut Lines) {
     lines.paragraph(WHY_MIXED, Role::Dim);
 }
 
-fn about_round(choosing: &Choosing, lines: &mut Lines) {
+fn about_round(choosing: &Choosing, book: &Book, lines: &mut Lines) {
     let text = match choosing.choice() {
         RoundChoice::Always(CourseKind::Quick) => {
             "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
@@ -130,6 +140,7 @@ fn about_round(choosing: &Choosing, lines: &mut Lines) {
         }
         RoundChoice::Review => return about_review(choosing, lines),
         RoundChoice::Own => return about_own(choosing, lines),
+        RoundChoice::Read => return about_read(book, lines),
         RoundChoice::Always(CourseKind::Hits) => {
             "Ten hits on the board: say where the striker and the coin will go. Masses and losses change on the way."
         }
@@ -151,6 +162,22 @@ fn about_round(choosing: &Choosing, lines: &mut Lines) {
         _ => "Enter: begin.",
     };
     lines.line(next, Role::Key);
+}
+
+fn about_read(book: &Book, lines: &mut Lines) {
+    lines.paragraph(
+        "Ten questions about what the chapters teach that you have read to their end, in any order.",
+        Role::Text,
+    );
+    lines.gap();
+    if chapters_read(book).is_none() {
+        return lines.paragraph("Read one of them in Learn first.", Role::Text);
+    }
+    for chapter in book.read_through() {
+        lines.line(&format!(" {} {}", chapter.number, chapter.title), Role::Dim);
+    }
+    lines.gap();
+    lines.line("Enter: begin.", Role::Key);
 }
 
 fn about_own(choosing: &Choosing, lines: &mut Lines) {

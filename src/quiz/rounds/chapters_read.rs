@@ -1,0 +1,116 @@
+//! Rounds that ask only about what has been read.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use super::review;
+use crate::quiz::question::{Dice, Question, Topic};
+
+/// The chapters of the program by their ids, each with its letter in codes. The letters stay
+/// for good: a chapter that comes later gets the next one.
+const LETTERS: [(char, &str); 12] = [
+    ('a', "momentum-is-a-vector"),
+    ('b', "the-line-of-impact"),
+    ('c', "the-right-angle"),
+    ('d', "speeds-and-angles"),
+    ('e', "a-worked-shot"),
+    ('f', "marbles"),
+    ('g', "five-confusions"),
+    ('h', "the-impact-parameter"),
+    ('i', "weighing-by-angle"),
+    ('j', "to-the-atom"),
+    ('k', "the-centre-of-mass"),
+    ('l', "when-energy-is-lost"),
+];
+
+/// Some chapters, at least one of which teaches what questions are about. In codes they are
+/// letters: `read-abd-7` asks about the chapters 1, 2 and 4.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ChaptersRead(BTreeSet<char>);
+
+impl ChaptersRead {
+    /// The chapters of these ids; `None` if no question is about any of them.
+    pub fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+        let letter = |id| {
+            let found = LETTERS.iter().find(|(_, known)| *known == id);
+            found.map(|(letter, _)| *letter)
+        };
+        Self::of_letters(ids.into_iter().filter_map(letter))
+    }
+
+    /// The chapters of the letters in a code; `None` if they are none, or not in order.
+    pub(super) fn parse(letters: &str) -> Option<Self> {
+        let chapters = Self::of_letters(letters.chars())?;
+        (chapters.to_string() == letters).then_some(chapters)
+    }
+
+    fn of_letters(letters: impl Iterator<Item = char>) -> Option<Self> {
+        let known = |letter: &char| LETTERS.iter().any(|(known, _)| known == letter);
+        let chapters = Self(letters.filter(known).collect());
+        let taught = chapters.topics().next().is_some();
+        taught.then_some(chapters)
+    }
+
+    /// The topics that they teach.
+    fn topics(&self) -> impl Iterator<Item = Topic> {
+        let ids = LETTERS.iter().filter(|(letter, _)| self.0.contains(letter));
+        ids.flat_map(|(_, id)| Topic::taught_in(id))
+    }
+
+    /// Up to so many questions about what they teach, every topic before any comes again,
+    /// rising in difficulty.
+    pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
+        let topics: Vec<Topic> = self.topics().collect();
+        let mut order: Vec<Topic> = Vec::new();
+        while order.len() < count && !topics.is_empty() {
+            let mut all = topics.clone();
+            dice.shuffle(&mut all);
+            order.extend(all);
+        }
+        order.truncate(count);
+        let mut asked = BTreeSet::new();
+        let mut questions = review::questions(&order, dice);
+        questions.retain(|question| asked.insert(question.text.clone()));
+        questions
+    }
+}
+
+impl fmt::Display for ChaptersRead {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|letter| write!(f, "{letter}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Code, Round};
+    use super::*;
+
+    #[test]
+    fn a_round_asks_only_about_what_was_read_and_never_twice_the_same() {
+        for (code, chapters) in [
+            ("read-b-7", &["the-line-of-impact"][..]),
+            ("read-bf-7", &["the-line-of-impact", "marbles"]),
+            ("read-abcdefghijkl-42", &LETTERS.map(|(_, id)| id)),
+        ] {
+            let round = Round::of(Code::parse(code).unwrap());
+            assert_eq!(round, Round::of(Code::parse(code).unwrap()));
+            let questions = round.questions();
+            assert!((3..=10).contains(&questions.len()), "{code}");
+            for (i, question) in questions.iter().enumerate() {
+                let taught = question.topic.taught_on().unwrap().chapter;
+                assert!(chapters.contains(&taught), "{code}: {}", question.topic);
+                let again = |other: &Question| other.text == question.text;
+                assert!(!questions[..i].iter().any(again), "{code}");
+            }
+        }
+    }
+
+    #[test]
+    fn chapters_without_questions_make_no_round() {
+        assert_eq!(ChaptersRead::of(["a-worked-shot"]), None);
+        assert_eq!(ChaptersRead::of(["my-own-chapter"]), None);
+        let read = ChaptersRead::of(["marbles", "my-own-chapter", "the-line-of-impact"]);
+        assert_eq!(read.unwrap().to_string(), "bf");
+    }
+}

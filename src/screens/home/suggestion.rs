@@ -1,0 +1,87 @@
+//! What the first screen suggests to whoever is there.
+
+use crate::lessons::Book;
+use crate::numbers::counted;
+use crate::progress::Due;
+use crate::quiz::{Code, Course, CourseKind};
+use crate::screens::recall::Recall;
+use crate::screens::{Context, Place};
+
+/// Something to do next, above the menu.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Suggestion {
+    /// Reading on in a chapter.
+    Continue {
+        /// Its place among all chapters, from 0.
+        chapter: usize,
+        /// The line that says so.
+        text: String,
+    },
+    /// A review of what is due.
+    Review(Due),
+    /// Finding out what one believes.
+    FindOut,
+}
+
+/// Whether nothing at all has been done yet, as far as is known.
+pub(super) fn is_new(history: &Recall, book: &Book) -> bool {
+    let nothing = matches!(history, Recall::Known(known) if known.attempts.is_empty());
+    nothing && book.is_known() && !book.is_begun()
+}
+
+/// What to do next; nothing before it is known what was done.
+pub(super) fn suggestions(history: &Recall, book: &Book) -> Vec<Suggestion> {
+    if is_new(history, book) {
+        return vec![Suggestion::FindOut];
+    }
+    let due = history
+        .history()
+        .map(|it| Due::of(&it.attempts, &it.calendar))
+        .filter(|due| !due.now.is_empty());
+    let reading = book.reading_on().and_then(|(chapter, page)| {
+        let number = book.chapter(chapter)?.number;
+        let text = match page {
+            Some(page) => format!("Continue chapter {number}, page {}", page + 1),
+            None => format!("Go on to chapter {number}"),
+        };
+        Some(Suggestion::Continue { chapter, text })
+    });
+    reading
+        .into_iter()
+        .chain(due.map(Suggestion::Review))
+        .collect()
+}
+
+impl Suggestion {
+    /// The letter that opens it.
+    pub(super) fn key(&self) -> char {
+        match self {
+            Self::Continue { .. } => 'n',
+            Self::Review(_) => 'r',
+            Self::FindOut => 'b',
+        }
+    }
+
+    /// Its line.
+    pub(super) fn text(&self) -> String {
+        match self {
+            Self::Continue { text, .. } => text.clone(),
+            Self::Review(due) => format!("{} due: review", counted(due.now.len(), "topic")),
+            Self::FindOut => "Find out what you believe".into(),
+        }
+    }
+
+    /// Where it leads.
+    pub(super) fn place(&self, cx: &mut Context) -> Place {
+        let kind = match self {
+            Self::Continue { chapter, .. } => return Place::Chapter { number: *chapter },
+            Self::Review(due) => due.course(),
+            Self::FindOut => CourseKind::with_id("find-out"),
+        };
+        let code = kind.map(|kind| Code {
+            course: Course::new(kind),
+            seed: cx.next_seed(),
+        });
+        Place::Quiz { code }
+    }
+}

@@ -1,0 +1,21 @@
+//! Where a wrong answer leads: the page that settles it, named and opened.
+
+use super::{Context, Next, Place};
+use crate::lessons::Book;
+use crate::quiz::Passage;
+use crate::widgets::{Lines, Role};
+
+/// Opens the page over the screen that names it, which stays as it is.
+pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
+    let found = passage.and_then(|passage| cx.book.find(passage));
+    found.map_or(Next::Stay, |(number, page)| {
+        Next::Open(Place::Page { number, page })
+    })
+}
+
+/// Names the page, and the key that opens it.
+pub(in crate::screens) fn write(passage: Option<Passage>, book: &Book, lines: &mut Lines) {
+    if let Some(words) = passage.and_then(|passage| book.named(passage)) {
+        lines.hanging("c: ", &words, Role::Key);
+    }
+}

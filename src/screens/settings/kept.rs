@@ -1,0 +1,188 @@
+//! What is kept of the settings from one start to the next: the file `settings.toml`.
+
+use std::collections::BTreeMap;
+
+use super::field::SettingField;
+use crate::files::{FileErrors, Source, all};
+use crate::game::is_player_name;
+use crate::screens::Settings;
+use crate::widgets::Depth;
+
+/// Format of the file.
+const FORMAT: u32 = 1;
+/// Largest file that is read, in bytes.
+const LARGEST: usize = 64 * 1024;
+/// Letters that a name takes at most.
+const LONGEST: usize = 200;
+const PLAYER_ID: &str = "player";
+
+/// The settings that a player has changed; the others are as carrom finds them when it
+/// starts.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct KeptSettings {
+    /// The places of the values, by the names of the settings.
+    chosen: BTreeMap<&'static str, usize>,
+    player: Option<String>,
+}
+
+impl KeptSettings {
+    /// The name of its file in the folder for data.
+    pub const FILE: &str = "settings.toml";
+
+    /// Notes what differs between two moments; says whether anything does.
+    pub(crate) fn note(&mut self, before: &Settings, now: &Settings) -> bool {
+        let differs = |setting: &SettingField| setting.at(before) != setting.at(now);
+        let changed = SettingField::ALL.into_iter().filter(differs);
+        let changed: Vec<_> = changed.map(|it| (it.id(), it.at(now))).collect();
+        let renamed = before.player != now.player;
+        if renamed {
+            self.player = Some(now.player.clone());
+        }
+        self.chosen.extend(changed.iter().copied());
+        renamed || !changed.is_empty()
+    }
+
+    /// These settings with what is kept in the place of theirs. A screen without colours
+    /// stays without.
+    #[must_use]
+    pub fn over(&self, settings: Settings) -> Settings {
+        let depth = settings.depth;
+        let mut over = settings;
+        for setting in SettingField::ALL {
+            if let Some(at) = self.chosen.get(setting.id()) {
+                setting.choose(&mut over, *at);
+            }
+        }
+        if depth == Depth::None {
+            over.depth = depth;
+        }
+        if let Some(player) = &self.player {
+            over.player.clone_from(player);
+        }
+        over
+    }
+
+    /// The file that holds them.
+    pub fn text(&self) -> String {
+        let mut text = format!(
+            "# What is set in carrom. It is written anew whenever a setting is changed.\n\
+             format = {FORMAT}\n"
+        );
+        let chosen = SettingField::ALL.into_iter().filter_map(|setting| {
+            let at = *self.chosen.get(setting.id())?;
+            Some((setting.id(), *setting.words().get(at)?))
+        });
+        let player = self.player.iter().map(|name| (PLAYER_ID, name.as_str()));
+        for (name, value) in chosen.chain(player) {
+            text += &format!("{name} = {}\n", toml::Value::from(value));
+        }
+        text
+    }
+
+    /// Reads such a file.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
+        let ids = SettingField::ALL.map(SettingField::id);
+        let known: Vec<_> = ["format", PLAYER_ID].into_iter().chain(ids).collect();
+        let source = Source::of_bytes(file, bytes, LARGEST)?;
+        source.document("settings of carrom", FORMAT, &known, |fields| {
+            let there = SettingField::ALL.into_iter();
+            let chosen = there.filter(|it| fields.has(it.id())).map(|setting| {
+                let words: Vec<_> = setting.words().iter().copied().zip(0..).collect();
+                Some((setting.id(), fields.word(setting.id(), &words)?))
+            });
+            let chosen = all(chosen.collect());
+            let player = fields.or(PLAYER_ID, None, |id| {
+                let name = fields.text(id, LONGEST)?;
+                match is_player_name(name) {
+                    true => Some(Some(name.to_owned())),
+                    false => fields.refuse(id, "expected a name of 1 to 40 visible letters"),
+                }
+            });
+            Some(Self {
+                chosen: BTreeMap::from_iter(chosen?),
+                player: player?,
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::widgets::{Charset, Palette};
+
+    #[test]
+    fn only_what_was_changed_is_kept_and_reads_back() {
+        let before = Settings::default();
+        let mut kept = KeptSettings::default();
+        assert!(!kept.note(&before, &before));
+        let now = Settings {
+            palette: Palette::Mono,
+            reduced_motion: true,
+            player: "Ada \"the\" Lovelace".into(),
+            ..before.clone()
+        };
+        assert!(kept.note(&before, &now));
+        let read = KeptSettings::read("settings.toml", kept.text().as_bytes()).unwrap();
+        assert_eq!(read, kept);
+        // What was left alone stays as it is found.
+        let found = Settings {
+            charset: Charset::Unicode,
+            ..Settings::default()
+        };
+        let over = read.over(found);
+        assert_eq!(
+            (over.charset, over.palette),
+            (Charset::Unicode, Palette::Mono)
+        );
+        assert!(over.reduced_motion && over.player == now.player);
+    }
+
+    #[test]
+    fn a_screen_without_colours_stays_without() {
+        let file = b"format = 1\ncolours = \"256\"\n";
+        let kept = KeptSettings::read("settings.toml", file).unwrap();
+        assert_eq!(kept.over(Settings::default()).depth, Depth::None);
+        let shows = Settings {
+            depth: Depth::True,
+            ..Settings::default()
+        };
+        assert_eq!(kept.over(shows).depth, Depth::Indexed256);
+    }
+
+    #[test]
+    fn a_file_of_format_1_opens_for_good() {
+        let file = "format = 1\ncharset = \"unicode\"\npalette = \"no colour\"\n\
+            colours = \"16\"\nmotion = \"reduced\"\npredict_first = \"no\"\n\
+            foretold = \"3\"\nplayer = \"Ada\"\n";
+        let kept = KeptSettings::read("settings.toml", file.as_bytes()).unwrap();
+        let over = kept.over(Settings {
+            depth: Depth::True,
+            ..Settings::default()
+        });
+        assert_eq!(
+            (over.charset, over.palette),
+            (Charset::Unicode, Palette::Mono)
+        );
+        assert_eq!((over.depth, over.foretold), (Depth::Ansi16, 3));
+        assert!(over.reduced_motion && !over.predict && over.player == "Ada");
+    }
+
+    #[test]
+    fn what_is_no_such_file_is_refused() {
+        for (file, said) in [
+            ("", "format"),
+            ("format = 2\n", "newer"),
+            ("format = 1\ncharset = \"runes\"\n", "ascii, unicode"),
+            ("format = 1\nplayer = \"\"\n", "player"),
+            ("format = 1\ncolour = \"16\"\n", "colour"),
+        ] {
+            let refused = KeptSettings::read("settings.toml", file.as_bytes());
+            let message = refused.unwrap_err().to_string();
+            assert!(message.contains(said), "{message}");
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The settings: how carrom looks and moves, who plays, and where all is kept.
+
+mod field;
+mod kept;
+mod view;
+
+pub use kept::KeptSettings;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{Context, Next, Screen};
+use crate::files::tidy_name;
+use crate::game::is_player_name;
+use crate::messages::{Input, Key};
+use crate::widgets::Outcome;
+use crate::widgets::input::{FormAction, FormFields, KeyTable, SettingsForm, TextField};
+use field::PLAYER;
+
+/// Letters of a name at most.
+const LONGEST: usize = 40;
+
+/// The settings.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SettingsScreen {
+    form: SettingsForm,
+    /// The player's name while it is being typed.
+    typed: Option<TextField>,
+}
+
+/// What keys do to the settings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum SettingsAction {
+    /// choose a setting and change it
+    Set(FormAction),
+    /// the next value; the player's name is typed
+    Enter,
+    /// take the name that was typed
+    Take,
+    /// go back; a name that is being typed is given up
+    Back,
+}
+
+impl SettingsScreen {
+    /// Whether the row of the player's name is chosen.
+    fn is_at_player(&self, cx: &Context) -> bool {
+        self.form.selected(cx.settings.fields().len()) == PLAYER
+    }
+
+    /// Begins to type the player's name, or goes on to a setting's next value.
+    fn enter(&mut self, cx: &mut Context) {
+        if self.is_at_player(cx) {
+            self.typed = Some(TextField::new("", LONGEST));
+        } else {
+            self.form.act(FormAction::Step(1), &mut cx.settings);
+        }
+    }
+
+    /// Takes the name that was typed, if it is one.
+    fn take(&mut self, cx: &mut Context) {
+        let Some(typed) = self.typed.take() else {
+            return;
+        };
+        let name = tidy_name(typed.text());
+        if is_player_name(&name) {
+            cx.change_player(name);
+        } else if !typed.text().is_empty() {
+            cx.tell("A name has 1 to 40 visible letters.".into());
+        }
+    }
+}
+
+impl Screen for SettingsScreen {
+    type Action = SettingsAction;
+
+    fn title(&self) -> String {
+        "settings".into()
+    }
+
+    fn keys(&self, cx: &Context) -> KeyTable<SettingsAction> {
+        use SettingsAction::{Back, Enter, Set, Take};
+        let keys = KeyTable::new("settings");
+        if self.typed.is_some() {
+            return keys
+                .on(Key::Enter, Take, "take it")
+                .on(Key::Escape, Back, "give it up");
+        }
+        let enter = match self.is_at_player(cx) {
+            true => "type a name",
+            false => "next value",
+        };
+        keys.on(Key::Enter, Enter, enter)
+            .with(self.form.keys(&cx.settings), Set)
+            .on(Key::Escape, Back, "back")
+            .distinct()
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        vec![
+            "How carrom looks and moves, and who plays. What you change here, or with U, T and M on any screen, holds until you change it again: the next start too.",
+            "What the command line says (carrom --charset ascii) holds for that run. The keys can be changed as well: carrom keys prints them all, and where to put your own.",
+        ]
+    }
+
+    fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
+        let typed = self.typed.as_mut();
+        typed.is_some_and(|typed| !matches!(key, Key::Char('?')) && typed.update(key))
+    }
+
+    fn act(&mut self, action: SettingsAction, cx: &mut Context) -> Next {
+        match action {
+            SettingsAction::Set(action) => self.form.act(action, &mut cx.settings),
+            SettingsAction::Enter => self.enter(cx),
+            SettingsAction::Take => self.take(cx),
+            SettingsAction::Back if self.typed.is_some() => self.typed = None,
+            SettingsAction::Back => return Next::Back,
+        }
+        Next::Stay
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match (input, &mut self.typed) {
+            (Input::Paste(text), Some(typed)) => typed.paste(text.trim()),
+            (Input::Mouse(mouse), None) => {
+                let row = view::row_at(cx, mouse.cell());
+                if self.form.mouse(mouse, row, &mut cx.settings) == Outcome::Ignored {
+                    return Next::Ignored;
+                }
+            }
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(self, area, buf, cx);
+    }
+}
