@@ -2,7 +2,7 @@
 
 use super::ClassPlace;
 use crate::quiz::{
-    Answer, Code, Confidence, Diagnosis, Grade, Misconception, Question, Response, Round,
+    Answer, Clue, Code, Confidence, Diagnosis, Grade, Misconception, Question, Response, Round,
 };
 
 /// Which of the two votes on a question.
@@ -163,6 +163,23 @@ impl ClassRound {
             let diagnosis = self.diagnose(question, Some(said))?;
             Some((diagnosis.misconception, said))
         })
+    }
+
+    /// What the votes on a question say of misconceptions, one a team that has voted.
+    pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
+        let Some(asked) = self.questions().get(question) else {
+            return Vec::new();
+        };
+        let said = self.said(question, vote);
+        said.map(|said| Clue::new(asked, &unsure(said))).collect()
+    }
+
+    /// What the votes of a team say of misconceptions, one a question on which it has voted.
+    pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
+        let asked = self.questions().iter().enumerate();
+        let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).said(vote)?)));
+        said.map(|(asked, said)| Clue::new(asked, &unsure(said)))
+            .collect()
     }
 
     /// Whether anybody has voted at all.

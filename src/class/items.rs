@@ -1,8 +1,7 @@
 //! What each question showed about the class.
 
 use super::{ClassRound, Vote};
-use crate::quiz::Misconception;
-use crate::quiz::misconceptions::most_held;
+use crate::quiz::{Misconception, evidence};
 
 /// What a question showed.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +19,7 @@ pub struct ItemAnalysis {
     /// between the points for it and the points for all other questions, −1 to 1;
     /// `None` for fewer than three teams or where all did alike.
     pub discrimination: Option<f64>,
-    /// The misconception that most first votes fitted, and how many did.
+    /// The misconception for which the first votes speak most, and how many fitted it.
     pub commonest: Option<(Misconception, usize)>,
 }
 
@@ -42,7 +41,7 @@ pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
 
 fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
     let grades = Vote::BOTH.map(|vote| round.grades(question, vote));
-    let held = round.held(question, Vote::First).map(|(held, _)| held);
+    let spoken_for = evidence(&round.clues(question, Vote::First)).into_iter();
     ItemAnalysis {
         question,
         votes: grades.each_ref().map(Vec::len),
@@ -55,7 +54,9 @@ fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
             spread(&errors)
         }),
         discrimination: discrimination(round, question, asked),
-        commonest: most_held(&held.collect::<Vec<_>>()),
+        commonest: { spoken_for }
+            .find(|it| it.times > 0)
+            .map(|it| (it.misconception, it.times)),
     }
 }
 

@@ -98,7 +98,7 @@ impl ClassRound {
 
     fn from_fields(fields: &Fields, own: &Arc<Library>) -> Option<Self> {
         let code = fields.text_as("code", |code| match Code::parse(code) {
-            Some(code) => code.with_own(own),
+            Some(code) => code.with_own(own)?.same_for_all(),
             None => Err("expected the code of a round, such as mixed-7".into()),
         });
         let teams =

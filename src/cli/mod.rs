@@ -226,7 +226,9 @@ impl OpenCommand {
                 code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class { code, teams } => Place::Class {
-                code: filled(code.as_ref(), &data.own)?,
+                code: filled(code.as_ref(), &data.own)?
+                    .map(Code::same_for_all)
+                    .transpose()?,
                 teams: teams.clone().unwrap_or_default(),
             },
             Self::Foil => Place::Foil,

@@ -50,7 +50,8 @@ pub(super) struct Args {
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
-    let code = code(args, options).and_then(|code| code.with_own(&options.own()));
+    let code = code(args, options);
+    let code = code.and_then(|code| code.with_own(&options.own())?.same_for_all());
     let round = Round::of(code.map_err(Failure::input)?);
     let worksheet = Worksheet::new(&round, args.title.as_deref());
     let files = files(&worksheet, args);

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::quiz::{
-    Answer, Code, Confidence, Form, Grade, Misconception, Question, Response, Topic,
+    Answer, Clue, Code, Confidence, Form, Grade, Misconception, Question, Response, Topic,
 };
 
 /// The family of all questions that chapters ask.
@@ -30,7 +30,7 @@ pub struct Attempt {
     pub number: u32,
     /// The figures of the question: a JSON object, with the units in the names. With
     /// those of the quiz stand the `misconceptions` that an answer could have shown, by
-    /// their names in files.
+    /// their names in files, and the chance that a guess fits one of them, `by_chance`.
     pub question: String,
     /// What was answered, likewise.
     pub answer: String,
@@ -62,8 +62,10 @@ impl Attempt {
         let mut figures = question.figures.clone();
         figures.insert("round".into(), code.to_string().into());
         figures.insert("difficulty".into(), question.difficulty.id().into());
-        let beliefs = question.beliefs.iter().map(|it| it.misconception.id());
+        let clue = Clue::new(question, answer);
+        let beliefs = clue.could_show.iter().map(|it| it.id());
         figures.insert(MISCONCEPTIONS.into(), beliefs.collect());
+        figures.insert(BY_CHANCE.into(), clue.by_chance.into());
         Self {
             time_s: None,
             player: player.to_owned(),
@@ -78,9 +80,7 @@ impl Attempt {
             credit: grade.credit,
             right: grade.right,
             confidence: Some(answer.confidence),
-            misconception: question
-                .diagnose(answer)
-                .map(|diagnosis| diagnosis.misconception.id().to_owned()),
+            misconception: clue.shows.map(|it| it.id().to_owned()),
         }
     }
 
@@ -89,17 +89,35 @@ impl Attempt {
         topic_name(&self.family, &self.topic)
     }
 
-    /// The misconception it fits, if this carrom knows it.
-    pub(super) fn held(&self) -> Option<Misconception> {
-        Misconception::with_id(self.misconception.as_deref()?)
+    /// What it says of misconceptions. One that this carrom does not know is left out; where
+    /// it was not noted what an answer could have shown, only what it did is known.
+    pub(super) fn clue(&self) -> Clue {
+        let noted: StoredFigures = serde_json::from_str(&self.question).unwrap_or_default();
+        let shows = self
+            .misconception
+            .as_deref()
+            .and_then(Misconception::with_id);
+        let noted_here = noted.misconceptions.len();
+        let ids = noted.misconceptions.into_iter();
+        Clue {
+            question: self.question.clone(),
+            could_show: ids.filter_map(Misconception::with_id).collect(),
+            shows,
+            by_chance: noted
+                .by_chance
+                .filter(|chance| (0.001..=0.9).contains(chance))
+                .unwrap_or_else(|| self.by_chance_at_most(noted_here)),
+        }
     }
 
-    /// The misconceptions that an answer to this question could have shown; none where that
-    /// was not noted, and none that this carrom does not know.
-    pub(super) fn could_show(&self) -> Vec<Misconception> {
-        let figures = serde_json::from_str(&self.question);
-        let ids = figures.map_or_else(|_| Vec::new(), |it: StoredFigures| it.misconceptions);
-        ids.into_iter().filter_map(Misconception::with_id).collect()
+    /// The chance that a guess fits a misconception, where it was not noted: no smaller than
+    /// it was, as far as the answer tells. Choices were three or more, and at least as many as
+    /// what is noted and the right one.
+    fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
+        match self.truth.contains("\"choice\"") {
+            true => 1.0 / (misconceptions + 1).max(3) as f64,
+            false => ONE_BY_CHANCE,
+        }
     }
 
     /// Whether the player was sure, and wrong: what is worth most attention.
@@ -119,11 +137,19 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
 /// Where [`Attempt::question`] says what an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
+/// Where it says how likely a guess fits one of them.
+const BY_CHANCE: &str = "by_chance";
+
+/// The chance that a guess fits a number or one ray, as questions have it.
+const ONE_BY_CHANCE: f64 = 0.08;
+
 /// What of the figures of a question is read again.
-#[derive(Deserialize)]
+#[derive(Deserialize, Default)]
 struct StoredFigures<'a> {
     #[serde(borrow, default)]
     misconceptions: Vec<&'a str>,
+    #[serde(default)]
+    by_chance: Option<f64>,
 }
 
 /// What is said to a question, with the units in the names.
@@ -175,9 +201,10 @@ mod tests {
         let figures: Value = serde_json::from_str(&right.question).unwrap();
         assert_eq!(figures["alpha_deg"].as_f64(), Some(30.0));
         assert_eq!(figures["direction_deg"].as_f64(), Some(90.0));
-        let could_show = right.could_show();
-        assert!(could_show.contains(&Misconception::CopiedAngle));
-        assert!(!could_show.contains(&Misconception::Lossless));
+        let clue = right.clue();
+        assert!(clue.could_show.contains(&Misconception::CopiedAngle));
+        assert!(!clue.could_show.contains(&Misconception::Lossless));
+        assert!((clue.by_chance - 0.01).abs() < 1e-12);
     }
 
     #[test]

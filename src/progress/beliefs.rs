@@ -1,39 +1,18 @@
-//! Which misconceptions were held, and whether they fade.
-
-use std::fmt;
+//! Which misconceptions are held, and whether they fade.
 
 use super::Attempt;
-use crate::quiz::Misconception;
+use crate::quiz::{Clue, Evidence, Misconception};
 
-/// A misconception that answers fitted, in the first half of all attempts and in the
-/// second, which is the larger one by one where there is an odd number of attempts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A misconception that answers name, with the evidence of the first half of all attempts and
+/// of the second, which is the larger one by one where there is an odd number of attempts.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// Which.
     pub misconception: Misconception,
     /// In the first half.
-    pub before: Occurrence,
+    pub before: Evidence,
     /// In the second.
-    pub since: Occurrence,
-}
-
-/// How often a misconception showed itself, of how often it could have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Occurrence {
-    /// How many answers fitted it.
-    pub times: usize,
-    /// How many questions could have shown it.
-    pub asked: usize,
-}
-
-/// "2 of 5"; "-" where it was never asked.
-impl fmt::Display for Occurrence {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self { asked: 0, .. } => f.pad("-"),
-            Self { times, asked } => f.pad(&format!("{times} of {asked}")),
-        }
-    }
+    pub since: Evidence,
 }
 
 /// Where a belief is going.
@@ -41,14 +20,13 @@ impl fmt::Display for Occurrence {
 pub enum Trend {
     /// It was not there before.
     New,
-    /// It is there about as often as before, or more often.
+    /// It is still there.
     Held,
-    /// Of the questions that could show it, at most half as many do as before; or it was
-    /// not there the one time that one was asked since.
+    /// Since the middle the answers speak against it rather than for it.
     Fading,
-    /// It was there, and questions that could show it, two or more, did not any more.
+    /// Since the middle they speak as strongly against it as it takes to name one.
     Gone,
-    /// It was there, and nothing that could show it has been asked since.
+    /// Nothing that could show it has been asked since the middle.
     NotMet,
 }
 
@@ -79,52 +57,43 @@ impl HeldBelief {
     /// Where it is going.
     pub fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
-        match (before.times, since.times) {
-            (_, 0) => match since.asked {
-                0 => Trend::NotMet,
-                1 => Trend::Fading,
-                _ => Trend::Gone,
-            },
-            (0, _) => Trend::New,
-            _ if 2 * since.times * before.asked <= before.times * since.asked => Trend::Fading,
-            _ => Trend::Held,
+        if since.asked == 0 {
+            Trend::NotMet
+        } else if since.denies() {
+            Trend::Gone
+        } else if since.weight < 0.0 {
+            Trend::Fading
+        } else if before.weight > 0.0 {
+            Trend::Held
+        } else {
+            Trend::New
         }
     }
 }
 
-/// All misconceptions that were held, the one held most since the middle first. Those
-/// that this carrom does not know are left out.
+/// The misconceptions that the answers name, all together or in one of their halves: first
+/// that for which there is most evidence since the middle. Those that this carrom does not know
+/// are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
-    let held: Vec<_> = attempts.iter().map(Attempt::held).collect();
-    let mut beliefs: Vec<_> = Misconception::ALL
+    let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
+    let (before, since) = clues.split_at(clues.len() / 2);
+    let mut beliefs: Vec<HeldBelief> = Misconception::ALL
         .iter()
-        .filter(|it| held.contains(&Some(**it)))
-        .map(|&misconception| HeldBelief {
-            misconception,
-            before: Occurrence::default(),
-            since: Occurrence::default(),
+        .filter_map(|&misconception| {
+            let [all, before, since] =
+                [&clues, before, since].map(|clues| Evidence::of(misconception, clues));
+            let named = [all, before, since].iter().any(Evidence::names);
+            named.then_some(HeldBelief {
+                misconception,
+                before,
+                since,
+            })
         })
         .collect();
-    if beliefs.is_empty() {
-        return beliefs;
-    }
-    let middle = attempts.len() / 2;
-    for (i, (attempt, held)) in attempts.iter().zip(held).enumerate() {
-        let could_show = attempt.could_show();
-        for belief in &mut beliefs {
-            let shows = held == Some(belief.misconception);
-            // Where it was not noted what could show itself, what did is known.
-            if shows || could_show.contains(&belief.misconception) {
-                let occurrence = match i < middle {
-                    true => &mut belief.before,
-                    false => &mut belief.since,
-                };
-                occurrence.asked += 1;
-                occurrence.times += usize::from(shows);
-            }
-        }
-    }
-    beliefs.sort_by_key(|belief| std::cmp::Reverse((belief.since.times, belief.before.times)));
+    beliefs.sort_by(|a, b| {
+        let since = a.since.stronger_first(&b.since);
+        since.then_with(|| a.before.stronger_first(&b.before))
+    });
     beliefs
 }
 
@@ -133,13 +102,18 @@ mod tests {
     use super::super::tally::tests::attempt;
     use super::*;
 
-    /// What follows from answers, each of which could show these, and shows the first if
-    /// it is marked so.
+    /// What follows from answers about two rays, each of which could show these, and shows the
+    /// first if it is marked so: how often of how often in each half.
     fn trend(answers: &[(&[&str], bool)]) -> Vec<(&'static str, [usize; 4], Trend)> {
-        let attempts: Vec<_> = answers
-            .iter()
-            .map(|(could_show, shows)| Attempt {
-                question: serde_json::json!({ "misconceptions": could_show }).to_string(),
+        let attempts: Vec<_> = (0..)
+            .zip(answers)
+            .map(|(number, (could_show, shows))| Attempt {
+                question: serde_json::json!({
+                    "number": number,
+                    "misconceptions": could_show,
+                    "by_chance": 0.01,
+                })
+                .to_string(),
                 misconception: could_show.first().filter(|_| *shows).map(|id| (*id).into()),
                 ..attempt("a", 20.0)
             })
@@ -158,65 +132,50 @@ mod tests {
     fn beliefs_come_fade_go_or_stay() {
         const C: &[&str] = &["copied-angle", "swapped"];
         const OTHER: &[&str] = &["half-and-half"];
+        const YES: (&[&str], bool) = (C, true);
+        const NO: (&[&str], bool) = (C, false);
+        const ELSE: (&[&str], bool) = (OTHER, false);
         for (answers, counts, expected) in [
-            (vec![(C, true)], [0, 0, 1, 1], Trend::New),
-            (vec![(C, true), (C, true)], [1, 1, 1, 1], Trend::Held),
+            (vec![YES, YES], [1, 1, 1, 1], Trend::Held),
+            (vec![ELSE, ELSE, YES, YES], [0, 0, 2, 2], Trend::New),
+            (vec![NO, NO, YES, YES], [0, 2, 2, 2], Trend::New),
+            (vec![YES, YES, ELSE, ELSE], [2, 2, 0, 0], Trend::NotMet),
+            (vec![YES, YES, NO, ELSE], [2, 2, 0, 1], Trend::Fading),
+            (vec![YES, YES, ELSE, NO, NO, NO], [2, 2, 0, 3], Trend::Gone),
+            (vec![YES, YES, YES, NO], [2, 2, 1, 2], Trend::Held),
             (
-                vec![(OTHER, false), (OTHER, false), (C, true), (C, true)],
-                [0, 0, 2, 2],
-                Trend::New,
-            ),
-            (
-                vec![(C, true), (C, true), (OTHER, false), (OTHER, false)],
-                [2, 2, 0, 0],
-                Trend::NotMet,
-            ),
-            (
-                vec![(C, true), (C, true), (C, false), (OTHER, false)],
-                [2, 2, 0, 1],
+                vec![YES, YES, YES, ELSE, YES, NO, NO, NO],
+                [3, 3, 1, 4],
                 Trend::Fading,
-            ),
-            (
-                vec![(C, true), (OTHER, false), (C, false), (C, false)],
-                [1, 1, 0, 2],
-                Trend::Gone,
-            ),
-            (
-                vec![(C, true), (C, true), (C, true), (C, false)],
-                [2, 2, 1, 2],
-                Trend::Fading,
-            ),
-            // Once of once is no less often than twice of four times.
-            (
-                vec![
-                    (C, true),
-                    (C, false),
-                    (C, false),
-                    (C, true),
-                    (C, true),
-                    (OTHER, false),
-                    (OTHER, false),
-                    (OTHER, false),
-                ],
-                [2, 4, 1, 1],
-                Trend::Held,
             ),
         ] {
-            let found = trend(&answers);
-            assert_eq!(found, [("copied-angle", counts, expected)]);
+            assert_eq!(trend(&answers), [("copied-angle", counts, expected)]);
         }
-        assert!(trend(&[(C, false)]).is_empty() && trend(&[]).is_empty());
+        assert!(trend(&[NO]).is_empty() && trend(&[]).is_empty());
+    }
+
+    #[test]
+    fn one_answer_names_nothing_however_often_it_is_given() {
+        const C: &[&str] = &["copied-angle"];
+        assert!(trend(&[(C, true)]).is_empty());
+        let again = Attempt {
+            question: serde_json::json!({ "misconceptions": C, "by_chance": 0.01 }).to_string(),
+            misconception: Some("copied-angle".into()),
+            ..attempt("a", 20.0)
+        };
+        assert!(beliefs(&vec![again; 5]).is_empty());
     }
 
     #[test]
     fn what_is_unknown_is_left_out_and_what_was_not_noted_counts_where_it_shows() {
-        assert!(trend(&[(&["unheard-of"], true)]).is_empty());
-        let old = Attempt {
+        assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
+        let old = |number: u32| Attempt {
+            question: format!("{{\"number\":{number}}}"),
             misconception: Some("swapped".into()),
             ..attempt("a", 20.0)
         };
-        let found = beliefs(&[old, attempt("a", 1.0)]);
-        assert_eq!(found[0].before, Occurrence { times: 1, asked: 1 });
+        let found = beliefs(&[old(1), old(2), attempt("a", 1.0), attempt("a", 1.0)]);
+        assert_eq!((found[0].before.times, found[0].before.asked), (2, 2));
         assert_eq!(found[0].trend(), Trend::NotMet);
     }
 }

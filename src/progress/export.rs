@@ -222,6 +222,8 @@ fn summary(attempts: &[Attempt], calendar: &Calendar) -> Value {
                 "before_asked": belief.before.asked,
                 "since": belief.since.times,
                 "since_asked": belief.since.asked,
+                "before_evidence": belief.before.weight,
+                "since_evidence": belief.since.weight,
                 "trend": belief.trend().name(),
             })
         })

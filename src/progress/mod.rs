@@ -21,7 +21,7 @@ pub(crate) mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
-pub use beliefs::{HeldBelief, Occurrence, Trend, beliefs};
+pub use beliefs::{HeldBelief, Trend, beliefs};
 pub use calendar::Calendar;
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
 pub use due::Due;

@@ -11,7 +11,9 @@
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
 //! - Right from off the ladder: on its first step.
-//! - Right when it is due: one step up, until the last.
+//! - Right when it is due: one step up, until the last; or as many as it has rested for, if
+//!   it has rested longer than it was to: known after n days, it may rest the largest power of
+//!   two that is no more than n.
 //! - Right before it is due: nothing changes, for ten right answers in a row on one
 //!   day say no more than one.
 //!
@@ -59,6 +61,13 @@ impl Review {
         }
     }
 
+    /// How many days have passed on this one since it came to its step.
+    fn days_to(&self, day: Date) -> u32 {
+        let rest = self.step.map_or(0, |step| 1_i32 << step);
+        let days = (day - self.due).get_days() + rest;
+        u32::try_from(days).unwrap_or(0)
+    }
+
     /// Whether it is due on this day.
     pub fn is_due(&self, today: Date) -> bool {
         self.due <= today
@@ -80,7 +89,10 @@ pub fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
         let found = reviews.iter().position(|it| it.topic == attempt.topic);
         let step = match found.and_then(|i| reviews[i].step.map(|step| (step, &reviews[i]))) {
             _ if !known => None,
-            Some((step, review)) if review.is_due(day) => Some((step + 1).min(LAST)),
+            Some((step, review)) if review.is_due(day) => {
+                let rested = review.days_to(day).max(1).ilog2();
+                Some((step + 1).max(rested).min(LAST))
+            }
             // Too early to say more than is known already.
             Some(_) => continue,
             None => Some(0),
@@ -137,6 +149,13 @@ mod tests {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
+        // 8 days are three steps; 7 are two, and 60 would be five.
+        assert_eq!(due(&[(0, true), (8, true)]), (Some(3), 16));
+        assert_eq!(due(&[(0, true), (7, true)]), (Some(2), 11));
+        assert_eq!(due(&[(0, true), (60, true)]), (Some(5), 92));
+        assert_eq!(due(&[(0, true), (500, true)]), (Some(LAST), 532));
+        // From off the ladder a gap earns nothing: it was not known before.
+        assert_eq!(due(&[(0, false), (60, true)]), (Some(0), 61));
         let always: Vec<_> = (0..9).map(|i| (40 * i, true)).collect();
         assert_eq!(due(&always), (Some(LAST), 8 * 40 + 32));
     }

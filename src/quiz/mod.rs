@@ -30,7 +30,9 @@ mod question;
 mod rounds;
 
 pub use families::where_to::hits;
-pub use misconceptions::{Explanation, explain, reasoning, why, why_of_hit};
+pub use misconceptions::{
+    Clue, Evidence, Explanation, NAMED_ODDS, evidence, explain, named, reasoning, why, why_of_hit,
+};
 pub use question::{
     AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Fit, Form, Grade, Hit,
     Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Passage, Pieces, Question,

@@ -49,6 +49,8 @@ const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>"
 const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
 /// Two questions of a round answered.
 const LOOKING_BACK: &str = "60<Enter>30<Enter>2<End><Enter>60<Enter>30<Enter>2<End><Enter>";
+/// What somebody answers who copies the angle.
+const FOUND_OUT: &str = "57<Enter>57<Enter>266<Enter>66<Enter>2c<Enter>2";
 const TO_THE_SHOT: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter>";
 const TO_THE_SCORES: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><End><Enter>";
 const TO_THE_SECOND: &str =
@@ -116,6 +118,7 @@ pub const TOUR: &[TourStop] = &[
     moment("quiz, watching", "quiz 7", "60<Enter>30<Enter>2"),
     moment("quiz, told", "quiz 7", "60<Enter>30<Enter>2<End>"),
     moment("quiz, looking back", "quiz from-angle2-7", LOOKING_BACK),
+    moment("quiz, what one believes", "quiz find-out-7", FOUND_OUT),
     moment(
         "quiz, one looked at again",
         "quiz from-angle1-7",

@@ -7,7 +7,7 @@ use std::process::Command;
 use carrom::class::ClassRound;
 use carrom::game::{Fingerprint, SavedGame};
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::progress::{Attempt, Occurrence, Tally, beliefs, topics};
+use carrom::progress::{Attempt, Tally, beliefs, topics};
 use carrom::store::Store;
 use rusqlite::Connection;
 
@@ -85,7 +85,8 @@ fn a_database_of_format_2_means_the_same() {
     let merged = found
         .iter()
         .find(|it| it.misconception.id() == "offset-as-angle");
-    assert_eq!(merged.unwrap().since, Occurrence { times: 5, asked: 5 });
+    let since = merged.unwrap().since;
+    assert_eq!((since.times, since.asked), (5, 5));
 
     let StoreReply::Stars(Ok(stars)) = done(&mut store, StoreRequest::Stars(ADA.into())) else {
         panic!("no stars");

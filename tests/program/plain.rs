@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use carrom::quiz::{Code, Form, Question, Response, Round};
+use carrom::quiz::{Answer, Code, Confidence, Form, Misconception, Question, Response, Round};
 
 use crate::folder::Folder;
 
@@ -192,7 +192,7 @@ fn an_exam_tells_nothing_before_its_end() {
 #[test]
 fn a_round_is_chosen_by_its_number_or_its_code() {
     let folder = Folder::new("plain");
-    let said = talk("quiz --plain", folder.path(), b"99\nmixed\n3\nquit\n");
+    let said = talk("quiz --plain", folder.path(), b"99\nmixed\n4\nquit\n");
     assert_eq!(
         said.matches("Please type a number from 1").count(),
         2,
@@ -207,6 +207,36 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
         said.contains("Question 1 of 4: speeds after the hit."),
         "{said}"
     );
+}
+
+/// Somebody who copies the angle finds it out, and checks it.
+#[test]
+fn what_one_believes_is_found_out_in_lines() {
+    let folder = Folder::new("plain");
+    let copied = |question: &Question| {
+        let mut held = question.beliefs.iter();
+        let held = held.find(|it| it.misconception == Misconception::CopiedAngle);
+        held.map_or(question.form.truth(), |it| it.said)
+    };
+    let mut found = round("find-out-7");
+    let (mut answers, mut lines) = (Vec::new(), String::new());
+    while let Some(question) = found.questions().get(answers.len()) {
+        let said = copied(question);
+        if answers.is_empty() {
+            // It has to be answered: what comes next follows from it.
+            lines += "skip\n";
+        }
+        lines += &format!("{}2\n", typed(question, &said));
+        answers.push(Answer::new(said, Confidence::ThinkSo));
+        found.go_on(&answers);
+    }
+    lines += "maybe\nyes\nquit\n";
+    let said = talk(
+        "quiz --plain --code find-out-7",
+        folder.path(),
+        lines.as_bytes(),
+    );
+    insta::assert_snapshot!("plain_find_out_7", said);
 }
 
 #[test]

@@ -204,6 +204,7 @@ fn a_code_brings_the_same_round_for_ever() {
         "mixed12-42",
         "exam-3",
         "speeds3-5",
+        "frames-mixed-7",
     ];
     let mut text = String::new();
     for code in codes {

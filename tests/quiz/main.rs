@@ -6,5 +6,6 @@
 mod class_round;
 mod codes;
 mod families;
+mod find_out;
 mod frozen;
 mod rounds;

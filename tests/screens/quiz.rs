@@ -173,7 +173,7 @@ fn a_misconception_held_throughout_is_named_in_the_end() {
     }
     let screen = game.screen();
     assert!(
-        screen.contains("9 times: the angle was copied."),
+        screen.contains("It showed in 9 of 9 answers that could show it: the angle was copied."),
         "{screen}"
     );
     assert!(screen.contains("! sure, but off"), "{screen}");

@@ -76,6 +76,7 @@ fn top(game: &mut Headless) -> String {
 #[test]
 fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
     for (row, (letter, begins)) in [
+        ("f", "question 1 of at most 12"),
         ("q", "question 1 of 5"),
         ("m", "question 1 of 10"),
         ("r", "Nothing to come back to"),
@@ -242,7 +243,7 @@ fn what_is_due_is_the_same_number_everywhere() {
         before.rsplit(' ').next().unwrap().parse().unwrap()
     };
     assert!(due > Course::REVIEWED, "{screen}");
-    game.press("<Down><Down>");
+    game.press("<Down><Down><Down>");
     let screen = game.screen();
     let left = format!("and {} more after these", due - Course::REVIEWED);
     assert!(screen.contains(&left), "{screen}");
@@ -305,7 +306,7 @@ fn a_review_asks_what_is_due() {
     }
     let screen = game.screen();
     assert!(screen.contains("choose a round  2 due"), "{screen}");
-    game.press("<Down><Down>");
+    game.press("<Down><Down><Down>");
     let screen = game.screen();
     for due in ["2 due", "Come back to what you", "equal masses", "speed"] {
         assert!(screen.contains(due), "{due}\n{screen}");

@@ -8,6 +8,7 @@ use crate::numbers::counted;
 use crate::paper::{HtmlPage, clean};
 use crate::progress::words::{degrees, percent};
 use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
+use crate::quiz::NAMED_ODDS;
 
 /// Columns of a topic's name.
 const TOPIC: usize = 40;
@@ -157,7 +158,7 @@ fn beliefs(report: &Report) -> Markup {
     html! {
         h2 { "Misconceptions" }
         @if report.beliefs.rows.is_empty() {
-            p.dim { "No answer fitted a known misconception." }
+            p.dim { "No known misconception stands out in the answers." }
         } @else {
             table {
                 thead { tr { th { "what wrong answers had in common" } th.n { "before" } th.n { "since" } th { "" } } }
@@ -176,7 +177,7 @@ fn beliefs(report: &Report) -> Markup {
             p.dim {
                 @if let Some(more) = report.beliefs.and_more() { (more) ". " }
                 "Of how many questions could have shown it, before the middle of all answers and "
-                "since."
+                "since. Named is what makes the answers " (NAMED_ODDS) " times as likely as guessing does."
             }
         }
     }

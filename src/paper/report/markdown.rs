@@ -5,6 +5,7 @@ use super::rows::{ChapterRow, Cut, PackRow, of};
 use crate::numbers::counted;
 use crate::paper::{Markdown, clean};
 use crate::progress::words::{degrees, percent};
+use crate::quiz::NAMED_ODDS;
 
 /// Columns of a topic's name.
 const TOPIC: usize = 60;
@@ -68,7 +69,7 @@ fn tables(report: &Report, document: &mut Markdown) {
     let beliefs = &report.beliefs;
     if beliefs.rows.is_empty() {
         document.heading(2, "Misconceptions");
-        document.paragraph("No answer fitted a known misconception.");
+        document.paragraph("No known misconception stands out in the answers.");
     } else {
         let rows = beliefs.rows.iter().map(|belief| {
             vec![
@@ -80,10 +81,10 @@ fn tables(report: &Report, document: &mut Markdown) {
         });
         let heads = ["what wrong answers had in common", "before", "since", ""];
         table(document, "Misconceptions", &heads, beliefs, rows);
-        document.paragraph(
+        document.paragraph(&format!(
             "Of how many questions could have shown it, before the middle of all answers and \
-             since.",
-        );
+             since. Named is what makes the answers {NAMED_ODDS} times as likely as guessing does."
+        ));
     }
     let chapters = &report.chapters;
     if !chapters.rows.is_empty() {

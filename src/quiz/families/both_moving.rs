@@ -223,8 +223,12 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
         .says("You let them go on side by side. But as they came, so they part.")
         .chooses(SquareOnTheGround, 1)
         .says("You looked for 90° on the board. But that rule wants one coin at rest.")
-        .chooses(SpeedOpensAngle, 2)
-        .says("You took a fast meeting to throw them wide apart. Speed alone opens no angle.")
+        .chooses(None, 2)
+        .says(
+            "Did you take a fast meeting to throw them wide apart? How fast they come does change \
+             the angle. But whether it is more than 90° or less, the angle at which they came \
+             decides.",
+        )
         .why(format!(
             "Equal masses, momentum and energy kept: so v₁·v₂ = u₁·u₂. {came} {}.",
             degrees(separation)
@@ -280,7 +284,7 @@ fn speed(
         .named(id, TOPIC)
         .ask(format!("How fast does the {name} leave?"))
         .number(Measure::Speed, truth)
-        .wrong(FramesMixed, seen)
+        .wrong(CoinAtRest, seen)
         .says(format!(
             "You took the coin as if it had been at rest. That is the speed of the {name} as seen \
              from the coin before the hit."

@@ -90,14 +90,25 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
             "Does the striker push the coin along with it? A smooth rim pushes along the line of \
              impact alone.",
         )
-        .chooses(UpsideDown, (!square).then(|| LESS - right))
-        .says(FOLLOWS_OR_BOUNCES)
+        .chooses(
+            (m1_g != m2_g).then_some(UpsideDown),
+            (!square).then(|| LESS - right),
+        )
+        .says(if m1_g == m2_g {
+            CLOSES
+        } else {
+            FOLLOWS_OR_BOUNCES
+        })
         .why(if lossy {
             lossy_corner(right, e * f64::from(m2_g), f64::from(m1_g))
         } else {
             lossless_corner(right).into()
         })
 }
+
+/// Of whoever lets loss open the corner of equal masses.
+const CLOSES: &str = "You let loss open the corner. It closes it: the coin springs off less fast, \
+                      so the striker keeps some speed along the line of impact and follows it.";
 
 /// Of whoever has the masses upside down.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the other way round: a heavier striker \

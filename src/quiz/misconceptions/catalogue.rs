@@ -231,6 +231,12 @@ impl Misconception {
                  the way it came.",
                 page("to-the-atom", "One in 8000"),
             ),
+            Self::CoinAtRest => (
+                "a moving coin taken to be at rest",
+                "In the lab, let both move and press f until you ride with the coin: there, and \
+                 only there, it is at rest before the hit.",
+                page("five-confusions", "Five, on the move"),
+            ),
             Self::DoubleAngleForgotten => (
                 "the angle not doubled",
                 "Off a wall a ball turns by 180° less twice the angle: once on the way in, once on \

@@ -65,6 +65,10 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             let reply = question.replies.get(choice).cloned();
             ("not that one", reply.unwrap_or_default())
         }
+        (Form::Number { .. }, Response::Number(said)) if is_right(form, -said) => (
+            "mind the sign",
+            "The size is right, the sign is not.".into(),
+        ),
         _ => (
             "off",
             format!(
@@ -74,6 +78,11 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             ),
         ),
     }
+}
+
+/// Whether a number counts as right.
+fn is_right(form: &Form, number: f64) -> bool {
+    form.distance(&Response::Number(number), &form.truth()) <= 1.0
 }
 
 /// How two rays are off that fit no misconception.

@@ -7,36 +7,23 @@
 //! the truth, lie so close that an answer could fit both.
 
 mod catalogue;
+mod evidence;
 mod explain;
 mod of_rays;
 mod reasoning;
 mod why;
 
-use crate::quiz::question::Misconception;
-
+pub use evidence::{Clue, Evidence, NAMED_ODDS, NAMED_QUESTIONS, SLIP, evidence, named};
 pub use explain::{Explanation, explain};
 pub use of_rays::OF_RAYS;
 pub use reasoning::reasoning;
 pub use why::{why, why_of_hit};
 
-/// Which of these misconceptions stands there most often, and how often; of several the
-/// first of [`Misconception::ALL`].
-pub(crate) fn most_held(held: &[Misconception]) -> Option<(Misconception, usize)> {
-    let count = |it| held.iter().filter(|other| **other == it).count();
-    // Of equals, `max_by_key` gives the last.
-    let counted = Misconception::ALL.iter().rev().map(|it| (*it, count(*it)));
-    counted
-        .filter(|(_, count)| *count > 0)
-        .max_by_key(|(_, count)| *count)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::physics::ImpactPoint;
     use crate::physics::units::rad_from_deg;
-    use crate::quiz::question::Pieces;
-    use crate::quiz::question::{Hit, Rays};
+    use crate::quiz::question::{Hit, Misconception, Pieces, Rays};
 
     fn hit(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
         Hit {

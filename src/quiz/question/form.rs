@@ -75,7 +75,22 @@ impl AimTask {
     }
 }
 
+/// The chance that two guessed rays fit two given ones: about 8° in 90°, twice.
+pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
+/// The chance that a guessed number, or one guessed ray, fits a given one: about 8° in 90°,
+/// or a tenth of a scale on which one guesses within a factor of two.
+pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
+
 impl Form {
+    /// The chance that a guess fits one given answer.
+    pub fn by_chance(&self) -> f64 {
+        match self {
+            Self::Rays { .. } => RAYS_BY_CHANCE,
+            Self::Number { .. } | Self::Shot(_) => NUMBER_BY_CHANCE,
+            Self::Choice { options, .. } => 1.0 / options.len().max(2) as f64,
+        }
+    }
+
     /// The true answer.
     pub fn truth(&self) -> Response {
         match self {

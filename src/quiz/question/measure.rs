@@ -75,12 +75,18 @@ impl Measure {
     /// others count by a twentieth of the truth either way, as a ratio; infinite where a
     /// ratio says nothing.
     pub fn distance(self, said: f64, truth: f64) -> f64 {
-        let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most);
+        self.spacing(said, truth) / self.width(truth)
+    }
+
+    /// How far off a number counts as right about this `truth`, as a share of the widest
+    /// that can count as right about any.
+    pub(in crate::quiz) fn width(self, truth: f64) -> f64 {
+        let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
         match self {
-            Self::Angle => apart_deg(said, truth) / near(1.0, RIGHT_DEG),
-            Self::Share => (said - truth).abs() / near(0.2, MOST_SHARE),
-            Self::Restitution => (said - truth).abs() / near(0.01, MOST_RESTITUTION),
-            _ => self.spacing(said, truth),
+            Self::Angle => near(1.0, RIGHT_DEG),
+            Self::Share => near(0.2, MOST_SHARE),
+            Self::Restitution => near(0.01, MOST_RESTITUTION),
+            Self::Speed | Self::Mass | Self::Length | Self::Times => 1.0,
         }
     }
 

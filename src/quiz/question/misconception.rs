@@ -83,6 +83,8 @@ pub enum Misconception {
     TooGentle,
     /// Nothing heavy or fast taken ever to come back.
     NeverBack,
+    /// The rules for a target at rest used although it moves.
+    CoinAtRest,
     /// An angle turned by the impact angle where it is turned by twice as much.
     DoubleAngleForgotten,
 }
@@ -90,6 +92,18 @@ pub enum Misconception {
 impl Misconception {
     /// All of them.
     pub const ALL: &'static [Self] = Self::VARIANTS;
+
+    /// Those that most students bring along; questions that find out what one believes look
+    /// for them first.
+    pub const COMMON: [Self; 7] = [
+        Self::CopiedAngle,
+        Self::AlwaysSquare,
+        Self::HalfAndHalf,
+        Self::Swapped,
+        Self::HeavyUnmoved,
+        Self::OneLineFormula,
+        Self::FramesMixed,
+    ];
 
     /// Its name in files.
     pub fn id(self) -> &'static str {

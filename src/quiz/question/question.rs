@@ -141,6 +141,29 @@ impl Question {
             .map(|(belief, fit, _)| (belief, fit))
     }
 
+    /// The misconceptions that an answer could show.
+    pub fn could_show(&self) -> impl Iterator<Item = Misconception> {
+        self.beliefs.iter().map(|belief| belief.misconception)
+    }
+
+    /// How far off an answer may be and still fit a belief, as a share of the widest that can
+    /// count as right: 1 but for angles, shares and e that are small.
+    pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
+        match (&self.form, belief.said) {
+            (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),
+            _ => 1.0,
+        }
+    }
+
+    /// The chance that a guess fits what a misconception would answer so far: both rays,
+    /// or one of them, which is as easily guessed as a number.
+    pub fn by_chance(&self, fit: Fit) -> f64 {
+        match fit {
+            Fit::Whole => self.form.by_chance(),
+            Fit::OneRay(_) => super::form::NUMBER_BY_CHANCE,
+        }
+    }
+
     /// How `said` fits a belief, and how far off it is.
     fn fit(&self, belief: &WrongAnswer, said: &Response) -> Option<(Fit, f64)> {
         let distance = self.form.distance(said, &belief.said);

@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::ChaptersRead;
 use crate::quiz::concepts::Library;
 use crate::quiz::families;
-use crate::quiz::question::{Family, Topic};
+use crate::quiz::question::{Family, Misconception, Topic};
 
 /// What stands in codes before the letters of chapters.
 const READ: &str = "read";
@@ -29,8 +29,16 @@ pub enum CourseKind {
     Hits,
     /// A few of all kinds.
     Quick,
-    /// All kinds, mixed.
+    /// All kinds, mixed, as they were before every misconception was met often enough: for
+    /// codes that are about.
     Mixed,
+    /// All kinds, mixed so that every misconception is met often enough to be seen.
+    Even,
+    /// What tells most of what somebody believes: each question follows from the answers
+    /// before it.
+    FindOut,
+    /// What can show a misconception.
+    Check(Misconception),
     /// All kinds, with no word of what was right until the end.
     Exam,
     /// One family.
@@ -48,7 +56,13 @@ pub enum CourseKind {
 impl CourseKind {
     /// The kinds that are there for everyone, whatever has been answered before; then
     /// come one topic, and what is due.
-    pub const ALWAYS: [Self; 4] = [Self::Quick, Self::Mixed, Self::Hits, Self::Exam];
+    pub const ALWAYS: [Self; 5] = [
+        Self::FindOut,
+        Self::Quick,
+        Self::Even,
+        Self::Hits,
+        Self::Exam,
+    ];
 
     /// Its name in codes.
     pub fn id(&self) -> &'static str {
@@ -70,7 +84,10 @@ impl CourseKind {
         match self {
             Self::Hits => ("hits", "ten hits", families::where_to::LENGTH),
             Self::Quick => ("quick", "quick five", 5),
-            Self::Mixed => ("mixed", "mixed ten", 10),
+            Self::Mixed => ("mixed", "mixed ten, as before", 10),
+            Self::Even => ("even", "mixed ten", 10),
+            Self::FindOut => ("find-out", "find out what you believe", 12),
+            Self::Check(misconception) => (misconception.id(), misconception.name(), 2),
             Self::Exam => ("exam", "exam", 15),
             Self::Topic(family) => (family.id(), family.name(), 6),
             Self::Read(_) => (READ, "what you have read", 10),
@@ -81,13 +98,15 @@ impl CourseKind {
 
     /// The kind of an `id`; a review has none, for it is its player's alone.
     pub fn with_id(id: &str) -> Option<Self> {
-        let topic = || Self::topics().find(|family| family.id() == id);
+        let topics = Self::topics().map(Self::Topic);
+        let checks = Misconception::ALL.iter().copied().map(Self::Check);
         let read = || ChaptersRead::parse(id.strip_prefix(READ)?.strip_prefix('-')?);
         Self::ALWAYS
             .into_iter()
-            .chain([Self::Own(Arc::default())])
+            .chain([Self::Mixed, Self::Own(Arc::default())])
+            .chain(topics)
+            .chain(checks)
             .find(|kind| kind.id() == id)
-            .or_else(|| topic().map(Self::Topic))
             .or_else(|| read().map(Self::Read))
     }
 
@@ -123,15 +142,22 @@ impl Course {
 
     /// Whether the player hears only at the end what was right.
     pub fn tells_at_end(&self) -> bool {
-        self.kind == CourseKind::Exam
+        matches!(self.kind, CourseKind::Exam | CourseKind::FindOut)
+    }
+
+    /// Whether what is asked follows from what was answered, so that there is no such round
+    /// on paper or for a class.
+    pub fn follows_answers(&self) -> bool {
+        self.kind == CourseKind::FindOut
     }
 }
 
 /// The code of a round: the same code brings the same questions on every machine and in
 /// every version.
 ///
-/// It reads `mixed-7`, with a count `mixed12-7`, a topic `speeds-7`, what some chapters
-/// teach `read-abd-7`, and `hits-7` or simply `7` for ten hits. Only `own-7` hangs on something else: on the files of own
+/// It reads `even-7`, with a count `even12-7`, a topic `speeds-7`, a misconception
+/// `copied-angle-7`, what some chapters teach `read-abd-7`, and `hits-7` or simply `7` for
+/// ten hits. Only `own-7` hangs on something else: on the files of own
 /// questions being the same.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
@@ -214,6 +240,20 @@ impl Code {
 }
 
 impl Code {
+    /// The code, where its questions are the same for all, whatever they answer.
+    ///
+    /// # Errors
+    /// If each is asked by their own answers, in words.
+    pub fn same_for_all(self) -> Result<Self, String> {
+        match self.course.follows_answers() {
+            true => Err(format!(
+                "expected a round that is the same for all; {self} asks everyone by their own \
+                 answers"
+            )),
+            false => Ok(self),
+        }
+    }
+
     /// The code with these own questions, where it asks for own ones.
     ///
     /// # Errors
@@ -256,6 +296,12 @@ mod tests {
             "7",
             "mixed-7",
             "mixed12-18446744073709551615",
+            "even-7",
+            "even20-7",
+            "find-out-7",
+            "find-out8-7",
+            "copied-angle-7",
+            "heavy-unmoved4-7",
             "quick-0",
             "exam-3",
             "speeds-12",

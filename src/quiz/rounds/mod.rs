@@ -2,6 +2,8 @@
 
 mod chapters_read;
 mod course;
+mod even;
+mod find_out;
 mod review;
 mod round;
 mod summary;

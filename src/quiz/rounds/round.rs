@@ -1,10 +1,11 @@
 //! A round: questions fixed by a code.
 
-use super::{Code, Course, CourseKind, review};
+use super::{Code, Course, CourseKind, even, find_out, review};
 use crate::numbers::{FNV_START, fnv1a};
-use crate::quiz::concepts::Concept;
+use crate::quiz::concepts::{self, Concept};
 use crate::quiz::families::{concept, where_to};
-use crate::quiz::question::{Dice, Difficulty, Family, Question};
+use crate::quiz::misconceptions::Clue;
+use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Question};
 
 /// The questions of a round.
 ///
@@ -27,6 +28,10 @@ const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 /// again.
 const REDRAWS: usize = 50;
 
+/// How many questions of any family are looked through for one that can show a misconception;
+/// then come the written ones, of which some show each.
+const SHOWING_DRAWS: usize = 400;
+
 impl Round {
     /// The round of a course and a seed.
     pub fn new(course: Course, seed: u64) -> Self {
@@ -46,15 +51,42 @@ impl Round {
                 let salt = salted(&format!("{}-{chapters}", course.kind.id()), seed);
                 chapters.questions(course.count, &mut Dice::new(salt))
             }
+            CourseKind::Even => {
+                let mut dice = Dice::new(salted(course.kind.id(), seed));
+                even::questions(MIXED, course.count, &mut dice)
+            }
+            CourseKind::FindOut => Vec::new(),
+            CourseKind::Check(misconception) => showing(*misconception, &course, seed),
             CourseKind::Own(library) => own(&library.concepts, &course, seed),
             CourseKind::Review(due) => {
                 let topics = &due[..due.len().min(course.count)];
                 review::questions(topics, &mut Dice::new(salted(course.kind.id(), seed)))
             }
         };
-        Self {
+        let mut round = Self {
             code: Code { course, seed },
             questions,
+        };
+        round.go_on(&[]);
+        round
+    }
+
+    /// Goes on after these answers, where the next question follows from them: it is asked
+    /// behind the others, unless the answers settle what was to be found out.
+    pub fn go_on(&mut self, answers: &[Answer]) {
+        let Code { course, seed } = &self.code;
+        let asked = self.questions.len();
+        if !course.follows_answers() || answers.len() < asked || asked >= course.count {
+            return;
+        }
+        let clues: Vec<Clue> = (self.questions.iter().zip(answers))
+            .map(|(question, answer)| Clue::new(question, answer))
+            .collect();
+        if !find_out::is_settled(&clues) {
+            // Whatever the questions before took from the dice.
+            let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
+            let next = find_out::ask(&self.questions, &clues, &mut Dice::new(seed));
+            self.questions.extend(next);
         }
     }
 
@@ -107,6 +139,38 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
             }
         }
         questions.extend(fresh);
+    }
+    questions
+}
+
+/// Questions that can show a misconception, of any family, rising in difficulty as far as
+/// there are such.
+fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
+    let mut dice = Dice::new(salted(course.kind.id(), seed));
+    let mut questions: Vec<Question> = Vec::with_capacity(course.count);
+    for i in 0..course.count {
+        let first = Difficulty::rising(i, course.count);
+        let fresh = (0..SHOWING_DRAWS).find_map(|draw| {
+            // Later any difficulty will do.
+            let difficulty = match draw < SHOWING_DRAWS / 2 {
+                true => first,
+                false => *dice.pick(&Difficulty::ALL)?,
+            };
+            let (question, _) = dice.pick(MIXED)?.ask(difficulty, &mut dice)?;
+            let shows = question.could_show().any(|it| it == misconception);
+            let old = questions.iter().any(|it| it.text == question.text);
+            (shows && !old).then_some(question)
+        });
+        questions.extend(fresh.or_else(|| {
+            let mut written: Vec<&Concept> = concepts::all().iter().collect();
+            dice.shuffle(&mut written);
+            let written = written.into_iter();
+            let mut asked = written.filter_map(|it| concept::question(it, &mut dice));
+            asked.find(|it| {
+                let shows = it.could_show().any(|it| it == misconception);
+                shows && !questions.iter().any(|old| old.text == it.text)
+            })
+        }));
     }
     questions
 }

@@ -1,13 +1,16 @@
 //! A look back over a round.
 
 use crate::numbers;
-use crate::quiz::misconceptions::most_held;
+use crate::quiz::misconceptions::{Clue, Evidence, named};
 use crate::quiz::question::{
     Answer, Confidence, Diagnosis, Grade, Misconception, Passage, Question, Topic,
 };
 
 /// Fewest angles whose mean error says something.
 pub const ENOUGH_ANGLES: usize = 3;
+
+/// Fewest answers that say how well somebody judges what they know.
+const ENOUGH_ANSWERS: usize = 5;
 
 /// A round that has been answered, or as much of it as has.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +28,8 @@ pub struct SummaryLine {
     pub grade: Grade,
     /// The misconception it fitted.
     pub diagnosis: Option<Diagnosis>,
+    /// What it says of misconceptions.
+    pub clue: Clue,
 }
 
 impl Summary {
@@ -36,6 +41,7 @@ impl Summary {
                 topic: question.topic.clone(),
                 grade: Grade::new(question, answer),
                 diagnosis: question.diagnose(answer),
+                clue: Clue::new(question, answer),
             })
             .collect();
         Self { lines }
@@ -123,28 +129,88 @@ impl Summary {
             "You know more than you trust yourself to."
         } else if thought > 1 && 2 * thought_right < thought {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
+        } else if self.lines.len() < ENOUGH_ANSWERS || self.right() == 0 {
+            // That says nothing of how well one judges oneself.
+            ""
         } else {
             "You judge well what you know."
         };
-        format!("{counted} {verdict}")
+        format!("{counted} {verdict}").trim_end().to_owned()
     }
 
-    /// The misconception that most answers fitted and how many did; of several the
-    /// first of all.
+    /// The misconceptions that the answers name, the surest first.
+    pub fn named(&self) -> Vec<Evidence> {
+        let clues: Vec<Clue> = self.lines.iter().map(|line| line.clue.clone()).collect();
+        named(&clues)
+    }
+
+    /// The misconception that is named first, and how many answers fitted it.
     pub fn most_held(&self) -> Option<(Misconception, usize)> {
-        let held = self.lines.iter().filter_map(|line| line.diagnosis);
-        let held: Vec<_> = held.map(|it| it.misconception).collect();
-        most_held(&held)
+        let named = self.named();
+        named.first().map(|it| (it.misconception, it.times))
     }
 
     /// The same in words.
     pub fn held_words(&self) -> Option<String> {
-        let (misconception, count) = self.most_held()?;
+        let first = *self.named().first()?;
+        let name = first.misconception.name();
+        Some(format!(
+            "It showed in {first} answers that could show it: {name}."
+        ))
+    }
+
+    /// What was found out about beliefs, a paragraph each; the name of what is believed, or
+    /// that there is none, comes first.
+    pub fn finding(&self) -> Vec<String> {
+        let Some(first) = self.named().first().copied() else {
+            return self.nothing_found();
+        };
+        let misconception = first.misconception;
+        let shows = |(_, line): &(usize, &SummaryLine)| line.clue.shows == Some(misconception);
+        let numbers = (1..).zip(&self.lines).filter(shows);
+        let numbers: Vec<String> = numbers.map(|(number, _)| number.to_string()).collect();
+        let (last, others) = numbers.split_last().map_or(("", &[][..]), |(a, b)| (a, b));
+        vec![
+            format!("It seems that you believe this: {}.", misconception.name()),
+            format!(
+                "Your answers to questions {} and {last} say so: {first} that could show it. They \
+                 are {} as likely from somebody who believes it as from somebody who guesses.",
+                others.join(", "),
+                times_as(first.weight),
+            ),
+            misconception.advice().into(),
+        ]
+    }
+
+    fn nothing_found(&self) -> Vec<String> {
+        let (right, asked) = (self.right(), self.lines.len());
+        if asked == 0 {
+            return vec!["Nothing was answered, so nothing was found.".into()];
+        }
+        let why = if 5 * right >= 4 * asked {
+            "Nothing that you believe stands in your way. Take a mixed round, or a level that \
+             needs an exact cut."
+        } else {
+            "Where your answers were off, each was off in its own way: no known belief explains \
+             them. Open them one by one and read the whys; then begin with the first chapters."
+        };
+        vec![
+            "No misconception stands out.".into(),
+            format!("{right} of {asked} answers were right. {why}"),
+        ]
+    }
+
+    /// Whether a misconception that was to be checked still shows, in words.
+    pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
-        Some(match count {
-            1 => format!("Once it looked like this: {name}."),
-            _ => format!("Most often, {count} times: {name}."),
-        })
+        let shown = |line: &&SummaryLine| line.clue.shows == Some(misconception);
+        match self.lines.iter().filter(shown).count() {
+            0 if self.right() == self.lines.len() => {
+                format!("Settled, as far as a check can tell: {name}. It does not show any more.")
+            }
+            0 => format!("It does not show any more: {name}. But not all was right yet."),
+            _ => format!("It still shows: {name}. Read the page once more, and take your time."),
+        }
     }
 
     /// The page of the chapters to read next: that which settles the misconception held
@@ -174,6 +240,19 @@ impl Summary {
                   striker's part across it."
                 .into(),
         }
+    }
+}
+
+/// How many times as likely, for a log-likelihood ratio above that of a name: "600 times".
+fn times_as(weight: f64) -> String {
+    let odds = weight.exp();
+    if odds >= 1e6 {
+        return "more than a million times".into();
+    }
+    let digit = 10_f64.powf(odds.log10().floor());
+    match (odds / digit).round() * digit {
+        odds if odds >= 1e3 => format!("some {:.0},000 times", odds / 1e3),
+        odds => format!("some {odds:.0} times"),
     }
 }
 
@@ -213,10 +292,7 @@ mod tests {
     fn calibration_in_words() {
         use Confidence::{Guess, Sure, ThinkSo};
         for (answers, words) in [
-            (
-                vec![(Sure, true)],
-                "Sure once, and right. You judge well what you know.",
-            ),
+            (vec![(Sure, true)], "Sure once, and right."),
             (
                 vec![(Sure, true), (Sure, false), (Guess, false)],
                 "Sure 2 times, right 1 of them. What you were sure of and missed is worth most: \
@@ -228,7 +304,18 @@ mod tests {
             ),
             (
                 vec![(ThinkSo, false), (Guess, false)],
-                "You were never sure. You judge well what you know.",
+                "You were never sure.",
+            ),
+            (vec![(Guess, false); 10], "You were never sure."),
+            (
+                vec![
+                    (Sure, true),
+                    (Sure, true),
+                    (ThinkSo, true),
+                    (Guess, false),
+                    (Guess, false),
+                ],
+                "Sure 2 times, right 2 of them. You judge well what you know.",
             ),
             (
                 vec![(ThinkSo, false), (ThinkSo, false), (ThinkSo, true)],

@@ -1,6 +1,8 @@
 //! After the last question: the final board, what the class believed, what each
 //! question showed.
 
+use std::cmp::Reverse;
+
 use ratatui::layout::Rect;
 
 use super::play::{ClassPlay, EndPage};
@@ -8,7 +10,7 @@ use super::view::{Text, column};
 use crate::class::{ClassRound, ItemAnalysis, Vote, items};
 use crate::numbers::fixed;
 use crate::physics::units::deg_from_rad;
-use crate::quiz::Misconception;
+use crate::quiz::{Evidence, Misconception};
 use crate::widgets::{Lines, Role, text};
 
 /// The words of a page beside the scoreboard.
@@ -23,26 +25,42 @@ pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect) -> Text<'
     (place, Box::new(move |lines| write(&play.round, lines)))
 }
 
-/// What the class believed, the commonest first: each misconception with how many first
-/// votes fitted it, and how many votes after talking.
-fn held(round: &ClassRound) -> Vec<(Misconception, [usize; 2])> {
-    let fitted = Vote::BOTH.map(|vote| {
-        let questions = 0..round.questions().len();
-        let held = questions.flat_map(|question| round.held(question, vote));
-        held.map(|(misconception, _)| misconception)
+/// What shows in the votes of a class: a misconception, how many teams hold it by the
+/// evidence of their first votes and after talking, and how many votes fitted it.
+struct ClassBelief {
+    misconception: Misconception,
+    teams: [usize; 2],
+    votes: [usize; 2],
+    /// The evidence of those teams for whom there is any, at first.
+    weight: f64,
+}
+
+/// What the class believed: first what most teams hold, then that for which there is most
+/// evidence.
+fn held(round: &ClassRound) -> Vec<ClassBelief> {
+    let clues = Vote::BOTH.map(|vote| {
+        let teams = 0..round.teams().len();
+        teams
+            .map(|team| round.clues_of(team, vote))
             .collect::<Vec<_>>()
     });
-    let counts = |it| {
-        fitted
-            .each_ref()
-            .map(|held| held.iter().filter(|other| **other == it).count())
+    let of = |misconception| {
+        let [first, second] = clues.each_ref().map(|teams| {
+            let each = teams.iter().map(|clues| Evidence::of(misconception, clues));
+            each.collect::<Vec<_>>()
+        });
+        let both = [&first, &second];
+        ClassBelief {
+            misconception,
+            teams: both.map(|teams| teams.iter().filter(|it| it.names()).count()),
+            votes: both.map(|teams| teams.iter().map(|it| it.times).sum()),
+            weight: first.iter().map(|it| it.weight.max(0.0)).sum(),
+        }
     };
-    let mut held: Vec<_> = Misconception::ALL
-        .iter()
-        .map(|it| (*it, counts(*it)))
-        .filter(|(_, counts)| *counts != [0, 0])
-        .collect();
-    held.sort_by_key(|(_, [first, second])| std::cmp::Reverse(first + second));
+    let mut held: Vec<_> = Misconception::ALL.iter().map(|it| of(*it)).collect();
+    held.retain(|it| it.votes != [0, 0]);
+    let rank = |it: &ClassBelief| (it.teams[0], it.teams[1], (1e6 * it.weight) as i64);
+    held.sort_by_key(|it| Reverse(rank(it)));
     held
 }
 
@@ -56,14 +74,21 @@ fn write_held(round: &ClassRound, lines: &mut Lines) {
         return;
     }
     lines.paragraph(
-        "How often a vote fitted a misconception that many have: at first, and after talking.",
+        "Teams whose votes show that they hold it: at first, and after talking. It takes two \
+         questions to say so of a team. Below: how many votes fitted it.",
         Role::Dim,
     );
-    for (misconception, [first, second]) in held {
+    for it in held {
         lines.gap();
-        let counts = format!("{first}, then {second}");
-        lines.pair(misconception.name(), &counts, Role::Title, Role::Title);
-        lines.paragraph(misconception.advice(), Role::Text);
+        let [first, second] = it.teams;
+        let teams = match it.teams {
+            [0, 0] => String::new(),
+            _ => format!("{first}, then {second}"),
+        };
+        lines.pair(it.misconception.name(), &teams, Role::Title, Role::Title);
+        let [first, second] = it.votes;
+        lines.line(&format!("votes: {first}, then {second}"), Role::Dim);
+        lines.paragraph(it.misconception.advice(), Role::Text);
     }
 }
 

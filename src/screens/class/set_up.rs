@@ -127,7 +127,7 @@ impl SetUp {
     /// The course of a kind of round; of a code it stands in that.
     pub(super) fn course(&self, kind: RoundKind) -> Option<CourseKind> {
         Some(match kind {
-            RoundKind::Mixed => CourseKind::Mixed,
+            RoundKind::Mixed => CourseKind::Even,
             RoundKind::Quick => CourseKind::Quick,
             RoundKind::Hits => CourseKind::Hits,
             RoundKind::Topic => CourseKind::Topic(CourseKind::topics().nth(self.topic)?),
@@ -322,7 +322,7 @@ impl SetUp {
             }),
             None => Code::parse(self.code.text())
                 .ok_or_else(|| NO_CODE.to_owned())
-                .and_then(|code| code.with_own(&self.own)),
+                .and_then(|code| code.with_own(&self.own)?.same_for_all()),
         };
         match code {
             Ok(code) => {

@@ -1,8 +1,7 @@
 //! What really happens, and why.
 
 use crate::class::{ClassRound, Vote};
-use crate::quiz::misconceptions::most_held;
-use crate::quiz::{Answer, Confidence, Form, Question, Response, explain, letter};
+use crate::quiz::{Answer, Confidence, Form, Question, Response, evidence, explain, letter};
 use crate::widgets::hit::{HitPace, Reveal, Watch};
 
 /// What really happens, and why.
@@ -72,15 +71,16 @@ fn commonest(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAn
     shared.into_iter().flatten().max_by_key(|it| it.count)
 }
 
-/// The misconception that most votes fit. Of equals the first of all.
+/// The misconception for which the votes speak most.
 fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
-    let (held, said): (Vec<_>, Vec<_>) = round.held(question, vote).unzip();
-    let (misconception, count) = most_held(&held)?;
-    let first = held.iter().position(|it| *it == misconception)?;
+    let all = evidence(&round.clues(question, vote));
+    let most = all.into_iter().find(|it| it.times > 0)?;
+    let mut held = round.held(question, vote);
+    let (misconception, said) = held.find(|(held, _)| *held == most.misconception)?;
     Some(SharedAnswer {
         name: misconception.name().into(),
-        count,
-        said: said[first],
+        count: most.times,
+        said,
     })
 }
 

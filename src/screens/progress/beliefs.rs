@@ -3,6 +3,7 @@
 use super::words::{brief, padded};
 use crate::messages::History;
 use crate::progress::{HeldBelief, Trend, beliefs};
+use crate::quiz::NAMED_ODDS;
 use crate::widgets::{Lines, Role};
 
 /// Columns of the figures after a name.
@@ -14,7 +15,7 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
     let beliefs = beliefs(&history.attempts);
     if beliefs.is_empty() {
         lines.paragraph(
-            "None of your answers fitted a known misconception. That is rare.",
+            "No known misconception stands out in your answers.",
             Role::Good,
         );
         return;
@@ -46,11 +47,12 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
         }
     }
     lines.gap();
-    lines.paragraph(
+    let legend = format!(
         "How often answers fitted it, of how many questions could have shown it: before the \
-         middle of all your answers, and since.",
-        Role::Dim,
+         middle of all your answers, and since. It stands here once your answers are \
+         {NAMED_ODDS} times as likely from somebody who believes it as from somebody who guesses."
     );
+    lines.paragraph(&legend, Role::Dim);
 }
 
 /// The belief that is still held most.

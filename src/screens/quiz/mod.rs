@@ -22,8 +22,8 @@ use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Grade, Passage, Question, Response, Round, Summary,
-    explain,
+    Answer, Code, Confidence, Course, CourseKind, Form, Grade, Misconception, Passage, Question,
+    Response, Round, Summary, explain,
 };
 use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
@@ -54,6 +54,8 @@ pub(crate) enum QuizAction {
     Another,
     /// open the page of the chapters that settles it
     ReadUp,
+    /// check with two questions whether it is still believed
+    Check,
     /// scroll a text that is longer than its place
     Scroll(i16),
     /// go back, or leave the round
@@ -176,6 +178,7 @@ impl Quiz {
         let attempt = Attempt::of_quiz(&cx.settings.player, code, number, &question, &answer);
         // It is safe before the explanation is seen.
         cx.record(attempt);
+        self.round.go_on(&self.answers);
         if self.tells_at_end() {
             return self.ask();
         }
@@ -242,6 +245,21 @@ impl Quiz {
         }
         *self = Self::of(Round::new(code.course.clone(), seed));
         Next::Stay
+    }
+
+    /// The misconception that was found out, where that was asked for.
+    fn found(&self) -> Option<Misconception> {
+        let follows = self.round.course().follows_answers();
+        let named = follows.then(|| self.summary().most_held())?;
+        named.map(|(misconception, _)| misconception)
+    }
+
+    /// Checks with some questions whether what was found out is still believed.
+    fn check(&mut self) {
+        if let Some(misconception) = self.found() {
+            let course = Course::new(CourseKind::Check(misconception));
+            *self = Self::of(Round::new(course, self.round.code().seed));
+        }
     }
 
     /// Number of the question at hand, from 1.
@@ -313,9 +331,12 @@ impl Quiz {
                     1 => "Your answer is kept.".to_owned(),
                     count => format!("Your {count} answers are kept."),
                 };
-                let (what, yes) = match self.tells_at_end() {
-                    true => ("End the exam and see what you answered?", "end the exam"),
-                    false => ("Leave the round?", "leave the round"),
+                let (what, yes) = match self.round.course().kind {
+                    CourseKind::Exam => ("End the exam and see what you answered?", "end the exam"),
+                    CourseKind::FindOut => {
+                        ("Stop here and see what your answers say?", "stop here")
+                    }
+                    _ => ("Leave the round?", "leave the round"),
                 };
                 Next::Confirm(Confirmation::new(format!("{what} {kept}"), yes, "stay"))
             }
@@ -380,16 +401,21 @@ impl Screen for Quiz {
     }
 
     fn status(&self, _cx: &Context) -> String {
+        let course = self.round.course();
         let count = self.round.questions().len();
         let mut status = match self.phase {
             QuizPhase::Summary(_) if self.is_over() => "all answered".into(),
             QuizPhase::Summary(_) => format!("{} of {count} answered", self.answers.len()),
+            _ if course.follows_answers() => {
+                format!("question {} of at most {}", self.number(), course.count)
+            }
             _ => format!("question {} of {count}", self.number()),
         };
-        if !self.tells_at_end() || self.has_ended() {
+        let scores = !course.follows_answers();
+        if scores && (!self.tells_at_end() || self.has_ended()) {
             status += &format!("  {} points", numbers::points(self.summary().points()));
         }
-        match &self.round.course().kind {
+        match &course.kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",
             CourseKind::Review(due) => format!("{status}  review: {count} of {} due", due.len()),
             _ => format!("{status}  code {}", self.round.code()),
@@ -398,7 +424,8 @@ impl Screen for Quiz {
 
     fn keys(&self, _cx: &Context) -> KeyTable<QuizAction> {
         use QuizAction::{
-            Another, Answer, GoOn, Leave, LookBack, MoreSure, ReadUp, Scroll, Sure, Take, Watch,
+            Another, Answer, Check, GoOn, Leave, LookBack, MoreSure, ReadUp, Scroll, Sure, Take,
+            Watch,
         };
         let keys = KeyTable::new("quiz");
         let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
@@ -456,6 +483,8 @@ impl Screen for Quiz {
             }
             QuizPhase::Summary(_) => keys
                 .with(ListView::keys("look at it"), LookBack)
+                .on(Key::Char('k'), Check, "check it")
+                .when(self.found().is_some())
                 .on(Key::Char('n'), Another, "another round")
                 .on(Key::Escape, Leave, "other rounds")
                 .on(Key::Char('c'), ReadUp, "chapter")
@@ -465,7 +494,7 @@ impl Screen for Quiz {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end. Rims are smooth unless a question says otherwise.",
+            "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end, nor while carrom finds out what you believe: there each question follows from your answers. Rims are smooth unless a question says otherwise.",
             "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
             "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
             "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below nothing: else a wrong \"sure\" would cost nothing there.",
@@ -497,6 +526,7 @@ impl Screen for Quiz {
             (QuizAction::LookBack(action), _) => self.look_back(action, cx),
             (QuizAction::Another, _) => return self.again(cx),
             (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
+            (QuizAction::Check, _) => self.check(),
             (QuizAction::Scroll(rows), _) => self.scroll_by(rows, cx),
             (QuizAction::Leave, _) => return self.leave(cx),
             _ => return Next::Ignored,

@@ -17,22 +17,29 @@ pub(super) fn write(quiz: &Quiz, at: usize, book: &Book, lines: &mut Lines) -> u
     let answered = quiz.round.questions().iter().zip(&quiz.answers);
     let rays = |question: &Question| matches!(question.form, Form::Rays { .. });
     let all_rays = answered.clone().all(|(question, _)| rays(question));
-    let table = SummaryTable::new(lines, all_rays);
-    let closing = closing(&summary);
+    let finds_out = quiz.round.course().follows_answers();
+    let table = SummaryTable::new(lines, all_rays, finds_out);
+    let (opening, closing) = match quiz.round.course().kind {
+        CourseKind::FindOut => (summary.finding(), after_finding(quiz)),
+        _ => (vec![score(&summary)], closing(quiz, &summary)),
+    };
+    let opening_rows: u16 = opening.iter().map(|text| lines.rows_of(text)).sum();
     let closing_rows: u16 = closing.iter().map(|text| lines.rows_of(text)).sum();
     let rows = summary.lines.len() as u16;
-    let score = score(&summary);
     let friend = for_a_friend(quiz.round.code());
     let friend_rows = friend.as_ref().map_or(0, |text| lines.rows_of(text));
     let lead = |lines: &mut Lines| leads::write(summary.passage(), book, lines);
     let lead_rows = lines.rows_by(lead);
-    let needed = lines.rows_of(&score) + HEAD + rows + closing_rows + lead_rows + friend_rows;
+    let needed = opening_rows + HEAD + rows + closing_rows + lead_rows + friend_rows;
     let mut spare = lines.spare(needed);
     let gap_after = spare.take(1);
     let gap_before = spare.take(1);
     let before_friend = spare.take(1);
-    let apart = spare.take(closing.len() as u16 - 1);
-    lines.paragraph(&score, Role::Title);
+    let apart = spare.take((closing.len() as u16).saturating_sub(1));
+    for (i, text) in opening.iter().enumerate() {
+        let role = if i == 0 { Role::Title } else { Role::Text };
+        lines.paragraph(text, role);
+    }
     if gap_before {
         lines.gap();
     }
@@ -86,11 +93,23 @@ fn score(summary: &Summary) -> String {
 }
 
 /// What follows from the round, a paragraph each.
-fn closing(summary: &Summary) -> Vec<String> {
+fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     let mut closing = vec![summary.calibration_words()];
-    closing.extend(summary.held_words());
-    closing.push(summary.advice());
+    match quiz.round.course().kind {
+        CourseKind::Check(misconception) => closing.push(summary.checked(misconception)),
+        _ => {
+            closing.extend(summary.held_words());
+            closing.push(summary.advice());
+        }
+    }
     closing
+}
+
+/// What to do after a belief was found out.
+fn after_finding(quiz: &Quiz) -> Vec<String> {
+    let check = "Have a look at it first. Then k asks two questions, to check what became of it.";
+    let found = quiz.found().map(|_| check.to_owned());
+    found.into_iter().collect()
 }
 
 fn missed_surely(line: &SummaryLine) -> bool {
@@ -116,15 +135,16 @@ struct SummaryTable {
 }
 
 impl SummaryTable {
-    fn new(lines: &Lines, rays: bool) -> Self {
+    fn new(lines: &Lines, rays: bool, finds_out: bool) -> Self {
         let width = lines.width();
         Self {
             gap: if width >= 72 { "   " } else { "" },
             rays,
             confidence: width >= 72,
-            // Where answers are of many forms, one wants to know to what.
-            topic: width >= 104 || !rays,
-            outcome: width >= 104 || rays,
+            // Where answers are of many forms, one wants to know to what; unless what they
+            // show is what was looked for.
+            topic: width >= 104 || !rays && !finds_out,
+            outcome: width >= 104 || rays || finds_out,
         }
     }
 

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::{AnsweredQuestion, Quiz, QuizPhase, panel, summary};
-use crate::quiz::{Form, Illustration, Question};
+use crate::quiz::{CourseKind, Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::input::ListView;
 use crate::widgets::panels::draw_panel;
@@ -90,7 +90,11 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
         }
         QuizPhase::Summary(_) => {
             let frame = summary_frame(area);
-            draw_panel(buf, frame, "your round", look.charset, &look.theme);
+            let title = match quiz.round.course().kind {
+                CourseKind::FindOut => "what you seem to believe",
+                _ => "your round",
+            };
+            draw_panel(buf, frame, title, look.charset, &look.theme);
         }
     }
     let text = text_area(quiz, area);

@@ -12,7 +12,8 @@ use crate::messages::{StoreReply, StoreRequest};
 use crate::progress::{Attempt, Due};
 use crate::quiz::concepts::Library;
 use crate::quiz::{
-    Answer, Code, Course, CourseKind, Grade, Passage, Question, Round, Summary, Topic, explain,
+    Answer, Code, Course, CourseKind, Grade, Misconception, Passage, Question, Round, Summary,
+    Topic, explain,
 };
 
 /// Plays the round of a code, or asks which round it shall be; `seed` fixes what is left
@@ -32,14 +33,36 @@ pub fn quiz(
         Some(code) => Round::of(code),
         None => choose(recorder, seed, own)?,
     };
-    play(recorder, &round)
+    let seed = round.code().seed;
+    let found = play(recorder, round)?;
+    let Some(misconception) = found else {
+        return Ok(());
+    };
+    let asked = "Two questions to check it? Type yes or no.";
+    let help = "They ask what could show it once more, and you hear at once how it is.";
+    let checks = recorder.talk.ask_for(&[], asked, help, |heard| {
+        match heard.to_lowercase().as_str() {
+            "yes" | "y" => Ok(true),
+            "no" | "n" => Ok(false),
+            _ => Err("Please type yes or no.".to_owned()),
+        }
+    })?;
+    if checks {
+        let course = Course::new(CourseKind::Check(misconception));
+        play(recorder, Round::new(course, seed))?;
+    }
+    Ok(())
 }
 
 /// Asks which round it shall be.
 fn choose(recorder: &mut Recorder, seed: u64, own: &Arc<Library>) -> Result<Round, Leave> {
     let due = due(recorder)?;
     let always = CourseKind::ALWAYS.map(|kind| {
-        let about = format!("{}, {} questions", kind.name(), kind.length());
+        let most = match Course::new(kind.clone()).follows_answers() {
+            true => "up to ",
+            false => "",
+        };
+        let about = format!("{}, {most}{} questions", kind.name(), kind.length());
         (about, kind)
     });
     let mut kinds = always.to_vec();
@@ -95,25 +118,13 @@ fn due(recorder: &mut Recorder) -> Result<Due, Leave> {
     }
 }
 
-/// Plays a round to its end.
-fn play(recorder: &mut Recorder, round: &Round) -> Result<(), Leave> {
+/// Plays a round to its end; gives the misconception that was found out, where that was asked
+/// for.
+fn play(recorder: &mut Recorder, mut round: Round) -> Result<Option<Misconception>, Leave> {
     let at_end = round.course().tells_at_end();
-    let mut answered: Vec<(&Question, Answer)> = Vec::new();
-    let mut each = (1..).zip(round.questions());
-    let outcome = each.try_for_each(|(number, question)| {
-        let lines = asking(round, number, question);
-        let Some(said) = answer(recorder.talk, &lines, &question.form)? else {
-            return recorder.talk.say("Left open.");
-        };
-        let answer = Answer::new(said, confidence(recorder.talk)?);
-        let attempt = Attempt::of_quiz(recorder.player, round.code(), number, question, &answer);
-        recorder.record(attempt)?;
-        answered.push((question, answer));
-        match at_end {
-            true => recorder.talk.say("Noted."),
-            false => tell(recorder.talk, question, &answer),
-        }
-    });
+    let mut answered: Vec<(Question, Answer)> = Vec::new();
+    let outcome = ask_all(recorder, &mut round, &mut answered);
+    let round = &round;
     let talk = &mut *recorder.talk;
     // Whoever leaves an exam hears of what was answered, too.
     if at_end && !matches!(outcome, Err(Leave::Failed(_))) {
@@ -128,12 +139,65 @@ fn play(recorder: &mut Recorder, round: &Round) -> Result<(), Leave> {
         Err(Leave::Ended) if answered.is_empty() => {}
         _ => sum_up(talk, round, &answered)?,
     }
-    outcome
+    outcome?;
+    let follows = round.course().follows_answers();
+    let named = follows.then(|| look_back(&answered).most_held()).flatten();
+    Ok(named.map(|(misconception, _)| misconception))
+}
+
+/// Asks all questions of a round, and notes what was answered.
+fn ask_all(
+    recorder: &mut Recorder,
+    round: &mut Round,
+    answered: &mut Vec<(Question, Answer)>,
+) -> Result<(), Leave> {
+    let (at_end, follows) = {
+        let course = round.course();
+        (course.tells_at_end(), course.follows_answers())
+    };
+    let mut number: u32 = 0;
+    while let Some(question) = round.questions().get(number as usize).cloned() {
+        number += 1;
+        let lines = asking(round, number, &question);
+        let Some(said) = answer(recorder.talk, &lines, &question.form)? else {
+            // What comes next may follow from what is said.
+            let (open, asked) = match follows {
+                true => (
+                    "Here every question needs an answer: a guess will do.",
+                    number - 1,
+                ),
+                false => ("Left open.", number),
+            };
+            recorder.talk.say(open)?;
+            number = asked;
+            continue;
+        };
+        let answer = Answer::new(said, confidence(recorder.talk)?);
+        let attempt = Attempt::of_quiz(recorder.player, round.code(), number, &question, &answer);
+        recorder.record(attempt)?;
+        match at_end {
+            true => recorder.talk.say("Noted.")?,
+            false => tell(recorder.talk, &question, &answer)?,
+        }
+        answered.push((question, answer));
+        let answers: Vec<Answer> = answered.iter().map(|(_, answer)| *answer).collect();
+        round.go_on(&answers);
+    }
+    Ok(())
+}
+
+/// A look back over these answers.
+fn look_back(answered: &[(Question, Answer)]) -> Summary {
+    Summary::new(answered.iter().map(|(question, answer)| (question, answer)))
 }
 
 /// What is said to ask a question, a line each.
 fn asking(round: &Round, number: u32, question: &Question) -> Vec<String> {
-    let count = round.questions().len();
+    let course = round.course();
+    let count = match course.follows_answers() {
+        true => format!("at most {}", course.count),
+        false => round.questions().len().to_string(),
+    };
     let mut lines = vec![
         format!(
             "Question {number} of {count}: {}",
@@ -173,13 +237,21 @@ fn read_up(passage: Passage) -> Option<String> {
 }
 
 /// Looks back over what was answered.
-fn sum_up(talk: &mut Talk, round: &Round, answered: &[(&Question, Answer)]) -> Result<(), Leave> {
-    let each = answered.iter();
-    let summary = Summary::new(each.map(|(question, answer)| (*question, answer)));
-    talk.say(&format!("Your round: {}.", summary.score()))?;
-    talk.say(&summary.calibration_words())?;
-    talk.say_all(summary.held_words())?;
-    talk.say(&summary.advice())?;
+fn sum_up(talk: &mut Talk, round: &Round, answered: &[(Question, Answer)]) -> Result<(), Leave> {
+    let summary = look_back(answered);
+    match &round.course().kind {
+        CourseKind::FindOut => talk.say_all(summary.finding())?,
+        kind => {
+            talk.say(&format!("Your round: {}.", summary.score()))?;
+            talk.say(&summary.calibration_words())?;
+            if let CourseKind::Check(misconception) = kind {
+                talk.say(&summary.checked(*misconception))?;
+            } else {
+                talk.say_all(summary.held_words())?;
+                talk.say(&summary.advice())?;
+            }
+        }
+    }
     talk.say_all(summary.passage().and_then(read_up))?;
     match round.course().kind {
         CourseKind::Review(_) | CourseKind::Own(_) => Ok(()),

@@ -26,8 +26,8 @@ pub(crate) enum ChoosingAction {
     List(ListAction),
     /// begin at once
     Begin(usize),
-    /// begin at once: quick, mixed, review, hits, topic, exam, what you have read, code,
-    /// own questions
+    /// begin at once: find out, quick, mixed, review, hits, topic, exam, what you have read,
+    /// code, own questions
     BeginByLetter(usize),
     /// begin the round of the code that was typed
     Enter,
@@ -85,9 +85,10 @@ enum RoundChoice {
 }
 
 /// The kinds of round, each with the letter that chooses it, besides its number.
-static CHOICES: [(char, RoundChoice); 9] = [
+static CHOICES: [(char, RoundChoice); 10] = [
+    ('f', RoundChoice::Always(CourseKind::FindOut)),
     ('q', RoundChoice::Always(CourseKind::Quick)),
-    ('m', RoundChoice::Always(CourseKind::Mixed)),
+    ('m', RoundChoice::Always(CourseKind::Even)),
     ('r', RoundChoice::Review),
     ('h', RoundChoice::Always(CourseKind::Hits)),
     ('t', RoundChoice::Topic),
@@ -232,7 +233,7 @@ impl Screen for Choosing {
         let list = ListView::keys("begin");
         match self.page {
             ChoosingPage::Rounds => {
-                let numbers = ('1'..).zip((0..self.choices().len()).map(Begin));
+                let numbers = ('1'..='9').zip((0..self.choices().len()).map(Begin));
                 let letters = self.choices().iter().map(|(letter, _)| *letter);
                 let letters = letters.zip((0..).map(BeginByLetter));
                 keys.with(list, List)

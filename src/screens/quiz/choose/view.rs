@@ -89,6 +89,10 @@ fn rounds(choosing: &Choosing, book: &Book, each: u16, lines: &mut Lines) {
             RoundChoice::Always(CourseKind::Hits) => {
                 (CourseKind::Hits.name(), "where will they go?".into())
             }
+            RoundChoice::Always(CourseKind::FindOut) => {
+                let value = format!("up to {} questions", CourseKind::FindOut.length());
+                (CourseKind::FindOut.name(), value)
+            }
             RoundChoice::Always(kind) => (kind.name(), format!("{} questions", kind.length())),
             RoundChoice::Topic => {
                 let value = format!("{} to choose from", CourseKind::topics().count());
@@ -135,8 +139,11 @@ fn about_round(choosing: &Choosing, book: &Book, lines: &mut Lines) {
         RoundChoice::Always(CourseKind::Quick) => {
             "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
         }
-        RoundChoice::Always(CourseKind::Mixed) => {
-            "Ten questions of all kinds, in any order. Nobody tells you what kind comes next."
+        RoundChoice::Always(CourseKind::FindOut) => {
+            "Up to twelve questions, each chosen by your answers before it. You hear nothing until the end; then you see what you seem to believe about hits, which answers say so, and what settles it."
+        }
+        RoundChoice::Always(CourseKind::Even) => {
+            "Ten questions of all kinds, in any order, so that every idea is met. Nobody tells you what kind comes next."
         }
         RoundChoice::Review => return about_review(choosing, lines),
         RoundChoice::Own => return about_own(choosing, lines),
@@ -299,10 +306,15 @@ fn code(choosing: &Choosing, typed: &TextField, refused: bool, lines: &mut Lines
         Some(Code { course, seed }) => {
             let Course { kind, count } = &course;
             let name = match &kind {
-                CourseKind::Topic(family) => family.name(),
+                CourseKind::Topic(_) | CourseKind::Check(_) => kind.name(),
                 kind => kind.id(),
             };
-            let text = format!("{name}: {count} questions, number {seed}.");
+            let most = if course.follows_answers() {
+                "at most "
+            } else {
+                ""
+            };
+            let text = format!("{name}: {most}{count} questions, number {seed}.");
             lines.paragraph(&text, Role::Good);
             lines.gap();
             lines.line("Enter: begin.", Role::Key);
@@ -311,7 +323,7 @@ fn code(choosing: &Choosing, typed: &TextField, refused: bool, lines: &mut Lines
             let text = "That is not the code of a round yet. Look at it once more: a name, a hyphen and a number.";
             lines.paragraph(text, Role::Warn);
         }
-        None => lines.paragraph("It reads like mixed-7.", Role::Dim),
+        None => lines.paragraph("It reads like even-7.", Role::Dim),
     }
 }
 
@@ -322,8 +334,9 @@ fn about_codes(lines: &mut Lines) {
     );
     lines.gap();
     for (code, means) in [
-        ("mixed-7", "ten, mixed"),
-        ("mixed12-7", "twelve"),
+        ("even-7", "ten, mixed"),
+        ("even12-7", "twelve"),
+        ("find-out-7", "beliefs"),
         ("quick-7", "five"),
         ("exam-7", "an exam"),
         ("speeds-7", "one topic"),

@@ -1,0 +1,164 @@
+//! Finding out what somebody believes: each question is chosen by the answers before it.
+//!
+//! Whoever answers holds one of the misconceptions, or none. The evidence of the answers
+//! says how likely each is. Of some questions, drawn with the dice, the one is asked whose
+//! answer is expected to tell most about that, in bits (D. V. Lindley, 1956). It ends when
+//! one misconception stands clear of the others, when none is left, or after as many
+//! questions as the course has.
+
+use crate::quiz::misconceptions::{Clue, SLIP, evidence};
+use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
+
+/// How likely somebody is to hold none of the misconceptions, before the first answer.
+const NONE_BEFORE: f64 = 0.25;
+/// How many times as likely a common misconception is as another.
+const COMMON: f64 = 5.0;
+/// From this probability on a misconception that is named stands clear of the others.
+const CLEAR: f64 = 0.95;
+/// From this probability on that none is held, none is left.
+const NONE_LEFT: f64 = 0.9;
+/// So many questions at least are asked before anything is settled.
+const FEWEST: usize = 3;
+/// How many questions come before the first hard one.
+const BEFORE_HARD: usize = 3;
+
+/// What is drawn for each question: a family, and how many of each difficulty.
+const CANDIDATES: [(Family, usize); 11] = [
+    (Family::FromAngle, 1),
+    (Family::FromOffset, 1),
+    (Family::FromPicture, 1),
+    (Family::UnequalMasses, 2),
+    (Family::Speeds, 1),
+    (Family::Separation, 1),
+    (Family::EnergyShare, 1),
+    (Family::Weigh, 1),
+    (Family::BothMoving, 3),
+    (Family::CentreOfMass, 4),
+    (Family::Concept, 6),
+];
+
+/// What is not looked for, as it shows only to somebody who has read of foils, of grip or of
+/// the limit that is set to a heavier striker.
+const NOT_SOUGHT: [Misconception; 8] = [
+    Misconception::EveryAngleAlike,
+    Misconception::BeyondLargest,
+    Misconception::EAsEnergy,
+    Misconception::GripIgnored,
+    Misconception::GripStopsAll,
+    Misconception::HalfAngleForgotten,
+    Misconception::TooGentle,
+    Misconception::NeverBack,
+];
+
+/// How likely each misconception that is looked for is, and none, as far as answers tell.
+struct Standing {
+    held: Vec<(Misconception, f64)>,
+    none: f64,
+}
+
+impl Standing {
+    /// After these answers.
+    fn new(clues: &[Clue]) -> Self {
+        let evidence = evidence(clues);
+        let weight = |it: Misconception| {
+            let found = evidence.iter().find(|found| found.misconception == it);
+            found.map_or(0.0, |found| found.weight)
+        };
+        let sought = Misconception::ALL.iter().copied();
+        let sought = sought.filter(|it| !NOT_SOUGHT.contains(it));
+        let before = |it| match Misconception::COMMON.contains(&it) {
+            true => COMMON,
+            false => 1.0,
+        };
+        let all_before: f64 = sought.clone().map(before).sum();
+        let held: Vec<_> = sought
+            .map(|it| (it, before(it) / all_before * weight(it).exp()))
+            .collect();
+        let none = NONE_BEFORE / (1.0 - NONE_BEFORE);
+        let all = none + held.iter().map(|(_, likely)| likely).sum::<f64>();
+        Self {
+            held: held
+                .into_iter()
+                .map(|(it, likely)| (it, likely / all))
+                .collect(),
+            none: none / all,
+        }
+    }
+
+    /// How likely a misconception is.
+    fn of(&self, misconception: Misconception) -> f64 {
+        let found = self.held.iter().find(|(it, _)| *it == misconception);
+        found.map_or(0.0, |(_, likely)| *likely)
+    }
+
+    /// How much the answer to a question is expected to tell, in bits: the mutual
+    /// information of what is held and of what the answer shows.
+    fn information(&self, question: &Question) -> f64 {
+        let by_chance = question.by_chance(Fit::Whole);
+        let others = (1.0 - by_chance * question.beliefs.len() as f64).max(0.0);
+        // How likely each is held that can show, and shows then: what is reckoned to few
+        // degrees is the sooner missed by an unsteady hand.
+        let held = question.beliefs.iter().map(|belief| {
+            let shows = (1.0 - SLIP) * question.width(belief);
+            (self.of(belief.misconception), shows)
+        });
+        let elsewhere = 1.0 - held.clone().map(|(likely, _)| likely).sum::<f64>();
+        let hidden: f64 = held
+            .clone()
+            .map(|(likely, shows)| likely * (1.0 - shows))
+            .sum();
+        // Whoever holds what it cannot show, or nothing, fits each by chance.
+        let each = held
+            .clone()
+            .map(|(likely, shows)| likely * shows + elsewhere * by_chance);
+        let of_answers: f64 = each.map(bits).sum::<f64>() + bits(hidden + elsewhere * others);
+        let of_holders = held.map(|(likely, shows)| likely * (bits(shows) + bits(1.0 - shows)));
+        let of_guesses = question.beliefs.len() as f64 * bits(by_chance) + bits(others);
+        of_answers - of_holders.sum::<f64>() - elsewhere * of_guesses
+    }
+}
+
+/// −p log₂ p.
+fn bits(p: f64) -> f64 {
+    if p > 0.0 { -p * p.log2() } else { 0.0 }
+}
+
+/// Whether these answers settle what is believed: one misconception is named and stands
+/// clear, or none is left.
+pub(super) fn is_settled(clues: &[Clue]) -> bool {
+    if clues.len() < FEWEST {
+        return false;
+    }
+    let standing = Standing::new(clues);
+    let first = evidence(clues).into_iter().next();
+    first.is_some_and(|it| it.names() && standing.of(it.misconception) >= CLEAR)
+        || standing.none >= NONE_LEFT
+}
+
+/// The question that tells most after these answers, of those that the dice bring; none of
+/// `asked` again.
+pub(super) fn ask(asked: &[Question], clues: &[Clue], dice: &mut Dice) -> Option<Question> {
+    let standing = Standing::new(clues);
+    let hardest = match asked.len() < BEFORE_HARD {
+        true => Difficulty::Middle,
+        false => Difficulty::Hard,
+    };
+    let mut best: Option<(i64, Question)> = None;
+    for (family, each) in CANDIDATES {
+        let difficulties = Difficulty::ALL.into_iter().filter(|it| *it <= hardest);
+        for difficulty in difficulties.flat_map(|it| std::iter::repeat_n(it, each)) {
+            let Some((question, _)) = family.ask(difficulty, dice) else {
+                continue;
+            };
+            if asked.iter().any(|old| old.text == question.text) {
+                continue;
+            }
+            // To a millionth of a bit: no choice hangs on the last digit of a logarithm.
+            let tells = (1e6 * standing.information(&question)).round() as i64;
+            if best.as_ref().is_none_or(|(most, _)| tells > *most) {
+                best = Some((tells, question));
+            }
+        }
+    }
+    best.map(|(_, question)| question)
+}

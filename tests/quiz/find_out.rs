@@ -1,0 +1,153 @@
+//! Finding out what somebody believes, and the mixed course in which every misconception is
+//! met: the same everywhere, and right about answers that follow one belief.
+
+use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round, Summary};
+
+/// Answers a round by its code to the end.
+fn play(code: &str, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answer>) {
+    let mut round = Round::of(Code::parse(code).unwrap());
+    let mut answers = Vec::new();
+    while let Some(question) = round.questions().get(answers.len()) {
+        answers.push(Answer::new(answer(question), Confidence::ThinkSo));
+        round.go_on(&answers);
+    }
+    (round, answers)
+}
+
+fn look_back((round, answers): &(Round, Vec<Answer>)) -> Summary {
+    Summary::new(round.questions().iter().zip(answers))
+}
+
+/// What somebody says who holds this, and is right otherwise.
+fn holding(misconception: Misconception) -> impl Fn(&Question) -> Response {
+    move |question| {
+        let mut held = question.beliefs.iter();
+        let held = held.find(|it| it.misconception == misconception);
+        held.map_or(question.form.truth(), |it| it.said)
+    }
+}
+
+fn right(question: &Question) -> Response {
+    question.form.truth()
+}
+
+#[test]
+fn the_same_answers_bring_the_same_questions() {
+    for seed in [0, 7, 1234] {
+        let code = format!("find-out-{seed}");
+        let swapped = || play(&code, holding(Misconception::Swapped));
+        assert_eq!(swapped(), swapped());
+        let (first, other) = (swapped().0, play(&code, right).0);
+        assert_eq!(first.questions()[0], other.questions()[0]);
+        assert_ne!(first.questions()[1..], other.questions()[1..]);
+        // What was answered already is never asked for again, nor does it change.
+        let (mut again, answers) = swapped();
+        let before = again.clone();
+        again.go_on(&answers);
+        again.go_on(&answers[..1]);
+        assert_eq!(again, before);
+    }
+}
+
+#[test]
+fn a_code_finds_out_by_the_same_questions_for_ever() {
+    let mut texts = Vec::new();
+    for (name, round) in [
+        (
+            "swapped",
+            play("find-out-7", holding(Misconception::Swapped)).0,
+        ),
+        (
+            "frames mixed",
+            play("find-out-7", holding(Misconception::FramesMixed)).0,
+        ),
+        ("right", play("find-out-7", right).0),
+        ("copied-angle-7", play("copied-angle-7", right).0),
+    ] {
+        texts.push(format!("{name}:"));
+        let each = round.questions().iter();
+        texts.extend(
+            each.map(|it| format!("  [{}, {}] {}", it.family.id(), it.difficulty.id(), it.text)),
+        );
+    }
+    insta::assert_snapshot!("find_out", texts.join("\n"));
+}
+
+#[test]
+fn who_answers_by_one_belief_is_told_it_and_who_is_right_of_none() {
+    for misconception in Misconception::COMMON {
+        for seed in 0..20 {
+            let played = play(&format!("find-out-{seed}"), holding(misconception));
+            let summary = look_back(&played);
+            let named = summary.most_held().map(|(it, _)| it);
+            assert_eq!(named, Some(misconception), "{seed}");
+            assert!((3..=12).contains(&summary.lines.len()));
+            let finding = summary.finding();
+            assert!(finding[0].contains(misconception.name()), "{finding:?}");
+            // The answers that say so are named by their numbers.
+            let shows = |(_, line): &(usize, _)| {
+                let line: &&carrom::quiz::SummaryLine = line;
+                line.clue.shows == Some(misconception)
+            };
+            for (number, _) in (1..).zip(&summary.lines).filter(shows) {
+                assert!(finding[1].contains(&number.to_string()), "{finding:?}");
+            }
+        }
+    }
+    for seed in 0..20 {
+        let summary = look_back(&play(&format!("find-out-{seed}"), right));
+        assert_eq!(summary.named(), []);
+        assert!(summary.finding()[0].starts_with("No misconception"));
+    }
+}
+
+#[test]
+fn a_shorter_round_to_find_out_is_no_longer_than_its_code_says() {
+    let (round, answers) = play("find-out4-7", right);
+    assert_eq!((round.questions().len(), answers.len()), (4, 4));
+}
+
+/// In twenty questions there are answers enough to name each that is common.
+#[test]
+fn a_mixed_round_meets_every_common_misconception_often_enough() {
+    for seed in 0..40 {
+        let round = Round::of(Code::parse(&format!("even20-{seed}")).unwrap());
+        assert_eq!(round.questions().len(), 20);
+        for pair in round.questions().windows(2) {
+            assert_ne!(pair[0].family, pair[1].family);
+        }
+        for (i, question) in round.questions().iter().enumerate() {
+            assert!(
+                !round.questions()[..i]
+                    .iter()
+                    .any(|it| it.text == question.text)
+            );
+        }
+        for misconception in Misconception::COMMON {
+            let played = play(&format!("even20-{seed}"), holding(misconception));
+            let summary = look_back(&played);
+            let named = summary.most_held().map(|(it, _)| it);
+            assert_eq!(named, Some(misconception), "{seed}");
+        }
+    }
+}
+
+#[test]
+fn a_check_asks_what_can_show_it() {
+    for &misconception in Misconception::ALL {
+        for seed in 0..3 {
+            let code = format!("{}-{seed}", misconception.id());
+            let round = Round::of(Code::parse(&code).unwrap());
+            assert_eq!(round.code().to_string(), code);
+            assert_eq!(round.questions().len(), 2, "{code}");
+            assert_ne!(round.questions()[0].text, round.questions()[1].text);
+            for question in round.questions() {
+                assert!(question.could_show().any(|it| it == misconception));
+            }
+            let held = look_back(&play(&code, holding(misconception)));
+            assert!(held.checked(misconception).starts_with("It still shows"));
+            let known = look_back(&play(&code, right));
+            assert!(known.checked(misconception).starts_with("Settled"));
+        }
+    }
+}
