@@ -230,9 +230,10 @@ pub type AllKeys = BTreeMap<String, (Vec<Key>, &'static str)>;
 pub fn all_keys() -> AllKeys {
     let mut all = BTreeMap::new();
     let tour = TOUR.iter().map(|moment| moment.keys(Settings::default()));
-    // A whole board would have to be played for it.
+    // A whole board would have to be played for the one, a stroke searched for the other.
     let end = crate::screens::table::end_of_board().map(|_| ());
-    for table in tour.chain([end]) {
+    let aim = crate::screens::table::computer_aims().map(|_| ());
+    for table in tour.chain([end, aim]) {
         for row in table.rows() {
             let keys: Vec<Key> = row.keys().collect();
             let known = all

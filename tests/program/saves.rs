@@ -206,7 +206,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
             with(player, "player = \"\""),
             "line 3: player: expected a name of 1 to 40 visible letters",
         ),
-        ("bad-move", with("strike", "stroke"), "line 10: "),
+        ("bad-move", with("strike", "stroke"), "line 11: moves: "),
         (
             "no-number",
             with("velocity_m_s = [", "velocity_m_s = [nan, "),

@@ -377,7 +377,7 @@ fn own_questions_make_a_round_of_their_own() {
     let mut game = open("quiz --code mixed-7");
     game.press("<Escape>");
     let screen = game.screen();
-    assert!(screen.contains("9 your own questions"), "{screen}");
+    assert!(screen.contains("10 your own questions"), "{screen}");
     assert!(screen.contains("of 2, 1 left out"), "{screen}");
     game.press("<End>");
     let screen = game.screen();

@@ -16,7 +16,7 @@ pub(crate) fn answer(game: &mut Headless, page: &ChapterPage) {
     // Without the second try, where one is offered.
     let rows = game.app().keys();
     if rows.rows().iter().any(|row| row.id == "reading.show-it") {
-        game.press("s");
+        game.press("s<End>");
     }
     assert!(game.settle(Duration::from_secs(120)));
 }

@@ -131,11 +131,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
     let table = match &game.phase {
         TablePhase::Aim => return aiming(game, table),
         TablePhase::Think { .. } => table.on(Key::Escape, Do::Back, "leave"),
-        TablePhase::Show(_) => table
-            .on(' ', Do::StrikeShown, "strike")
-            .or([(Key::Enter, Do::StrikeShown)])
-            .on('c', Do::CallShown, "your call")
-            .on(Key::Escape, Do::Back, "leave"),
+        TablePhase::Show(_) => computer_aims(),
         TablePhase::Call(calling) => {
             let rays = calling.rays.keys("next, then strike");
             table.with(rays, Do::Ray).on(Key::Escape, Do::Back, "back")
@@ -177,6 +173,15 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
         .each(scroll_keys(Do::Scroll), "")
         .on(Key::Escape, Do::Back, "leave")
         .when(over)
+}
+
+/// The keys while the computer's aim is seen.
+pub(crate) fn computer_aims() -> KeyTable<TableAction> {
+    KeyTable::new("table")
+        .on(' ', Do::StrikeShown, "strike")
+        .or([(Key::Enter, Do::StrikeShown)])
+        .on('c', Do::CallShown, "your call")
+        .on(Key::Escape, Do::Back, "leave")
 }
 
 /// The keys with which the next board is begun.

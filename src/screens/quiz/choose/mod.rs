@@ -26,8 +26,7 @@ pub(crate) enum ChoosingAction {
     List(ListAction),
     /// begin at once
     Begin(usize),
-    /// begin at once: find out, quick, mixed, review, hits, topic, exam, what you have read,
-    /// code, own questions
+    /// begin at once: find out, quick, mixed, review, hits, topic, exam, what was read, code
     BeginByLetter(usize),
     /// begin the round of the code that was typed
     Enter,
