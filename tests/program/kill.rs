@@ -161,7 +161,8 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
             pty.wait_for("There are none yet");
             pty.press("\x1b");
             pty.wait_for("a new game");
-            pty.press("\x1b[B\x1b[B\x1b[B \r");
+            // North: not the computer but another person.
+            pty.press("\x1b[B\x1b[B\x1b[B\x1b[D\x1b[D\r");
         } else {
             pty.wait_for("Enter: resume");
             pty.press("\r");

@@ -210,12 +210,12 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "no-number",
             with("velocity_m_s = [", "velocity_m_s = [nan, "),
-            "line 10: ",
+            "line 11: ",
         ),
         (
             "impossible",
             with("place_m = [", "place_m = [1.0, "),
-            "line 10: ",
+            "line 11: ",
         ),
         (
             "off-the-lines",
@@ -223,22 +223,22 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
                 "moves = [\n",
                 "moves = [\n  { strike = { place_m = [0.0, 0.0], velocity_m_s = [0.0, 1.0] } },\n",
             ),
-            "line 10: moves: move 1: ",
+            "line 11: moves: move 1: ",
         ),
         (
             "too-early",
             with("moves = [\n", "moves = [\n  \"next_board\",\n"),
-            "line 10: moves: move 1: ",
+            "line 11: moves: move 1: ",
         ),
         (
             "other-end",
             with(&end, "end = \"0123456789abcdef\""),
-            "line 14: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
+            "line 15: end: expected the moves to lead to 0123456789abcdef, but they lead to ",
         ),
         (
             "no-end",
             with(&end, "end = \"soon\""),
-            "line 14: end: expected a fingerprint of 16 hexadecimal digits",
+            "line 15: end: expected a fingerprint of 16 hexadecimal digits",
         ),
     ]
 }
