@@ -98,8 +98,9 @@ fn two_tabs_never_overwrite_each_other() {
         chromium.go_to(window);
         press(&mut chromium, &["a", "Enter", "2"]);
         wait(300);
-        for key in ["Enter", "Enter", "Enter"] {
-            press(&mut chromium, &[key]);
+        // Through what is shown of it, to the next question, where Enter alone does nothing.
+        for _ in 0..20 {
+            press(&mut chromium, &["Enter"]);
             wait(50);
         }
     }

@@ -68,7 +68,7 @@ const page = (() => {
 
   async function open() {
     const kept = await keeper.files();
-    const own = kept.filter(([path]) => path.startsWith("own/"));
+    const own = kept.filter(([path]) => path.startsWith("own/") || path === "settings.toml");
     const given = JSON.parse(document.getElementById("own").textContent);
     const encoder = new TextEncoder();
     for (const [path, text] of given) own.push([path, encoder.encode(text)]);

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use carrom::messages::{StoreAnswer, StoreCall, StoreRequest};
 use carrom::quiz::concepts::Library;
+use carrom::screens::KeptSettings;
 use carrom::store::{FileBytes, Store};
 
 /// The folder of a teacher's own files.
@@ -28,7 +29,7 @@ pub(crate) struct Keeping {
     waiting: Vec<StoreAnswer>,
     /// How many of them stand in the files that are being kept just now.
     under_way: usize,
-    /// A teacher's own files.
+    /// A teacher's own files, and the settings.
     own: Vec<FileBytes>,
     /// Whether a file was opened that is not kept yet.
     taken_in: bool,
@@ -66,6 +67,9 @@ impl Keeping {
 
     /// Does what is asked; the answer, if it can be given at once.
     pub(crate) fn ask(&mut self, call: &StoreCall) -> Option<StoreAnswer> {
+        if let StoreRequest::KeepSettings(text) = &call.wish {
+            self.add_own(KeptSettings::FILE.into(), text.as_bytes());
+        }
         if !self.begun {
             self.early.push(call.clone());
             return None;
@@ -131,7 +135,8 @@ impl Keeping {
     /// changed them; gives the answers to what was asked before.
     pub(crate) fn take_files(&mut self, files: &[FileBytes]) -> Vec<StoreAnswer> {
         self.store.renew(files);
-        let own = files.iter().filter(|(path, _)| path.starts_with(OWN));
+        let is_own = |path: &str| path.starts_with(OWN) || path == KeptSettings::FILE;
+        let own = files.iter().filter(|(path, _)| is_own(path));
         if !self.taken_in {
             self.own = own.cloned().collect();
         }
@@ -192,7 +197,8 @@ fn changes(wish: &StoreRequest) -> bool {
         | R::Record(_)
         | R::Star(..)
         | R::Mark { .. }
-        | R::Forget(..) => true,
+        | R::Forget(..)
+        | R::KeepSettings(_) => true,
         R::List
         | R::Load(_)
         | R::Export(_)

@@ -5,17 +5,17 @@ use carrom::class::team_names;
 use carrom::files::tidy_name;
 use carrom::game::is_player_name;
 use carrom::quiz::Code;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{KeptSettings, Place, Settings};
 use carrom::widgets::{Charset, Depth, Palette};
 
 use crate::message::Opening;
 
 /// The app that an opening asks for. What it asks for and is not there is told on the first
 /// screen.
-pub(crate) fn app(opening: &Opening, data: Data) -> App {
+pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     let mut wanted = Wanted {
         place: Place::Home,
-        settings: Settings {
+        settings: kept.over(Settings {
             charset: Charset::Unicode,
             depth: Depth::True,
             palette: if opening.light {
@@ -25,7 +25,7 @@ pub(crate) fn app(opening: &Opening, data: Data) -> App {
             },
             reduced_motion: opening.still,
             ..Settings::default()
-        },
+        }),
         seed: opening.seed,
         seeded: false,
     };
@@ -46,6 +46,7 @@ pub(crate) fn app(opening: &Opening, data: Data) -> App {
         };
     }
     let mut app = App::with_data(data, wanted.place, wanted.settings, wanted.seed);
+    app.set_kept(Some(kept));
     if !faults.is_empty() {
         app.tell(faults.join(" "));
     }
@@ -175,7 +176,7 @@ mod tests {
             seed: 5,
             ..Opening::default()
         };
-        app(&opening, Data::default())
+        app(&opening, Data::default(), KeptSettings::default())
     }
 
     #[test]

@@ -6,6 +6,7 @@ use carrom::app::Data;
 use carrom::lessons::{Book, ChapterLibrary};
 use carrom::levels::{LevelLibrary, Shelf};
 use carrom::quiz::concepts::Library;
+use carrom::screens::KeptSettings;
 use carrom::store::FileBytes;
 
 use crate::keeping::{Keeping, OWN};
@@ -20,7 +21,7 @@ const DATABASE: &[u8] = b"SQLite format 3\0";
 /// `levels/PACK/FILE.toml`, `lessons/FILE.md` and `concepts/SUBJECT.toml`.
 pub(crate) fn data(files: &[FileBytes]) -> Data {
     let folder = Some("This browser.".to_owned());
-    if files.is_empty() {
+    if files.iter().all(|(path, _)| path == KeptSettings::FILE) {
         return Data {
             folder,
             ..Data::default()
@@ -51,6 +52,13 @@ pub(crate) fn data(files: &[FileBytes]) -> Data {
         own: Arc::new(concepts),
         folder,
     }
+}
+
+/// The settings among these files; a file of them that is no good counts as none.
+pub(crate) fn settings(files: &[FileBytes]) -> KeptSettings {
+    let file = files.iter().find(|(path, _)| path == KeptSettings::FILE);
+    let read = file.and_then(|(path, bytes)| KeptSettings::read(path, bytes).ok());
+    read.unwrap_or_default()
 }
 
 /// The path under which a teacher's file belongs to those of [`data`], by what is in it;

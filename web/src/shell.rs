@@ -41,9 +41,13 @@ impl Shell {
     /// Opens carrom as the page asks.
     #[must_use]
     pub fn open(opening: &Opening, bytes: &[u8]) -> (Self, Reply) {
-        let data = own::data(&split(&opening.own, bytes));
+        let files = split(&opening.own, bytes);
+        let mut data = own::data(&files);
+        if opening.simulated {
+            data.folder = None;
+        }
         let keeping = Keeping::new(&data.own, opening.simulated);
-        let app = opening::app(opening, data);
+        let app = opening::app(opening, data, own::settings(&files));
         let Ok(screen) = Terminal::new(TestBackend::new(opening.columns, opening.rows));
         let mut shell = Self {
             app,
