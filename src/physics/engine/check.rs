@@ -105,6 +105,7 @@ fn check_many_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError>
     Ok(())
 }
 
+#[inline]
 fn check_pair(
     discs: &[Disc],
     start: &[Motion],

@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use super::super::slide::{slowed, time_to_distance};
-use super::bodies::Bodies;
+use super::body::Body;
+use super::broad_phase::Seeker;
 use super::quartic::first_root;
 
 /// A gap in metres below which two discs count as touching: far above what rounding
@@ -25,21 +26,21 @@ const DEEPEST: f64 = 9e-10;
 /// Speeds of approach below this part of the discs' own are rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// Seconds from `now` until discs `i` and `k` meet, approaching, if they do so within
+/// Seconds until a seeker and another disc meet, approaching, if they do so within
 /// `end` seconds and neither changes its slide before.
-pub(super) fn contact(bodies: &Bodies, i: usize, k: usize, now: f64, end: f64) -> Option<f64> {
-    let (at_i, at_k) = (bodies.at(i, now), bodies.at(k, now));
+pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
+    let (at_a, at_b) = (a.here, b.at(a.now));
     let pair = Pair {
-        d: at_k.position - at_i.position,
-        w: at_k.velocity - at_i.velocity,
-        a: bodies.acceleration(k) - bodies.acceleration(i),
-        contact_distance: bodies.radius[i] + bodies.radius[k],
+        d: at_b.position - at_a.position,
+        w: at_b.velocity - at_a.velocity,
+        a: b.acceleration - a.acceleration,
+        contact_distance: a.radius + b.radius,
     };
     let gap = pair.d.length_squared() - pair.contact_distance * pair.contact_distance;
     let time = if gap <= 2.0 * pair.contact_distance * TOUCHING {
-        let speed = at_i.velocity.length() + at_k.velocity.length();
+        let speed = at_a.velocity.length() + at_b.velocity.length();
         pair.touching(gap, speed, end)
-    } else if !bodies.moving[k] || !bodies.moving[i] {
+    } else if !b.moving || !a.moving {
         // Seen from the one at rest, the other goes straight.
         pair.straight(gap)
     } else {

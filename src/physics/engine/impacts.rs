@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::super::Motion;
 use super::super::impact::Contact;
 use super::super::shot::EventKind;
+use super::broad_phase::Seeker;
 use super::contact::{TOUCHING, contact};
 use super::impulse::{Touch, simultaneous};
 use super::play::ShotInPlay;
@@ -27,7 +28,7 @@ impl ShotInPlay<'_> {
     }
 
     fn impact_of_two(&mut self, discs: [usize; 2], time: f64) {
-        let motions = discs.map(|disc| self.bodies.at(disc, time));
+        let motions = discs.map(|disc| self.bodies[disc].at(time));
         let contact = self.contact_of(discs, motions);
         let Some(impact) = contact.resolve() else {
             return;
@@ -54,11 +55,11 @@ impl ShotInPlay<'_> {
     fn unpressed(&self, [i, k]: [usize; 2], [a, b]: [DVec2; 2]) -> [DVec2; 2] {
         let apart = b - a;
         let distance = apart.length();
-        let overlap = self.bodies.radius[i] + self.bodies.radius[k] - distance;
+        let overlap = self.bodies[i].radius + self.bodies[k].radius - distance;
         if overlap <= TOUCHING {
             return [a, b];
         }
-        let (m_i, m_k) = (self.bodies.mass[i], self.bodies.mass[k]);
+        let (m_i, m_k) = (self.bodies[i].mass, self.bodies[k].mass);
         let shift = apart * (overlap / (distance * (m_i + m_k)));
         [a - shift * m_k, b + shift * m_i]
     }
@@ -66,8 +67,8 @@ impl ShotInPlay<'_> {
     fn contact_of(&self, discs: [usize; 2], [a, b]: [Motion; 2]) -> Contact {
         let apart = b.position - a.position;
         let mut contact = Contact {
-            m1: self.bodies.mass[discs[0]],
-            m2: self.bodies.mass[discs[1]],
+            m1: self.bodies[discs[0]].mass,
+            m2: self.bodies[discs[1]].mass,
             u1: a.velocity,
             u2: b.velocity,
             normal: apart / apart.length(),
@@ -88,11 +89,16 @@ impl ShotInPlay<'_> {
             self.work.add(self.bodies.len());
             for k in 0..self.bodies.len() {
                 let pair = [disc.min(k), disc.max(k)];
-                let moving = self.bodies.moving[disc] || self.bodies.moving[k];
+                let moving = self.bodies[disc].moving || self.bodies[k].moving;
                 if k != disc
                     && moving
                     && !pairs.contains(&pair)
-                    && contact(self.bodies, disc, k, time, SAME_TIME).is_some()
+                    && contact(
+                        &Seeker::new(&self.bodies[disc], time, time),
+                        &self.bodies[k],
+                        SAME_TIME,
+                    )
+                    .is_some()
                 {
                     pairs.push(pair);
                     if !discs.contains(&k) {
@@ -108,7 +114,7 @@ impl ShotInPlay<'_> {
         let mut discs = pairs.concat();
         discs.sort_unstable();
         discs.dedup();
-        let mut motions: Vec<Motion> = discs.iter().map(|&i| self.bodies.at(i, time)).collect();
+        let mut motions: Vec<Motion> = discs.iter().map(|&i| self.bodies[i].at(time)).collect();
         let place = |disc: usize| discs.partition_point(|&d| d < disc);
         let mut touches = Vec::new();
         for &pair in pairs {
@@ -122,12 +128,12 @@ impl ShotInPlay<'_> {
                 });
             }
         }
-        let Some(impulses) = simultaneous(&touches, &self.bodies.mass, &mut self.work) else {
+        let Some(impulses) = simultaneous(&touches, self.bodies, &mut self.work) else {
             return;
         };
         for (touch, impulse) in touches.iter().zip(impulses) {
             let [a, b] = touch.discs;
-            let push = |disc: usize| touch.normal * (impulse / self.bodies.mass[disc]);
+            let push = |disc: usize| touch.normal * (impulse / self.bodies[disc].mass);
             let before = [motions[place(a)].velocity, motions[place(b)].velocity];
             let after = [before[0] - push(a), before[1] + push(b)];
             motions[place(a)].velocity = after[0];

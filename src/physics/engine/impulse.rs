@@ -12,6 +12,7 @@
 
 use glam::DVec2;
 
+use super::body::Body;
 use super::work::Work;
 
 /// Two discs in contact and approaching.
@@ -26,21 +27,25 @@ pub(super) struct Touch {
 
 /// The impulses of contacts at the same instant, one a contact, in N s; `None` if finding
 /// them takes too much work.
-pub(super) fn simultaneous(touches: &[Touch], mass: &[f64], work: &mut Work) -> Option<Vec<f64>> {
+pub(super) fn simultaneous(
+    touches: &[Touch],
+    bodies: &[Body],
+    work: &mut Work,
+) -> Option<Vec<f64>> {
     match touches {
-        [one, two] => Some(two_at_once(one, two, mass).to_vec()),
-        _ => many_at_once(touches, mass, work),
+        [one, two] => Some(two_at_once(one, two, bodies).to_vec()),
+        _ => many_at_once(touches, bodies, work),
     }
 }
 
 /// Change of the normal speed at `a` by a unit impulse at `b`.
-fn coupling(a: &Touch, b: &Touch, mass: &[f64]) -> f64 {
+fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     let mut sum = 0.0;
     for (end_a, &disc_a) in a.discs.iter().enumerate() {
         for (end_b, &disc_b) in b.discs.iter().enumerate() {
             if disc_a == disc_b {
                 let sign = if end_a == end_b { 1.0 } else { -1.0 };
-                sum += sign / mass[disc_a];
+                sum += sign / bodies[disc_a].mass;
             }
         }
     }
@@ -48,14 +53,14 @@ fn coupling(a: &Touch, b: &Touch, mass: &[f64]) -> f64 {
 }
 
 /// Change of the normal speed at a contact by a unit impulse of its own.
-fn yielding(touch: &Touch, mass: &[f64]) -> f64 {
-    1.0 / mass[touch.discs[0]] + 1.0 / mass[touch.discs[1]]
+fn yielding(touch: &Touch, bodies: &[Body]) -> f64 {
+    1.0 / bodies[touch.discs[0]].mass + 1.0 / bodies[touch.discs[1]].mass
 }
 
 /// Cramer's rule; it treats both alike to the last bit.
-fn two_at_once(a: &Touch, b: &Touch, mass: &[f64]) -> [f64; 2] {
-    let (k_a, k_b) = (yielding(a, mass), yielding(b, mass));
-    let k_ab = coupling(a, b, mass);
+fn two_at_once(a: &Touch, b: &Touch, bodies: &[Body]) -> [f64; 2] {
+    let (k_a, k_b) = (yielding(a, bodies), yielding(b, bodies));
+    let k_ab = coupling(a, b, bodies);
     let determinant = k_a * k_b - k_ab * k_ab;
     let j_a = (a.wanted * k_b - k_ab * b.wanted) / determinant;
     let j_b = (b.wanted * k_a - k_ab * a.wanted) / determinant;
@@ -69,8 +74,8 @@ fn two_at_once(a: &Touch, b: &Touch, mass: &[f64]) -> [f64; 2] {
 }
 
 /// Projected Gauss–Seidel: sweep over the contacts, giving each what it lacks.
-fn many_at_once(touches: &[Touch], mass: &[f64], work: &mut Work) -> Option<Vec<f64>> {
-    let coupled = coupled(touches, mass);
+fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<Vec<f64>> {
+    let coupled = coupled(touches, bodies);
     work.add(touches.len() * touches.len());
     let a_sweep = coupled.iter().map(Vec::len).sum();
     let mut impulses = vec![0.0; touches.len()];
@@ -83,7 +88,7 @@ fn many_at_once(touches: &[Touch], mass: &[f64], work: &mut Work) -> Option<Vec<
         let mut change = 0.0_f64;
         for (t, touch) in touches.iter().enumerate() {
             let given: f64 = coupled[t].iter().map(|&(o, k)| k * impulses[o]).sum();
-            let own = yielding(touch, mass);
+            let own = yielding(touch, bodies);
             let before = impulses[t];
             impulses[t] = (before + (touch.wanted - given) / own).max(0.0);
             change = change.max((impulses[t] - before).abs() * own);
@@ -97,7 +102,7 @@ fn many_at_once(touches: &[Touch], mass: &[f64], work: &mut Work) -> Option<Vec<
 
 /// Which contacts share a disc with each one, itself among them, and how strongly their
 /// impulses change its normal speed.
-fn coupled(touches: &[Touch], mass: &[f64]) -> Vec<Vec<(usize, f64)>> {
+fn coupled(touches: &[Touch], bodies: &[Body]) -> Vec<Vec<(usize, f64)>> {
     let shares = |a: &Touch, b: &Touch| a.discs.iter().any(|disc| b.discs.contains(disc));
     touches
         .iter()
@@ -105,7 +110,7 @@ fn coupled(touches: &[Touch], mass: &[f64]) -> Vec<Vec<(usize, f64)>> {
             let others = touches.iter().enumerate();
             let others = others.filter(|(_, other)| shares(touch, other));
             others
-                .map(|(o, other)| (o, coupling(touch, other, mass)))
+                .map(|(o, other)| (o, coupling(touch, other, bodies)))
                 .collect()
         })
         .collect()

@@ -9,7 +9,7 @@
 //! Only + − × ÷ and √ are used, which IEEE 754 rounds the same way everywhere: every
 //! machine and every build plays the same shot bit for bit.
 
-mod bodies;
+mod body;
 mod broad_phase;
 mod check;
 mod contact;
@@ -30,9 +30,10 @@ pub(super) use check::check;
 pub use error::EngineError;
 
 use super::{Board, Disc, Motion, Shot};
-use bodies::Bodies;
+use body::Body;
+use broad_phase::BroadPhase;
 use grid::Grid;
-use play::{Scratch, ShotInPlay};
+use play::ShotInPlay;
 use schedule::Schedule;
 use work::Work;
 
@@ -95,10 +96,10 @@ pub fn play(
 /// An engine that keeps its working memory from shot to shot.
 #[derive(Debug, Default, Clone)]
 pub struct Engine {
-    bodies: Bodies,
+    bodies: Vec<Body>,
     schedule: Schedule,
     grid: Grid,
-    scratch: Scratch,
+    broad_phase: BroadPhase,
 }
 
 impl Engine {
@@ -119,8 +120,12 @@ impl Engine {
         check(board, discs, start, limits)?;
         shot.begin(board, discs, start);
         let deceleration = board.deceleration();
-        self.bodies.begin(discs, start, deceleration);
+        self.bodies.clear();
+        let slides = discs.iter().zip(start);
+        self.bodies
+            .extend(slides.map(|(disc, &start)| Body::new(disc, start, deceleration)));
         self.schedule.begin(discs.len());
+        self.broad_phase.begin(discs.len());
         self.grid.begin(board, discs, start);
         let duration = ShotInPlay {
             board,
@@ -128,7 +133,7 @@ impl Engine {
             bodies: &mut self.bodies,
             schedule: &mut self.schedule,
             grid: &mut self.grid,
-            scratch: &mut self.scratch,
+            broad_phase: &mut self.broad_phase,
             shot,
             deceleration,
             events: 0,

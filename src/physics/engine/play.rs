@@ -5,7 +5,8 @@ use glam::DVec2;
 use super::super::shot::{Event, EventKind};
 use super::super::slide::slowed;
 use super::super::{Board, Motion, Shot};
-use super::bodies::Bodies;
+use super::body::Body;
+use super::broad_phase::{BroadPhase, Seeker};
 use super::contact::contact;
 use super::frame::{FrameSide, SlideEnd, end};
 use super::grid::Grid;
@@ -18,21 +19,14 @@ use super::{EngineError, Limits};
 /// before friction stops them.
 const ELASTIC_BELOW: f64 = 2e-3;
 
-/// Working memory of the search for partners.
-#[derive(Debug, Default, Clone)]
-pub(super) struct Scratch {
-    clearances: Vec<f64>,
-    near: Vec<usize>,
-}
-
 /// One shot that is being played.
 pub(super) struct ShotInPlay<'a> {
     pub(super) board: &'a Board,
     pub(super) limits: Limits,
-    pub(super) bodies: &'a mut Bodies,
+    pub(super) bodies: &'a mut Vec<Body>,
     pub(super) schedule: &'a mut Schedule,
     pub(super) grid: &'a mut Grid,
-    pub(super) scratch: &'a mut Scratch,
+    pub(super) broad_phase: &'a mut BroadPhase,
     pub(super) shot: &'a mut Shot,
     pub(super) deceleration: f64,
     pub(super) events: usize,
@@ -52,7 +46,7 @@ impl ShotInPlay<'_> {
             match self.schedule.forecast(disc) {
                 Forecast::Alone(end) => self.finish(disc, time, end),
                 Forecast::Meet { partner, version } => {
-                    if self.bodies.version[partner] == version {
+                    if self.bodies[partner].version == version {
                         self.impact(disc, partner, time);
                     } else {
                         self.forecast(&[disc], time);
@@ -72,7 +66,7 @@ impl ShotInPlay<'_> {
                 });
             }
         }
-        let drifts = self.bodies.moving.iter().any(|&moving| moving);
+        let drifts = self.bodies.iter().any(|body| body.moving);
         Ok(if drifts && self.limits.horizon.is_finite() {
             self.limits.horizon
         } else {
@@ -82,10 +76,10 @@ impl ShotInPlay<'_> {
 
     fn set_off(&mut self) {
         for i in 0..self.bodies.len() {
-            self.forecast_alone(i);
+            self.forecast_alone(i, 0.0);
         }
         for i in 0..self.bodies.len() {
-            if self.bodies.moving[i] {
+            if self.bodies[i].moving {
                 self.forecast_meetings(i, 0.0);
             }
         }
@@ -95,7 +89,7 @@ impl ShotInPlay<'_> {
     /// forecast was out of date.
     pub(super) fn forecast(&mut self, discs: &[usize], now: f64) {
         for &disc in discs {
-            self.forecast_alone(disc);
+            self.forecast_alone(disc, now);
         }
         for &disc in discs {
             self.forecast_meetings(disc, now);
@@ -103,73 +97,65 @@ impl ShotInPlay<'_> {
     }
 
     /// Forecasts the end of a disc's slide if no other interferes.
-    fn forecast_alone(&mut self, i: usize) {
-        let since = self.bodies.since[i];
-        let start = self.bodies.start(i);
-        let relative_deceleration = self.bodies.relative_deceleration[i];
-        let (mut time, mut end) = end(
-            self.board,
-            self.bodies.radius[i],
+    fn forecast_alone(&mut self, i: usize, now: f64) {
+        let Body {
             start,
+            since,
+            radius,
             relative_deceleration,
-        );
-        if self.bodies.moving[i] && self.grid.is_laid() {
+            ..
+        } = self.bodies[i];
+        let (mut time, mut end) = end(self.board, radius, start, relative_deceleration);
+        if self.bodies[i].moving && self.grid.is_laid() {
             let (leaves, side) = self.grid.leaves(i, start);
             if let Some(leaves) = slowed(leaves, relative_deceleration).filter(|&t| t < time) {
                 (time, end) = (leaves, SlideEnd::Cell(side));
             }
         }
-        self.schedule.set(i, since + time, Forecast::Alone(end));
+        self.expect(i, now, since + time, Forecast::Alone(end));
     }
 
     /// Forecasts whom a disc meets, for it and for them.
     fn forecast_meetings(&mut self, i: usize, now: f64) {
-        let seeker = self.bodies.seeker(i, now, self.schedule.time(i));
-        if self.grid.is_laid() {
-            self.grid.near(i, &mut self.scratch.near);
-            self.work.add(self.scratch.near.len());
-            for n in 0..self.scratch.near.len() {
-                let k = self.scratch.near[n];
-                if self.bodies.clearance(&seeker, k, self.schedule.time(k)) <= 0.0 {
-                    self.forecast_meeting(i, k, now);
-                }
-            }
-        } else {
-            self.work.add(self.bodies.len());
-            let clearances = &mut self.scratch.clearances;
-            self.bodies
-                .clearances(&seeker, &self.schedule.times, clearances);
-            for k in 0..self.bodies.len() {
-                if self.scratch.clearances[k] <= 0.0 {
-                    self.forecast_meeting(i, k, now);
-                }
-            }
+        let seeker = Seeker::new(&self.bodies[i], now, self.schedule.time(i));
+        let (times, grid) = (&self.schedule.times, &*self.grid);
+        let count = self
+            .broad_phase
+            .search(i, &seeker, self.bodies, times, grid, &mut self.work);
+        for n in 0..count {
+            self.forecast_meeting(&seeker, i, self.broad_phase.partner(n));
         }
     }
 
-    /// Forecasts when two discs meet, if nothing else is known to come before.
-    fn forecast_meeting(&mut self, i: usize, k: usize, now: f64) {
-        if i == k || !(self.bodies.moving[i] || self.bodies.moving[k]) {
+    /// Forecasts when two discs, one of them the seeker, meet, if nothing else is known to
+    /// come before.
+    fn forecast_meeting(&mut self, seeker: &Seeker, i: usize, k: usize) {
+        if !(seeker.moving || self.bodies[k].moving) {
             return;
         }
         let known = self.schedule.time(i).min(self.schedule.time(k));
         // A little beyond, so that contacts at the same time are found by both.
-        let until = known - now + SAME_TIME;
-        if let Some(time) = contact(self.bodies, i, k, now, until) {
-            let time = now + time;
+        let until = known - seeker.now + SAME_TIME;
+        if let Some(time) = contact(seeker, &self.bodies[k], until) {
+            let time = seeker.now + time;
             for (disc, partner) in [(i, k), (k, i)] {
                 if time < self.schedule.time(disc) {
-                    let version = self.bodies.version[partner];
-                    self.schedule
-                        .set(disc, time, Forecast::Meet { partner, version });
+                    let version = self.bodies[partner].version;
+                    self.expect(disc, seeker.now, time, Forecast::Meet { partner, version });
                 }
             }
         }
     }
 
+    /// Takes down the forecast that a disc slides on from now until `time`.
+    fn expect(&mut self, i: usize, now: f64, time: f64, forecast: Forecast) {
+        self.schedule.set(i, time, forecast);
+        self.broad_phase.expect(i, &self.bodies[i], now, time);
+    }
+
     /// Ends a slide that no other disc interfered with.
     fn finish(&mut self, i: usize, time: f64, end: SlideEnd) {
-        let now = self.bodies.at(i, time);
+        let now = self.bodies[i].at(time);
         match end {
             SlideEnd::Never => return,
             SlideEnd::Cell(side) => self.grid.cross(i, side),
@@ -179,16 +165,16 @@ impl ShotInPlay<'_> {
                 let place = Motion::at_rest(now.position);
                 self.shot.push_leg(i, time, place, true);
                 self.event(time, EventKind::Pocket { disc: i, corner });
-                self.bodies.remove(i);
+                self.bodies[i].launch(time, off_the_board(i), 0.0);
                 self.grid.remove(i);
-                return self.forecast_alone(i);
+                return self.forecast_alone(i, time);
             }
         }
         self.forecast(&[i], time);
     }
 
     fn cushion(&mut self, i: usize, time: f64, now: Motion, side: FrameSide) {
-        let wall = 0.5 * self.board.side - self.bodies.radius[i];
+        let wall = 0.5 * self.board.side - self.bodies[i].radius;
         let mut after = now;
         after.position[side.axis] = side.sign() * wall;
         let speed = &mut after.velocity[side.axis];
@@ -216,8 +202,8 @@ impl ShotInPlay<'_> {
 
     /// Sends a disc on from an event.
     pub(super) fn release(&mut self, disc: usize, time: f64, motion: Motion) {
-        let moved = self.bodies.moving[disc];
-        self.bodies.launch(disc, time, motion, self.deceleration);
+        let moved = self.bodies[disc].moving;
+        self.bodies[disc].launch(time, motion, self.deceleration);
         self.shot.push_leg(disc, time, motion, false);
         if moved && motion.velocity == DVec2::ZERO {
             self.event(time, EventKind::Rest { disc });
@@ -228,4 +214,10 @@ impl ShotInPlay<'_> {
         self.shot.push_event(Event { time, kind });
         self.events += 1;
     }
+}
+
+/// Where the engine leaves a disc that has fallen: far beyond the reach of any other, each
+/// in a place of its own.
+fn off_the_board(i: usize) -> Motion {
+    Motion::at_rest(DVec2::new(1e9 * (i + 1) as f64, 1e9))
 }
