@@ -30,7 +30,12 @@ struct Guide {
 }
 
 /// All of them, in the order in which a teacher meets them.
-static GUIDES: [Guide; 7] = [
+static GUIDES: [Guide; 8] = [
+    Guide {
+        name: "start",
+        about: "the first ten minutes",
+        markdown: include_str!("../../docs/start.md"),
+    },
     Guide {
         name: "class",
         about: "a round with a class",

@@ -177,34 +177,34 @@ impl TerminalRun {
     }
 
     fn take(&mut self, message: Message) -> Result<Flow, TerminalError> {
-        match message {
+        Ok(match message {
             Message::Input(Input::Resize(columns, rows)) => {
                 self.pace.outdated();
-                return self.fit(columns, rows);
+                self.fit(columns, rows)?
             }
             Message::Input(input) => {
                 let effects = self.app.update(&input);
                 self.pace.outdated();
-                return Ok(self.carry_out(&effects));
+                self.carry_out(&effects)
             }
             Message::Lost(error) => return Err(TerminalError::Read(error)),
             #[cfg(unix)]
-            Message::Leave(signal) => return Ok(Flow::Break(Ending::Signal(signal))),
+            Message::Leave(signal) => Flow::Break(Ending::Signal(signal)),
             #[cfg(unix)]
             Message::Stop => {
                 if signals::can_stop() {
                     self.guard.give_back();
                     signals::stop();
                 }
+                Flow::Continue(())
             }
             #[cfg(unix)]
             Message::Continue => {
                 self.guard.take_again().map_err(TerminalError::SetUp)?;
                 self.pace = Pace::new(Instant::now());
-                return self.fit_again();
+                self.fit_again()?
             }
-        }
-        Ok(Flow::Continue(()))
+        })
     }
 
     /// Fits the picture to the terminal as it is now.

@@ -44,8 +44,10 @@ fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
     }
 }
 
-/// The richest glyphs to be trusted: Unicode where the locale is UTF-8. `env` reads
-/// a variable of the environment.
+/// The richest glyphs to be trusted: Unicode where the locale is UTF-8. Windows has no
+/// such locale; there its newer terminal, which says so by `WT_SESSION`, and editors that
+/// name themselves find a font for every glyph, but its old console has no braille. `env`
+/// reads a variable of the environment.
 pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
     // The first that is set decides, as POSIX has it.
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
@@ -56,7 +58,12 @@ pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
             let locale = locale.to_ascii_lowercase();
             locale.contains("utf-8") || locale.contains("utf8")
         }
-        None => cfg!(windows),
+        None => {
+            cfg!(windows)
+                && ["WT_SESSION", "TERM_PROGRAM"]
+                    .iter()
+                    .any(|it| env(it).is_some())
+        }
     };
     if utf8 {
         Charset::Unicode
