@@ -31,7 +31,8 @@ impl BroadPhase {
         self.partners.resize(discs, 0);
     }
 
-    /// Takes down where a disc can be from a time until its forecast.
+    /// Takes down where a disc can be from a time until its slide ends by itself. A meeting
+    /// may end it before: the box stays as it is, as a new one costs more than it saves.
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i] = SweptBox::new(body, from, until);
     }

@@ -80,7 +80,7 @@ impl ShotInPlay<'_> {
         }
         for i in 0..self.bodies.len() {
             if self.bodies[i].moving {
-                self.forecast_meetings(i, 0.0);
+                self.forecast_meetings(i, 0.0, &[]);
             }
         }
     }
@@ -91,8 +91,8 @@ impl ShotInPlay<'_> {
         for &disc in discs {
             self.forecast_alone(disc, now);
         }
-        for &disc in discs {
-            self.forecast_meetings(disc, now);
+        for (n, &disc) in discs.iter().enumerate() {
+            self.forecast_meetings(disc, now, &discs[..n]);
         }
     }
 
@@ -112,18 +112,24 @@ impl ShotInPlay<'_> {
                 (time, end) = (leaves, SlideEnd::Cell(side));
             }
         }
-        self.expect(i, now, since + time, Forecast::Alone(end));
+        let time = since + time;
+        self.schedule.set(i, time, Forecast::Alone(end));
+        self.broad_phase.expect(i, &self.bodies[i], now, time);
     }
 
-    /// Forecasts whom a disc meets, for it and for them.
-    fn forecast_meetings(&mut self, i: usize, now: f64) {
+    /// Forecasts whom a disc meets, for it and for them; not those that have looked at it
+    /// already in the same breath.
+    fn forecast_meetings(&mut self, i: usize, now: f64, have_looked: &[usize]) {
         let seeker = Seeker::new(&self.bodies[i], now, self.schedule.time(i));
         let (times, grid) = (&self.schedule.times, &*self.grid);
         let count = self
             .broad_phase
             .search(i, &seeker, self.bodies, times, grid, &mut self.work);
         for n in 0..count {
-            self.forecast_meeting(&seeker, i, self.broad_phase.partner(n));
+            let k = self.broad_phase.partner(n);
+            if !have_looked.contains(&k) {
+                self.forecast_meeting(&seeker, i, k);
+            }
         }
     }
 
@@ -141,16 +147,11 @@ impl ShotInPlay<'_> {
             for (disc, partner) in [(i, k), (k, i)] {
                 if time < self.schedule.time(disc) {
                     let version = self.bodies[partner].version;
-                    self.expect(disc, seeker.now, time, Forecast::Meet { partner, version });
+                    let meet = Forecast::Meet { partner, version };
+                    self.schedule.set(disc, time, meet);
                 }
             }
         }
-    }
-
-    /// Takes down the forecast that a disc slides on from now until `time`.
-    fn expect(&mut self, i: usize, now: f64, time: f64, forecast: Forecast) {
-        self.schedule.set(i, time, forecast);
-        self.broad_phase.expect(i, &self.bodies[i], now, time);
     }
 
     /// Ends a slide that no other disc interfered with.
