@@ -63,7 +63,7 @@ impl Args {
 }
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
-    let mut store = options.store();
+    let mut store = options.store().only_looking();
     let player = options.player_name();
     let whose = (!args.everyone).then(|| player.clone());
     let history = match ask(&mut store, StoreRequest::Recall(whose)) {

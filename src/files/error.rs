@@ -43,7 +43,7 @@ impl FileError {
     }
 
     /// What is wrong and where in the file, for those who know which file it is.
-    fn without_file(&self) -> String {
+    pub fn without_file(&self) -> String {
         match self.line {
             Some(line) => format!("line {line}: {}", self.what()),
             None => self.what(),

@@ -120,6 +120,13 @@ impl Store {
         self
     }
 
+    /// The same store, which changes no file that it looks something up in, not even to mend
+    /// it: for whoever only prints.
+    pub fn only_looking(mut self) -> Self {
+        self.progress.only_look();
+        self
+    }
+
     /// The same store with its clock stopped at `time_s`, in seconds since 1970 began.
     pub fn at(mut self, time_s: i64) -> Self {
         self.stop_clock(time_s);
@@ -169,6 +176,7 @@ impl Store {
             return request.refused("no folder for data is known; --data-dir gives one");
         }
         let ticket = request.ticket;
+        self.progress.on_day(self.calendar().today());
         let done = match &request.wish {
             StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
             StoreRequest::List => StoreReply::Listed(self.games.list(self.knows_age())),

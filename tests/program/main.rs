@@ -18,6 +18,7 @@ mod play;
 mod rebound;
 mod report;
 mod safe;
+mod salvage;
 mod saves;
 mod simulate;
 mod solve;

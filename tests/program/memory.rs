@@ -227,21 +227,61 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
 fn a_damaged_database_is_told_of_and_the_game_goes_on() {
     let folder = Folder::new("memory-damaged");
     let path = folder.path().join("progress.db");
-    fs::write(&path, "scribbled over ".repeat(1000)).unwrap();
+    let mut game = quiz(folder.path(), "Ada");
+    answer(&mut game);
+    let mut damaged = fs::read(&path).unwrap();
+    // The page of the first index.
+    damaged[2 * 4096..3 * 4096].fill(0);
+    fs::write(&path, &damaged).unwrap();
+    for arguments in [["progress", "--csv"], ["progress", "--json"]] {
+        let refused = carrom(folder.path(), &arguments);
+        assert_eq!(refused.status.code(), Some(1));
+        assert!(refused.stdout.is_empty());
+        let message = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert!(message.contains("it is damaged"), "{message}");
+        assert_eq!(fs::read(&path).unwrap(), damaged);
+    }
     let mut game = quiz(folder.path(), "Ada");
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
     assert!(
-        screen.contains("please note") && screen.contains("set aside"),
+        screen.contains("please note") && screen.contains("is mended. Everything in it"),
         "{screen}"
     );
     game.press("x");
     assert!(!game.screen().contains("please note"));
-    game.press("<End><Enter>");
-    answer(&mut game);
     assert_eq!(kept(folder.path(), Some("Ada")).len(), 2);
-    let aside = fs::read(folder.path().join("progress-damaged-1.db")).unwrap();
-    assert!(aside.starts_with(b"scribbled over"));
+    let aside = folder.path().join("progress-damaged-1.db");
+    assert_eq!(fs::read(aside).unwrap(), damaged);
+}
+
+/// SQLite would wait at a pipe for somebody to write to it.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_refused_at_once() {
+    let folder = Folder::new("memory-pipe");
+    let path = folder.path().join("progress.db");
+    let made = Command::new("mkfifo").arg(&path).status().unwrap();
+    assert!(made.success());
+    for _ in 0..2 {
+        let refused = carrom(folder.path(), &["progress", "--csv"]);
+        assert_eq!(refused.status.code(), Some(1));
+        let message = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert!(message.contains("expected a file"), "{message}");
+        let mut game = quiz(folder.path(), "Ada");
+        game.press("60<Enter>30<Enter>2");
+        assert!(
+            game.screen().contains("expected a file"),
+            "{}",
+            game.screen()
+        );
+        // Next a folder.
+        if path.is_dir() {
+            return;
+        }
+        fs::remove_file(&path).unwrap();
+        fs::create_dir(&path).unwrap();
+    }
 }
 
 #[test]

@@ -10,9 +10,18 @@ use super::schema::VERSION;
 /// What is wrong.
 #[derive(Debug, Error)]
 pub(super) enum DatabaseError {
-    /// It is not what it should be.
-    #[error("{0}")]
+    /// It is not what it should be; what SQLite says of it.
+    #[error("it is damaged; SQLite says: {0}")]
     Damaged(String),
+    /// It is something else.
+    #[error(
+        "it is no database of carrom's, so it is left as it is; nothing is kept until it is \
+             moved away"
+    )]
+    NotOurs,
+    /// Something else than a file has its name.
+    #[error("{0}, so it is left as it is; nothing is kept until it is moved away")]
+    NoFile(String),
     /// A newer carrom has written it.
     #[error(
         "it was written by a newer carrom (format {0}, and this one knows formats up to \
@@ -26,7 +35,7 @@ pub(super) enum DatabaseError {
     )]
     InLog(String),
     /// SQLite failed.
-    #[error("{0}")]
+    #[error("{words}{0}", words = of_code(.0.sqlite_error_code()))]
     Sqlite(#[from] rusqlite::Error),
     /// The folder cannot be used.
     #[error("{0}")]
@@ -46,6 +55,13 @@ impl DatabaseError {
         matches!(self, Self::Damaged(_)) || self.code().is_some_and(|code| damage.contains(&code))
     }
 
+    /// Whether there is no room for more.
+    pub(super) fn is_full(&self) -> bool {
+        let full = ErrorKind::StorageFull;
+        self.code() == Some(ErrorCode::DiskFull)
+            || matches!(self, Self::Folder(error) if error.kind() == full)
+    }
+
     /// Whether nothing may be written where it is.
     pub(super) fn is_forbidden(&self) -> bool {
         let forbidden = [ErrorCode::ReadOnly, ErrorCode::CannotOpen];
@@ -63,5 +79,23 @@ impl DatabaseError {
             Self::Sqlite(error) => error.sqlite_error_code(),
             _ => None,
         }
+    }
+}
+
+/// What SQLite failed at, before its own words; nothing where those have to do.
+fn of_code(code: Option<ErrorCode>) -> &'static str {
+    match code {
+        Some(ErrorCode::DiskFull) => "there is no room on the disk; SQLite says: ",
+        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => {
+            "another program holds it; SQLite says: "
+        }
+        Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => {
+            "it is damaged; SQLite says: "
+        }
+        Some(ErrorCode::ReadOnly | ErrorCode::CannotOpen | ErrorCode::PermissionDenied) => {
+            "it cannot be opened to be written; SQLite says: "
+        }
+        Some(ErrorCode::SystemIoFailure) => "the disk does not work as it should; SQLite says: ",
+        _ => "SQLite says: ",
     }
 }

@@ -6,29 +6,35 @@
 //! - it is opened for one thing at a time, which is one transaction, and that has come
 //!   to the disk when it is done (write-ahead log, `synchronous = FULL`);
 //! - who waits for another is patient, and tries again;
-//! - a damaged database is set aside under another name, where it can still be looked
-//!   at, and a new one takes its place;
-//! - one that a newer carrom has written is refused, and not a byte of it is changed;
-//! - one that cannot be changed, such as a copy on a disk for reading, can be looked up.
+//! - it is looked through once a day and whenever carrom starts, and of a sound one a copy
+//!   is kept; a damaged one is mended: what can be read of it goes into a new file, and
+//!   the damaged one is kept under another name;
+//! - one that a newer carrom has written is refused, and not a byte of it is changed; so
+//!   is whatever is no database of carrom's;
+//! - one that cannot be changed, such as a copy on a disk for reading, can be looked up,
+//!   and who only looks up changes none.
 //!
 //! It is not touched before it is first needed: carrom starts no slower for it.
 
+mod backup;
 mod bookmarks;
 mod bytes;
 mod error;
+mod mend;
 mod schema;
 mod tables;
 mod unchanged;
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use jiff::civil::Date;
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 
 use super::folder_lock::FolderLock;
+use crate::files::not_a_file;
 use error::DatabaseError;
 
 /// How long SQLite waits by itself for others.
@@ -44,8 +50,12 @@ const LOCK: &str = ".progress.lock";
 /// Where progress is kept.
 pub(super) struct Database {
     location: Location,
-    /// Whether it was looked through by this process.
-    checked: bool,
+    /// Whether nothing may be changed, not even to mend it.
+    only_looks: bool,
+    /// Today, if that is known.
+    today: Option<Date>,
+    /// Whether it was looked through by this process, and on which day.
+    checked: Option<Option<Date>>,
     /// Whether it was busy for longer than is waited.
     was_busy: bool,
     notice: Option<String>,
@@ -74,10 +84,22 @@ impl Database {
     fn at(location: Location) -> Self {
         Self {
             location,
-            checked: false,
+            only_looks: false,
+            today: None,
+            checked: None,
             was_busy: false,
             notice: None,
         }
+    }
+
+    /// Has it looked up alone from now on: nothing there is changed.
+    pub(super) fn only_look(&mut self) {
+        self.only_looks = true;
+    }
+
+    /// Tells which day it is.
+    pub(super) fn on_day(&mut self, today: Option<Date>) {
+        self.today = today;
     }
 
     /// What the player should know of it, once.
@@ -121,7 +143,7 @@ impl Database {
     ) -> Result<T, String> {
         let mut busy_since = None;
         let patience = if self.was_busy { LITTLE } else { PATIENCE };
-        let mut set_aside = false;
+        let mut was_mended = false;
         loop {
             let tried = match self.try_once(behavior, &act) {
                 Err(trouble) if trouble.is_forbidden() && is_look_up(behavior) => {
@@ -135,9 +157,9 @@ impl Database {
                 Err(trouble) if trouble.is_busy() && is_within(&mut busy_since, patience) => {
                     thread::sleep(Duration::from_millis(10));
                 }
-                Err(trouble) if trouble.is_damage() && !set_aside => {
-                    set_aside = true;
-                    self.set_aside().map_err(|trouble| self.told(&trouble))?;
+                Err(trouble) if trouble.is_damage() && !self.only_looks && !was_mended => {
+                    was_mended = true;
+                    self.checked = None;
                 }
                 Err(trouble) => return Err(self.told(&trouble)),
             }
@@ -150,7 +172,7 @@ impl Database {
         act: &impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<T, DatabaseError> {
         let folder = match &mut self.location {
-            Location::Folder(folder) => folder,
+            Location::Folder(folder) => folder.clone(),
             Location::Newer(found, _) => return Err(DatabaseError::Newer(*found)),
             Location::Memory(Some(connection)) => return transact(connection, behavior, act),
             Location::Memory(empty) => {
@@ -159,64 +181,74 @@ impl Database {
                 return transact(empty.insert(connection), behavior, act);
             }
         };
-        if let Some(found) = schema::version_in_header(&path(folder)).filter(is_newer) {
-            // Before anything is written beside it.
-            return Err(DatabaseError::Newer(found));
+        look_at_file(&path(&folder))?;
+        if self.only_looks {
+            // Nobody writes meanwhile; where that cannot be known it is looked up all the same.
+            let _turn = FolderLock::alone(&folder, LOCK);
+            return self.look_up_in(&folder, act);
         }
-        // Nobody sets it aside meanwhile: what is done must be found again.
-        let _turn = FolderLock::shared(folder, LOCK)?;
-        let wait = if self.was_busy { LITTLE } else { WAIT };
-        let mut connection = open(folder, wait)?;
-        if !self.checked {
-            schema::check(&connection)?;
-            self.checked = true;
+        if self.checked != Some(self.today) {
+            self.look_after(&folder)?;
+            self.checked = Some(self.today);
         }
+        // Nobody mends it meanwhile: what is done must be found again.
+        let _turn = FolderLock::shared(&folder, LOCK)?;
+        let mut connection = open(&folder, self.wait())?;
         transact(&mut connection, behavior, act)
+    }
+
+    /// How long SQLite waits for others.
+    fn wait(&self) -> Duration {
+        if self.was_busy { LITTLE } else { WAIT }
+    }
+
+    /// Looks a database through, mends it where it is damaged, and keeps a copy of it.
+    fn look_after(&mut self, folder: &Path) -> Result<(), DatabaseError> {
+        let turn = FolderLock::alone(folder, LOCK)?;
+        let was_there = fs::exists(path(folder))?;
+        let look = |wait| {
+            let connection = open(folder, wait)?;
+            schema::check(&connection).map(|()| connection)
+        };
+        let connection = match look(self.wait()) {
+            Err(trouble) if trouble.is_damage() => {
+                self.notice = Some(mend::mend(folder, &trouble)?);
+                look(self.wait())?
+            }
+            looked => looked?,
+        };
+        if let Some(today) = self.today
+            && was_there
+            && turn.is_certain()
+        {
+            // A full disk must not keep anybody from looking at what is there; what is
+            // written next tells of it.
+            let _ = backup::keep(&connection, folder, today);
+        }
+        Ok(())
     }
 
     /// Looks something up where nothing can be written, for that `trouble`.
     fn look_only<T>(
-        &self,
+        &mut self,
         look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
         trouble: DatabaseError,
     ) -> Result<T, DatabaseError> {
-        let Location::Folder(folder) = &self.location else {
-            return Err(trouble);
-        };
-        let mut connection = unchanged::open(folder, NAME)?;
-        transact(&mut connection, TransactionBehavior::Deferred, look)
+        match &self.location {
+            Location::Folder(folder) => self.look_up_in(&folder.clone(), look),
+            Location::Memory(_) | Location::Newer(..) => Err(trouble),
+        }
     }
 
-    /// Gives a damaged database another name.
-    fn set_aside(&mut self) -> Result<(), DatabaseError> {
-        let Location::Folder(folder) = &self.location else {
-            return Ok(());
-        };
-        let _turn = FolderLock::alone(folder, LOCK)?;
-        // Another carrom may have done so before.
-        let opened = open(folder, WAIT).and_then(|connection| schema::check(&connection));
-        let Err(trouble) = opened else {
-            return Ok(());
-        };
-        if !trouble.is_damage() {
-            return Err(trouble);
-        }
-        let name = free_name(folder);
-        // What belongs to it goes first: a new database must not find it.
-        for ending in ["-wal", "-shm", ""] {
-            let from = folder.join(format!("{NAME}{ending}"));
-            let to = folder.join(format!("{name}{ending}"));
-            match fs::rename(from, to) {
-                Err(error) if error.kind() != ErrorKind::NotFound => return Err(error.into()),
-                _ => {}
-            }
-        }
-        self.notice = Some(format!(
-            "{} was damaged: {trouble}. It is set aside as {name}, and what you do from \
-             now on is kept in a new one.",
-            path(folder).display(),
-        ));
-        Ok(())
+    /// Looks something up and changes nothing.
+    fn look_up_in<T>(
+        &mut self,
+        folder: &Path,
+        look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
+    ) -> Result<T, DatabaseError> {
+        let mut connection = unchanged::open(folder, NAME, self.checked.is_none())?;
+        self.checked = Some(self.today);
+        transact(&mut connection, TransactionBehavior::Deferred, look)
     }
 
     fn told(&self, trouble: &DatabaseError) -> String {
@@ -237,6 +269,29 @@ fn is_look_up(behavior: TransactionBehavior) -> bool {
     matches!(behavior, TransactionBehavior::Deferred)
 }
 
+/// Whether what was first asked `since` then is not past this patience. The clock is not
+/// looked at before it is needed: in a browser there is none.
+fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
+    since.get_or_insert_with(Instant::now).elapsed() < patience
+}
+
+/// Fails unless what is there, if anything is, can be a database that this carrom knows. It
+/// is looked at as any file is: SQLite would wait at a pipe, and put files of its own beside
+/// what is none of ours.
+fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
+    match fs::metadata(path) {
+        Ok(about) if !about.is_file() => {
+            Err(DatabaseError::NoFile(not_a_file(path).without_file()))
+        }
+        Ok(about) if about.len() > 0 => match schema::version_in_header(path) {
+            Some(found) if is_newer(&found) => Err(DatabaseError::Newer(found)),
+            None if !schema::is_ours(path) => Err(DatabaseError::NotOurs),
+            _ => Ok(()),
+        },
+        _ => Ok(()),
+    }
+}
+
 fn is_newer(version: &i64) -> bool {
     *version > schema::VERSION
 }
@@ -246,13 +301,6 @@ const NAME: &str = "progress.db";
 
 fn path(folder: &Path) -> PathBuf {
     folder.join(NAME)
-}
-
-/// A name for a damaged database that nothing has yet.
-fn free_name(folder: &Path) -> String {
-    let name = |number: u32| format!("progress-damaged-{number}.db");
-    let is_free = |name: &String| !matches!(fs::exists(folder.join(name)), Ok(true));
-    (1..).map(name).find(is_free).unwrap_or_else(|| name(0))
 }
 
 /// Opens the database and brings it to the present version.

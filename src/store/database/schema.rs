@@ -17,11 +17,11 @@ use super::{bookmarks, tables};
 const STEPS: [&str; 3] = [
     include_str!("schema-1.sql"),
     include_str!("schema-2.sql"),
-    TOPICS_BY_ID,
+    include_str!("schema-3.sql"),
 ];
 
-/// The step of version 3, which changes rows and no tables.
-const TOPICS_BY_ID: &str = include_str!("schema-3.sql");
+/// How every SQLite database begins.
+pub(super) const MAGIC: &[u8] = b"SQLite format 3\0";
 
 /// The present version.
 pub(super) const VERSION: i64 = STEPS.len() as i64;
@@ -55,33 +55,28 @@ fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
         _ => found > 0 && has_tables(&transaction, tables::QUERIES).is_ok(),
     };
     if !is_ours {
-        return Err(DatabaseError::Damaged(
-            "it is no database of carrom's".into(),
-        ));
+        return Err(DatabaseError::NotOurs);
     }
-    for step in STEPS
-        .iter()
-        .skip(usize::try_from(found).unwrap_or_default())
-    {
-        transaction.execute_batch(step)?;
-    }
-    if found < VERSION {
-        transaction.pragma_update(None, "user_version", VERSION)?;
-    }
+    take_steps(&transaction, found, VERSION)?;
     transaction.commit()?;
     Ok(())
 }
 
-/// Lets the answers of an older database, which cannot be changed, be looked up as those of
-/// the present version: through a copy that is gone with the connection.
-pub(super) fn overlay(connection: &Connection, found: i64) -> rusqlite::Result<()> {
-    if found < VERSION {
-        connection.execute_batch(
-            "PRAGMA temp_store = MEMORY; CREATE TEMP TABLE attempt AS SELECT * FROM main.attempt;",
-        )?;
-        connection.execute_batch(TOPICS_BY_ID)?;
+/// Brings a database from one version to a later one.
+fn take_steps(connection: &Connection, from: i64, to: i64) -> rusqlite::Result<()> {
+    let steps = (1..)
+        .zip(STEPS)
+        .filter(|(leads_to, _)| (from + 1..=to).contains(leads_to));
+    for (leads_to, step) in steps {
+        connection.execute_batch(step)?;
+        connection.pragma_update(None, "user_version", leads_to)?;
     }
     Ok(())
+}
+
+/// Lays out the tables of this version in an empty database.
+pub(super) fn lay_out(connection: &Connection, version: i64) -> rusqlite::Result<()> {
+    take_steps(connection, 0, version)
 }
 
 pub(super) fn version(connection: &Connection) -> Result<i64, DatabaseError> {
@@ -96,7 +91,7 @@ pub(super) fn version_in_header(path: &Path) -> Option<i64> {
     File::open(path).ok()?.read_exact(&mut header).ok()?;
     let (_, version) = header.split_last_chunk::<4>()?;
     header
-        .starts_with(b"SQLite format 3\0")
+        .starts_with(MAGIC)
         .then(|| i32::from_be_bytes(*version).into())
 }
 
@@ -106,14 +101,41 @@ fn has_tables(connection: &Connection, queries: [&str; 2]) -> rusqlite::Result<(
     prepared.try_for_each(|it| it.map(drop))
 }
 
+/// Whether a file is a database of carrom's, damaged or not: it begins as one, but for a byte
+/// at most, and holds near its beginning how the answers' table was made.
+pub(super) fn is_ours(path: &Path) -> bool {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(1 << 20).read_to_end(&mut bytes));
+    let strange = bytes
+        .iter()
+        .zip(MAGIC)
+        .filter(|(found, magic)| found != magic);
+    let words = b"CREATE TABLE attempt (";
+    read.is_ok() && strange.count() < 2 && bytes.windows(words.len()).any(|it| it == words)
+}
+
+/// Looks a database through, page by page.
+pub(super) fn check_pages(connection: &Connection) -> Result<(), DatabaseError> {
+    let found: String = connection.query_row("PRAGMA integrity_check(1)", [], |row| row.get(0))?;
+    match found.as_str() {
+        "ok" => Ok(()),
+        // It says in which database of a connection, and there is one.
+        _ => Err(DatabaseError::Damaged(
+            found.replace("*** in database main ***", "").trim().into(),
+        )),
+    }
+}
+
 /// Looks a database of the present version through, page by page.
 pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
-    let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
-    if found != "ok" {
-        return Err(DatabaseError::Damaged(found));
-    }
+    check_pages(connection)?;
+    check_tables(connection)
+}
+
+/// Fails unless a database of the present version has all tables.
+pub(super) fn check_tables(connection: &Connection) -> Result<(), DatabaseError> {
     [tables::QUERIES, bookmarks::QUERIES]
         .into_iter()
         .try_for_each(|queries| has_tables(connection, queries))
-        .map_err(|_| DatabaseError::Damaged("its tables are not those of carrom".into()))
+        .map_err(|_| DatabaseError::NotOurs)
 }

@@ -1,5 +1,6 @@
 //! What is written to the tables and read from them.
 
+use rusqlite::types::{FromSql, FromSqlResult, ValueRef};
 use rusqlite::{Connection, Row, named_params, params};
 
 use super::Database;
@@ -52,7 +53,7 @@ impl Database {
                     stars: row.get("stars")?,
                 })
             })?;
-            found.collect()
+            found.filter(makes_sense).collect()
         })
     }
 }
@@ -90,26 +91,49 @@ pub(super) fn attempts(
 ) -> rusqlite::Result<Vec<Attempt>> {
     let mut statement = connection.prepare(ATTEMPTS)?;
     let found = statement.query_map(named_params! {":player": player}, attempt)?;
-    found.collect()
+    found.filter(makes_sense).collect()
+}
+
+/// Whether a row is one that carrom can have written; one damaged row must not hide the
+/// others.
+fn makes_sense<T>(row: &rusqlite::Result<T>) -> bool {
+    use rusqlite::Error::{FromSqlConversionFailure, IntegralValueOutOfRange, InvalidColumnType};
+    !matches!(
+        row,
+        Err(FromSqlConversionFailure(..) | IntegralValueOutOfRange(..) | InvalidColumnType(..))
+    )
+}
+
+/// A text, whatever its bytes have become.
+struct Text(String);
+
+impl FromSql for Text {
+    fn column_result(value: ValueRef<'_>) -> FromSqlResult<Self> {
+        value
+            .as_bytes()
+            .map(|bytes| Self(String::from_utf8_lossy(bytes).into_owned()))
+    }
 }
 
 fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
-    let confidence: Option<String> = row.get("confidence")?;
+    let text = |name| row.get::<_, Text>(name).map(|text| text.0);
+    let confidence: Option<Text> = row.get("confidence")?;
+    let misconception: Option<Text> = row.get("misconception")?;
     Ok(Attempt {
         time_s: row.get("time_s")?,
-        player: row.get("player")?,
-        family: row.get("family")?,
-        topic: row.get("topic")?,
+        player: text("player")?,
+        family: text("family")?,
+        topic: text("topic")?,
         seed: row.get::<_, i64>("seed")?.cast_unsigned(),
         number: row.get("number")?,
-        question: row.get("question")?,
-        answer: row.get("answer")?,
-        truth: row.get("truth")?,
+        question: text("question")?,
+        answer: text("answer")?,
+        truth: text("truth")?,
         error_deg: row.get("error_deg")?,
         credit: nothing_or_more(row.get("credit")?),
         right: row.get("is_right")?,
-        confidence: confidence.as_deref().and_then(Confidence::with_id),
-        misconception: row.get("misconception")?,
+        confidence: confidence.and_then(|it| Confidence::with_id(&it.0)),
+        misconception: misconception.map(|it| it.0),
     })
 }
 

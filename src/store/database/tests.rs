@@ -247,58 +247,161 @@ fn filled(name: &str) -> (Scratch, Vec<u8>) {
     (scratch, bytes)
 }
 
-#[test]
-fn a_damaged_database_is_set_aside_and_the_game_goes_on() {
-    let (scratch, sound) = filled("damaged");
-    let mut flipped = sound.clone();
-    let page = flipped.len() / 2 / 4096 * 4096;
-    flipped[page..page + 512].fill(0xa5);
-    let cases = [
-        b"This is no database at all, but long enough to be looked at as one.".repeat(40),
-        sound[..sound.len() / 2].to_vec(),
-        flipped,
-        [&[0_u8; 100], &sound[100..]].concat(),
-    ];
-    for (i, damaged) in cases.into_iter().enumerate() {
-        fs::write(scratch.path(), &damaged).unwrap();
-        let mut database = scratch.database();
-        let reading = i % 2 == 0;
-        if reading {
-            assert_eq!(database.attempts(None).unwrap(), [], "{i}");
-        }
-        database.record(&attempt("Bo", 7)).unwrap();
-        let notice = database.take_notice().unwrap();
-        let name = format!("progress-damaged-{}.db", i + 1);
-        assert!(notice.contains(&name), "{notice}");
-        assert_eq!(database.take_notice(), None, "it is told once");
-        assert_eq!(database.attempts(None).unwrap(), [attempt("Bo", 7)]);
-        assert_eq!(fs::read(scratch.0.join(name)).unwrap(), damaged);
-        assert_eq!(scratch.database().attempts(None).unwrap().len(), 1);
-    }
-    let databases = |name: &String| name.ends_with(".db");
-    assert_eq!(scratch.names().iter().filter(|it| databases(it)).count(), 5);
+/// What mending says, and how many answers are there afterwards.
+fn mended(scratch: &Scratch, damaged: &[u8]) -> (String, usize) {
+    fs::write(scratch.path(), damaged).unwrap();
+    let kept = scratch.names().len();
+    let mut database = scratch.database();
+    let answers = database.attempts(None).unwrap().len();
+    let notice = database.take_notice().unwrap();
+    assert_eq!(database.take_notice(), None, "it is told once");
+    assert_eq!(
+        scratch.names().len(),
+        kept + 1,
+        "one file more: the damaged one"
+    );
+    database.record(&attempt("Bo", 7)).unwrap();
+    assert_eq!(scratch.database().attempts(Some("Bo")).unwrap().len(), 1);
+    (notice, answers)
+}
+
+/// The first page after the first that begins with this kind of page. (Database File Format,
+/// section 1.6: 10 a leaf of an index, 13 of a table.)
+fn page(database: &[u8], kind: u8) -> usize {
+    let mut starts = (4096..database.len()).step_by(4096);
+    starts.find(|start| database[*start] == kind).unwrap()
 }
 
 #[test]
-fn a_strange_database_is_set_aside() {
-    for (i, sql) in [
+fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
+    let (scratch, sound) = filled("damaged");
+    let with = |start: usize, bytes: &[u8]| {
+        let mut damaged = sound.clone();
+        damaged[start..start + bytes.len()].copy_from_slice(bytes);
+        damaged
+    };
+    let cases = [
+        // No more than an index.
+        (with(page(&sound, 10), &[0; 4096]), "Everything in it", 200),
+        (with(page(&sound, 13), &[0; 4096]), "answers or more", 150),
+        (
+            sound[..sound.len() / 2 / 4096 * 4096].to_vec(),
+            "Not saved",
+            50,
+        ),
+        // A letter of the name of the format.
+        (with(3, b"j"), "Everything in it", 200),
+    ];
+    for (i, (damaged, told, least)) in cases.into_iter().enumerate() {
+        let (notice, answers) = mended(&scratch, &damaged);
+        assert!(notice.contains(told), "{i}: {notice}");
+        assert!(answers >= least, "{i}: {answers}");
+        let name = format!("progress-damaged-{}.db", i + 1);
+        assert!(notice.contains(&name), "{notice}");
+        assert_eq!(fs::read(scratch.0.join(name)).unwrap(), damaged);
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_taken_from_the_copy_of_the_day_before() {
+    let (scratch, sound) = filled("filled-in");
+    let mut database = scratch.database();
+    database.on_day(Some(jiff::civil::date(2026, 11, 21)));
+    assert_eq!(database.attempts(None).unwrap().len(), 200);
+    let mut damaged = sound.clone();
+    let start = page(&sound, 13);
+    damaged[start..start + 4096].fill(0);
+    let (notice, answers) = mended(&scratch, &damaged);
+    assert!(notice.contains("progress-backup-2026-11-21.db"), "{notice}");
+    assert_eq!(answers, 200);
+}
+
+#[test]
+fn the_copies_of_three_days_are_kept() {
+    let (scratch, _) = filled("days");
+    let mut database = scratch.database();
+    for day in [3, 4, 4, 9, 10] {
+        database.on_day(Some(jiff::civil::date(2026, 11, day)));
+        database.record(&attempt("Ada", 1000)).unwrap();
+    }
+    let copies = ["04", "09", "10"].map(|day| format!("progress-backup-2026-11-{day}.db"));
+    assert_eq!(
+        scratch.names(),
+        [copies.as_slice(), &["progress.db".into()]].concat()
+    );
+    let copy = Connection::open(scratch.0.join(&copies[2])).unwrap();
+    let rows = tables::attempts(&copy, None).unwrap();
+    assert_eq!(rows.len(), 204, "all that was there when the day began");
+}
+
+/// Who only looks leaves everything as it is and says what is wrong.
+#[test]
+fn who_only_looks_mends_nothing() {
+    let (scratch, sound) = filled("only-looks");
+    let mut damaged = sound.clone();
+    let start = page(&sound, 10);
+    damaged[start..start + 4096].fill(0);
+    for bytes in [&damaged, &sound] {
+        fs::write(scratch.path(), bytes).unwrap();
+        let mut database = scratch.database();
+        database.only_look();
+        match database.attempts(None) {
+            Ok(found) => assert!(bytes == &sound && found.len() == 200),
+            Err(reason) => assert!(bytes == &damaged && reason.contains("damaged"), "{reason}"),
+        }
+        assert!(&fs::read(scratch.path()).unwrap() == bytes);
+        assert_eq!(scratch.names(), ["progress.db"]);
+    }
+}
+
+#[test]
+fn what_is_no_database_of_ours_is_refused_and_left() {
+    let refused = |scratch: &Scratch| {
+        let mut database = scratch.database();
+        let message = database.record(&attempt("Ada", 1)).unwrap_err();
+        assert!(message.contains("left as it is"), "{message}");
+        assert!(database.attempts(None).is_err());
+        assert_eq!(scratch.names(), ["progress.db"]);
+    };
+    for sql in [
         "CREATE TABLE recipe (name TEXT)",
         "CREATE TABLE attempt (name TEXT); PRAGMA user_version = 1",
-        "CREATE TABLE attempt (name TEXT); PRAGMA user_version = 2",
-        "PRAGMA user_version = -3",
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let scratch = Scratch::new(&format!("strange-{i}"));
-        let strange = Connection::open(scratch.path()).unwrap();
-        strange.execute_batch(sql).unwrap();
-        drop(strange);
-        let mut database = scratch.database();
-        database.record(&attempt("Ada", 1)).unwrap();
-        assert!(database.take_notice().is_some(), "{sql}");
-        assert_eq!(scratch.names(), ["progress-damaged-1.db", "progress.db"]);
+        "CREATE TABLE attempt (name TEXT); PRAGMA user_version = 3",
+        "CREATE TABLE recipe (name TEXT); PRAGMA user_version = -3",
+    ] {
+        let scratch = Scratch::new("strange");
+        Connection::open(scratch.path())
+            .unwrap()
+            .execute_batch(sql)
+            .unwrap();
+        refused(&scratch);
     }
+    let (scratch, sound) = filled("no-database");
+    let text = b"CREATE TABLE attempt (is no more than words here). ".repeat(400);
+    for bytes in [text, vec![0; 9000], [&[0; 4096], &sound[4096..]].concat()] {
+        fs::write(scratch.path(), &bytes).unwrap();
+        refused(&scratch);
+        assert_eq!(fs::read(scratch.path()).unwrap(), bytes);
+    }
+    fs::remove_file(scratch.path()).unwrap();
+    fs::create_dir(scratch.path()).unwrap();
+    refused(&scratch);
+}
+
+/// One row that makes no sense hides none of the others.
+#[test]
+fn a_row_of_nonsense_hides_no_other() {
+    let (scratch, _) = filled("nonsense");
+    let strange = Connection::open(scratch.path()).unwrap();
+    strange
+        .execute_batch(
+            "UPDATE attempt SET number = -1 WHERE id = 3;
+             UPDATE attempt SET topic = CAST(x'61ff' AS TEXT) WHERE id = 4;",
+        )
+        .unwrap();
+    let found = scratch.database().attempts(None).unwrap();
+    assert_eq!(found.len(), 199);
+    assert_eq!(found[2].topic, "a\u{fffd}");
 }
 
 #[test]
@@ -392,7 +495,7 @@ fn a_database_of_each_older_format_opens() {
         old.execute_batch(sql).unwrap();
         drop(old);
         // Where nothing can be written it means the same.
-        let unwritten = unchanged::open(&scratch.0, NAME).unwrap();
+        let unwritten = unchanged::open(&scratch.0, NAME, true).unwrap();
         let found = tables::attempts(&unwritten, None).unwrap();
         assert_eq!(found, [attempt("Ada", 5)]);
         drop(unwritten);
@@ -450,7 +553,7 @@ fn what_cannot_be_changed_can_be_looked_up() {
         });
         database.record(&attempt("Ada", 2)).unwrap();
         let before = (scratch.names(), fs::read(scratch.path()).unwrap());
-        let mut connection = unchanged::open(&scratch.0, NAME).unwrap();
+        let mut connection = unchanged::open(&scratch.0, NAME, true).unwrap();
         let found = transact(&mut connection, TransactionBehavior::Deferred, |it| {
             tables::attempts(it, None)
         });
