@@ -50,7 +50,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
                 write_help(app, screen.as_ref(), &mut page.scrolled(*scrolled));
             }
             AppLayer::Notice(words) => show_note("please note", words, body, buf, look),
-            AppLayer::Confirm(question) => {
+            AppLayer::Confirm(question) | AppLayer::Leave(question) => {
                 show_note("please say", &question.text, body, buf, look);
             }
         }
@@ -59,7 +59,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
         let close = match layer {
             AppLayer::Help { .. } => Some("back"),
             AppLayer::Notice(_) => Some("go on"),
-            AppLayer::Confirm(_) => None,
+            AppLayer::Confirm(_) | AppLayer::Leave(_) => None,
         };
         let table = layer.keys(&app.settings().keys);
         let rows = table.rows().iter().map(|row| (row.shown(), row.name));

@@ -19,6 +19,8 @@ pub(super) enum AppLayer {
     Notice(String),
     /// Something the player is asked.
     Confirm(Confirmation),
+    /// Whether to leave although something is not kept yet.
+    Leave(Confirmation),
 }
 
 /// What keys do to a layer.
@@ -43,7 +45,7 @@ impl AppLayer {
             Self::Help { .. } => table
                 .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
                 .or([(Key::PageUp, Scroll(-10)), (Key::PageDown, Scroll(10))]),
-            Self::Confirm(question) => table
+            Self::Confirm(question) | Self::Leave(question) => table
                 .on(Key::Char('y'), Agree, question.yes)
                 .or([(Key::Enter, Agree)])
                 .on(Key::Char('n'), Decline, question.no)
@@ -61,8 +63,8 @@ impl AppLayer {
                 *scrolled = scrolled.saturating_add_signed(by).min(most);
                 Outcome::Used
             }
-            (Self::Confirm(_), Some(LayerAction::Agree)) => Outcome::Done(true),
-            (Self::Confirm(_), None) => Outcome::Ignored,
+            (Self::Confirm(_) | Self::Leave(_), Some(LayerAction::Agree)) => Outcome::Done(true),
+            (Self::Confirm(_) | Self::Leave(_), None) => Outcome::Ignored,
             _ => Outcome::Done(false),
         }
     }

@@ -16,10 +16,13 @@ use ratatui::layout::Rect;
 
 use crate::lessons::Book;
 use crate::levels::Shelf;
-use crate::messages::{Effect, Input, Key, Mouse, MouseKind, StoreAnswer, StoreReply};
+use crate::messages::{
+    Effect, Input, Key, Mouse, MouseKind, StoreAnswer, StoreCall, StoreReply, StoreRequest,
+};
 use crate::quiz::concepts::Library;
 use crate::screens::{
-    AnyScreen, Context, Hosted, KeptSettings, Next, Place, Screen, Settings, SharedAction,
+    AnyScreen, Confirmation, Context, Hosted, KeptSettings, Next, Place, Screen, Settings,
+    SharedAction,
     class::Class,
     foil::FoilScreen,
     home::Home,
@@ -52,6 +55,18 @@ pub struct Data {
     pub folder: Option<String>,
 }
 
+/// How often it is tried again to keep what could not be kept.
+const RETRY: Duration = Duration::from_secs(2);
+
+/// How it stands with trying again to keep what could not be kept.
+#[derive(Debug, Clone, Copy, Default)]
+struct Retry {
+    /// How long ago it was tried last.
+    waited: Duration,
+    /// The ticket of a try that is under way.
+    ticket: Option<u64>,
+}
+
 /// The whole game, headless.
 pub struct App {
     stack: Vec<Box<dyn AnyScreen>>,
@@ -61,10 +76,13 @@ pub struct App {
     layers: Vec<AppLayer>,
     /// The tickets of what is being kept and takes long.
     saving: BTreeSet<u64>,
-    /// How many things could not be kept.
-    lost: usize,
-    /// Whether the last one could not.
-    losing: bool,
+    /// How many things could not be kept so far.
+    owed: usize,
+    /// How long ago that was tried last, and whether it is being tried.
+    retry: Retry,
+    /// Whether it was told that what is to be known from before is not, or that what was set
+    /// is not kept.
+    told_unknown: bool,
 }
 
 impl App {
@@ -86,8 +104,9 @@ impl App {
             size: Rect::default(),
             layers: Vec::new(),
             saving: BTreeSet::new(),
-            lost: 0,
-            losing: false,
+            owed: 0,
+            retry: Retry::default(),
+            told_unknown: false,
         };
         match place {
             Place::Level { .. } => app.open(Place::Levels),
@@ -155,7 +174,7 @@ impl App {
                 // What the first screen has asked for.
                 return self.context.take_asked();
             }
-            Input::Key(Key::Ctrl('c')) => return vec![Effect::Quit],
+            Input::Key(Key::Ctrl('c')) => return self.leave(),
             // Waited for by the screen that asked, whatever lies over it.
             Input::Searched(_) | Input::Exported(_) => return self.pass_on(input),
             Input::Saving(ticket) => {
@@ -196,46 +215,110 @@ impl App {
             let book = &mut self.context.book;
             book.recall(marks.as_ref().cloned().unwrap_or_default());
         }
+        if self.retry.ticket == Some(answer.ticket) {
+            self.retry.ticket = None;
+        }
+        let was_owed = std::mem::replace(&mut self.owed, answer.owed);
+        if answer.owed == 0 {
+            self.layers
+                .retain(|layer| !matches!(layer, AppLayer::Leave(_)));
+        }
         match &answer.done {
-            StoreReply::Noted(Ok(())) => self.losing = false,
+            StoreReply::Noted(Err(reason)) if was_owed == 0 && answer.owed > 0 => {
+                self.retry.waited = Duration::ZERO;
+                self.tell(format!(
+                    "What you do cannot be kept for now: {reason}. You can go on all the same: it \
+                     is kept as soon as that is possible."
+                ));
+            }
             StoreReply::Noted(Err(reason))
-            | StoreReply::Stars(Err(reason))
-            | StoreReply::Marks(Err(reason)) => {
-                if !self.losing {
-                    self.tell(format!(
-                        "What you do cannot be kept: {reason}. You can go on all the same."
-                    ));
-                }
-                self.losing = true;
-                self.lost += usize::from(matches!(answer.done, StoreReply::Noted(_)));
+                if answer.owed == 0 && !std::mem::replace(&mut self.told_unknown, true) =>
+            {
+                self.tell(format!(
+                    "What you have set cannot be kept: {reason}. You can go on all the same."
+                ));
+            }
+            StoreReply::Stars(Err(reason)) | StoreReply::Marks(Err(reason))
+                if !std::mem::replace(&mut self.told_unknown, true) =>
+            {
+                self.tell(format!(
+                    "What you did before is not known: {reason}. You can go on all the same."
+                ));
             }
             _ => {}
         }
     }
 
+    /// Leaves the program, or asks first if something is not kept yet; whoever wants to leave
+    /// twice is not asked again.
+    fn leave(&mut self) -> Vec<Effect> {
+        let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
+        if self.owed == 0 || self.layers.iter().any(is_asked) {
+            return vec![Effect::Quit];
+        }
+        let things = match self.owed {
+            1 => "One thing that you did is not kept yet, and is".to_owned(),
+            owed => format!("{owed} things that you did are not kept yet, and are"),
+        };
+        let question = format!("{things} lost if it cannot be kept at the last moment. Leave?");
+        let question = Confirmation::new(question, "leave", "stay");
+        self.layers.push(AppLayer::Leave(question));
+        vec![]
+    }
+
+    /// When it is time to try again to keep what could not be kept.
+    fn retry_in(&self) -> Option<Duration> {
+        let waits = self.owed > 0 && self.retry.ticket.is_none();
+        waits.then(|| RETRY.saturating_sub(self.retry.waited))
+    }
+
+    /// Lets `passed` go by until it is tried again to keep what could not be kept.
+    fn retry(&mut self, passed: Duration) -> Option<Effect> {
+        self.retry_in()?;
+        self.retry.waited += passed;
+        if self.retry.waited < RETRY {
+            return None;
+        }
+        let ticket = self.context.ticket();
+        self.retry = Retry {
+            waited: Duration::ZERO,
+            ticket: Some(ticket),
+        };
+        let wish = StoreRequest::Retry;
+        Some(Effect::Keep(StoreCall { ticket, wish }))
+    }
+
     /// What the player should see of keeping while it does not go as it should: empty as
     /// long as it does.
     fn keeping(&self) -> String {
-        match self.lost {
+        match self.owed {
             _ if !self.saving.is_empty() => "saving ..".into(),
             0 => String::new(),
-            lost => format!("not kept: {lost}"),
+            owed => format!("not kept: {owed}"),
         }
     }
 
     /// Lets `passed` go by.
     pub fn advance(&mut self, passed: Duration) -> Vec<Effect> {
-        if self.wake().is_none() {
-            return vec![];
-        }
-        self.with_screen(|screen, cx| {
-            screen.advance(passed, cx);
-            Next::Stay
-        })
+        let mut effects = match self.screen_wake() {
+            None => vec![],
+            Some(_) => self.with_screen(|screen, cx| {
+                screen.advance(passed, cx);
+                Next::Stay
+            }),
+        };
+        effects.extend(self.retry(passed));
+        effects
     }
 
     /// When the app next needs time; `None` while nothing moves.
     pub fn wake(&self) -> Option<Duration> {
+        let times = [self.screen_wake(), self.retry_in()];
+        times.into_iter().flatten().min()
+    }
+
+    /// When the screen next needs time.
+    fn screen_wake(&self) -> Option<Duration> {
         let stands = |layer: &AppLayer| !matches!(layer, AppLayer::Notice(_));
         if self.layers.iter().any(stands) || self.too_small() {
             return None;
@@ -288,13 +371,11 @@ impl App {
         };
         match layer.press(key, most, &self.context.settings.keys) {
             Outcome::Ignored | Outcome::Used => vec![],
-            Outcome::Done(agreed) => {
-                self.layers.pop();
-                match agreed {
-                    true => self.with_screen(|screen, cx| screen.confirmed(cx)),
-                    false => vec![],
-                }
-            }
+            Outcome::Done(agreed) => match (self.layers.pop(), agreed) {
+                (_, false) => vec![],
+                (Some(AppLayer::Leave(_)), true) => vec![Effect::Quit],
+                (_, true) => self.with_screen(|screen, cx| screen.confirmed(cx)),
+            },
         }
     }
 
@@ -328,7 +409,7 @@ impl App {
             SharedAction::Theme => settings.palette = settings.palette.next(),
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
             SharedAction::Back => return self.follow(Next::Back),
-            SharedAction::Quit => return vec![Effect::Quit],
+            SharedAction::Quit => return self.leave(),
         }
         vec![]
     }
@@ -345,13 +426,13 @@ impl App {
                 self.stack.pop();
                 if self.stack.is_empty() {
                     self.open(Place::Home);
-                    return vec![Effect::Quit];
+                    return self.leave();
                 }
                 self.resume();
             }
             Next::Confirm(question) => self.layers.push(AppLayer::Confirm(question)),
             Next::Shared(action) => return self.share(action),
-            Next::Quit => return vec![Effect::Quit],
+            Next::Quit => return self.leave(),
         }
         vec![]
     }

@@ -40,7 +40,7 @@ pub use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::team_names;
-use crate::files::{escape_control_lines, is_invisible};
+use crate::files::{escape_control, escape_control_lines};
 use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Place};
@@ -393,16 +393,31 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
+/// The most letters of an argument that are quoted.
+const LONGEST_QUOTED: usize = 200;
+
 /// Says what is wrong with the arguments, or the help that was asked for. It is coloured
 /// unless it quotes what would play tricks on the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
-    let plain = message.to_string();
-    let escape_control = escape_control_lines(&plain);
-    let quoted = env::args_os().any(|word| word.to_string_lossy().contains(is_invisible));
-    if quoted && message.use_stderr() {
-        return writeln!(io::stderr(), "{escape_control}");
+    let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
+    let is_odd = |word: &String| escape_control(word, LONGEST_QUOTED) != *word;
+    let odd: Vec<_> = words.filter(is_odd).collect();
+    if odd.is_empty() || !message.use_stderr() {
+        return message.print();
     }
-    message.print()
+    let mut plain = message.to_string();
+    for word in &odd {
+        // What stands behind a `=` is quoted alone.
+        let value = word
+            .split_once('=')
+            .map_or(word.as_str(), |(_, value)| value);
+        for quoted in [word, value] {
+            if quoted.len() > LONGEST_QUOTED {
+                plain = plain.replace(quoted, &escape_control(quoted, LONGEST_QUOTED));
+            }
+        }
+    }
+    writeln!(io::stderr(), "{}", escape_control_lines(&plain))
 }
 
 /// The app that `carrom` with these arguments opens (in one string, split into

@@ -61,7 +61,9 @@ fn with_recorder(
     let mut store = options.store();
     let player = options.player_name();
     let mut keep = |call: &StoreCall| store.answer(call);
-    talk(|talk| run(&mut Recorder::new(talk, &player, &mut keep)))
+    let talked = talk(|talk| run(&mut Recorder::new(talk, &player, &mut keep)));
+    store.pay_at_last().map_err(|lost| anyhow!(lost))?;
+    talked
 }
 
 /// A talk over standard input and output. To leave it early is no failure.

@@ -8,7 +8,8 @@ use serde::Serialize;
 
 use super::{Failure, given, print_report};
 use crate::files::LARGEST;
-use crate::levels::Scene;
+use crate::levels::{Patience, Scene};
+use crate::numbers::four_figures;
 use crate::physics::units::mm_from_m;
 use crate::physics::{Event, EventKind, Sample, Shot};
 
@@ -25,7 +26,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let scene = given::read(&args.file, LARGEST, Scene::read)?;
     let shot = scene
-        .play()
+        .play(Patience::Seconds)
         .map_err(|error| anyhow!("{}: {error}", args.file.display()))?;
     let json = args.json.then(|| ShotReport::of(&shot));
     Ok(print_report(json.as_ref(), || table(&scene, &shot))?)
@@ -77,6 +78,15 @@ impl ShotReport {
     }
 }
 
+/// A time to a tenth of a millisecond, or by a power of ten where nearly nothing holds a disc
+/// back.
+fn seconds(time: f64) -> String {
+    match time < 1e6 {
+        true => format!("{time:.4}"),
+        false => four_figures(time),
+    }
+}
+
 fn discs_of(kind: &EventKind) -> Vec<usize> {
     let (first, second) = kind.discs();
     std::iter::once(first).chain(second).collect()
@@ -93,10 +103,10 @@ fn table(scene: &Scene, shot: &Shot) -> String {
         let names: Vec<_> = discs.iter().map(|&disc| scene.name(disc)).collect();
         // An impact is where the first of the two discs is.
         let at = shot.at(event.kind.discs().0, event.time).position;
-        let time = format!("{:.4}", event.time);
+        let time = seconds(event.time);
         table += &row(&time, event.kind.into(), at, &names.join(" on "));
     }
-    table += &format!("\nat the end, after {:.4} s\n", shot.duration());
+    table += &format!("\nat the end, after {} s\n", seconds(shot.duration()));
     for (disc, end) in shot.final_states().enumerate() {
         table += &row("", end.state.into(), end.position, &scene.name(disc));
     }

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
+use unicode_segmentation::UnicodeSegmentation;
+
 use super::is_invisible;
+use super::letters::{hides, is_picture};
 
 /// Most errors of a file that are told; of one that is something else altogether there
 /// is no end.
@@ -124,16 +127,26 @@ pub fn escape_control_lines(text: &str) -> String {
 /// that a message cannot play tricks on the terminal that shows it.
 pub fn escape_control(text: &str, most: usize) -> String {
     let mut kept = String::new();
-    let mut characters = text.chars();
-    for c in characters.by_ref().take(most) {
-        if is_invisible(c) {
-            kept.extend(c.escape_default());
+    let mut left = most;
+    for letter in text.graphemes(true) {
+        let characters = letter.chars().count();
+        let is_whole = is_picture(letter);
+        if is_whole && characters <= left {
+            kept.push_str(letter);
         } else {
-            kept.push(c);
+            for c in letter.chars().take(left) {
+                if is_invisible(c) || hides(c) {
+                    kept.extend(c.escape_default());
+                } else {
+                    kept.push(c);
+                }
+            }
         }
-    }
-    if characters.next().is_some() {
-        kept.push_str("...");
+        if characters > left {
+            kept.push_str("...");
+            break;
+        }
+        left -= characters;
     }
     kept
 }

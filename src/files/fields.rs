@@ -11,6 +11,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
+use super::expectation::expectation;
 use super::number::{NumberSpec, Range};
 use super::source::Rank;
 use super::{FileErrors, Source, escape_control};
@@ -479,7 +480,7 @@ impl<'a> Fields<'a> {
         T::deserialize(ValueDeserializer::from(value.clone()))
             .map_err(|error| {
                 let at = error.span().unwrap_or(value.span()).start;
-                self.refuse_at::<T>(at, name, error.message().trim())
+                self.refuse_at::<T>(at, name, expectation(error.message().trim()))
             })
             .ok()
     }

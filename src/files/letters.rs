@@ -18,6 +18,31 @@ pub fn is_invisible(letter: char) -> bool {
         || u32::from(letter) & 0xfffe == 0xfffe
 }
 
+/// Whether a character is seen only as a part of a picture of several.
+pub(super) fn hides(letter: char) -> bool {
+    matches!(letter, '\u{200d}' | '\u{e0000}'..='\u{e007f}')
+}
+
+/// Whether a letter with all that belongs to it is one picture of several: people joined to
+/// a family, or the flag of a part of a country, which is spelt in tags.
+pub(super) fn is_picture(letter: &str) -> bool {
+    const FLAG: char = '\u{1f3f4}';
+    const LAST_TAG: char = '\u{e007f}';
+    let is_emoji = |c: char| matches!(c, '\u{200d}' | '\u{fe0f}' | '\u{2190}'..='\u{2bff}' | '\u{1f000}'..='\u{1faff}');
+    let is_tag = |c: char| ('\u{e0020}'..='\u{e007e}').contains(&c);
+    match letter
+        .strip_prefix(FLAG)
+        .and_then(|rest| rest.strip_suffix(LAST_TAG))
+    {
+        Some(tags) => tags.chars().all(is_tag),
+        None => {
+            letter.chars().all(is_emoji)
+                && !letter.starts_with('\u{200d}')
+                && !letter.ends_with('\u{200d}')
+        }
+    }
+}
+
 /// The name of somebody as it is shown and kept: its visible letters, with one blank
 /// between words. Accents stay on their letters, but do not pile up.
 pub fn tidy_name(name: &str) -> String {
@@ -50,6 +75,26 @@ fn joins(letter: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn pictures_of_several_letters_are_pictures_and_nothing_else_is() {
+        let wales = "\u{1f3f4}\u{e0067}\u{e0062}\u{e0077}\u{e006c}\u{e0073}\u{e007f}";
+        for picture in ["👩‍👩‍👧", "❤️‍🔥", wales] {
+            assert!(is_picture(picture), "{picture}");
+        }
+        let hidden = "a\u{e0041}";
+        let open = wales.trim_end_matches('\u{e007f}');
+        for other in [
+            "a\u{200d}",
+            "👩\u{200d}",
+            "\u{200d}",
+            hidden,
+            open,
+            "क्\u{200d}ष",
+        ] {
+            assert!(!is_picture(other), "{other:?}");
+        }
+    }
 
     #[test]
     fn names_stay_and_what_is_no_letter_goes() {

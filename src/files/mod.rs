@@ -3,6 +3,7 @@
 
 mod draft;
 mod error;
+mod expectation;
 mod fields;
 mod letters;
 mod list;

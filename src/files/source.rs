@@ -48,7 +48,7 @@ impl<'a> Source<'a> {
     /// If there are more than `most` of them, or they are no UTF-8.
     pub fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
         if bytes.len() > most {
-            let message = format!("expected a file of at most {} MiB, found more", most >> 20);
+            let message = format!("expected a file of at most {}, found more", size(most));
             return Err(Self::new(name, "", 1).error_at(0, "", message));
         }
         // Some editors begin with a mark that says nothing about UTF-8.
@@ -176,5 +176,13 @@ impl<'a> Source<'a> {
         let key = key.map_or("", |(key, _)| key.trim());
         let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if key.chars().all(bare) { key } else { "" }
+    }
+}
+/// So many bytes, in the unit that suits them.
+fn size(bytes: usize) -> String {
+    match bytes {
+        0..1024 => format!("{bytes} bytes"),
+        1024..0x10_0000 => format!("{} KiB", bytes >> 10),
+        _ => format!("{} MiB", bytes >> 20),
     }
 }

@@ -3,6 +3,7 @@
 use super::aim::LevelAim;
 use super::judge::{Judgement, judge, wins};
 use super::level::Level;
+use super::play::Patience;
 use crate::physics::{Engine, EngineError, Shot};
 
 /// The stored solution of a level, played.
@@ -20,10 +21,10 @@ impl Trial {
     ///
     /// # Errors
     ///
-    /// If a shot has too many events to be played to its end.
+    /// If a shot has too many events or is too much work to be played to its end.
     pub fn of(level: &Level) -> Result<Self, EngineError> {
         let verdict = |aim: &LevelAim| {
-            let shot = level.aimed(aim).play()?;
+            let shot = level.aimed(aim).play(Patience::AKey)?;
             Ok(judge(level, &shot))
         };
         Ok(Self {
@@ -53,7 +54,9 @@ pub fn winning_share(level: &Level, tries: u32) -> f64 {
             let share = (0.5 + ratio * f64::from(n)).fract();
             aim = aim.with(*dial, range.at(share));
         }
-        let played = level.aimed(&aim).play_into(&mut engine, &mut shot);
+        let played = level
+            .aimed(&aim)
+            .play_into(&mut engine, &mut shot, Patience::AMoment);
         played.is_ok() && wins(level, &shot)
     });
     won.count() as f64 / f64::from(tries.max(1))

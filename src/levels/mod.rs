@@ -28,6 +28,7 @@ pub use judge::{Judgement, judge};
 pub use kind::DiscKind;
 pub use level::{FORMAT, Level};
 pub use library::{LevelLibrary, Pack};
+pub use play::Patience;
 pub use scene::{Launch, MOST_DISCS, PlacedDisc, Scene};
 pub use shelf::Shelf;
 pub use stars::{FEW_SHOTS, MOST_STARS, Starred, Win};

@@ -7,16 +7,48 @@ use crate::physics::{Engine, EngineError, Limits, Shot};
 /// ever come to rest.
 const WATCHED: f64 = 60.0;
 
+/// How long a shot may take to be worked out, counted in looks at a pair of discs (see
+/// [`Limits::work`]): nobody waits for one that takes longer, and none of carrom's own levels
+/// comes near.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Patience {
+    /// Some seconds: for a shot that is all that was asked for.
+    Seconds,
+    /// A twentieth of a second: for a shot that is to be watched after a key.
+    AKey,
+    /// A thousandth of a second: for one of thousands, and for what is shown while a player
+    /// aims.
+    AMoment,
+}
+
+impl Patience {
+    const fn work(self) -> u64 {
+        match self {
+            Self::Seconds => 1_000_000_000,
+            Self::AKey => 10_000_000,
+            Self::AMoment => 200_000,
+        }
+    }
+}
+
 impl Scene {
     /// Plays the shot to its end, or for a minute on a board without friction.
     ///
     /// # Errors
     ///
     /// If the shot has too many events or is too much work to be played to its end.
-    pub fn play(&self) -> Result<Shot, EngineError> {
+    pub fn play(&self, patience: Patience) -> Result<Shot, EngineError> {
         let mut shot = Shot::default();
-        self.play_into(&mut Engine::default(), &mut shot)?;
+        self.play_into(&mut Engine::default(), &mut shot, patience)?;
         Ok(shot)
+    }
+
+    /// Plays the shot as far as a moment goes: the first that its disc meets is in that.
+    pub fn play_for_a_moment(&self) -> Shot {
+        let mut shot = Shot::default();
+        // What was played stands.
+        let _ = self.play_into(&mut Engine::default(), &mut shot, Patience::AMoment);
+        shot
     }
 
     /// Plays the shot as [`Scene::play`] does, into a record and with an engine that
@@ -25,11 +57,20 @@ impl Scene {
     /// # Errors
     ///
     /// As [`Scene::play`].
-    pub fn play_into(&self, engine: &mut Engine, shot: &mut Shot) -> Result<(), EngineError> {
-        let limits = if self.board.friction > 0.0 {
-            Limits::default()
-        } else {
-            Limits::until(WATCHED)
+    pub fn play_into(
+        &self,
+        engine: &mut Engine,
+        shot: &mut Shot,
+        patience: Patience,
+    ) -> Result<(), EngineError> {
+        let horizon = match self.board.friction > 0.0 {
+            true => f64::INFINITY,
+            false => WATCHED,
+        };
+        let limits = Limits {
+            horizon,
+            work: patience.work(),
+            ..Limits::default()
         };
         engine.play_into(shot, &self.board, &self.discs(), &self.motions(), limits)
     }

@@ -69,6 +69,8 @@ pub enum StoreRequest {
     Marks(String),
     /// Keep this text as the file of the settings.
     KeepSettings(String),
+    /// Try once more to keep what could not be kept so far.
+    Retry,
 }
 
 /// What came of a [`StoreCall`]; where it failed, the reason in words.
@@ -78,6 +80,9 @@ pub struct StoreAnswer {
     pub ticket: u64,
     /// What was done.
     pub done: StoreReply,
+    /// How many answers, stars and bookmarks could not be kept so far. They are kept, in
+    /// their order, as soon as that is possible.
+    pub owed: usize,
     /// Something else that the player should know of.
     pub notice: Option<String>,
 }
@@ -99,7 +104,7 @@ pub enum StoreReply {
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark or the settings are safe.
+    /// The answer, the stars, the bookmark or the settings are safe, and all before them.
     Noted(Result<(), String>),
     /// What was done so far.
     Recalled(Result<Box<History>, String>),
@@ -156,11 +161,13 @@ impl StoreCall {
                 | StoreRequest::Star(..)
                 | StoreRequest::Mark { .. }
                 | StoreRequest::Forget(..)
-                | StoreRequest::KeepSettings(_) => StoreReply::Noted(Err(reason)),
+                | StoreRequest::KeepSettings(_)
+                | StoreRequest::Retry => StoreReply::Noted(Err(reason)),
                 StoreRequest::Recall(_) => StoreReply::Recalled(Err(reason)),
                 StoreRequest::Stars(_) => StoreReply::Stars(Err(reason)),
                 StoreRequest::Marks(_) => StoreReply::Marks(Err(reason)),
             },
+            owed: 0,
             notice: None,
         }
     }

@@ -18,6 +18,7 @@ mod memory;
 mod open_files;
 mod text_store;
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -40,8 +41,22 @@ use text_store::TextStore;
 
 /// How the names of texts that are read again end.
 const TEXT: &str = ".toml";
+/// Why nothing is kept where no folder for it is known.
+const NOWHERE: &str = "no folder for data is known; --data-dir gives one";
 /// How the names of tables for other programs end.
 const TABLE: &str = ".csv";
+
+/// Whether this is something done that is kept in its order.
+fn is_note(wish: &StoreRequest) -> bool {
+    matches!(
+        wish,
+        StoreRequest::Record(_)
+            | StoreRequest::Star(..)
+            | StoreRequest::Mark { .. }
+            | StoreRequest::Forget(..)
+            | StoreRequest::Retry
+    )
+}
 
 /// Where everything is kept.
 pub struct Store {
@@ -57,6 +72,8 @@ pub struct Store {
     told: Option<String>,
     /// The file of the settings; `None` where they are gone with the process.
     settings: Option<PathBuf>,
+    /// What could not be written to the database so far, the oldest first.
+    owed: VecDeque<StoreRequest>,
     clock: Clock,
     closed: bool,
 }
@@ -165,6 +182,7 @@ impl Store {
             aside: Vec::new(),
             told: None,
             settings: None,
+            owed: VecDeque::new(),
             clock: Clock::Computer,
             closed: false,
         }
@@ -172,10 +190,13 @@ impl Store {
 
     /// Does what is asked.
     pub fn answer(&mut self, request: &StoreCall) -> StoreAnswer {
-        if self.closed {
-            return request.refused("no folder for data is known; --data-dir gives one");
-        }
         let ticket = request.ticket;
+        if self.closed && !is_note(&request.wish) {
+            return StoreAnswer {
+                owed: self.owed.len(),
+                ..request.refused(NOWHERE)
+            };
+        }
         self.progress.on_day(self.calendar().today());
         let done = match &request.wish {
             StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
@@ -197,26 +218,17 @@ impl Store {
             }
             StoreRequest::RemoveClass(name) => StoreReply::Removed(self.classes.remove(name)),
             StoreRequest::ExportClass(round) => StoreReply::Exported(self.export_class(round)),
-            StoreRequest::Record(attempt) => StoreReply::Noted(self.record(attempt)),
-            StoreRequest::Star(player, starred) => {
-                StoreReply::Noted(self.progress.star(player, starred))
-            }
             StoreRequest::Recall(player) => StoreReply::Recalled(self.recall(player.as_deref())),
             StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
-            StoreRequest::Mark {
-                player,
-                chapter,
-                later,
-            } => StoreReply::Noted(self.progress.mark(player, chapter, later)),
-            StoreRequest::Forget(player, what) => {
-                StoreReply::Noted(self.progress.forget(player, what))
-            }
             StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
             StoreRequest::KeepSettings(text) => StoreReply::Noted(self.keep_settings(text)),
+            StoreRequest::Retry => StoreReply::Noted(self.pay()),
+            note => StoreReply::Noted(self.note(note)),
         };
         StoreAnswer {
             ticket,
             done,
+            owed: self.owed.len(),
             notice: (self.told.take())
                 .or_else(|| self.progress.take_notice())
                 .or_else(|| self.games.take_notice())
@@ -256,18 +268,63 @@ impl Store {
         Ok(places.join(" and "))
     }
 
-    /// Keeps an answer, with the time.
-    fn record(&mut self, attempt: &Attempt) -> Result<(), String> {
-        let attempt = Attempt {
-            time_s: self.calendar().now_s,
-            ..attempt.clone()
-        };
-        self.progress.record(&attempt)
+    /// Keeps an answer, with the time it was given, or something else that was done, behind
+    /// all that is still to be kept.
+    fn note(&mut self, note: &StoreRequest) -> Result<(), String> {
+        let mut note = note.clone();
+        if let StoreRequest::Record(attempt) = &mut note {
+            attempt.time_s = self.calendar().now_s;
+        }
+        self.owed.push_back(note);
+        self.pay()
+    }
+
+    /// Writes what is still to be kept, in its order, until something cannot be.
+    fn pay(&mut self) -> Result<(), String> {
+        while let Some(oldest) = self.owed.front() {
+            if self.closed {
+                return Err(NOWHERE.into());
+            }
+            let progress = &mut self.progress;
+            match oldest {
+                StoreRequest::Record(attempt) => progress.record(attempt),
+                StoreRequest::Star(player, starred) => progress.star(player, starred),
+                StoreRequest::Mark {
+                    player,
+                    chapter,
+                    later,
+                } => progress.mark(player, chapter, later),
+                StoreRequest::Forget(player, what) => progress.forget(player, what),
+                _ => Ok(()),
+            }?;
+            self.owed.pop_front();
+        }
+        Ok(())
+    }
+
+    /// Tries for the last time to keep what could not be kept so far.
+    ///
+    /// # Errors
+    /// How much is lost, and why.
+    pub fn pay_at_last(&mut self) -> Result<(), String> {
+        self.pay().map_err(|reason| {
+            let owed = self.owed.len();
+            let things = if owed == 1 { "thing" } else { "things" };
+            format!("{owed} {things} that you did could not be kept: {reason}")
+        })
     }
 
     fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
+        let mut attempts = self.progress.attempts(player)?;
+        // What is still to be kept was answered all the same.
+        let owed = self.owed.iter().filter_map(|note| match note {
+            StoreRequest::Record(attempt) => Some(attempt.as_ref()),
+            _ => None,
+        });
+        let of_player = |it: &&Attempt| player.is_none_or(|player| player == it.player);
+        attempts.extend(owed.filter(of_player).cloned());
         Ok(Box::new(History {
-            attempts: self.progress.attempts(player)?,
+            attempts,
             calendar: self.calendar(),
         }))
     }

@@ -3,7 +3,7 @@
 //! The striker comes along +x at 2 m/s; the coin, of equal mass, lies half of
 //! r1 + r2 to its right: the impact angle is 30 degrees.
 
-use carrom::levels::{Finding, Level, judge};
+use carrom::levels::{Finding, Level, Patience, judge};
 
 const HIT: &str = r#"
 format = 1
@@ -34,7 +34,7 @@ direction_deg = [-30, 200]
 fn judged(goal: &str, direction_deg: f64) -> Finding {
     let text = format!("{HIT}direction_deg = {direction_deg}\n[[goal]]\n{goal}\n");
     let level = Level::read("hit.toml", text.as_bytes()).unwrap_or_else(|fault| panic!("{fault}"));
-    let shot = level.aimed(&level.solution).play().unwrap();
+    let shot = level.aimed(&level.solution).play(Patience::AKey).unwrap();
     let [finding] = judge(&level, &shot).told(&level).try_into().unwrap();
     finding
 }
@@ -199,7 +199,7 @@ fn a_pocketed_disc_counts_in_its_order() {
     };
     let judged = |goal: &str| {
         let level = Level::read("row.toml", text(goal).as_bytes()).unwrap();
-        let shot = level.aimed(&level.solution).play().unwrap();
+        let shot = level.aimed(&level.solution).play(Patience::AKey).unwrap();
         judge(&level, &shot).told(&level).remove(0)
     };
     let right = judged("discs = [1, 0]");

@@ -4,7 +4,7 @@
 //! `tests/bad-levels/NAME.expected` is the message for `NAME.toml`, or for the
 //! folder `NAME`.
 
-use carrom::levels::{Level, LevelLibrary, Scene, judge};
+use carrom::levels::{Level, LevelLibrary, Patience, Scene, judge};
 use proptest::prelude::*;
 
 use crate::bad_files::{self, BadFiles, message};
@@ -89,7 +89,7 @@ fn is_level_or_message(bytes: &[u8]) -> Result<(), TestCaseError> {
     match Level::read("level", bytes) {
         Ok(level) => {
             // A level can be played, if only until there are too many events.
-            if let Ok(shot) = level.aimed(&level.solution).play() {
+            if let Ok(shot) = level.aimed(&level.solution).play(Patience::AKey) {
                 prop_assert_eq!(judge(&level, &shot).told(&level).len(), level.goals.len());
             }
             prop_assert_eq!(Scene::read("level", bytes), Ok(level.scene));

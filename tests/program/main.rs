@@ -10,6 +10,8 @@ mod bookmarks;
 mod child;
 mod cli;
 #[cfg(unix)]
+mod freeze;
+#[cfg(unix)]
 mod kill;
 mod memory;
 mod old_files;

@@ -1,42 +1,173 @@
 //! What the player sees of keeping when it does not go as it should.
 
+use std::fs;
+use std::path::PathBuf;
+use std::time::Duration;
+
 use carrom::app::App;
-use carrom::messages::{Input, StoreAnswer, StoreReply};
+use carrom::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use carrom::quiz::Code;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
+use carrom::store::Store;
+
+use crate::folder::Folder;
 
 #[test]
 fn what_takes_long_and_what_is_lost_is_told_each_time() {
     let app = App::new(Place::Lab, Settings::default(), 1);
     let mut game = Headless::from(app);
-    let kept = |ticket, done: Result<(), String>| {
+    let kept = |ticket, owed| {
+        let done = match owed {
+            0 => Ok(()),
+            _ => Err("it is locked".into()),
+        };
         Input::Kept(Box::new(StoreAnswer {
             ticket,
             done: StoreReply::Noted(done),
+            owed,
             notice: None,
         }))
     };
-    let lost = |ticket| kept(ticket, Err("it is locked".into()));
     let head = |game: &mut Headless| game.screen().lines().next().unwrap().to_owned();
     let calm = head(&mut game);
     game.input(&Input::Saving(901));
     assert!(head(&mut game).contains("saving"));
-    game.input(&kept(901, Ok(())));
+    game.input(&kept(901, 0));
     assert_eq!(head(&mut game), calm);
     game.input(&Input::Saving(902));
-    game.input(&lost(902));
+    game.input(&kept(902, 1));
     assert!(head(&mut game).contains("not kept: 1"));
     assert!(game.screen().contains("it is locked"));
     game.press("?<Escape>");
-    game.input(&lost(903));
+    game.input(&kept(903, 2));
     assert!(head(&mut game).contains("not kept: 2"), "{}", game.screen());
     assert!(
         !game.screen().contains("it is locked"),
         "not in the way each time"
     );
     // After it went well again, another loss is news.
-    game.input(&kept(904, Ok(())));
-    game.input(&lost(905));
+    game.input(&kept(904, 0));
+    assert_eq!(head(&mut game), calm);
+    game.input(&kept(905, 1));
     assert!(game.screen().contains("it is locked"));
-    assert!(head(&mut game).contains("not kept: 3"));
+    assert!(head(&mut game).contains("not kept: 1"));
+}
+
+/// A store that cannot write for as long as a file stands in its folder's place.
+struct Blocked(Folder);
+
+impl Blocked {
+    fn new(name: &str) -> Self {
+        let blocked = Self(Folder::new(name));
+        fs::write(blocked.place(), "").unwrap();
+        blocked
+    }
+
+    fn place(&self) -> PathBuf {
+        self.0.path().join("data")
+    }
+
+    fn free(&self) {
+        fs::remove_file(self.place()).unwrap();
+    }
+
+    fn game(&self, place: Place) -> Headless {
+        let app = App::new(place, Settings::default(), 7);
+        Headless::keeping(app, 80, 24, Store::in_folder(&self.place()).timeless())
+    }
+
+    /// The numbers of the questions that were answered, as they are kept.
+    fn kept(&self) -> Vec<u32> {
+        let wish = StoreRequest::Recall(None);
+        let mut store = Store::in_folder(&self.place()).only_looking();
+        match store.answer(&StoreCall { ticket: 0, wish }).done {
+            StoreReply::Recalled(Ok(history)) => {
+                history.attempts.iter().map(|it| it.number).collect()
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+fn a_round() -> Place {
+    let code = Some(Code::hits(7));
+    Place::Quiz { code }
+}
+
+/// Answers the question on the screen, and the notice that may follow.
+fn answer(game: &mut Headless) {
+    game.press("60<Enter>30<Enter>2");
+    if game.screen().contains("please note") {
+        game.press("x");
+    }
+    game.press("<Enter>");
+}
+
+#[test]
+fn what_could_not_be_kept_is_kept_later_in_its_order() {
+    let blocked = Blocked::new("keeping-later");
+    let mut game = blocked.game(a_round());
+    for owed in 1..=3 {
+        answer(&mut game);
+        let screen = game.screen();
+        assert!(screen.contains(&format!("not kept: {owed}")), "{screen}");
+    }
+    game.pass(Duration::from_secs(5));
+    assert!(game.screen().contains("not kept: 3"));
+    blocked.free();
+    game.pass(Duration::from_secs(5));
+    assert!(!game.screen().contains("not kept"), "{}", game.screen());
+    assert_eq!(blocked.kept(), [1, 2, 3]);
+    assert_eq!(game.app().wake(), None, "nothing is left to be tried");
+    answer(&mut game);
+    assert_eq!(blocked.kept(), [1, 2, 3, 4]);
+}
+
+#[test]
+fn the_next_answer_brings_those_before_it_along() {
+    let blocked = Blocked::new("keeping-next");
+    let mut game = blocked.game(a_round());
+    answer(&mut game);
+    answer(&mut game);
+    blocked.free();
+    answer(&mut game);
+    assert_eq!(blocked.kept(), [1, 2, 3]);
+    assert!(!game.screen().contains("not kept"));
+}
+
+#[test]
+fn whoever_leaves_with_answers_that_are_not_kept_is_asked() {
+    for keys in ["<Ctrl+C>", "q", "<Escape>"] {
+        let blocked = Blocked::new("keeping-leave");
+        let mut game = blocked.game(a_round());
+        answer(&mut game);
+        if keys != "<Ctrl+C>" {
+            game.press("<Escape>y");
+        }
+        assert!(game.screen().contains("not kept: 1"), "{}", game.screen());
+        let before = game.screen();
+        game.press(keys);
+        assert!(
+            game.screen().contains("Leave?"),
+            "{keys}: {}",
+            game.screen()
+        );
+        assert!(!game.has_quit());
+        game.press("n");
+        assert_eq!(game.screen(), before);
+        game.press(keys);
+        // As soon as all is kept there is nothing to be asked.
+        blocked.free();
+        game.pass(Duration::from_secs(5));
+        assert!(!game.screen().contains("Leave?"), "{}", game.screen());
+        game.press(keys);
+        assert!(game.has_quit());
+        assert_eq!(blocked.kept(), [1]);
+    }
+    let blocked = Blocked::new("keeping-leave-twice");
+    let mut game = blocked.game(a_round());
+    answer(&mut game);
+    game.press("<Ctrl+C><Ctrl+C>");
+    assert!(game.has_quit(), "who asks twice means it");
 }

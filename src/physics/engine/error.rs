@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::numbers::four_figures;
+
 /// Why a shot cannot be played, or not to its end. Discs are numbered from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum EngineError {
@@ -50,7 +52,7 @@ pub enum EngineError {
     Endless,
     /// The cap on events was reached: the discs have most likely collapsed onto one
     /// another (restitution below 1 and no friction to end it).
-    #[error("more than {events} events by {time} s: given up")]
+    #[error("more than {events} events by {} s: given up", four_figures(*time))]
     TooManyEvents {
         /// The cap.
         events: usize,
@@ -58,7 +60,7 @@ pub enum EngineError {
         time: f64,
     },
     /// The shot took more work than was allowed.
-    #[error("more than {work} looks at pairs of discs by {time} s: given up")]
+    #[error("more than {work} looks at pairs of discs by {} s: given up", four_figures(*time))]
     TooMuchWork {
         /// How much was allowed, in looks at a pair of discs.
         work: u64,

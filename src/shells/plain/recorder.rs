@@ -18,8 +18,8 @@ pub struct Recorder<'a, 't> {
     store: &'a mut Keeper<'a>,
     /// Whether it has been said why something could not be kept.
     complained: bool,
-    /// How many answers could not be kept.
-    lost: usize,
+    /// How much could not be kept so far.
+    owed: usize,
 }
 
 impl<'a, 't> Recorder<'a, 't> {
@@ -30,7 +30,7 @@ impl<'a, 't> Recorder<'a, 't> {
             player,
             store,
             complained: false,
-            lost: 0,
+            owed: 0,
         }
     }
 
@@ -47,19 +47,24 @@ impl<'a, 't> Recorder<'a, 't> {
             self.talk
                 .say(&format!("What you do cannot be kept: {reason}."))?;
         }
+        let before = std::mem::replace(&mut self.owed, answer.owed);
+        if before > 0 && answer.owed == 0 {
+            self.complained = false;
+            self.talk.say("All that was not kept is kept now.")?;
+        }
         Ok(answer.done)
     }
 
-    /// Keeps an answer, before anything is said about it. Each one that is lost is told.
+    /// Keeps an answer, before anything is said about it. Each one that cannot be kept yet is
+    /// told.
     pub(super) fn record(&mut self, attempt: Attempt) -> Result<(), Leave> {
         let kept = self.wish(StoreRequest::Record(Box::new(attempt)))?;
         if !matches!(kept, StoreReply::Noted(Err(_))) {
             return Ok(());
         }
-        self.lost += 1;
-        self.talk.say(&match self.lost {
-            1 => "This answer is not kept.".to_owned(),
-            lost => format!("This answer is not kept either: {lost} are lost by now."),
+        self.talk.say(&match self.owed {
+            1 => "This answer is not kept yet.".to_owned(),
+            owed => format!("This answer is not kept yet either: now there are {owed}."),
         })
     }
 }
@@ -71,7 +76,7 @@ mod tests {
     use crate::store::Store;
 
     #[test]
-    fn every_lost_answer_is_told_and_the_reason_once() {
+    fn every_answer_that_is_not_kept_is_told_and_the_reason_once() {
         let round = Round::hits(7);
         let question = &round.questions()[0];
         let answer = Answer::new(question.form.truth(), Confidence::Sure);
@@ -87,9 +92,9 @@ mod tests {
         assert_eq!(
             String::from_utf8(output).unwrap(),
             "What you do cannot be kept: no folder for data is known; --data-dir gives one.\n\
-             This answer is not kept.\n\
-             This answer is not kept either: 2 are lost by now.\n\
-             This answer is not kept either: 3 are lost by now.\n"
+             This answer is not kept yet.\n\
+             This answer is not kept yet either: now there are 2.\n\
+             This answer is not kept yet either: now there are 3.\n"
         );
     }
 }

@@ -1,8 +1,60 @@
 //! What the thread that draws is told by the others.
 
 use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::Sender;
 
-use crate::messages::Input;
+use crate::messages::{Input, Key};
+
+/// The most keys that may wait: nobody means more of them than that before the next picture.
+const MOST_WAITING: usize = 1000;
+
+/// What the keyboard and the signals send, and how much of it still waits to be taken.
+#[derive(Debug, Clone)]
+pub(super) struct Inbox {
+    sender: Sender<Message>,
+    /// Keys and the like that wait.
+    waiting: Arc<AtomicUsize>,
+    /// Messages to leave that wait: nothing that was typed before one counts any more.
+    leaving: Arc<AtomicUsize>,
+}
+
+impl Inbox {
+    pub(super) fn new(sender: Sender<Message>) -> Self {
+        Self {
+            sender,
+            waiting: Arc::default(),
+            leaving: Arc::default(),
+        }
+    }
+
+    /// Sends a message; says whether anybody listens still. Keys that come in a flood are
+    /// dropped.
+    pub(super) fn send(&self, message: Message) -> bool {
+        if message.leaves() {
+            self.leaving.fetch_add(1, Ordering::SeqCst);
+        } else if message.is_typed() && self.waiting.load(Ordering::SeqCst) >= MOST_WAITING {
+            return true;
+        }
+        if message.is_typed() {
+            self.waiting.fetch_add(1, Ordering::SeqCst);
+        }
+        self.sender.send(message).is_ok()
+    }
+
+    /// Notes that a message was taken; says whether it counts.
+    pub(super) fn take(&self, message: &Message) -> bool {
+        if message.is_typed() {
+            self.waiting.fetch_sub(1, Ordering::SeqCst);
+        }
+        if message.leaves() {
+            self.leaving.fetch_sub(1, Ordering::SeqCst);
+            return true;
+        }
+        !message.is_typed() || self.leaving.load(Ordering::SeqCst) == 0
+    }
+}
 
 /// One thing that happened.
 #[derive(Debug)]
@@ -20,4 +72,61 @@ pub(super) enum Message {
     /// carrom was stopped and runs again.
     #[cfg(unix)]
     Continue,
+}
+
+impl Message {
+    /// Whether a hand made it.
+    fn is_typed(&self) -> bool {
+        matches!(
+            self,
+            Self::Input(Input::Key(_) | Input::Mouse(_) | Input::Paste(_))
+        )
+    }
+
+    /// Whether it asks to leave, now.
+    fn leaves(&self) -> bool {
+        match self {
+            Self::Input(Input::Key(Key::Ctrl('c'))) => true,
+            #[cfg(unix)]
+            Self::Leave(_) => true,
+            _ => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc;
+
+    use super::*;
+
+    fn key(c: char) -> Message {
+        Message::Input(Input::Key(Key::Char(c)))
+    }
+
+    /// What counts of these messages, sent at once.
+    fn counted(messages: impl Iterator<Item = Message>) -> usize {
+        let (sender, receiver) = mpsc::channel();
+        let inbox = Inbox::new(sender);
+        messages.for_each(|message| assert!(inbox.send(message)));
+        let counted = receiver.try_iter().filter(|it| inbox.take(it)).count();
+        assert_eq!(inbox.waiting.load(Ordering::SeqCst), 0);
+        counted
+    }
+
+    #[test]
+    fn of_a_flood_of_keys_no_more_counts_than_can_be_meant() {
+        assert_eq!(counted((0..5).map(|_| key('a'))), 5);
+        assert_eq!(counted((0..100_000).map(|_| key('a'))), MOST_WAITING);
+        let sizes = (0..5000).map(|_| Message::Input(Input::Resize(80, 24)));
+        assert_eq!(counted(sizes), 5000);
+    }
+
+    #[test]
+    fn what_was_typed_before_somebody_leaves_counts_no_more() {
+        let leave = || Message::Input(Input::Key(Key::Ctrl('c')));
+        let typed = || (0..100_000).map(|_| key('a'));
+        assert_eq!(counted(typed().chain([leave()])), 1);
+        assert_eq!(counted(typed().chain([leave(), key('y')])), 2);
+    }
 }

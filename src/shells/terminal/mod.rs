@@ -22,7 +22,7 @@ use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread::{self, JoinHandle};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use crossterm::queue;
 use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
@@ -38,7 +38,7 @@ use crate::app::App;
 use crate::messages::{Effect, Input};
 use crate::store::Store;
 use guard::Guard;
-use message::Message;
+use message::{Inbox, Message};
 use pace::Pace;
 use store_worker::StoreWorker;
 
@@ -76,6 +76,9 @@ type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>
 /// memory has its limits. Of a larger one the rest stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
+/// How long keys may be taken without a picture of what they do.
+const UNSEEN: Duration = Duration::from_millis(50);
+
 /// What is drawn of a terminal of this size.
 fn drawn(columns: u16, rows: u16) -> Rect {
     Rect::new(0, 0, columns.min(LARGEST.0), rows.min(LARGEST.1))
@@ -93,11 +96,12 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHan
 /// If the terminal cannot be used, or no longer.
 pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
+    let inbox = Inbox::new(sender.clone());
     #[cfg(unix)]
-    signals::watch(sender.clone()).map_err(TerminalError::SetUp)?;
+    signals::watch(inbox.clone()).map_err(TerminalError::SetUp)?;
     let store_worker = StoreWorker::start(store, sender.clone()).map_err(TerminalError::SetUp)?;
     let guard = Guard::take().map_err(TerminalError::SetUp)?;
-    reader::start(sender.clone()).map_err(TerminalError::SetUp)?;
+    reader::start(inbox.clone()).map_err(TerminalError::SetUp)?;
     // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
     // by wiping bold and reverse too.
     crossterm::style::force_color_output(true);
@@ -111,6 +115,7 @@ pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
         screen: ManuallyDrop::new(screen),
         guard,
         messages,
+        inbox,
         sender,
         store_worker,
         pace: Pace::new(Instant::now()),
@@ -124,6 +129,7 @@ struct TerminalRun {
     screen: FixedTerminal,
     guard: Guard,
     messages: Receiver<Message>,
+    inbox: Inbox,
     /// For the searches and the store.
     sender: Sender<Message>,
     store_worker: StoreWorker,
@@ -148,8 +154,14 @@ impl TerminalRun {
             if let Flow::Break(ending) = self.carry_out(&effects) {
                 return Ok(ending);
             }
-            // All there is, then one picture of it.
-            while let Some(message) = first.take().or_else(|| self.messages.try_recv().ok()) {
+            // All there is, then one picture of it; in a flood a picture now and then.
+            let start = Instant::now();
+            while start.elapsed() < UNSEEN
+                && let Some(message) = first.take().or_else(|| self.messages.try_recv().ok())
+            {
+                if !self.inbox.take(&message) {
+                    continue;
+                }
                 if let Flow::Break(ending) = self.take(message)? {
                     return Ok(ending);
                 }

@@ -1,18 +1,18 @@
 //! Reads the keyboard and the mouse.
 
 use std::io;
-use std::sync::mpsc::Sender;
 
 use crossterm::event::{
     self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent,
     MouseEventKind,
 };
 
-use super::{message::Message, spawn};
+use super::message::{Inbox, Message};
+use super::spawn;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 
 /// Starts the thread that reads. It ends with the process, or with the terminal.
-pub(super) fn start(sender: Sender<Message>) -> io::Result<()> {
+pub(super) fn start(inbox: Inbox) -> io::Result<()> {
     let read = move || {
         loop {
             let message = match event::read() {
@@ -21,7 +21,7 @@ pub(super) fn start(sender: Sender<Message>) -> io::Result<()> {
             };
             let is_last = matches!(message, Some(Message::Lost(_)));
             // Nobody listens any more only when carrom is leaving anyway.
-            if message.is_some_and(|it| sender.send(it).is_err()) || is_last {
+            if message.is_some_and(|it| !inbox.send(it)) || is_last {
                 return;
             }
         }

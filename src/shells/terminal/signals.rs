@@ -3,7 +3,7 @@
 
 use std::io;
 use std::process;
-use std::sync::mpsc::{self, Sender};
+use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
@@ -11,7 +11,8 @@ use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
 
-use super::{guard, message::Message, spawn};
+use super::message::{Inbox, Message};
+use super::{guard, spawn};
 use crate::messages::Input;
 
 /// How long the thread that draws may take to leave.
@@ -23,7 +24,7 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// terminal that takes no more, and the one that reads spins without end once its
 /// window is closed; so whoever is still here after [`PATIENCE`] is ended from
 /// this thread, with the terminal restored.
-pub(super) fn watch(sender: Sender<Message>) -> io::Result<()> {
+pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {
         for signal in signals.forever() {
@@ -39,7 +40,7 @@ pub(super) fn watch(sender: Sender<Message>) -> io::Result<()> {
             let leave = matches!(message, Message::Leave(_));
             // A send fails only when the run is over: then there is nobody to stop
             // or to wake, but the process must still end.
-            let _ = sender.send(message);
+            let _ = inbox.send(message);
             if leave {
                 thread::sleep(PATIENCE);
                 end(signal);

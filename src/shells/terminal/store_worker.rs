@@ -44,6 +44,9 @@ impl StoreWorker {
                 // It may have become too late for whoever waited.
                 let _ = job.done.send(());
             }
+            if let Err(lost) = store.pay_at_last() {
+                say(&lost);
+            }
         };
         Ok(Self {
             jobs: Some(jobs),
@@ -106,7 +109,7 @@ fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
     let told = sender.send(Message::Input(Input::Kept(Box::new(answer))));
     // Nobody listens any more only when carrom is leaving anyway.
     if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = told
-        && let StoreReply::Noted(Err(reason)) | StoreReply::Saved(Err(reason)) = answer.done
+        && let StoreReply::Saved(Err(reason)) = answer.done
     {
         say(&format!("what you did last could not be kept: {reason}"));
     }

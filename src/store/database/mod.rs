@@ -269,12 +269,6 @@ fn is_look_up(behavior: TransactionBehavior) -> bool {
     matches!(behavior, TransactionBehavior::Deferred)
 }
 
-/// Whether what was first asked `since` then is not past this patience. The clock is not
-/// looked at before it is needed: in a browser there is none.
-fn is_within(since: &mut Option<Instant>, patience: Duration) -> bool {
-    since.get_or_insert_with(Instant::now).elapsed() < patience
-}
-
 /// Fails unless what is there, if anything is, can be a database that this carrom knows. It
 /// is looked at as any file is: SQLite would wait at a pipe, and put files of its own beside
 /// what is none of ours.

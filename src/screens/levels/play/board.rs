@@ -119,7 +119,7 @@ fn discs(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
 }
 
 /// The board with the shot as it is aimed, up to the first thing it meets.
-pub(super) fn of_aim(level: &Level, scene: &Scene, area: Rect) -> Picture {
+pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<Met>, area: Rect) -> Picture {
     let mut picture = ground(level, area);
     let places = scene.pieces.iter().map(|piece| piece.at).enumerate();
     let places: Vec<_> = places.collect();
@@ -128,9 +128,7 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, area: Rect) -> Picture {
     if let Some(piece) = scene.pieces.get(aimed)
         && let Some(heading) = velocity.try_normalize()
     {
-        if let Ok(shot) = scene.play()
-            && let Some((end, touches)) = first_met(&shot, aimed)
-        {
+        if let Some((end, touches)) = met {
             picture.line(piece.at, end, Pen::new(Role::Aim).dotted());
             if touches {
                 board::ghost(&mut picture, end, piece.disc.radius, Role::Predicted);
@@ -147,7 +145,11 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, area: Rect) -> Picture {
 }
 
 /// Where a disc first meets something or stops, and whether it is another disc.
-fn first_met(shot: &Shot, aimed: usize) -> Option<(DVec2, bool)> {
+pub(super) type Met = (DVec2, bool);
+
+/// Where the disc of a scene's shot first meets something, or stops.
+pub(super) fn first_met(scene: &Scene) -> Option<Met> {
+    let (shot, aimed) = (scene.play_for_a_moment(), scene.stroke.disc);
     let (time, touches) = shot.events().iter().find_map(|event| {
         let touches = event.kind.partner(aimed).is_some();
         (touches || event.kind.discs().0 == aimed).then_some((event.time, touches))
@@ -248,7 +250,7 @@ mod tests {
         };
         let library = LevelLibrary::embedded();
         for level in library.packs.iter().flat_map(|pack| &pack.levels) {
-            let picture = of_aim(level, &level.scene, Rect::new(0, 0, 80, 36));
+            let picture = of_aim(level, &level.scene, None, Rect::new(0, 0, 80, 36));
             let file = Svg::new(&level.title, &picture, &look, 1.0).file();
             let read = roxmltree::Document::parse(&file).unwrap();
             let circles = read.descendants().filter(|it| it.has_tag_name("circle"));

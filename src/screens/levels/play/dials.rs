@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::board::{Met, first_met};
 use crate::levels::{Dial, Level, LevelAim, Range};
 use crate::physics::units::mm_from_m;
 use crate::widgets::input::{Field, FieldValue, FormFields, SettingsForm};
@@ -11,6 +12,8 @@ use crate::widgets::input::{Field, FieldValue, FormFields, SettingsForm};
 pub(super) struct Dials {
     pub(super) level: Level,
     pub(super) aim: LevelAim,
+    /// What the shot first meets as it is aimed.
+    pub(super) met: Option<Met>,
     /// What the mouse drags.
     dragged: Option<Dial>,
 }
@@ -49,16 +52,24 @@ impl FormFields for Dials {
 impl Dials {
     /// As the level opens.
     pub(super) fn new(level: Level) -> Self {
-        Self {
+        let mut dials = Self {
             aim: level.start(),
+            met: None,
             level,
             dragged: None,
-        }
+        };
+        dials.reset();
+        dials
     }
 
     /// Back to how the level opens.
     pub(super) fn reset(&mut self) {
-        self.aim = self.level.start();
+        self.set_aim(self.level.start());
+    }
+
+    fn set_aim(&mut self, aim: LevelAim) {
+        self.met = first_met(&self.level.aimed(&aim));
+        self.aim = aim;
     }
 
     /// The place of a dial among those that may be turned.
@@ -80,7 +91,7 @@ impl Dials {
         let counted = turns.iter().map(|turn| number + turn);
         let nearest = counted.min_by(|a, b| apart(a).total_cmp(&apart(b)));
         let setting = range.nearest(nearest.unwrap_or(number));
-        self.aim = self.aim.with(dial, setting);
+        self.set_aim(self.aim.with(dial, setting));
     }
 
     /// All dials as they stand, in one line.

@@ -12,7 +12,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::levels::Level;
+use crate::levels::{Level, Patience};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::physics::Shot;
 use crate::quiz::Ray;
@@ -155,7 +155,7 @@ impl LevelPlay {
     /// From aiming to saying, or to the shot where there is nothing to say.
     fn go(&mut self, cx: &mut Context) {
         let scene = self.level().aimed(&self.dials.aim);
-        let shot = match scene.play() {
+        let shot = match scene.play(Patience::AKey) {
             Ok(shot) => shot,
             Err(error) => {
                 self.trouble = Some(format!("This shot cannot be played: {error}."));

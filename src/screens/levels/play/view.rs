@@ -39,7 +39,7 @@ pub(super) fn draw(play: &LevelPlay, area: Rect, buf: &mut Buffer, cx: &Context)
     let picture = match &play.phase {
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
-            board::of_aim(level, &scene, layout.picture)
+            board::of_aim(level, &scene, play.dials.met, layout.picture)
         }
         LevelPhase::Predict(pending) => {
             let faces = pending.impact.discs.map(|disc| face_of(&level.scene, disc));

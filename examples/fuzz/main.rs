@@ -1,0 +1,169 @@
+//! Throws random input at carrom and looks whether anything gives way.
+//!
+//! ```text
+//! cargo run --release --example fuzz -- SECONDS [FOLDER]
+//! cargo run --release --example fuzz -- --session NUMBER
+//! cargo run --release --example fuzz -- --file NUMBER
+//! ```
+//!
+//! It plays sessions: from a random moment of the tour of all phases, with random settings,
+//! it presses keys, moves the mouse, pastes, resizes and lets time pass, and draws after each
+//! hundredth input and wherever the keys have changed. Between them it damages files of each
+//! kind that carrom reads. Nothing may panic, take longer than a second, show "NaN", or put a
+//! strange character on an ASCII screen.
+//!
+//! How far it has come is kept in FOLDER (`target/fuzz` unless another is given), so that
+//! runs add up; a fault is noted there with the number that plays it again.
+
+mod files;
+mod sessions;
+
+use std::any::Any;
+use std::error::Error;
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use std::{env, process};
+
+/// Longest time that one input or one file may take.
+const LONGEST: Duration = Duration::from_secs(1);
+/// Files that are damaged after each session.
+const FILES_A_SESSION: u64 = 4;
+
+/// How far it has come in all runs.
+#[derive(Debug, Clone, Copy, Default)]
+struct Count {
+    sessions: u64,
+    inputs: u64,
+    files: u64,
+    faults: u64,
+}
+
+impl Count {
+    fn names(&mut self) -> [(&'static str, &mut u64); 4] {
+        [
+            ("sessions", &mut self.sessions),
+            ("inputs", &mut self.inputs),
+            ("files", &mut self.files),
+            ("faults", &mut self.faults),
+        ]
+    }
+
+    /// What stands in the file of this name; nothing where there is none.
+    fn read(path: &Path) -> Self {
+        let mut count = Self::default();
+        let text = fs::read_to_string(path).unwrap_or_default();
+        for (name, number) in text.lines().filter_map(|line| line.split_once(" = ")) {
+            let mut names = count.names().into_iter();
+            if let Some((_, count)) = names.find(|(known, _)| *known == name) {
+                *count = number.parse().unwrap_or_default();
+            }
+        }
+        count
+    }
+
+    fn write(mut self, path: &Path) -> std::io::Result<()> {
+        let lines = self
+            .names()
+            .map(|(name, count)| format!("{name} = {count}\n"));
+        fs::write(path, lines.concat())
+    }
+}
+
+/// What went wrong.
+type Fault = String;
+
+/// Does something, and says what went wrong with it.
+fn watched<T>(act: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+    let start = Instant::now();
+    let said = |cause: Box<dyn Any + Send>| {
+        let text = cause.downcast_ref::<String>().cloned();
+        let text = text.or_else(|| cause.downcast_ref::<&str>().map(ToString::to_string));
+        format!("it panicked: {}", text.unwrap_or_default())
+    };
+    let done = panic::catch_unwind(AssertUnwindSafe(act)).map_err(said)??;
+    match start.elapsed() {
+        taken if taken > LONGEST => Err(format!("it took {:.1} s", taken.as_secs_f64())),
+        _ => Ok(done),
+    }
+}
+
+fn run(seconds: u64, folder: &Path) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    let state = folder.join("count.toml");
+    let mut count = Count::read(&state);
+    let models = files::models(Path::new(env!("CARGO_MANIFEST_DIR")))?;
+    let mut faults = OpenOptions::new()
+        .create(true)
+        .append(true)
+        .open(folder.join("faults.txt"))?;
+    let (start, before) = (Instant::now(), count);
+    while start.elapsed() < Duration::from_secs(seconds) {
+        let (inputs, fault) = sessions::play(count.sessions, false);
+        if let Some(fault) = fault {
+            count.faults += 1;
+            writeln!(faults, "--session {}: {fault}", count.sessions)?;
+        }
+        count.sessions += 1;
+        count.inputs += inputs;
+        for _ in 0..FILES_A_SESSION {
+            if let Err(fault) = files::damage(count.files, &models, folder, false) {
+                count.faults += 1;
+                writeln!(faults, "--file {}: {fault}", count.files)?;
+            }
+            count.files += 1;
+        }
+        if count.sessions.is_multiple_of(100) {
+            count.write(&state)?;
+        }
+    }
+    count.write(&state)?;
+    println!(
+        "{} inputs and {} files in {seconds} s; {} inputs, {} files and {} faults in all runs",
+        count.inputs - before.inputs,
+        count.files - before.files,
+        count.inputs,
+        count.files,
+        count.faults
+    );
+    match count.faults - before.faults {
+        0 => Ok(()),
+        new => Err(format!(
+            "{new} new faults, see {}",
+            folder.join("faults.txt").display()
+        )
+        .into()),
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<_> = env::args().skip(1).collect();
+    let words: Vec<_> = arguments.iter().map(String::as_str).collect();
+    let place = |given: Option<&&str>| PathBuf::from(given.copied().unwrap_or("target/fuzz"));
+    match words.as_slice() {
+        ["--session", number] => {
+            let (inputs, fault) = sessions::play(number.parse()?, true);
+            println!(
+                "{inputs} inputs; {}",
+                fault.as_deref().unwrap_or("no fault")
+            );
+        }
+        ["--file", number] => {
+            let models = files::models(Path::new(env!("CARGO_MANIFEST_DIR")))?;
+            files::damage(number.parse()?, &models, &env::temp_dir(), true)?;
+        }
+        [seconds, rest @ ..] if rest.len() < 2 => {
+            let seconds = seconds.parse()?;
+            // A fault is told once, by whoever catches it.
+            panic::set_hook(Box::new(|_| {}));
+            run(seconds, &place(rest.first()))?;
+        }
+        _ => {
+            eprintln!("expected SECONDS [FOLDER], --session NUMBER or --file NUMBER");
+            process::exit(2);
+        }
+    }
+    Ok(())
+}

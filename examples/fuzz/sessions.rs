@@ -1,0 +1,143 @@
+//! Sessions of random keys, clicks, pastes and sizes.
+
+use std::time::Duration;
+
+use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::screens::Settings;
+use carrom::shells::Headless;
+use carrom::shells::tour::TOUR;
+use carrom::widgets::{Charset, Depth, Palette};
+use rand::seq::IndexedRandom;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::{Fault, watched};
+
+/// The most inputs of a session.
+const LONGEST: u64 = 1000;
+/// Inputs from one picture to the next.
+const DRAWN: u64 = 100;
+
+/// Plays the session of this number; says how many inputs it had, and what went wrong. Told,
+/// each is printed.
+pub(crate) fn play(number: u64, told: bool) -> (u64, Option<Fault>) {
+    let mut inputs = 0;
+    let played = watched_steps(number, told, &mut inputs);
+    (inputs, played.err())
+}
+
+fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault> {
+    let mut chance = Pcg64Mcg::seed_from_u64(number);
+    let settings = Settings {
+        charset: *[Charset::Ascii, Charset::Unicode]
+            .choose(&mut chance)
+            .expect("two"),
+        depth: *[Depth::None, Depth::Ansi16, Depth::True]
+            .choose(&mut chance)
+            .expect("three"),
+        palette: *[Palette::Dark, Palette::Light]
+            .choose(&mut chance)
+            .expect("two"),
+        reduced_motion: chance.random_bool(0.3),
+        predict: chance.random_bool(0.8),
+        ..Settings::default()
+    };
+    let stop = TOUR.choose(&mut chance).expect("the tour has stops");
+    if told {
+        println!("{}, {settings:?}", stop.name);
+    }
+    let mut game = watched(|| Ok(stop.game(settings)))?;
+    if chance.random_bool(0.98) {
+        game = game.without_searches();
+    }
+    let mut keys = meant(&game);
+    for step in 0..chance.random_range(10..=LONGEST) {
+        if game.has_quit() {
+            break;
+        }
+        *inputs += 1;
+        let act = act(&keys, &mut chance);
+        if told {
+            println!("{step}: {act:?}");
+        }
+        let has_changed = watched(|| {
+            match &act {
+                Act::Tell(input) => game.input(input),
+                Act::Resize(columns, rows) => game.resize(*columns, *rows),
+                Act::Pass(time) => game.pass(*time),
+            }
+            let now = meant(&game);
+            Ok(now != std::mem::replace(&mut keys, now.clone()))
+        });
+        let at = |fault| format!("{fault} at input {step}, {act:?}");
+        if has_changed.map_err(at)? || step % DRAWN == 0 {
+            watched(|| look(&mut game)).map_err(at)?;
+        }
+    }
+    watched(|| look(&mut game))
+}
+
+/// The keys that mean something.
+fn meant(game: &Headless) -> Vec<Key> {
+    let table = game.app().keys();
+    table.rows().iter().flat_map(|row| row.all_keys()).collect()
+}
+
+/// Looks at the screen, and whether it shows what it must not.
+fn look(game: &mut Headless) -> Result<(), Fault> {
+    let is_ascii = game.app().settings().charset == Charset::Ascii;
+    let screen = game.screen();
+    let is_strange = |c: char| c != '\n' && (c.is_control() || (is_ascii && !c.is_ascii()));
+    match screen.chars().find(|c| is_strange(*c)) {
+        Some(c) => Err(format!("the screen shows {c:?}")),
+        None if screen.contains("NaN") => Err("the screen shows NaN".into()),
+        None => Ok(()),
+    }
+}
+
+/// One thing that may happen.
+#[derive(Debug, Clone)]
+enum Act {
+    Tell(Input),
+    Resize(u16, u16),
+    Pass(Duration),
+}
+
+fn act(meant: &[Key], chance: &mut Pcg64Mcg) -> Act {
+    use MouseKind::{Down, Drag, ScrollDown, ScrollUp, Up};
+    let key = |key| Act::Tell(Input::Key(key));
+    match chance.random_range(0..100) {
+        0..45 => key(meant.choose(chance).copied().unwrap_or(Key::Enter)),
+        45..70 => key(Key::Char(chance.random_range(' '..='~'))),
+        70..72 => key(Key::Char(chance.random())),
+        72..80 => {
+            let numbers = [
+                "0", "-1", "45", "90", "1e9", "0.001", "-0", "99999999", ".", "1e-300",
+            ];
+            let text = numbers.choose(chance).copied().unwrap_or_default();
+            Act::Tell(Input::Paste(text.into()))
+        }
+        80..94 => Act::Tell(Input::Mouse(Mouse {
+            kind: *[Down, Down, Drag, Up, ScrollUp, ScrollDown]
+                .choose(chance)
+                .expect("six"),
+            column: chance.random_range(0..130),
+            row: chance.random_range(0..45),
+            within: chance.random(),
+        })),
+        94 => {
+            let letters = (0..chance.random_range(0..200)).map(|_| chance.random::<char>());
+            let text = letters.collect();
+            Act::Tell(Input::Paste(text))
+        }
+        95 => {
+            let sizes = [(80, 24), (120, 40), (60, 20), (100, 30), (200, 60)];
+            let (columns, rows) = sizes.choose(chance).copied().unwrap_or((80, 24));
+            Act::Resize(columns, rows)
+        }
+        96 if chance.random_bool(0.1) => {
+            Act::Resize(chance.random_range(0..300), chance.random_range(0..100))
+        }
+        _ => Act::Pass(Duration::from_millis(chance.random_range(0..2000))),
+    }
+}
