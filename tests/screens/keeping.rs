@@ -101,7 +101,7 @@ fn answer(game: &mut Headless) {
     if game.screen().contains("please note") {
         game.press("x");
     }
-    game.press("<Enter>");
+    game.press("<End><Enter>");
 }
 
 #[test]

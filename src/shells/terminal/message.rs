@@ -34,7 +34,10 @@ impl Inbox {
     pub(super) fn send(&self, message: Message) -> bool {
         if message.leaves() {
             self.leaving.fetch_add(1, Ordering::SeqCst);
-        } else if message.is_typed() && self.waiting.load(Ordering::SeqCst) >= MOST_WAITING {
+        } else if message.is_typed()
+            && self.waiting.load(Ordering::SeqCst) >= MOST_WAITING
+            && self.leaving.load(Ordering::SeqCst) == 0
+        {
             return true;
         }
         if message.is_typed() {
