@@ -179,11 +179,23 @@ impl Keeping {
             }
             Some(reason) => {
                 let first = self.unsafe_yet.len() - self.waiting.len() - under_way;
+                let owed = self.unsafe_yet.iter().filter(|call| is_owed(&call.wish));
+                let owed = owed.count();
                 let calls = &self.unsafe_yet[first..first + under_way];
-                calls.iter().map(|call| call.refused(reason)).collect()
+                let refused = calls.iter().map(|call| StoreAnswer {
+                    owed,
+                    ..call.refused(reason)
+                });
+                refused.collect()
             }
         }
     }
+}
+
+/// Whether a request is for something done that the player is told of until it is kept.
+fn is_owed(wish: &StoreRequest) -> bool {
+    use StoreRequest as R;
+    matches!(wish, R::Record(_) | R::Star(..) | R::Mark { .. } | R::Forget(..))
 }
 
 /// Whether a request changes anything that is kept.
@@ -198,7 +210,8 @@ fn changes(wish: &StoreRequest) -> bool {
         | R::Star(..)
         | R::Mark { .. }
         | R::Forget(..)
-        | R::KeepSettings(_) => true,
+        | R::KeepSettings(_)
+        | R::Retry => true,
         R::List
         | R::Load(_)
         | R::Export(_)
