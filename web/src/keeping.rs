@@ -195,7 +195,10 @@ impl Keeping {
 /// Whether a request is for something done that the player is told of until it is kept.
 fn is_owed(wish: &StoreRequest) -> bool {
     use StoreRequest as R;
-    matches!(wish, R::Record(_) | R::Star(..) | R::Mark { .. } | R::Forget(..))
+    matches!(
+        wish,
+        R::Record(_) | R::Star(..) | R::Mark { .. } | R::Forget(..)
+    )
 }
 
 /// Whether a request changes anything that is kept.

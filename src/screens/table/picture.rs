@@ -17,7 +17,7 @@ use crate::widgets::{Role, board};
 
 /// Seconds after which a trail has faded.
 const FADE: f64 = 0.9;
-/// Pieces a trail is cut into, each fainter than the one after it.
+/// Shades of a trail, each fainter than the one after it.
 const SHADES: usize = 4;
 /// Longest that a departure is drawn, in metres.
 const LONGEST_RAY: f64 = 0.16;
@@ -252,29 +252,27 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
     let piece = replay.pieces.get(disc);
     let role = piece.map_or(Role::Trail, |piece| words::role(*piece));
     let pen = Pen::new(role).on(DrawLayer::Trail);
-    let since = if told { 0.0 } else { now - FADE };
-    for leg in shot.path(disc) {
-        let (start, end) = (leg.start.max(since), leg.end.min(now));
-        if start >= end {
-            continue;
-        }
+    for leg in shot.path(disc).filter(|leg| leg.start < now) {
         if told {
             picture.line(leg.from, leg.to, pen.dotted());
             continue;
         }
-        let time = |i: usize| start + (end - start) * i as f64 / SHADES as f64;
-        let place = |i: usize| {
-            let share = (time(i) - leg.start) / (leg.end - leg.start);
-            // The way is straight; where on it the disc is, the shot knows.
-            match share {
-                0.0 => leg.from,
-                _ if time(i) >= leg.end => leg.to,
-                _ => shot.at(disc, time(i)).position,
-            }
+        // The way is straight; where on it the disc is, the shot knows.
+        let place = |time: f64| match time {
+            _ if time <= leg.start => leg.from,
+            _ if time >= leg.end => leg.to,
+            _ => shot.at(disc, time).position,
         };
-        for i in 0..SHADES {
-            let age = (now - time(i + 1)) / FADE;
-            picture.line(place(i), place(i + 1), pen.aged(age));
+        // A shade has its stretch of time behind the disc: from picture to picture only those
+        // cells change where one shade gives way to the next.
+        let stretch = FADE / SHADES as f64;
+        for shade in (0..SHADES).rev() {
+            let since = now - stretch * (shade + 1) as f64;
+            let (start, end) = (leg.start.max(since), leg.end.min(since + stretch));
+            if start < end {
+                let age = shade as f64 / SHADES as f64;
+                picture.line(place(start), place(end), pen.aged(age));
+            }
         }
     }
 }
