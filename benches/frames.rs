@@ -23,12 +23,12 @@ fn main() {
     }
 
     // Where, the keys to where something moves there, those keys without a terminal, and for
-    // how many seconds it is watched.
+    // how many seconds it is watched; 0 for a list that is gone down.
     let scenes = [
         ("break", "table", "\r ", "<Enter><Space>", 3.0),
         ("lab", "lab", "\r60\r30\r", "<Enter>60<Enter>30<Enter>", 2.0),
         ("foil", "foil", "\t\re\r", "<Tab><Enter>e<Enter>", 2.0),
-        ("scroll", "learn --seed 1", "\r", "<Enter>", 0.0),
+        ("scroll", "levels", "", "<Down>", 0.0),
     ];
     println!("scene   size     charset   pictures  bytes a picture (mean, most)  drawn in");
     for (name, place, keys, named, seconds) in scenes {
@@ -48,7 +48,7 @@ fn main() {
                 if seconds > 0.0 {
                     thread::sleep(Duration::from_secs_f64(seconds));
                 } else {
-                    for _ in 0..20 {
+                    for _ in 0..60 {
                         pty.press("\x1b[B");
                         thread::sleep(Duration::from_millis(50));
                     }

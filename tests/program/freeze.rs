@@ -1,7 +1,9 @@
-//! What once held the keys for a minute: the way out is always open.
+//! What once held the keys for a minute: the way out is always open. How soon it is taken is
+//! printed, not asserted: `cargo test --test program freeze -- --nocapture`.
 
 use std::fmt::Write;
 use std::process::{Command, Stdio};
+use std::time::Instant;
 
 use rustix::process::Signal;
 
@@ -34,35 +36,63 @@ fn heavy_work() -> Folder {
     folder
 }
 
-#[test]
-fn a_level_that_is_heavy_work_is_aimed_and_left() {
-    let folder = heavy_work();
+/// Waits until carrom is left in this way and the terminal is as it was.
+fn leave(mut pty: Pty, when: &str, way: impl FnOnce(&mut Pty), status: u32) {
+    let start = Instant::now();
+    way(&mut pty);
+    assert_eq!(pty.wait(), status);
+    println!(
+        "{when}: left after {:.0} ms",
+        start.elapsed().as_secs_f64() * 1e3
+    );
+    pty.assert_restored();
+}
+
+fn ctrl_c(pty: &mut Pty) {
+    pty.press("\x03");
+}
+
+/// The level that is heavy work, being aimed.
+fn aiming(folder: &Folder) -> Pty {
     let levels = folder.path().to_str().unwrap();
     let mut pty = Pty::start(carrom(&["levels", "--levels", levels]));
     pty.wait_for("carrom : levels");
     pty.press("\x1b[F\r");
     pty.wait_for("Heavy work");
     pty.wait_for("direction");
+    pty
+}
+
+#[test]
+fn a_level_that_is_heavy_work_is_aimed_and_left() {
+    let folder = heavy_work();
+    let mut pty = aiming(&folder);
     // Each of these once took a second.
+    pty.press(&"\x1b[C".repeat(50));
+    leave(pty, "a heavy level, aimed 50 times", ctrl_c, 0);
+    let mut pty = aiming(&folder);
     pty.press(&"\x1b[C".repeat(50));
     pty.press(" ");
     pty.wait_until("the shot, or why there is none", |screen| {
         screen.contains("shot 1") || screen.contains("cannot be played")
     });
-    pty.press("\x03");
-    assert_eq!(pty.wait(), 0);
-    pty.assert_restored();
+    leave(pty, "a heavy level, shot", ctrl_c, 0);
 }
 
 #[test]
 fn a_level_that_is_heavy_work_is_checked() {
     let folder = heavy_work();
+    let start = Instant::now();
     let checked = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(["level", "check", "--verbose"])
         .arg(folder.path())
         .stdin(Stdio::null())
         .output()
         .unwrap();
+    println!(
+        "a heavy level, checked: {:.0} ms",
+        start.elapsed().as_secs_f64() * 1e3
+    );
     let report = String::from_utf8_lossy(&checked.stdout).into_owned();
     assert!(report.contains("heavy: "), "{report} {checked:?}");
 }
@@ -81,9 +111,7 @@ fn a_flood_of_keys_is_drawn_and_left() {
         pty.press(&"7\x7f".repeat(1 << 15));
     }
     assert!(pictures(&pty) > before, "nothing was drawn meanwhile");
-    pty.press("\x03");
-    assert_eq!(pty.wait(), 0);
-    pty.assert_restored();
+    leave(pty, "a flood of keys, Ctrl+C behind it", ctrl_c, 0);
 }
 
 #[test]
@@ -91,7 +119,10 @@ fn a_signal_ends_a_flood_of_keys() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
     pty.wait_for("question 1 of 10");
     pty.press(&"7\x7f".repeat(1 << 19));
-    pty.signal(Signal::TERM);
-    assert_eq!(pty.wait(), 128 + 15);
-    pty.assert_restored();
+    leave(
+        pty,
+        "a flood of keys, a signal",
+        |pty| pty.signal(Signal::TERM),
+        128 + 15,
+    );
 }

@@ -15,6 +15,8 @@ mod freeze;
 mod kill;
 mod memory;
 mod old_files;
+#[cfg(target_os = "linux")]
+mod owed;
 mod plain;
 mod play;
 mod rebound;

@@ -89,6 +89,8 @@ fn reindexed(draft: &Path) -> Result<(), DatabaseError> {
 /// Makes the draft a new database with every row of the damaged one that can be read.
 fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, DatabaseError> {
     let old = Connection::open_with_flags(damaged, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+    // Else SQLite reads nothing of a file that has been cut off.
+    old.pragma_update(None, "writable_schema", true)?;
     let version = match schema::version(&old) {
         Ok(version @ 1..=schema::VERSION) => version,
         _ => schema::VERSION,
@@ -258,7 +260,7 @@ impl Saved {
             }
             (counts, _) => format!("Saved: {}.", counts.join(", ")),
         };
-        let lost: Vec<_> = damaged.iter().map(|name| things(name)).collect();
+        let lost: Vec<_> = damaged.iter().map(|name| things(name).1).collect();
         match &self.backup {
             Some(backup) => {
                 told += &format!(
@@ -270,7 +272,7 @@ impl Saved {
             None => {
                 told += &format!(" Not saved: some of the {}", lost.join(" and of the "));
                 if damaged.contains(&"attempt") && self.gaps > 0 {
-                    told += &format!(", {} answers or more", self.gaps);
+                    told += &format!(", {} or more", counted("attempt", self.gaps));
                 }
                 told += ".";
             }
@@ -281,20 +283,46 @@ impl Saved {
 
 /// Rows of a table, as a player knows them.
 fn counted(table: &str, rows: u64) -> String {
-    let things = things(table);
-    match rows {
-        1 => format!("1 {}", things.replacen('s', "", 1)),
-        rows => format!("{rows} {things}"),
+    let (one, more) = things(table);
+    format!("{rows} {}", if rows == 1 { one } else { more })
+}
+
+/// What a table holds, as a player knows it: one of them, and more.
+fn things(table: &str) -> (&str, &str) {
+    match table {
+        "attempt" => ("answer", "answers"),
+        "star" => ("level won", "levels won"),
+        "bookmark" => ("chapter begun", "chapters begun"),
+        "page_seen" => ("page read", "pages read"),
+        other => (other, other),
     }
 }
 
-/// What a table holds, as a player knows it.
-fn things(table: &str) -> &str {
-    match table {
-        "attempt" => "answers",
-        "star" => "levels won",
-        "bookmark" => "chapters begun",
-        "page_seen" => "pages read",
-        other => other,
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_saved_and_what_not_is_told_in_a_players_words() {
+        let saved = |answers, is_whole, gaps| {
+            let tables = vec![
+                ("attempt".into(), answers, is_whole),
+                ("star".into(), 1, true),
+            ];
+            Saved {
+                tables,
+                gaps,
+                backup: None,
+            }
+            .told()
+        };
+        assert_eq!(
+            saved(730, true, 0),
+            "Everything in it could be saved: 730 answers, 1 level won."
+        );
+        assert_eq!(
+            saved(1, false, 1),
+            "Saved: 1 answer, 1 level won. Not saved: some of the answers, 1 answer or more."
+        );
     }
 }

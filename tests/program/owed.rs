@@ -1,0 +1,133 @@
+//! What cannot be kept is kept as soon as that is possible, seen in a real terminal: on a disk
+//! that is full for a while, and beside a program that holds the database for a minute.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::store::Store;
+use rusqlite::Connection;
+
+use crate::folder::Folder;
+use crate::pty::{Pty, carrom, command};
+
+/// How long the database is held.
+const HELD: Duration = Duration::from_secs(60);
+
+/// Runs carrom with its data on a small disk of its own, and does what files in `$2` tell: it
+/// fills the disk, frees it, and in the end copies the database to where it can be read.
+const ON_A_SMALL_DISK: &str = "
+    mount -t tmpfs -o size=512k tmpfs \"$1\" || exit 77
+    (
+        while [ ! -e \"$2/fill\" ]; do sleep 0.05; done
+        cat /dev/zero > \"$1/filler\"
+        touch \"$2/filled\"
+        while [ ! -e \"$2/free\" ]; do sleep 0.05; done
+        rm \"$1/filler\"
+    ) 2> /dev/null &
+    \"$3\" quiz --code hits-7 --data-dir \"$1\"
+    cp \"$1\"/progress.db* \"$2\"
+";
+
+/// Answers the question of this number, and reads what is told of it.
+fn answer(pty: &mut Pty, number: u32) {
+    pty.wait_for(&format!("question {number} of 10"));
+    pty.press("60\r30\r");
+    pty.wait_for("How sure are you?");
+    pty.press("2");
+    pty.wait_until("what comes of it", |screen| {
+        !screen.contains("How sure are you?")
+    });
+    if pty.screen().contains("please note") {
+        pty.press("x");
+        pty.wait_until("the question below", |screen| {
+            !screen.contains("please note")
+        });
+    }
+    pty.press("\x1b[F");
+    pty.wait_for("of 10 points");
+}
+
+/// Waits until everything is kept, and leaves.
+fn leave(mut pty: Pty) {
+    pty.wait_until("all to be kept", |screen| {
+        !screen.contains("not kept") && !screen.contains("saving ..")
+    });
+    pty.press("\x03");
+    assert_eq!(pty.wait(), 0);
+    pty.assert_restored();
+}
+
+/// The numbers of the questions that were answered, as they are kept.
+fn kept(folder: &Path) -> Vec<u32> {
+    let wish = StoreRequest::Recall(None);
+    let mut store = Store::in_folder(folder).only_looking();
+    match store.answer(&StoreCall { ticket: 0, wish }).done {
+        StoreReply::Recalled(Ok(history)) => history.attempts.iter().map(|it| it.number).collect(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_answered_while_the_disk_is_full_is_kept_when_it_is_not() {
+    let can_mount = Command::new("unshare")
+        .args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"])
+        .output();
+    if !can_mount.is_ok_and(|tried| tried.status.success()) {
+        println!("not tried: this system lets nobody mount a disk of his own");
+        return;
+    }
+    let (disk, told) = (Folder::new("owed-disk"), Folder::new("owed-told"));
+    let [disk, told] = [&disk, &told].map(|it| it.path().to_str().unwrap());
+    let program = env!("CARGO_BIN_EXE_carrom");
+    let arguments = [
+        "-rm",
+        "sh",
+        "-c",
+        ON_A_SMALL_DISK,
+        "sh",
+        disk,
+        told,
+        program,
+    ];
+    let mut pty = Pty::start(command("unshare", &arguments));
+    answer(&mut pty, 1);
+    pty.press("\r");
+    let told = Path::new(told);
+    fs::write(told.join("fill"), "").unwrap();
+    pty.wait_until("the disk to be full", |_| told.join("filled").exists());
+    for number in 2..=5 {
+        answer(&mut pty, number);
+        pty.wait_for(&format!("not kept: {}", number - 1));
+        pty.press("\r");
+    }
+    fs::write(told.join("free"), "").unwrap();
+    leave(pty);
+    assert_eq!(kept(told), [1, 2, 3, 4, 5]);
+}
+
+#[test]
+#[ignore = "takes a minute"]
+fn what_is_answered_while_the_database_is_held_is_kept_when_it_is_free() {
+    let folder = Folder::new("owed-held");
+    let data = folder.path().to_str().unwrap();
+    let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7", "--data-dir", data]));
+    answer(&mut pty, 1);
+    let other = Connection::open(folder.path().join("progress.db")).unwrap();
+    other.execute_batch("BEGIN IMMEDIATE").unwrap();
+    let start = Instant::now();
+    for number in 2..=8 {
+        pty.press("\r");
+        answer(&mut pty, number);
+    }
+    // As soon as it was waited for long enough.
+    pty.wait_for("not kept: 7");
+    thread::sleep(HELD.saturating_sub(start.elapsed()));
+    pty.wait_for("not kept: 7");
+    other.execute_batch("COMMIT").unwrap();
+    leave(pty);
+    assert_eq!(kept(folder.path()), [1, 2, 3, 4, 5, 6, 7, 8]);
+}
