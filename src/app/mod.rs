@@ -176,7 +176,9 @@ impl App {
             }
             Input::Key(Key::Ctrl('c')) => return self.leave(),
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Searched(_) | Input::Exported(_) => return self.pass_on(input),
+            Input::Searched(_) | Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
+                return self.pass_on(input);
+            }
             Input::Saving(ticket) => {
                 self.saving.insert(*ticket);
             }

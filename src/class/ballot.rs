@@ -1,12 +1,18 @@
-//! The votes of the teams.
+//! The votes of a class.
 
-use super::ClassPlace;
+use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr};
+
+use super::names::{folded, free_name, tidy};
+use super::{ClassPlace, DoorCode, Said, SeatToken, WayOfVoting};
 use crate::quiz::{
     Answer, Clue, Code, Confidence, Diagnosis, Grade, Misconception, Question, Response, Round,
 };
 
-/// Which of the two votes on a question.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Which of the two votes on a question; its name in files is "first".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumString, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Vote {
     /// Predicted in silence.
     First,
@@ -19,13 +25,15 @@ impl Vote {
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
-/// What a team said to a question.
+/// What a team, or somebody on a device, said to a question.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ballot {
-    /// Its first vote, if it gave one.
+    /// The first vote, if one was given.
     pub first: Option<Response>,
-    /// Its second vote, if it gave one.
+    /// The second vote, if one was given.
     pub second: Option<Response>,
+    /// How sure they were of each, where that was asked.
+    pub sure: [Option<Confidence>; 2],
 }
 
 impl Ballot {
@@ -37,6 +45,24 @@ impl Ballot {
         }
     }
 
+    /// Puts a vote in the place of an earlier one; `None` takes that back.
+    pub(super) fn put(&mut self, vote: Vote, said: Option<Said>) {
+        let response = said.map(|it| it.response);
+        match vote {
+            Vote::First => self.first = response,
+            Vote::Second => self.second = response,
+        }
+        self.sure[vote as usize] = said.and_then(|it| it.sure);
+    }
+
+    /// A vote with how sure they were of it.
+    pub fn given(&self, vote: Vote) -> Option<Said> {
+        Some(Said {
+            response: self.vote(vote)?,
+            sure: self.sure[vote as usize],
+        })
+    }
+
     /// What the team says at a vote: at the second what it said at first, unless it has
     /// changed that.
     pub fn said(&self, vote: Vote) -> Option<Response> {
@@ -46,34 +72,193 @@ impl Ballot {
         }
     }
 
+    /// What the team says at a vote, as an answer.
+    fn answer(&self, vote: Vote) -> Option<Answer> {
+        let given = match vote {
+            Vote::First => self.given(Vote::First),
+            Vote::Second => self.given(Vote::Second).or(self.given(Vote::First)),
+        }?;
+        let sure = given.sure.unwrap_or(UNSURE);
+        Some(Answer::new(given.response, sure))
+    }
+
     /// The vote that scores: the second, or where there is none the first.
     pub fn counts(&self) -> Option<Response> {
         self.second.or(self.first)
     }
 }
 
-/// A round that teams play, with all their votes.
+/// A round that a class plays, with all its votes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClassRound {
     round: Round,
+    way: WayOfVoting,
     teams: Vec<String>,
     /// A row a question, a ballot a team.
     ballots: Vec<Vec<Ballot>>,
+    /// For each question the counts of both votes, one a choice; empty where nobody has
+    /// counted.
+    pub(super) tallies: Vec<[Vec<u32>; 2]>,
+    /// How pupils come in on devices of their own, as long as they may come back.
+    pub(super) door: Option<Door>,
     place: ClassPlace,
+}
+
+/// How pupils come in, and who sits where.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Door {
+    /// The code that lets them in.
+    pub(super) code: DoorCode,
+    /// What brings each back to their place, in the order of their names; nothing for whom
+    /// no device was seen.
+    pub(super) seats: Vec<Option<SeatToken>>,
 }
 
 impl ClassRound {
     /// A round of these teams in which nobody has voted yet. The names are those that
     /// [`team_names`](super::team_names) gave.
     pub fn new(code: Code, teams: Vec<String>) -> Self {
+        Self::voting(WayOfVoting::Teams, code, teams)
+    }
+
+    /// A round in which hands or cards are counted.
+    pub fn with_tally(code: Code) -> Self {
+        Self::voting(WayOfVoting::Tally, code, Vec::new())
+    }
+
+    /// A round on devices of their own, to which nobody has come yet.
+    pub fn with_devices(code: Code) -> Self {
+        Self::voting(WayOfVoting::Devices, code, Vec::new())
+    }
+
+    /// A round of these teams or people who vote in this way.
+    pub(super) fn voting(way: WayOfVoting, code: Code, teams: Vec<String>) -> Self {
         let round = Round::of(code);
-        let ballots = vec![vec![Ballot::default(); teams.len()]; round.questions().len()];
+        let questions = round.questions().len();
         Self {
             round,
+            way,
+            ballots: vec![vec![Ballot::default(); teams.len()]; questions],
+            tallies: vec![Default::default(); questions],
+            door: None,
             teams,
-            ballots,
             place: ClassPlace::default(),
         }
+    }
+
+    /// How the class votes.
+    pub fn way(&self) -> WayOfVoting {
+        self.way
+    }
+
+    /// The code that lets pupils in on devices of their own, while the door is there.
+    pub fn door(&self) -> Option<DoorCode> {
+        self.door.as_ref().map(|door| door.code)
+    }
+
+    /// Puts a door in: from now on pupils may come in with this code. A code that is there
+    /// already stays as it is.
+    pub fn open(&mut self, code: DoorCode) {
+        let seats = vec![None; self.teams.len()];
+        self.door.get_or_insert(Door { code, seats });
+    }
+
+    /// Takes the door away with all that would bring somebody back; names and votes stay.
+    pub fn close(&mut self) {
+        self.door = None;
+    }
+
+    /// Who has this token, counted from 0.
+    pub fn seat(&self, token: SeatToken) -> Option<usize> {
+        let seats = &self.door.as_ref()?.seats;
+        seats.iter().position(|seat| *seat == Some(token))
+    }
+
+    /// What brings somebody back to their place.
+    pub fn token(&self, person: usize) -> Option<SeatToken> {
+        *self.door.as_ref()?.seats.get(person)?
+    }
+
+    /// Another name for somebody, tidied; `None` if nothing of it is left, or somebody else
+    /// has it.
+    pub fn renamed(&self, person: usize, name: &str) -> Option<String> {
+        let name = tidy(name);
+        let mut others = self.teams.iter().enumerate().filter(|(i, _)| *i != person);
+        let taken = others.any(|(_, other)| folded(other) == folded(&name));
+        (!name.is_empty() && !taken).then_some(name)
+    }
+
+    /// The name that somebody who calls themselves so would have here: tidied, and with a
+    /// number where it is taken; `None` if nothing of it is left.
+    pub fn name_for(&self, name: &str) -> Option<String> {
+        let name = tidy(name);
+        (!name.is_empty()).then(|| free_name(&name, &self.teams))
+    }
+
+    /// Lets somebody in under a name that nobody has, with the token that brings them back.
+    pub(super) fn join(&mut self, name: &str, token: SeatToken) -> Result<(), String> {
+        if self.teams.len() >= self.way.most() {
+            return Err(format!("expected {} people at most", self.way.most()));
+        }
+        if tidy(name) != name || name.is_empty() || free_name(name, &self.teams) != name {
+            return Err(format!("expected a name that nobody has, found {name:?}"));
+        }
+        let Some(door) = &mut self.door else {
+            return Err("expected somebody to join where there is a door".into());
+        };
+        door.seats.push(Some(token));
+        self.teams.push(name.to_owned());
+        self.ballots
+            .iter_mut()
+            .for_each(|row| row.push(Ballot::default()));
+        Ok(())
+    }
+
+    /// Gives somebody another name.
+    pub(super) fn rename(&mut self, person: usize, name: &str) -> Result<(), String> {
+        if self.renamed(person, name).as_deref() != Some(name) {
+            return Err(format!("expected a name that nobody has, found {name:?}"));
+        }
+        match self.teams.get_mut(person) {
+            Some(old) => name.clone_into(old),
+            None => return Err(format!("expected one of {} people", self.teams.len())),
+        }
+        Ok(())
+    }
+
+    /// Removes somebody with all they said.
+    pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
+        if person >= self.teams.len() {
+            return Err(format!("expected one of {} people", self.teams.len()));
+        }
+        self.teams.remove(person);
+        for row in &mut self.ballots {
+            row.remove(person);
+        }
+        if let Some(door) = &mut self.door {
+            door.seats.remove(person);
+        }
+        Ok(())
+    }
+
+    /// Makes one of two: somebody came back as a stranger. What the stranger said goes before
+    /// what was said earlier, and their device keeps its place.
+    pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
+        if from == into || from.max(into) >= self.teams.len() {
+            return Err(format!("expected two of {} people", self.teams.len()));
+        }
+        for row in &mut self.ballots {
+            let later = row[from];
+            for vote in Vote::BOTH {
+                if later.vote(vote).is_some() {
+                    row[into].put(vote, later.given(vote));
+                }
+            }
+        }
+        if let Some(door) = &mut self.door {
+            door.seats[into] = door.seats[from].or(door.seats[into]);
+        }
+        self.remove(from)
     }
 
     /// The code that fixes its questions.
@@ -113,21 +298,28 @@ impl ClassRound {
     /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
     /// back. A vote of another kind than was asked for is not taken.
     pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Response>) {
-        let fits = |said: &Response| {
-            self.questions()
-                .get(question)
-                .is_some_and(|question| question.form.distance(said, said) <= 0.0)
+        self.put(question, team, vote, said.map(Said::from));
+    }
+
+    /// The same with how sure they are; says whether it was taken.
+    pub(super) fn put(
+        &mut self,
+        question: usize,
+        team: usize,
+        vote: Vote,
+        said: Option<Said>,
+    ) -> bool {
+        let fits = |said: &Said| {
+            let said = &said.response;
+            let question = self.questions().get(question);
+            question.is_some_and(|question| question.form.distance(said, said) <= 0.0)
         };
         if said.as_ref().is_some_and(|said| !fits(said)) {
-            return;
+            return false;
         }
         let row = self.ballots.get_mut(question);
-        if let Some(ballot) = row.and_then(|row| row.get_mut(team)) {
-            match vote {
-                Vote::First => ballot.first = said,
-                Vote::Second => ballot.second = said,
-            }
-        }
+        let ballot = row.and_then(|row| row.get_mut(team));
+        ballot.map(|ballot| ballot.put(vote, said)).is_some()
     }
 
     /// The ballots on a question, one a team; none where there is no such question.
@@ -135,15 +327,31 @@ impl ClassRound {
         self.ballots.get(question).into_iter().flatten()
     }
 
-    /// How many teams gave this vote on a question.
+    /// How many gave this vote on a question.
     pub fn voted(&self, question: usize, vote: Vote) -> usize {
+        if self.way == WayOfVoting::Tally {
+            let counts = self.tally(question, vote).unwrap_or_default();
+            return counts.iter().map(|count| *count as usize).sum();
+        }
         let given = self.ballots(question).filter_map(|it| it.vote(vote));
         given.count()
     }
 
-    /// What the teams that have voted say to a question at a vote, as [`Ballot::said`].
+    /// What those who have voted say to a question at a vote, as [`Ballot::said`]: one a team,
+    /// or one a hand that was counted.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
-        self.ballots(question).filter_map(move |it| it.said(vote))
+        self.answers(question, vote).into_iter().map(|it| it.said)
+    }
+
+    /// The same as answers: with how sure they were, where that was asked.
+    fn answers(&self, question: usize, vote: Vote) -> Vec<Answer> {
+        match self.way {
+            WayOfVoting::Tally => self.counted(question, vote).map(unsure).collect(),
+            WayOfVoting::Teams | WayOfVoting::Devices => self
+                .ballots(question)
+                .filter_map(|it| it.answer(vote))
+                .collect(),
+        }
     }
 
     /// How good that was.
@@ -170,29 +378,34 @@ impl ClassRound {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
         };
-        let said = self.said(question, vote);
-        said.map(|said| Clue::new(asked, &unsure(said))).collect()
+        let answers = self.answers(question, vote);
+        answers.iter().map(|it| Clue::new(asked, it)).collect()
     }
 
     /// What the votes of a team say of misconceptions, one a question on which it has voted.
     pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
         let asked = self.questions().iter().enumerate();
-        let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).said(vote)?)));
-        said.map(|(asked, said)| Clue::new(asked, &unsure(said)))
-            .collect()
+        let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).answer(vote)?)));
+        said.map(|(asked, said)| Clue::new(asked, &said)).collect()
     }
 
     /// Whether anybody has voted at all.
     pub fn is_begun(&self) -> bool {
-        let mut ballots = self.ballots.iter().flatten();
-        ballots.any(|ballot| ballot.counts().is_some())
+        (0..self.ballots.len()).any(|question| self.has_votes(question))
     }
 
-    /// Questions on which at least one team has voted, from the first on without a gap.
+    /// Questions on which anybody has voted, from the first on without a gap.
     pub fn begun(&self) -> usize {
-        let empty = |row: &Vec<Ballot>| row.iter().all(|it| it.counts().is_none());
-        let place = self.ballots.iter().position(empty);
-        place.unwrap_or(self.ballots.len())
+        let empty = (0..self.ballots.len()).find(|question| !self.has_votes(*question));
+        empty.unwrap_or(self.ballots.len())
+    }
+
+    fn has_votes(&self, question: usize) -> bool {
+        let given = self.ballots(question).any(|it| it.counts().is_some());
+        given
+            || Vote::BOTH
+                .iter()
+                .any(|vote| self.tally(question, *vote).is_some())
     }
 
     /// How good a vote was; `None` where none was given.
@@ -215,7 +428,10 @@ impl ClassRound {
     }
 }
 
-/// A vote as an answer, with the confidence that changes nothing about its credit.
+/// The confidence of whom nobody asked; it changes nothing about the credit of a vote.
+const UNSURE: Confidence = Confidence::ThinkSo;
+
+/// A vote as an answer of whom nobody asked how sure they are.
 fn unsure(said: Response) -> Answer {
-    Answer::new(said, Confidence::ThinkSo)
+    Answer::new(said, UNSURE)
 }

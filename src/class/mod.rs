@@ -1,21 +1,45 @@
-//! A round for a class round one screen: teams, two votes a question, scores, what each
-//! question showed, and the tables a teacher takes home.
+//! A round for a class: who votes, two votes a question, scores, what each question showed,
+//! and the tables a teacher takes home.
 //!
-//! Each question is asked twice: everyone predicts in silence and votes, the teams talk,
-//! and may change their vote (E. Mazur, *Peer Instruction*, 1997). Both votes are kept;
+//! Each question is asked twice: everyone predicts in silence and votes, the class talks,
+//! and may change its votes (E. Mazur, *Peer Instruction*, 1997). Both votes are kept;
 //! the second one scores, by how near it is and never by how fast it came.
+//!
+//! A class votes in one of three ways ([`WayOfVoting`]): up to eight teams at one keyboard;
+//! hands or cards that are counted (a tally: counts for the choices of
+//! [`ClassRound::choices`], taken by [`ClassRound::count`]); or up to 250 people on devices of
+//! their own. What is asked of the votes ([`ClassRound::said`], [`ClassRound::grades`],
+//! [`ClassRound::clues`], [`ClassRound::voted`]) is the same for all three: a hand that was
+//! counted is a vote like any other. Only what belongs to a name (ballots, points, standings)
+//! is not there in a tally.
+//!
+//! Whatever changes is a [`ClassChange`] ([`ClassRound::change`]). A file of a round is how it
+//! stood, with the changes since then behind it; so a vote is kept by appending a line.
+//!
+//! This room knows no network: how people on devices come and go is told it as changes.
 
+mod asked;
 mod ballot;
+mod change;
+mod door;
 mod items;
 mod names;
+pub mod protocol;
 mod saved;
 mod scores;
 mod step;
 mod tables;
+mod tally;
+mod way;
 
+pub use asked::{AskedQuestion, ToldTruth};
 pub use ballot::{Ballot, ClassRound, Vote};
+pub use change::{ClassChange, Said};
+pub use door::{DoorCode, NoDoorCode, SeatToken};
 pub use items::{ItemAnalysis, Spread, items};
-pub use names::{LONGEST_NAME, MOST_TEAMS, NameTrouble, team_names};
+pub use names::{LONGEST_NAME, MOST_PEOPLE, MOST_TEAMS, NameTrouble, team_names};
+pub use saved::appended;
 pub use scores::{Standing, standings};
 pub use step::{ClassPlace, ClassStep};
 pub use tables::{answers_csv, items_csv};
+pub use way::WayOfVoting;

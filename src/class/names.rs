@@ -1,15 +1,24 @@
-//! The names of teams.
+//! The names of teams and of people.
+
+use std::collections::BTreeSet;
 
 use thiserror::Error;
 use unicode_segmentation::UnicodeSegmentation;
 
+use super::WayOfVoting;
 use crate::files::tidy_name;
 
-/// Most teams that play.
+/// Most teams that play at one keyboard.
 pub const MOST_TEAMS: usize = 8;
 
-/// Most letters of a team's name.
+/// Most people that play on devices of their own.
+pub const MOST_PEOPLE: usize = 250;
+
+/// Most letters of a name.
 pub const LONGEST_NAME: usize = 24;
+
+/// Most bytes of a name: a letter may be made of several signs.
+const MOST_BYTES: usize = 8 * LONGEST_NAME;
 
 /// Why these cannot be the names of the teams.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -17,16 +26,15 @@ pub enum NameTrouble {
     /// There is none.
     #[error("expected the names of 1 to {MOST_TEAMS} teams, found none")]
     None,
-    /// There are too many.
-    #[error("expected the names of 1 to {MOST_TEAMS} teams, found {0}")]
-    TooMany(usize),
+    /// There are more than so many.
+    #[error("expected {1} names at most, found {0}")]
+    TooMany(usize, usize),
     /// Two are alike.
     #[error("expected names that differ, found \"{0}\" twice")]
     Twice(String),
 }
 
-/// Names as they are shown and kept: visible letters alone, no blanks at the ends, no more
-/// than [`LONGEST_NAME`] letters; empty ones are left out.
+/// Names of teams as they are shown and kept: [tidied](tidy), empty ones left out.
 ///
 /// # Errors
 /// If no team is left, if there are more than [`MOST_TEAMS`], or if two are alike but
@@ -34,31 +42,68 @@ pub enum NameTrouble {
 pub fn team_names<'a>(
     names: impl IntoIterator<Item = &'a str>,
 ) -> Result<Vec<String>, NameTrouble> {
+    match names_for(WayOfVoting::Teams, names)? {
+        names if names.is_empty() => Err(NameTrouble::None),
+        names => Ok(names),
+    }
+}
+
+/// The same for another way of voting; there may be none.
+///
+/// # Errors
+/// If there are too many, or if two are alike but for their case.
+pub(super) fn names_for<'a>(
+    way: WayOfVoting,
+    names: impl IntoIterator<Item = &'a str>,
+) -> Result<Vec<String>, NameTrouble> {
     let names: Vec<String> = names
         .into_iter()
         .map(tidy)
         .filter(|name| !name.is_empty())
         .collect();
-    if names.is_empty() {
-        return Err(NameTrouble::None);
+    if names.len() > way.most() {
+        return Err(NameTrouble::TooMany(names.len(), way.most()));
     }
-    if names.len() > MOST_TEAMS {
-        return Err(NameTrouble::TooMany(names.len()));
+    let mut known = BTreeSet::new();
+    match names.iter().find(|name| !known.insert(folded(name))) {
+        Some(twice) => Err(NameTrouble::Twice(twice.clone())),
+        None => Ok(names),
     }
-    for (i, name) in names.iter().enumerate() {
-        let alike = |other: &String| other.to_lowercase() == name.to_lowercase();
-        if names.iter().take(i).any(alike) {
-            return Err(NameTrouble::Twice(name.clone()));
-        }
-    }
-    Ok(names)
 }
 
-/// A name of at most so many letters.
-fn tidy(name: &str) -> String {
+/// A name as it is compared with others: without its case.
+pub(super) fn folded(name: &str) -> String {
+    name.to_lowercase()
+}
+
+/// A name as it is shown and kept: visible letters alone, no blanks at the ends, no more
+/// than [`LONGEST_NAME`] letters.
+pub(super) fn tidy(name: &str) -> String {
     let name = tidy_name(name);
-    let short: String = name.graphemes(true).take(LONGEST_NAME).collect();
+    let mut bytes = 0;
+    let letters = name
+        .graphemes(true)
+        .take(LONGEST_NAME)
+        .take_while(|letter| {
+            bytes += letter.len();
+            bytes <= MOST_BYTES
+        });
+    let short: String = letters.collect();
     short.trim_end().to_owned()
+}
+
+/// A name like this one that nobody of these has: "Ada 2".
+pub(super) fn free_name(name: &str, taken: &[String]) -> String {
+    let taken: BTreeSet<String> = taken.iter().map(|it| folded(it)).collect();
+    let numbered = |number: usize| {
+        let number = format!(" {number}");
+        let room = LONGEST_NAME - number.len();
+        let start: String = name.graphemes(true).take(room).collect();
+        format!("{}{number}", start.trim_end())
+    };
+    let mut all = std::iter::once(name.to_owned()).chain((2..).map(numbered));
+    let free = all.find(|name| !taken.contains(&folded(name)));
+    free.unwrap_or_else(|| name.to_owned())
 }
 
 #[cfg(test)]
@@ -78,6 +123,30 @@ mod tests {
         );
         assert_eq!(team_names([" ", "\u{200b}"]), Err(NameTrouble::None));
         let nine = ["a", "b", "c", "d", "e", "f", "g", "h", "i"];
-        assert_eq!(team_names(nine), Err(NameTrouble::TooMany(9)));
+        assert_eq!(team_names(nine), Err(NameTrouble::TooMany(9, 8)));
+        assert_eq!(names_for(WayOfVoting::Devices, nine).unwrap().len(), 9);
+    }
+
+    #[test]
+    fn the_second_ada_is_ada_2() {
+        let taken = ["Ada", "ADA 2", "Bo"].map(String::from);
+        assert_eq!(free_name("ada", &taken), "ada 3");
+        assert_eq!(free_name("Cy", &taken), "Cy");
+        let long = "x".repeat(LONGEST_NAME);
+        let other = free_name(&long, std::slice::from_ref(&long));
+        assert_eq!(other.chars().count(), LONGEST_NAME);
+        assert!(other.ends_with(" 2"));
+    }
+
+    #[test]
+    fn a_name_of_any_signs_is_short() {
+        let family = "👩‍👩‍👧‍👦".repeat(100);
+        let zalgo = "Z\u{300}\u{301}\u{302}\u{303}".repeat(100);
+        for name in [family, zalgo, "ﷺ".repeat(500)] {
+            let tidy = tidy(&name);
+            assert!(!tidy.is_empty() && tidy.len() <= MOST_BYTES, "{tidy}");
+            assert!(tidy.graphemes(true).count() <= LONGEST_NAME);
+            assert_eq!(super::tidy(&tidy), tidy);
+        }
     }
 }

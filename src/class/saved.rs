@@ -5,22 +5,29 @@ use std::sync::Arc;
 use serde::Serialize;
 use strum::VariantArray;
 
-use super::{ClassPlace, ClassRound, ClassStep, Vote, team_names};
+use super::ballot::Door;
+use super::names::names_for;
+use super::{ClassChange, ClassPlace, ClassRound, ClassStep, NameTrouble, Said, Vote, WayOfVoting};
 use crate::files::{Fields, FileErrors, Source};
 use crate::quiz::concepts::Library;
-use crate::quiz::{Code, CourseKind, Question, Response};
+use crate::quiz::{Code, CourseKind, Question};
 
-/// The format of the files that are written now.
-const FORMAT: u32 = 1;
+/// The format of the files that are written now: since the second there are ways of voting,
+/// people with devices, and changes behind the round.
+const FORMAT: u32 = 2;
+/// The oldest format that still opens.
+const OLDEST: u32 = 1;
 
-/// Largest file that is read, in bytes; the fullest round takes some 60 kB.
-const LARGEST: usize = 1 << 18;
+/// Largest file that is read, in bytes; the fullest round takes some 600 kB, and the changes
+/// behind it are taken into it at each step.
+const LARGEST: usize = 1 << 22;
 
 /// What stands in a file.
 #[derive(Serialize)]
 struct Written<'a> {
     format: u32,
     code: String,
+    way: &'a str,
     teams: &'a [String],
     /// The question the class is at, counted from 1.
     number: usize,
@@ -28,20 +35,67 @@ struct Written<'a> {
     /// The ids of questions of the teacher's own, whose files may change.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     asked: Vec<&'a str>,
+    /// The code that lets pupils in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    door: Option<String>,
+    /// What brings each of them back, empty for whom nothing does.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    seats: Vec<String>,
     question: Vec<Votes>,
 }
 
-/// The votes on a question, a text a team, empty where there is none.
+/// The votes on a question, a text a team, empty where there is none; or how many were for
+/// each choice.
 #[derive(Serialize)]
 struct Votes {
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     first: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     second: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    first_counts: Vec<u32>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    second_counts: Vec<u32>,
+}
+
+/// What is appended to a file: changes since it was written.
+#[derive(Serialize)]
+struct Appended {
+    then: [Changes; 1],
+}
+
+#[derive(Serialize)]
+struct Changes {
+    changes: Vec<String>,
 }
 
 /// The fields of a file.
-const FIELDS: [&str; 7] = [
-    "format", "code", "teams", "number", "step", "asked", "question",
+const FIELDS: [&str; 11] = [
+    "format", "code", "way", "teams", "number", "step", "asked", "door", "seats", "question",
+    "then",
 ];
+/// The fields of a question in it.
+const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];
+
+/// The text that is appended to the file of a round when this has changed.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should it not be writable.
+pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
+    let changes = changes.iter().map(ToString::to_string).collect();
+    let then = [Changes { changes }];
+    toml::to_string(&Appended { then }).map_err(|error| error.to_string())
+}
+
+/// What of a file is whole: a machine that stops may leave a part of what was appended last.
+fn whole(bytes: &[u8]) -> &[u8] {
+    let end = bytes.iter().rposition(|byte| *byte == b'\n');
+    let is_changes = |end: usize| bytes[..=end].windows(8).any(|it| it == b"[[then]]");
+    match end {
+        Some(end) if is_changes(end) => &bytes[..=end],
+        _ => bytes,
+    }
+}
 
 impl ClassRound {
     /// Largest file that is read, in bytes.
@@ -53,21 +107,34 @@ impl ClassRound {
     /// None that can be met in practice; the reason, should it not be writable.
     pub fn text(&self) -> Result<String, String> {
         let votes = |question: usize, vote: Vote| {
-            let said = |team| self.ballot(question, team).vote(vote);
-            let text = |team| said(team).map(Response::to_text).unwrap_or_default();
+            let given = |team| self.ballot(question, team).given(vote);
+            let text = |team| given(team).map(Said::to_text).unwrap_or_default();
             (0..self.teams().len()).map(text).collect()
         };
+        let counts = |question: usize, vote: Vote| {
+            let counts = self.tally(question, vote);
+            counts.map(<[u32]>::to_vec).unwrap_or_default()
+        };
+        let door = self.door.as_ref();
+        let token = |seat: &Option<_>| seat.map(String::from).unwrap_or_default();
         let written = Written {
             format: FORMAT,
             code: self.code().to_string(),
+            way: self.way().into(),
             teams: self.teams(),
             number: self.place().question + 1,
             step: self.place().step.into(),
             asked: self.own_ids(),
+            door: door.map(|door| door.code.into()),
+            seats: door
+                .map(|door| door.seats.iter().map(token).collect())
+                .unwrap_or_default(),
             question: (0..self.questions().len())
                 .map(|question| Votes {
                     first: votes(question, Vote::First),
                     second: votes(question, Vote::Second),
+                    first_counts: counts(question, Vote::First),
+                    second_counts: counts(question, Vote::Second),
                 })
                 .collect(),
         };
@@ -90,8 +157,8 @@ impl ClassRound {
     /// its teams are none; that it asks questions of the teacher's own that are not there
     /// or have changed; that a vote says nothing, or something else than was asked for.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
-        let source = Source::of_bytes(name, bytes, LARGEST)?;
-        source.document("a class round", FORMAT, &FIELDS, |fields| {
+        let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
+        source.document_since("a class round", OLDEST..=FORMAT, &FIELDS, |fields| {
             Self::from_fields(fields, own)
         })
     }
@@ -101,31 +168,68 @@ impl ClassRound {
             Some(code) => code.with_own(own)?.same_for_all(),
             None => Err("expected the code of a round, such as mixed-7".into()),
         });
-        let teams =
-            fields
-                .any_texts("teams")
-                .and_then(|found| match team_names(found.iter().copied()) {
-                    Ok(teams) if teams == found => Some(teams),
-                    Ok(_) => fields.refuse("teams", "expected names of 1 to 24 visible letters"),
-                    Err(error) => fields.refuse("teams", error.to_string()),
-                });
+        let way = fields.or("way", WayOfVoting::default(), |name| {
+            let ways = WayOfVoting::VARIANTS.iter().map(|way| (way.into(), *way));
+            fields.word(name, &ways.collect::<Vec<_>>())
+        })?;
+        let teams = fields.any_texts("teams").and_then(|found| {
+            match names_for(way, found.iter().copied()) {
+                Ok(teams) if teams.is_empty() && way == WayOfVoting::Teams => {
+                    fields.refuse("teams", NameTrouble::None.to_string())
+                }
+                Ok(teams) if teams == found => Some(teams),
+                Ok(_) => fields.refuse("teams", "expected names of 1 to 24 visible letters"),
+                Err(error) => fields.refuse("teams", error.to_string()),
+            }
+        });
         let asked = fields.or("asked", None, |name| fields.any_texts(name).map(Some));
         let votes = fields.or("question", Vec::new(), |name| {
-            fields.tables(name, 0..=usize::MAX, &["first", "second"])
+            fields.tables(name, 0..=usize::MAX, &OF_QUESTION)
         });
-        let mut round = Self::new(code?, teams?);
+        let then = fields.or("then", Vec::new(), |name| {
+            fields.tables(name, 0..=usize::MAX, &["changes"])
+        });
+        let mut round = Self::voting(way, code?, teams?);
+        round.door = Self::door_of(fields, round.teams().len())?;
         if asked?.is_some_and(|asked| round.own_ids() != asked) {
             let message =
                 "expected the questions of your own as they were; their files have changed";
             return fields.refuse("asked", message);
         }
-        for (question, votes) in votes?.iter().enumerate() {
+        let votes = votes?;
+        for (question, votes) in votes.iter().enumerate() {
             for (vote, field) in Vote::BOTH.into_iter().zip(["first", "second"]) {
-                let said = votes.any_texts(field).unwrap_or_default();
+                let said = votes.or(field, Vec::new(), |name| votes.any_texts(name));
+                let said = said.unwrap_or_default();
                 for (team, text) in said.into_iter().enumerate() {
                     if let Err(message) = round.take(question, team, vote, text) {
                         votes.refuse_item::<()>(field, team, message);
                     }
+                }
+            }
+        }
+        for (question, votes) in votes.iter().enumerate() {
+            for (vote, field) in Vote::BOTH
+                .into_iter()
+                .zip(["first_counts", "second_counts"])
+            {
+                let expected = "how many were for each choice";
+                let counts: Option<Vec<u32>> = votes.or(field, None, |name| {
+                    votes.all_parsed(name, expected).map(Some)
+                })?;
+                if counts.is_some_and(|counts| !round.count(question, vote, Some(&counts))) {
+                    return votes.refuse(field, format!("expected {expected}"));
+                }
+            }
+        }
+        for then in then? {
+            // What a machine that stopped has left may lack them.
+            let changes = then.or("changes", Vec::new(), |name| then.any_texts(name))?;
+            for (at, text) in changes.into_iter().enumerate() {
+                let change = ClassChange::parse(text)
+                    .ok_or_else(|| format!("expected a change, found \"{}\"", text.escape_debug()));
+                if let Err(message) = change.and_then(|change| round.change(&change)) {
+                    then.refuse_item::<()>("changes", at, message);
                 }
             }
         }
@@ -146,6 +250,31 @@ impl ClassRound {
         Some(round)
     }
 
+    /// The door of a file, if it has one.
+    #[expect(clippy::option_option, reason = "faults are noted; no door is none")]
+    fn door_of(fields: &Fields, people: usize) -> Option<Option<Door>> {
+        let code = fields.or("door", None, |name| {
+            fields
+                .text_as(name, |text| {
+                    text.parse().map_err(|error| format!("{error}"))
+                })
+                .map(Some)
+        })?;
+        let Some(code) = code else {
+            return Some(None);
+        };
+        let texts = fields.or("seats", Vec::new(), |name| fields.any_texts(name))?;
+        let seats = texts.iter().map(|text| match text.is_empty() {
+            true => Ok(None),
+            false => text.parse().map(Some),
+        });
+        match seats.collect::<Result<Vec<_>, _>>() {
+            Ok(seats) if seats.len() == people => Some(Some(Door { code, seats })),
+            Ok(_) => fields.refuse("seats", format!("expected {people} texts")),
+            Err(expected) => fields.refuse("seats", expected),
+        }
+    }
+
     /// Takes a vote from a file.
     fn take(&mut self, question: usize, team: usize, vote: Vote, text: &str) -> Result<(), String> {
         if question >= self.questions().len() || team >= self.teams().len() {
@@ -158,9 +287,8 @@ impl ClassRound {
         if text.is_empty() {
             return Ok(());
         }
-        let said = Response::parse(text);
-        self.vote(question, team, vote, said);
-        if said.is_none() || self.ballot(question, team).vote(vote) != said {
+        let said = Said::parse(text);
+        if said.is_none() || !self.put(question, team, vote, said) {
             return Err(format!(
                 "expected a vote on this question, such as \"{}\", found \"{}\"",
                 self.questions()[question].form.truth().to_text(),

@@ -46,7 +46,18 @@ impl Source<'_> {
         known: &[&'static str],
         read: impl FnOnce(&Fields) -> Option<T>,
     ) -> Result<T, FileErrors> {
-        let made = self.tables(what, format, known, read);
+        self.document_since(what, format..=format, known, read)
+    }
+
+    /// The same for a file whose older formats still open.
+    pub(crate) fn document_since<T>(
+        self,
+        what: &str,
+        formats: RangeInclusive<u32>,
+        known: &[&'static str],
+        read: impl FnOnce(&Fields) -> Option<T>,
+    ) -> Result<T, FileErrors> {
+        let made = self.tables_since(what, formats, known, read);
         self.finish(made)
     }
 
@@ -58,6 +69,17 @@ impl Source<'_> {
         known: &[&'static str],
         read: impl FnOnce(&Fields) -> Option<T>,
     ) -> Option<T> {
+        self.tables_since(what, format..=format, known, read)
+    }
+
+    fn tables_since<T>(
+        &self,
+        what: &str,
+        formats: RangeInclusive<u32>,
+        known: &[&'static str],
+        read: impl FnOnce(&Fields) -> Option<T>,
+    ) -> Option<T> {
+        let (oldest, format) = formats.into_inner();
         let (document, errors) = DeTable::parse_recoverable(self.text());
         let mut broken = None;
         for error in errors {
@@ -82,7 +104,7 @@ impl Source<'_> {
         if found > format as usize {
             self.forget();
             fields.refuse("format", newer(found, format))
-        } else if found < format as usize {
+        } else if found < oldest as usize {
             fields.refuse("format", format!("expected {expected}, found {found}"))
         } else {
             read(&fields)

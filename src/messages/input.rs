@@ -2,7 +2,7 @@
 
 use glam::{DVec2, dvec2};
 
-use super::{Key, SearchResult, StoreAnswer};
+use super::{HostNews, JoinNews, Key, SearchResult, StoreAnswer};
 
 /// One thing that happened outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +25,10 @@ pub enum Input {
     /// What came of an [`Effect::Export`](super::Effect::Export): where the file is,
     /// or why there is none.
     Exported(Result<String, String>),
+    /// What was heard of a class on its own devices since the last time, in order.
+    Hosted(Vec<HostNews>),
+    /// What was heard of the host of the class.
+    Joined(JoinNews),
 }
 
 impl From<Key> for Input {

@@ -4,12 +4,14 @@
 //! Each shell translates its own world into these types, so that the app never
 //! learns which one drives it.
 
+mod class;
 mod effect;
 mod input;
 mod key;
 mod search;
 mod store;
 
+pub use class::{HostCall, HostNews, JoinCall, JoinNews, LineId, OpenDoor};
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;

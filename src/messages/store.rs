@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::class::ClassRound;
+use crate::class::{ClassChange, ClassRound};
 use crate::game::{Game, SavedGame};
 use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
@@ -36,6 +36,14 @@ pub enum StoreRequest {
     /// Keep the round of a class as it now stands, in place of what was kept or loaded
     /// with the same ticket before.
     SaveClass(Box<ClassRound>),
+    /// Keep what has just changed in such a round: the changes alone, if all before them is
+    /// kept, and else the round.
+    NoteClass {
+        /// The changes.
+        changes: Vec<ClassChange>,
+        /// The round as it stands with them.
+        round: Box<ClassRound>,
+    },
     /// Say what rounds of classes there are.
     ListClasses,
     /// Load the round of a class of this name, to be saved with the same ticket from now
@@ -144,9 +152,9 @@ impl StoreCall {
         StoreAnswer {
             ticket: self.ticket,
             done: match self.wish {
-                StoreRequest::Save(_) | StoreRequest::SaveClass(_) => {
-                    StoreReply::Saved(Err(reason))
-                }
+                StoreRequest::Save(_)
+                | StoreRequest::SaveClass(_)
+                | StoreRequest::NoteClass { .. } => StoreReply::Saved(Err(reason)),
                 StoreRequest::List => StoreReply::Listed(Err(reason)),
                 StoreRequest::Load(_) => StoreReply::Loaded(Err(reason)),
                 StoreRequest::Remove(_) | StoreRequest::RemoveClass(_) => {

@@ -11,7 +11,7 @@ use super::settings::KeptSettings;
 use crate::game::Game;
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
-use crate::messages::{Effect, SearchTask, StoreCall, StoreRequest, Wanted};
+use crate::messages::{Effect, HostCall, JoinCall, SearchTask, StoreCall, StoreRequest, Wanted};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
 use crate::widgets::hit::HitPace;
@@ -224,6 +224,16 @@ impl Context {
     /// Asks for a text to be written to a file of this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
+    }
+
+    /// Asks something of whoever serves a class.
+    pub fn host(&mut self, call: HostCall) {
+        self.asked.push(Effect::Host(call));
+    }
+
+    /// Asks something of whoever reaches the host of a class.
+    pub fn join(&mut self, call: JoinCall) {
+        self.asked.push(Effect::Join(call));
     }
 
     /// Tells the player something, over whatever the screen shows, until a key is pressed.

@@ -10,7 +10,9 @@ use ratatui::buffer::Buffer;
 use super::FRAME;
 use super::search::search;
 use crate::app::App;
-use crate::messages::{Effect, Input, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest};
+use crate::messages::{
+    Effect, HostCall, Input, JoinCall, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest,
+};
 use crate::progress::Attempt;
 use crate::store::Store;
 use crate::widgets::cells::text;
@@ -34,6 +36,8 @@ pub struct Headless {
     quit: bool,
     exports: Vec<(String, String)>,
     searches: bool,
+    host_calls: Vec<HostCall>,
+    join_calls: Vec<JoinCall>,
 }
 
 impl Headless {
@@ -53,6 +57,8 @@ impl Headless {
             quit: false,
             exports: Vec::new(),
             searches: true,
+            host_calls: Vec::new(),
+            join_calls: Vec::new(),
         };
         headless.input(&Input::Resize(columns, rows));
         headless
@@ -98,6 +104,16 @@ impl Headless {
     /// What was exported, kept in memory: names and contents.
     pub fn exports(&self) -> &[(String, String)] {
         &self.exports
+    }
+
+    /// What was asked since the last call of whoever serves a class.
+    pub fn take_host_calls(&mut self) -> Vec<HostCall> {
+        std::mem::take(&mut self.host_calls)
+    }
+
+    /// What was asked since the last call of whoever reaches the host of a class.
+    pub fn take_join_calls(&mut self) -> Vec<JoinCall> {
+        std::mem::take(&mut self.join_calls)
     }
 
     /// Hands one input over.
@@ -198,6 +214,8 @@ impl Headless {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));
                 }
+                Effect::Host(call) => self.host_calls.push(call.clone()),
+                Effect::Join(call) => self.join_calls.push(call.clone()),
                 Effect::Export { name, content } => {
                     self.exports.push((name.clone(), content.clone()));
                     self.input(&Input::Exported(Ok(name.clone())));

@@ -1,7 +1,7 @@
 //! Texts as files in a folder.
 
-use std::fs;
-use std::io::{self, ErrorKind};
+use std::fs::{self, OpenOptions};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -137,6 +137,25 @@ impl TextStore for Disk {
             UnplacedFile::write(&self.folder, text)?.replace(&path)?;
             fsync_dir(&self.folder)?;
             Ok(true)
+        })
+    }
+
+    fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String> {
+        self.told(|| {
+            let _turn = self.turn()?;
+            let path = self.path(name);
+            if !holds(&path, old)? {
+                return Ok(false);
+            }
+            let mut file = OpenOptions::new().append(true).open(&path)?;
+            let written = file
+                .write_all(added.as_bytes())
+                .and_then(|()| file.sync_data());
+            if written.is_err() {
+                // What is there of it would not be known as ours; a full disk has room for less.
+                let _ = file.set_len(old.len() as u64);
+            }
+            written.map(|()| true)
         })
     }
 

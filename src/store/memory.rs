@@ -73,6 +73,10 @@ impl TextStore for Memory {
         Ok(true)
     }
 
+    fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String> {
+        self.replace(name, old, &format!("{old}{added}"))
+    }
+
     fn remove(&mut self, name: &str) -> Result<(), String> {
         self.texts.retain(|(known, _)| known != name);
         Ok(())

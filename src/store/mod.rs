@@ -25,7 +25,7 @@ use std::sync::Arc;
 use jiff::Timestamp;
 use jiff::tz::{Offset, TimeZone};
 
-use crate::class::{ClassRound, answers_csv, items_csv};
+use crate::class::{ClassChange, ClassRound, answers_csv, appended, items_csv};
 use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
 use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
@@ -212,6 +212,9 @@ impl Store {
                     .text()
                     .and_then(|text| self.classes.save(ticket, text)),
             ),
+            StoreRequest::NoteClass { changes, round } => {
+                StoreReply::Saved(self.note_class(ticket, changes, round))
+            }
             StoreRequest::ListClasses => StoreReply::Classes(self.classes.list(self.knows_age())),
             StoreRequest::LoadClass(name) => {
                 StoreReply::Class(self.classes.load(ticket, name).map(Box::new))
@@ -253,6 +256,18 @@ impl Store {
         let text = game.text().map_err(|error| error.to_string())?;
         let name = self.exports.add("carrom-game", &text)?;
         Ok(self.exports.place(&name))
+    }
+
+    fn note_class(
+        &mut self,
+        ticket: u64,
+        changes: &[ClassChange],
+        round: &ClassRound,
+    ) -> Result<(), String> {
+        match self.classes.append(ticket, &appended(changes)?)? {
+            true => Ok(()),
+            false => self.classes.save(ticket, round.text()?),
+        }
     }
 
     /// Writes both tables of a class's round.

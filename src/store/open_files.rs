@@ -93,6 +93,19 @@ impl<T> OpenFiles<T> {
         Ok(())
     }
 
+    /// Appends a text to what was saved or loaded with this ticket before; says `false` if
+    /// there is none, or if something else stands there now.
+    pub(super) fn append(&mut self, ticket: u64, added: &str) -> Result<bool, String> {
+        let Some(open) = self.open.get_mut(&ticket) else {
+            return Ok(false);
+        };
+        let appended = self.texts.append(&open.name, &open.text, added)?;
+        if appended {
+            open.text.push_str(added);
+        }
+        Ok(appended)
+    }
+
     /// What the player should know of it, once.
     pub(super) fn take_notice(&mut self) -> Option<String> {
         self.notice.take()

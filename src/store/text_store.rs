@@ -25,6 +25,10 @@ pub(super) trait TextStore: Send {
     /// is not what stands there.
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String>;
 
+    /// Puts a text behind another; says `false`, and does nothing, if that is not what stands
+    /// there. Whoever is killed in the midst of it may leave a part of what was added.
+    fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String>;
+
     /// Removes what stands under a name.
     fn remove(&mut self, name: &str) -> Result<(), String>;
 }

@@ -4,10 +4,11 @@
 use std::fs;
 use std::process::Command;
 
-use carrom::class::ClassRound;
+use carrom::class::{ClassRound, Vote, WayOfVoting};
 use carrom::game::{Fingerprint, SavedGame};
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, Tally, beliefs, topics};
+use carrom::quiz::{Confidence, Response};
 use carrom::store::Store;
 use rusqlite::Connection;
 
@@ -109,8 +110,35 @@ fn a_database_of_format_2_means_the_same() {
 fn a_class_round_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/class-1.toml");
     let round = ClassRound::read("class-1.toml", bytes, &Default::default()).unwrap();
-    assert_eq!(round.text().unwrap().as_bytes(), bytes);
     assert_eq!(round.teams(), ["Ants", "Bees", "=Cats()"]);
+    assert_eq!(round.way(), WayOfVoting::Teams);
+    let said = |question, team| round.ballot(question, team).first.map(Response::to_text);
+    assert_eq!(said(1, 0).unwrap(), "rays 25 65");
+    assert_eq!((said(1, 2), round.place().question), (None, 1));
+    // Written anew it says the same.
+    let text = round.text().unwrap();
+    let again = ClassRound::read("again", text.as_bytes(), &Default::default()).unwrap();
+    assert_eq!(again.text().unwrap(), text);
+}
+
+#[test]
+fn class_rounds_of_the_second_format_still_open() {
+    let bytes = include_bytes!("../saves/class-2-devices.toml");
+    let round = ClassRound::read("class-2", bytes, &Default::default()).unwrap();
+    // "Bo" was removed behind the round, and "Ada 2" was Ada all along.
+    assert_eq!(round.teams(), ["Ada L.", "Cy"]);
+    assert_eq!(round.door().unwrap().to_string(), "BCDFGH");
+    let first = |question, person| round.ballot(question, person).first.map(Response::to_text);
+    assert_eq!(first(0, 0).unwrap(), "rays 60 30");
+    assert_eq!(
+        (first(0, 1).unwrap().as_str(), first(1, 1)),
+        ("rays 45 45", None)
+    );
+    assert_eq!(round.ballot(0, 1).sure[0], Some(Confidence::Sure));
+    let bytes = include_bytes!("../saves/class-2-tally.toml");
+    let round = ClassRound::read("class-2", bytes, &Default::default()).unwrap();
+    assert_eq!(round.tally(0, Vote::First), Some(&[4, 17, 9, 2][..]));
+    assert_eq!(round.tally(0, Vote::Second), Some(&[1, 28, 2, 1][..]));
 }
 
 #[test]

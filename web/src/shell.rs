@@ -232,6 +232,8 @@ impl Shell {
                         }
                     }
                 }
+                // No screen asks for these before there is somebody to ask.
+                Effect::Host(_) | Effect::Join(_) => {}
                 Effect::Export { name, content } => {
                     let place = match self.opening.simulated {
                         true => name.clone(),

@@ -43,6 +43,21 @@ impl Measure {
         self.words().1
     }
 
+    /// The measure of an [`id`](Self::id).
+    pub fn with_id(id: &str) -> Option<Self> {
+        let mut all = [
+            Self::Angle,
+            Self::Share,
+            Self::Speed,
+            Self::Mass,
+            Self::Length,
+            Self::Times,
+            Self::Restitution,
+        ]
+        .into_iter();
+        all.find(|measure| measure.id() == id)
+    }
+
     /// The unit, and the name in files.
     const fn words(self) -> (&'static str, &'static str) {
         match self {

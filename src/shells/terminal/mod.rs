@@ -256,6 +256,8 @@ impl TerminalRun {
                         self.app.update(&Input::Saving(request.ticket));
                     }
                 }
+                // No screen asks for these before there is somebody to ask.
+                Effect::Host(_) | Effect::Join(_) => {}
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export::write(name, content));
                     // Should nobody listen any more, nobody waits for it either.

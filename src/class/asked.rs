@@ -1,0 +1,317 @@
+//! What a pupil's device is told of a question: what is asked and what is seen beside it, and
+//! later the truth. A [`Question`] itself is never sent: what it is made of holds the answer.
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+use serde_json::Map;
+
+use super::Said;
+use crate::physics::resting_target::mass_ratio_from_angles;
+use crate::physics::rutherford::Rutherford;
+use crate::physics::{Bond, Collision, Disc};
+use crate::quiz::{
+    AimTask, Difficulty, Family, Form, Illustration, Markings, Measure, Pieces, Question, Ray,
+    Rays, Response,
+};
+
+/// A question as it is asked: no more than can be read and seen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AskedQuestion {
+    /// The id of its family.
+    family: String,
+    /// The question in words.
+    text: String,
+    /// How it is answered.
+    form: AskedForm,
+    /// What is seen beside it.
+    picture: AskedPicture,
+}
+
+/// How a question is answered, without the answer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum AskedForm {
+    /// By two rays: the side of the target, and what it is called.
+    Rays { side: f64, target: String },
+    /// By a number that measures this, by its name in files.
+    Number { measure: String },
+    /// By choosing.
+    Choice { options: Vec<String> },
+    /// By a shot that sends the striker, or else its target, this way, in radians.
+    Shot {
+        hit: AskedHit,
+        striker: bool,
+        wanted: f64,
+    },
+}
+
+/// What is seen beside a question.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum AskedPicture {
+    Nothing,
+    Before {
+        hit: AskedHit,
+        /// Whether the offset, the angle and figures are drawn in.
+        shown: [bool; 3],
+    },
+    /// Both angles in radians, and both radii: a hit with these has many masses and losses.
+    After {
+        angles: [f64; 2],
+        radii: [f64; 2],
+    },
+    /// Two angles, and how near the nucleus lets come what meets it head-on.
+    Tracks {
+        angles: [f64; 2],
+        nearest: f64,
+    },
+}
+
+/// Two discs about to meet, as far as they can be seen: what rims and springs do is not.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct AskedHit {
+    masses: [f64; 2],
+    radii: [f64; 2],
+    u: [[f64; 2]; 2],
+    offset: f64,
+    offset_rest: f64,
+}
+
+impl AskedHit {
+    fn of(collision: &Collision) -> Self {
+        let discs = [collision.striker, collision.target];
+        Self {
+            masses: discs.map(|disc| disc.mass),
+            radii: discs.map(|disc| disc.radius),
+            u: [collision.u1, collision.u2].map(Into::into),
+            offset: collision.offset,
+            offset_rest: collision.offset_rest,
+        }
+    }
+
+    /// The hit, as far as a device believes it.
+    fn collision(&self) -> Option<Collision> {
+        let all = self.masses.iter().chain(&self.radii);
+        let numbers = self
+            .u
+            .iter()
+            .flatten()
+            .chain([&self.offset, &self.offset_rest]);
+        let is_good = all.clone().all(|x| x.is_finite() && *x > 0.0)
+            && numbers.clone().all(|x| x.is_finite());
+        let disc = |i: usize| Disc {
+            mass: self.masses[i],
+            radius: self.radii[i],
+        };
+        is_good.then(|| Collision {
+            u2: self.u[1].into(),
+            offset_rest: self.offset_rest,
+            ..Collision::at_offset(disc(0), disc(1), self.u[0].into(), self.offset)
+        })
+    }
+}
+
+impl AskedQuestion {
+    /// What of a question is sent while it is open.
+    pub fn new(question: &Question) -> Self {
+        Self {
+            family: question.family.id().into(),
+            text: question.text.clone(),
+            form: match &question.form {
+                Form::Rays { side, target, .. } => AskedForm::Rays {
+                    side: *side,
+                    target: (*target).into(),
+                },
+                Form::Number { quantity, .. } => AskedForm::Number {
+                    measure: quantity.id().into(),
+                },
+                Form::Choice { options, .. } => AskedForm::Choice {
+                    options: options.clone(),
+                },
+                Form::Shot(aim) => AskedForm::Shot {
+                    hit: AskedHit::of(&aim.with(0.0)),
+                    striker: aim.ray == Ray::Striker,
+                    wanted: aim.wanted,
+                },
+            },
+            picture: match &question.picture {
+                Illustration::Nothing => AskedPicture::Nothing,
+                Illustration::Before { collision, shown } => AskedPicture::Before {
+                    hit: AskedHit::of(collision),
+                    shown: [shown.offset, shown.angle, shown.figures],
+                },
+                Illustration::After { collision } => {
+                    let outcome = collision.outcome();
+                    match (outcome.theta1, outcome.theta2) {
+                        (Some(theta1), Some(theta2)) => AskedPicture::After {
+                            angles: [theta1, theta2],
+                            radii: [collision.striker.radius, collision.target.radius],
+                        },
+                        _ => AskedPicture::Nothing,
+                    }
+                }
+                Illustration::Tracks { rutherford, angles } => AskedPicture::Tracks {
+                    angles: *angles,
+                    nearest: rutherford.head_on_approach,
+                },
+            },
+        }
+    }
+
+    /// A question that can be drawn and answered, but that knows no more than was sent: what
+    /// it says of the truth means nothing. `None` if nothing of that kind was sent.
+    pub fn question(&self) -> Option<Question> {
+        Some(Question {
+            family: Family::with_id(&self.family)?,
+            difficulty: Difficulty::Easy,
+            topic: "".into(),
+            text: self.text.clone(),
+            picture: self.picture.illustration()?,
+            form: self.form.form()?,
+            beliefs: Vec::new(),
+            replies: std::collections::BTreeMap::new(),
+            why: String::new(),
+            figures: Map::new(),
+        })
+    }
+}
+
+impl AskedForm {
+    fn form(&self) -> Option<Form> {
+        Some(match self {
+            Self::Rays { side, target } => Form::Rays {
+                truth: Rays::new(0.0, 0.0),
+                side: side.signum(),
+                target: [Pieces::Equal, Pieces::Marbles]
+                    .map(Pieces::target_name)
+                    .into_iter()
+                    .find(|name| name == target)?,
+            },
+            Self::Number { measure } => Form::Number {
+                quantity: Measure::with_id(measure)?,
+                truth: 0.0,
+            },
+            Self::Choice { options } => Form::Choice {
+                options: options.clone(),
+                right: 0,
+            },
+            Self::Shot {
+                hit,
+                striker,
+                wanted,
+            } => Form::Shot(AimTask {
+                collision: hit.collision()?,
+                ray: if *striker { Ray::Striker } else { Ray::Target },
+                wanted: Some(*wanted).filter(|it| it.is_finite())?,
+                offset: 0.0,
+            }),
+        })
+    }
+}
+
+impl AskedPicture {
+    fn illustration(&self) -> Option<Illustration> {
+        Some(match self {
+            Self::Nothing => Illustration::Nothing,
+            Self::Before { hit, shown } => Illustration::Before {
+                collision: hit.collision()?,
+                shown: Markings {
+                    offset: shown[0],
+                    angle: shown[1],
+                    figures: shown[2],
+                },
+            },
+            Self::After { angles, radii } => Illustration::After {
+                collision: hit_of_angles(*angles, *radii)?,
+            },
+            Self::Tracks { angles, nearest } => Illustration::Tracks {
+                rutherford: Rutherford {
+                    head_on_approach: Some(*nearest).filter(|it| it.is_finite() && *it > 0.0)?,
+                },
+                angles: *angles,
+            },
+        })
+    }
+}
+
+/// A hit without loss that goes these ways: one of the many that look alike.
+fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2]) -> Option<Collision> {
+    let is_good = radii.iter().all(|it| it.is_finite() && *it > 0.0);
+    let ratio = mass_ratio_from_angles(theta1, theta2, 1.0).filter(|_| is_good)?;
+    let [striker, target] =
+        [(ratio, radii[0]), (1.0, radii[1])].map(|(mass, radius)| Disc { mass, radius });
+    Some(Collision::at_angle(striker, target, DVec2::X, theta2))
+}
+
+/// The truth, once it is told: the true answer and why it is true, in words for this pupil.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ToldTruth {
+    /// The true answer, as [`Said::to_text`] writes it.
+    truth: String,
+    /// Why it is true, and what was wrong with what they said.
+    pub why: String,
+    /// Points of this pupil for the question, if they have voted.
+    pub points: Option<f64>,
+    /// The hit as it really goes, where there is one to be watched.
+    hit: Option<TrueHit>,
+}
+
+/// A hit with all that decides how it goes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct TrueHit {
+    seen: AskedHit,
+    restitution: f64,
+    sticks: bool,
+}
+
+impl ToldTruth {
+    /// The truth of a question, with why it is true, and the points for what was said.
+    pub fn new(question: &Question, why: String, points: Option<f64>) -> Self {
+        Self {
+            truth: question.form.truth().to_text(),
+            why,
+            points,
+            hit: question.picture.collision().map(|hit| TrueHit {
+                seen: AskedHit::of(hit),
+                restitution: hit.restitution,
+                sticks: hit.bond == Bond::Stick,
+            }),
+        }
+    }
+
+    /// The question with its true answer and its true hit; `None` if this is the truth of
+    /// another one.
+    pub fn told(&self, mut asked: Question) -> Option<Question> {
+        let true_answer = Said::parse(&self.truth)?.response;
+        match (&mut asked.form, true_answer) {
+            (Form::Rays { truth, .. }, Response::Rays(rays)) => *truth = rays,
+            (Form::Number { truth, .. }, Response::Number(x)) => *truth = x,
+            (Form::Choice { right, options }, Response::Choice(i)) if i < options.len() => {
+                *right = i;
+            }
+            (Form::Shot(aim), Response::Shot(offset)) => aim.offset = offset,
+            _ => return None,
+        }
+        asked.why.clone_from(&self.why);
+        let true_hit = self.hit.and_then(|hit| {
+            let restitution = hit.restitution.clamp(0.0, 1.0);
+            let bond = if hit.sticks { Bond::Stick } else { Bond::Slip };
+            Some(Collision {
+                restitution,
+                bond,
+                ..hit.seen.collision()?
+            })
+        });
+        if let (
+            Illustration::Before { collision, .. } | Illustration::After { collision },
+            Some(hit),
+        ) = (&mut asked.picture, true_hit)
+        {
+            *collision = hit;
+        }
+        if let (Form::Shot(aim), Some(hit)) = (&mut asked.form, true_hit) {
+            aim.collision = hit;
+        }
+        Some(asked)
+    }
+}

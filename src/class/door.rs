@@ -1,0 +1,164 @@
+//! How pupils come into a round on their own devices: the code that is read out, and the
+//! seat that brings somebody back to their place.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+/// The letters of a [`DoorCode`]: consonants that look and sound unlike each other, so that
+/// no word comes about.
+const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
+
+/// The code that lets somebody into a class: six consonants, new for each round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct DoorCode([u8; Self::LENGTH]);
+
+impl DoorCode {
+    /// How many letters it has.
+    pub const LENGTH: usize = 6;
+
+    /// The code of a random number; there are 20⁶, 64 million.
+    pub fn of(mut random: u64) -> Self {
+        Self(std::array::from_fn(|_| {
+            let letter = LETTERS[(random % LETTERS.len() as u64) as usize];
+            random /= LETTERS.len() as u64;
+            letter
+        }))
+    }
+}
+
+impl fmt::Display for DoorCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0
+            .iter()
+            .try_for_each(|it| write!(f, "{}", char::from(*it)))
+    }
+}
+
+/// What is said of what is no [`DoorCode`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("expected the six letters of a class, such as BCDFGH")]
+pub struct NoDoorCode;
+
+impl FromStr for DoorCode {
+    type Err = NoDoorCode;
+
+    /// Whatever the case of its letters, and with blanks or hyphens between them.
+    fn from_str(text: &str) -> Result<Self, NoDoorCode> {
+        let mut code = [0; Self::LENGTH];
+        let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));
+        for place in &mut code {
+            let letter = letters.next().ok_or(NoDoorCode)?.to_ascii_uppercase();
+            let known = LETTERS.iter().find(|it| char::from(**it) == letter);
+            *place = *known.ok_or(NoDoorCode)?;
+        }
+        match letters.next() {
+            None => Ok(Self(code)),
+            Some(_) => Err(NoDoorCode),
+        }
+    }
+}
+
+impl TryFrom<String> for DoorCode {
+    type Error = NoDoorCode;
+
+    fn try_from(text: String) -> Result<Self, NoDoorCode> {
+        text.parse()
+    }
+}
+
+impl From<DoorCode> for String {
+    fn from(code: DoorCode) -> Self {
+        code.to_string()
+    }
+}
+
+/// What brings somebody back to their place: a secret of 128 random bits, which only the
+/// host and their device know.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct SeatToken(u128);
+
+impl SeatToken {
+    /// The token of a random number.
+    pub const fn of(random: u128) -> Self {
+        Self(random)
+    }
+}
+
+/// It is a secret: it stays out of reports.
+impl fmt::Debug for SeatToken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("SeatToken")
+    }
+}
+
+impl fmt::Display for SeatToken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:032x}", self.0)
+    }
+}
+
+impl FromStr for SeatToken {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let is_hex = text.len() == 32 && text.bytes().all(|it| it.is_ascii_hexdigit());
+        let number = is_hex.then(|| u128::from_str_radix(text, 16).ok());
+        number
+            .flatten()
+            .map(Self)
+            .ok_or("expected 32 hexadecimal digits")
+    }
+}
+
+impl TryFrom<String> for SeatToken {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        text.parse()
+    }
+}
+
+impl From<SeatToken> for String {
+    fn from(token: SeatToken) -> Self {
+        token.to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_code_is_read_as_people_write_it() {
+        let code = DoorCode::of(0);
+        assert_eq!(code.to_string(), "BBBBBB");
+        assert_eq!(" b-b bbBb ".parse(), Ok(code));
+        for random in [1, 19, 20, 63_999_999, u64::MAX] {
+            let code = DoorCode::of(random);
+            assert_eq!(code.to_string().parse(), Ok(code));
+        }
+        for text in ["", "BCDFG", "BCDFGHJ", "BCDFGA", "BCDFG1", "ÄCDFGH"] {
+            assert_eq!(text.parse::<DoorCode>(), Err(NoDoorCode), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_token_is_read_as_it_is_written_and_nothing_else() {
+        let token = SeatToken::of(u128::MAX / 7);
+        assert_eq!(token.to_string().parse(), Ok(token));
+        assert_eq!(format!("{token:?}"), "SeatToken");
+        for text in [
+            "",
+            "12",
+            "+2345678901234567890123456789012",
+            &"g".repeat(32),
+            &"1".repeat(33),
+        ] {
+            assert!(text.parse::<SeatToken>().is_err(), "{text}");
+        }
+    }
+}

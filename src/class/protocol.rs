@@ -1,0 +1,285 @@
+//! What a pupil's device and the host say to each other, in JSON.
+//!
+//! Every message of the host is the pupil's whole state, so that taking a vote, coming late,
+//! coming back and going back a question are one and the same; a device shows what it was told
+//! last. `n` is a number that a device counts up with each vote and gets back with its state:
+//! a state whose `n` is not smaller says that the vote is in, on the disk of the host. `rev`
+//! counts the states of one connection.
+//!
+//! ```text
+//! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
+//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" takes it back
+//! > {"t":"leave"}
+//! < {"t":"state","v":1,"rev":4,"seat":TOKEN,"name":"Ada","q":3,"of":10,"step":"first-vote","n":17,…}
+//! < {"t":"no","why":"code"}                                                then it closes
+//! ```
+
+use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
+
+use super::{AskedQuestion, ClassStep, SeatToken, ToldTruth, Vote};
+
+/// The version of what is said.
+pub const VERSION: u32 = 1;
+
+/// Most bytes of what a device says at once.
+pub const LARGEST_SAYING: usize = 1024;
+
+/// What a pupil's device says.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "t", rename_all = "kebab-case")]
+pub enum Saying {
+    /// May I come in? Comes first.
+    Join {
+        /// The version it speaks.
+        v: u32,
+        /// The code of the class, as typed.
+        code: String,
+        /// The pupil's name, as typed.
+        name: String,
+        /// What brings the pupil back to their place, if they were here.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        seat: Option<SeatToken>,
+    },
+    /// A vote.
+    Vote {
+        /// The question, counted from 0.
+        q: usize,
+        /// Which vote.
+        vote: Vote,
+        /// What is said, as [`Said::to_text`](super::Said::to_text) writes it; nothing takes
+        /// it back.
+        said: String,
+        /// Larger than that of each vote before.
+        n: u64,
+    },
+    /// Good bye.
+    Leave,
+}
+
+impl Saying {
+    /// What a message says.
+    ///
+    /// # Errors
+    /// If it is none, or one of another version.
+    pub fn read(text: &str) -> Result<Self, Refusal> {
+        if text.len() > LARGEST_SAYING {
+            return Err(Refusal::Format);
+        }
+        match serde_json::from_str(text) {
+            Ok(Self::Join { v, .. }) if v != VERSION => Err(Refusal::Version),
+            Ok(saying) => Ok(saying),
+            Err(_) => Err(Refusal::Format),
+        }
+    }
+
+    /// The message.
+    pub fn to_text(&self) -> String {
+        // There is nothing in it that could not be written.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+/// Why somebody is not let in, or no longer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum Refusal {
+    /// The code is another one.
+    Code,
+    /// There is no room.
+    Full,
+    /// Nothing is left of the name.
+    Name,
+    /// They speak another version.
+    Version,
+    /// What was said is none of what can be said.
+    Format,
+    /// Something else was said before joining, or nothing for too long.
+    Join,
+    /// They are here on another device, or in another tab.
+    Elsewhere,
+    /// The teacher lets nobody in any more, or the round is over.
+    Closed,
+    /// The teacher has removed them.
+    Kicked,
+}
+
+impl Refusal {
+    /// What the pupil is told.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Code => "This class has another code. Look at the board again.",
+            Self::Full => "The class is full: there is no more room.",
+            Self::Name => "Type a name of letters that can be seen.",
+            Self::Version => {
+                "Your carrom and the teacher's are of different versions. Open the page from the \
+                 address on the board."
+            }
+            Self::Format | Self::Join => {
+                "The teacher's carrom did not understand yours. Open the page from the address \
+                 on the board."
+            }
+            Self::Elsewhere => "You are in on another device or in another tab. Go on there.",
+            Self::Closed => "The teacher lets nobody in just now.",
+            Self::Kicked => "The teacher has taken this name off the list.",
+        }
+    }
+
+    /// Whether another try may go better, without anybody doing anything.
+    pub const fn is_passing(self) -> bool {
+        matches!(self, Self::Join)
+    }
+}
+
+/// What the host says.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "t", rename_all = "kebab-case")]
+pub enum HostSaying {
+    /// How things stand for this pupil.
+    State(Box<PupilState>),
+    /// They are not let in, or no longer.
+    No {
+        /// Why.
+        why: Refusal,
+    },
+}
+
+impl HostSaying {
+    /// What a message says; `None` if it is none.
+    pub fn read(text: &str) -> Option<Self> {
+        serde_json::from_str(text).ok()
+    }
+
+    /// The message.
+    pub fn to_text(&self) -> String {
+        // There is nothing in it that could not be written.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+/// How things stand for one pupil.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PupilState {
+    /// The version.
+    pub v: u32,
+    /// Counts the states of this connection.
+    pub rev: u64,
+    /// What brings this pupil back.
+    pub seat: SeatToken,
+    /// What they are called here.
+    pub name: String,
+    /// The question, counted from 0.
+    pub q: usize,
+    /// How many questions there are.
+    pub of: usize,
+    /// The step at which the class is.
+    pub step: PupilStep,
+    /// The last of their votes that was handled.
+    pub n: u64,
+    /// Their first vote on this question, as text; empty if there is none.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub first: String,
+    /// Their second vote.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub second: String,
+    /// What is asked, where something is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub question: Option<AskedQuestion>,
+    /// While the class talks: how many were for each choice, where there are any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub spread: Vec<u32>,
+    /// The truth, once it is told.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub told: Option<ToldTruth>,
+    /// Their points in the round so far, and their place, once there are any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub score: Option<(f64, usize)>,
+}
+
+/// Where a class is, for a pupil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PupilStep {
+    /// The class gathers, or has paused.
+    Lobby,
+    /// The question is read out.
+    Describe,
+    /// Everyone predicts in silence.
+    Predict,
+    /// They vote.
+    FirstVote,
+    /// They talk.
+    Talk,
+    /// They may vote otherwise.
+    SecondVote,
+    /// The truth.
+    Shot,
+    /// The scores.
+    Scores,
+    /// The round is over.
+    End,
+}
+
+impl PupilStep {
+    /// The vote that is open at a step.
+    pub const fn vote(self) -> Option<Vote> {
+        match self {
+            Self::FirstVote => Some(Vote::First),
+            Self::SecondVote => Some(Vote::Second),
+            _ => None,
+        }
+    }
+}
+
+impl From<ClassStep> for PupilStep {
+    fn from(step: ClassStep) -> Self {
+        match step {
+            ClassStep::Describe => Self::Describe,
+            ClassStep::Predict => Self::Predict,
+            ClassStep::FirstVote => Self::FirstVote,
+            ClassStep::Talk => Self::Talk,
+            ClassStep::SecondVote => Self::SecondVote,
+            ClassStep::Shot => Self::Shot,
+            ClassStep::Scores => Self::Scores,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_said_is_read_as_it_is_written() {
+        let join = r#"{"t":"join","v":1,"code":"bcdfgh","name":"Ada"}"#;
+        let saying = Saying::read(join).unwrap();
+        assert_eq!(saying.to_text(), join);
+        let vote = r#"{"t":"vote","q":3,"vote":"first","said":"rays 60 still","n":17}"#;
+        assert_eq!(Saying::read(vote).unwrap().to_text(), vote);
+        assert_eq!(Saying::read(r#"{"t":"leave"}"#), Ok(Saying::Leave));
+    }
+
+    #[test]
+    fn anything_else_is_refused() {
+        for text in [
+            "",
+            "{}",
+            "[]",
+            "null",
+            r#"{"t":"x"}"#,
+            r#"{"t":"vote","q":-1}"#,
+        ] {
+            assert_eq!(Saying::read(text), Err(Refusal::Format), "{text}");
+        }
+        let newer = r#"{"t":"join","v":2,"code":"BCDFGH","name":"Ada"}"#;
+        assert_eq!(Saying::read(newer), Err(Refusal::Version));
+        let long = format!(
+            r#"{{"t":"join","v":1,"code":"{}","name":""}}"#,
+            "B".repeat(2000)
+        );
+        assert_eq!(Saying::read(&long), Err(Refusal::Format));
+        let deep = "[".repeat(1000);
+        assert_eq!(Saying::read(&deep), Err(Refusal::Format));
+    }
+}

@@ -1,0 +1,36 @@
+//! The ways in which a class votes.
+
+use strum::{EnumString, IntoStaticStr, VariantArray};
+
+/// A way in which a class votes; its name in files is "devices".
+///
+/// - **Teams** type their votes one after the other at the teacher's keyboard. Each has a
+///   name and a [`Ballot`](super::Ballot) of its own.
+/// - A **tally** is for a class without devices: hands or printed cards are counted, and the
+///   teacher types how many were for each choice. There are no names; the counts are those
+///   of [`ClassRound::tally`](super::ClassRound::tally), for the choices of
+///   [`ClassRound::choices`](super::ClassRound::choices).
+/// - With **devices** everyone votes alone on their own; people come by
+///   [`ClassChange::Join`](super::ClassChange::Join), each with a name and a ballot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, IntoStaticStr, VariantArray)]
+#[strum(serialize_all = "kebab-case")]
+pub enum WayOfVoting {
+    /// Teams at one keyboard.
+    #[default]
+    Teams,
+    /// Counted hands or cards.
+    Tally,
+    /// Everyone on a device of their own.
+    Devices,
+}
+
+impl WayOfVoting {
+    /// The most teams or people that have a ballot of their own.
+    pub const fn most(self) -> usize {
+        match self {
+            Self::Teams => super::MOST_TEAMS,
+            Self::Tally => 0,
+            Self::Devices => super::MOST_PEOPLE,
+        }
+    }
+}
