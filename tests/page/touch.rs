@@ -82,14 +82,28 @@ impl Phone {
         true
     }
 
-    fn press(&mut self, label: &str) {
+    fn press(&mut self, label: &str) -> bool {
         assert!(self.button(label), "no {label}: {}", self.buttons());
+        true
     }
 
     fn buttons(&mut self) -> Value {
         let script =
             "return [...document.querySelectorAll('#keys button')].map(it => it.textContent)";
         self.0.run(script, &[])
+    }
+
+    /// Does something until these words are there.
+    fn until(&mut self, words: &str, mut act: impl FnMut(&mut Self) -> bool) {
+        for _ in 0..1000 {
+            if self.shows(words) {
+                return;
+            }
+            if !act(self) {
+                self.wait();
+            }
+        }
+        panic!("no \"{words}\":\n{}", self.screen().join("\n"));
     }
 
     /// The place of the window at a place in cells.
@@ -103,14 +117,19 @@ impl Phone {
         [left + column * width, top + row * height]
     }
 
-    /// Taps the first place where these words stand.
-    fn tap_words(&mut self, words: &str) {
+    /// The first cell where these words begin, at its middle.
+    fn find(&mut self, words: &str) -> [f64; 2] {
         let screen = self.screen();
         let at = screen.iter().enumerate().find_map(|(row, line)| {
             let column = line[..line.find(words)?].chars().count();
             Some([column as f64 + 0.5, row as f64 + 0.5])
         });
-        let at = at.unwrap_or_else(|| panic!("no \"{words}\":\n{}", screen.join("\n")));
+        at.unwrap_or_else(|| panic!("no \"{words}\":\n{}", screen.join("\n")))
+    }
+
+    /// Taps the first place where these words stand.
+    fn tap_words(&mut self, words: &str) {
+        let at = self.find(words);
         let at = self.place(at);
         self.tap(at);
     }
@@ -156,16 +175,10 @@ fn a_mixed_round_is_played_by_touch_alone() {
             10 => "your round".to_owned(),
             _ => format!("question {} of 10", question + 1),
         };
-        for _ in 0..100 {
-            if phone.shows(&next) {
-                break;
-            }
-            if !phone.button("Enter") && !phone.button("Space") {
-                phone.wait();
-            }
-        }
+        phone.until(&next, |phone| {
+            phone.button("Enter") || phone.button("Space")
+        });
     }
-    phone.expect("your round");
 }
 
 /// Gives some answer to the question on the screen: what can be dragged is dragged, and what
@@ -210,7 +223,7 @@ fn a_chapter_is_read_by_touch_alone() {
     assert!(!phone.shows("α = 60.0°"), "{}", phone.screen().join("\n"));
 }
 
-/// A level: aimed by the finger, said, and watched.
+/// A level: aimed by the finger, said, and watched to its end.
 #[test]
 fn a_level_is_played_by_touch_alone() {
     let Some(page) = page() else { return };
@@ -220,7 +233,57 @@ fn a_level_is_played_by_touch_alone() {
     phone.tap_words("Dead stop");
     phone.button("play");
     phone.expect("say where");
-    phone.drag([25.0, 18.0], [32.0, 8.0]);
+    // A little beside the coin's middle, so that it is hit, but not head-on.
+    let coin = phone.find("C");
+    phone.drag([coin[0] - 10.0, coin[1] + 5.0], [coin[0] - 3.0, coin[1]]);
+    assert!(!phone.shows("45.0°"), "the finger aims");
     phone.press("say where");
+    phone.assert_fits();
+    phone.expect("say it first");
+    phone.press("123");
+    for key in ["4", "5", "Enter"] {
+        phone.press(key);
+    }
+    phone.expect("watched at");
+    phone.until("Not yet", |phone| phone.button("Space"));
+    phone.expect("you said");
+    phone.assert_fits();
+    phone.press("try again");
+    phone.expect("shot 1:");
+}
+
+/// A board of carrom against the computer, from the break to its last coin: the first stroke
+/// aimed by the finger, the others as the hints say.
+#[test]
+fn a_board_of_carrom_is_played_by_touch_alone() {
+    let Some(page) = page() else { return };
+    let Some(mut phone) = Phone::open(&page, "table&seed=3") else {
+        return;
+    };
+    phone.press("play");
+    phone.expect("You break");
+    let aim = |phone: &mut Phone| {
+        let screen = phone.screen();
+        let line = screen.iter().find(|line| line.contains("aim  "));
+        line.expect("the panel tells the aim").clone()
+    };
+    let before = aim(&mut phone);
+    phone.drag([30.5, 22.0], [24.0, 10.0]);
+    assert_ne!(aim(&mut phone), before, "the finger aims");
+    phone.assert_fits();
+    phone.press("strike");
+    let mut strokes = 0;
+    phone.until("the end of the board", |phone| {
+        if !phone.button("h") {
+            return phone.button("Space") || phone.button("Enter");
+        }
+        strokes += 1;
+        assert!(strokes < 100, "the board has no end");
+        // Where to look, which way, how exactly; then the aim is set so.
+        phone.until("set it so", |phone| phone.button("h"));
+        phone.press("h");
+        phone.press("strike")
+    });
+    println!("a board of {strokes} strokes by touch");
     phone.assert_fits();
 }

@@ -17,6 +17,7 @@ mod memory;
 mod old_files;
 #[cfg(target_os = "linux")]
 mod owed;
+mod page;
 mod plain;
 mod play;
 mod rebound;

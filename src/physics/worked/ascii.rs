@@ -2,6 +2,10 @@
 
 /// The text with every sign of a worked solution spelt in ASCII; a sign that has no
 /// spelling becomes `?`.
+#[cfg_attr(
+    target_family = "wasm",
+    expect(dead_code, reason = "the command line's")
+)]
 pub(crate) fn ascii(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for sign in text.chars() {

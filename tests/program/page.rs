@@ -1,0 +1,115 @@
+//! `carrom page`: a copy of the page with a teacher's own files in it.
+
+use std::fs;
+use std::process::{Command, Output, Stdio};
+
+use scraper::{Html, Selector};
+
+use crate::folder::Folder;
+
+/// What a page is for the program: the place where a teacher's files go, and all around it.
+const PAGE: &str = "<!doctype html><title>carrom</title><p>before</p>\
+    <script type=\"application/json\" id=\"own\">[]</script><p>after</p>";
+
+/// Runs carrom in a folder; a page that a build has put into it is not asked for.
+fn carrom(folder: &Folder, arguments: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carrom"))
+        .args(arguments.split(' '))
+        .current_dir(folder.path())
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn done(folder: &Folder, arguments: &str) -> String {
+    let output = carrom(folder, arguments);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{arguments}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn refused(folder: &Folder, arguments: &str) -> String {
+    let output = carrom(folder, arguments);
+    assert!(!output.status.success(), "{arguments}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+/// The paths and texts in a page, as a browser reads them.
+fn own(folder: &Folder, name: &str) -> Vec<(String, String)> {
+    let page = Html::parse_document(&fs::read_to_string(folder.path().join(name)).unwrap());
+    let texts = |selector| -> Vec<String> {
+        let selector = Selector::parse(selector).unwrap();
+        page.select(&selector)
+            .map(|it| it.text().collect())
+            .collect()
+    };
+    assert_eq!(texts("p"), ["before", "after"], "all else is as it was");
+    serde_json::from_str(&texts("#own").concat()).unwrap()
+}
+
+#[test]
+fn a_page_has_every_file_of_a_teacher_in_it() {
+    let folder = Folder::new("page");
+    folder.file("carrom.html", PAGE);
+    done(&folder, "examples --out mine");
+    let printed = done(
+        &folder,
+        "page --page carrom.html --levels mine/levels --lessons mine/chapters \
+         --concepts mine/questions --out our-class.html",
+    );
+    assert_eq!(printed, "our-class.html\n");
+    let own = own(&folder, "our-class.html");
+    for (place, inside) in [
+        ("levels/", "mine/levels"),
+        ("lessons/", "mine/chapters"),
+        ("concepts/", "mine/questions"),
+    ] {
+        let (path, text) = own
+            .iter()
+            .find(|(path, _)| path.starts_with(place))
+            .unwrap();
+        let name = path.rsplit('/').next().unwrap();
+        let written = walk(&folder.path().join(inside), name);
+        assert_eq!(text, &written, "{path}");
+    }
+}
+
+/// The text of the file of this name in a folder or in one inside it.
+fn walk(folder: &std::path::Path, name: &str) -> String {
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.ends_with(name) {
+                return fs::read_to_string(path).unwrap();
+            }
+        }
+    }
+    panic!("no {name}");
+}
+
+#[test]
+fn a_page_is_not_made_of_what_is_none_nor_over_what_is_there() {
+    let folder = Folder::new("no-page");
+    folder.file("carrom.html", PAGE);
+    folder.file("other.html", "<!doctype html><title>other</title>");
+    let message = refused(&folder, "page --page other.html --out our.html");
+    assert!(message.contains("this page is not carrom's"), "{message}");
+    let message = refused(&folder, "page --page none.html --out our.html");
+    assert!(message.contains("cannot read none.html"), "{message}");
+    done(&folder, "page --page carrom.html --out our.html");
+    let message = refused(&folder, "page --page carrom.html --out our.html");
+    assert!(message.contains("--force replaces it"), "{message}");
+    done(&folder, "page --page carrom.html --out our.html --force");
+    // A file that the program would refuse is refused here too, by its line.
+    fs::create_dir(folder.path().join("levels")).unwrap();
+    folder.file("levels/bad.toml", "format = 1\ntitle = 7\n");
+    let message = refused(
+        &folder,
+        "page --page carrom.html --levels levels --out bad.html",
+    );
+    assert!(message.contains("bad.toml"), "{message}");
+    assert!(!folder.path().join("bad.html").exists());
+}
