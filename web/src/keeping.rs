@@ -208,6 +208,7 @@ fn changes(wish: &StoreRequest) -> bool {
         R::Save(_)
         | R::Remove(_)
         | R::SaveClass(_)
+        | R::NoteClass { .. }
         | R::RemoveClass(_)
         | R::Record(_)
         | R::Star(..)
