@@ -17,7 +17,16 @@ pub(crate) struct Chromium {
 impl Chromium {
     /// A window of so many CSS pixels; with a finger, one of a phone. `None` where there is
     /// no driver.
-    pub(crate) fn start((width, height): (u32, u32), finger: bool) -> Option<Self> {
+    pub(crate) fn start(size: (u32, u32), finger: bool) -> Option<Self> {
+        Self::start_as(size, finger, json!({}))
+    }
+
+    /// The same, with settings of the browser's own (`prefs`).
+    pub(crate) fn start_as(
+        (width, height): (u32, u32),
+        finger: bool,
+        prefs: Value,
+    ) -> Option<Self> {
         let driver = Command::new("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
@@ -35,6 +44,7 @@ impl Chromium {
         let port = output.lines().find_map(started).expect("a port");
         let mut options = json!({
             "args": ["--headless=new", "--no-sandbox", format!("--window-size={width},{height}")],
+            "prefs": prefs,
         });
         if finger {
             options["mobileEmulation"] = json!({ "deviceMetrics": {
@@ -46,7 +56,9 @@ impl Chromium {
             port,
             session: String::new(),
         };
-        let wanted = json!({ "goog:chromeOptions": options });
+        let wanted = json!({
+            "goog:chromeOptions": options, "goog:loggingPrefs": { "performance": "ALL" },
+        });
         let body = json!({ "capabilities": { "alwaysMatch": wanted } });
         let session = chromium.ask("POST", "/session", Some(&body));
         session["sessionId"]
@@ -60,6 +72,27 @@ impl Chromium {
     pub(crate) fn debug(&mut self, command: &str, parameters: &Value) -> Value {
         let body = json!({ "cmd": command, "params": parameters });
         self.in_session("goog/cdp/execute", &body)
+    }
+
+    /// The addresses of all that was asked for since this was called last, as the debugging
+    /// port has told it.
+    pub(crate) fn requests(&mut self) -> Vec<String> {
+        let events = self.in_session("se/log", &json!({ "type": "performance" }));
+        let events = events.as_array().unwrap().iter();
+        let messages = events.map(|event| event["message"].as_str().unwrap());
+        let messages = messages.map(|text| serde_json::from_str::<Value>(text).unwrap());
+        let sent = messages.filter(|it| it["message"]["method"] == "Network.requestWillBeSent");
+        let address = |it: Value| {
+            let url = &it["message"]["params"]["request"]["url"];
+            url.as_str().unwrap().to_owned()
+        };
+        sent.map(address).collect()
+    }
+
+    /// Closes the window that commands go to, whatever its page is doing.
+    pub(crate) fn close_window(&mut self) {
+        let path = format!("/session/{}/window", self.session);
+        self.ask("DELETE", &path, None);
     }
 
     /// The window that commands go to.

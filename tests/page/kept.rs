@@ -110,6 +110,92 @@ fn two_tabs_never_overwrite_each_other() {
     assert_eq!((of(1), of(2)), (2, 2), "{kept:?}");
 }
 
+/// Tabs that are closed while they keep an answer.
+#[test]
+fn no_answer_that_was_told_is_lost_with_a_closed_tab() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1000, 700), false)) else {
+        return;
+    };
+    let first = chromium.window();
+    let mut told = 0;
+    for round in 0..20 {
+        chromium.another_window();
+        chromium.open(&format!("{page}#quiz=separation-{round}&player=Ana"));
+        wait_until_ready(&mut chromium);
+        press(&mut chromium, &["a", "Enter", "2"]);
+        wait(round % 5 * 8);
+        told += chromium.run(TOLD, &[]).as_u64().unwrap();
+        chromium.close_window();
+        chromium.go_to(&first);
+    }
+    chromium.open(&page);
+    wait_until_ready(&mut chromium);
+    let kept = answers(&progress(&mut chromium)).len() as u64;
+    println!("20 closed tabs: {told} answers told as safe, {kept} kept");
+    assert!(
+        told > 0 && kept >= told,
+        "{told} were told, {kept} are kept"
+    );
+}
+
+/// Plays two questions where nothing can be kept, and gives how often that was told.
+fn times_told(chromium: &mut Chromium) -> usize {
+    let mut times = 0;
+    let mut before = false;
+    for key in ["a", "Enter", "2"]
+        .into_iter()
+        .chain(std::iter::repeat_n("Enter", 20))
+        .chain(["a", "Enter", "2"])
+        .chain(std::iter::repeat_n("Enter", 20))
+    {
+        press(chromium, &[key]);
+        wait(60);
+        let screen = chromium.run(crate::browser::SCREEN, &[]);
+        let now = screen.as_str().unwrap().contains("cannot be kept");
+        times += usize::from(now && !before);
+        before = now;
+    }
+    times
+}
+
+#[test]
+fn a_browser_that_keeps_nothing_is_told_of_once() {
+    // Blocked, as some schools have it.
+    let blocked = json!({ "profile.default_content_setting_values.cookies": 2 });
+    let Some((page, mut chromium)) = page().zip(Chromium::start_as((1000, 700), false, blocked))
+    else {
+        return;
+    };
+    chromium.open(&format!("{page}#quiz=separation-3"));
+    wait_until_ready(&mut chromium);
+    assert_eq!(times_told(&mut chromium), 1);
+    // Nothing is lost of what the page itself still holds.
+    assert_eq!(answers(&progress(&mut chromium)).len(), 2);
+}
+
+#[test]
+fn a_full_browser_is_told_of_once_and_what_is_done_is_kept_when_there_is_room() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1000, 700), false)) else {
+        return;
+    };
+    chromium.open(&format!("{page}#quiz=separation-3"));
+    wait_until_ready(&mut chromium);
+    let quota = |bytes: u64| json!({ "origin": "file:///", "quotaSize": bytes });
+    chromium.debug("Storage.overrideQuotaForOrigin", &quota(1));
+    assert_eq!(times_told(&mut chromium), 1);
+    assert_eq!(answers(&progress(&mut chromium)).len(), 2);
+    chromium.debug(
+        "Storage.overrideQuotaForOrigin",
+        &json!({ "origin": "file:///" }),
+    );
+    press(&mut chromium, &["a", "Enter", "2"]);
+    wait(500);
+    chromium.open("about:blank");
+    chromium.open(&page);
+    wait_until_ready(&mut chromium);
+    assert_eq!(answers(&progress(&mut chromium)).len(), 3);
+}
+
 /// What the program has kept is opened in the page, and what comes of it is read again.
 #[test]
 fn a_database_of_the_program_is_opened_in_the_page() {
