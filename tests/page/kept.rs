@@ -193,7 +193,7 @@ fn a_full_browser_is_told_of_once_and_what_is_done_is_kept_when_there_is_room() 
     chromium.open("about:blank");
     chromium.open(&page);
     wait_until_ready(&mut chromium);
-    assert_eq!(answers(&progress(&mut chromium)).len(), 3);
+    assert_eq!(answers(&progress(&mut chromium)).len(), 2);
 }
 
 /// What the program has kept is opened in the page, and what comes of it is read again.

@@ -169,7 +169,9 @@ const input = (() => {
         else if (isNumber && key.length === 1) numbers.push(button(key, key, key));
         else if (id === "everywhere.back" || key === "Esc") last.push(button(key, "⟵", name || "back"));
         else if (name) {
-          const made = button(key, keys.length > 1 ? key : name, help || name, "key", keys.length > 1 && name);
+          // Answers are on the screen to be tapped; "likewise" says so beside the keys alone.
+          const below = keys.length > 1 && name !== "likewise" && name;
+          const made = button(key, keys.length > 1 ? key : name, help || name, "key", below);
           if (key === "Enter") first.unshift(made);
           else if (key === "Space") first.push(made);
           else rest.push(made);

@@ -168,7 +168,12 @@ impl Keeping {
     /// Takes that the browser has kept what it was given, or why not; gives the answers. What
     /// could not be kept stays in memory, and is kept with what comes next if it can be.
     pub(crate) fn kept(&mut self, failed: Option<&str>) -> Vec<StoreAnswer> {
-        let under_way = std::mem::take(&mut self.under_way);
+        let mut under_way = std::mem::take(&mut self.under_way);
+        if failed.is_some() && under_way == 0 {
+            // A browser that keeps nothing at all has not even been given it.
+            under_way = self.waiting.len();
+            self.taken_in = false;
+        }
         let answers: Vec<_> = self.waiting.drain(..under_way).collect();
         match failed {
             None => {
